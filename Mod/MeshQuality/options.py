@@ -18,7 +18,7 @@ CONNECTIVITIES = ("pseudo-delaunay", "parametric")
 INSERTIONS = ("off-centre", "circumcentre")
 KEPT_EDGES = ("all", "feature")
 OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
-BOOLEAN_METHODS = ("default", "uniform")
+BOOLEAN_METHODS = ("default", "exact", "uniform")
 
 # The bound on the distance is one choice with one value: DISTANCE are the two options that give it.
 DISTANCE = ("chord_height", "chord_height_relative")
@@ -378,9 +378,9 @@ BOOLEAN = (
            unset="by resolution",
            help="Largest distance between the result and the exact Boolean"),
     Option("method", str, "default", choices=BOOLEAN_METHODS, group="Boolean", title="Method",
-           rare=True, choice_titles=("exact intersection", "sampling (Wang 2010)"),
-           help="Algorithm: default divides triangles along the exact intersection; uniform is the "
-                "sampling scheme of Wang 2010, for two operands"),
+           rare=True, choice_titles=("exact where possible", "exact intersection", "sampling (Wang 2010)"),
+           help="Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang "
+                "2010), also operands that are open; default takes uniform where there is no exact result"),
 )
 
 

@@ -56,7 +56,8 @@ BODIES_OVERLAP = ("1 pair of bodies overlaps.", "{count} pairs of bodies overlap
 LIMIT = "the mesh is incomplete: a limit ended the work early"
 FAULTS_LEFT = ("1 fault remains that no repair removed.",
                "{count} faults remain that no repair removed.")
-UNIFORM_CROSSES = "method uniform does not rule that out, method default does."
+UNIFORM_CROSSES = "method uniform does not rule that out, method exact does."
+GUESSED = "{number} % of the surface is a guess, where operands are open."
 FOLDED = ("1 of {count2} elements is not proven valid: {list}.",
           "{count} of {count2} elements are not proven valid: {list}.")
 NOT_CONFORMING = ("the elements do not fit together: a face has more than two of them, or a corner of one lies amid an edge or "
@@ -74,7 +75,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
@@ -239,10 +240,10 @@ CORE_ERRORS = {
     "short_local_size": "the local size of {name} is {length}: single precision holds edges of this shape from {length2} "
                         "on; choose a larger value",
     "much_memory": "method 'uniform' would take about {number} GB at the resolution {count}: it can take {number2} GB; "
-                   "choose a resolution of at most {count2}, a tolerance of at least {length}, or method 'default'",
+                   "choose a resolution of at most {count2}, a tolerance of at least {length}, or method 'exact'",
     "many_triangles": "a deviation of {length} takes more than {count} triangles: ask for a larger one",
     "many_rays": "tolerance is {length}: method 'uniform' reaches {length2} with the most rays that it can use; ask for "
-                 "more than that, or use method 'default'",
+                 "more than that, or use method 'exact'",
     "no_such_entity": "a local size is given for {name}, but the shape has {count} {name2}",
     "volume_order": "order is {count}: it goes from 1 to {count2} for volumes",
     "filling_without_end": "filling the surface with tetrahedra did not come to an end: its triangles do not fit each "
@@ -284,6 +285,7 @@ STAGES = {
     "initial triangulation": "initial triangulation",
     "sampling": "sampling the surface",
     "sampling CAD faces": "sampling the faces of the shapes",
+    "winding numbers": "looking for the inside of open operands",
     "refining angles": "refining angles",
     "refining to the chord height": "refining to the max. deviation",
     "separating crossings": "separating faces that cross",

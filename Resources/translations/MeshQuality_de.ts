@@ -4,10 +4,6 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Algorithm: default divides triangles along the exact intersection; uniform is the sampling scheme of Wang 2010, for two operands</source>
-        <translation>Verfahren: entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper werden nach Wang 2010 abgetastet (für zwei Operanden)</translation>
-    </message>
-    <message>
         <source>Enclosed volume</source>
         <translation>Eingeschlossenes Volumen</translation>
     </message>
@@ -544,28 +540,8 @@
         <translation>Größter Abstand zwischen dem Ergebnis und dem exakten, in beiden Richtungen; ohne Angabe ein Tausendstel der Größe, höchstens ein Zehntel des Abstands; 0: nach Größe und Abstand</translation>
     </message>
     <message>
-        <source>Area of the triangles that close gaps</source>
-        <translation>Fläche der Dreiecke, die Lücken schließen</translation>
-    </message>
-    <message>
-        <source>Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless given, a quarter of the gap, at most a fiftieth of the size; 0: by size and gap</source>
-        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe; 0: nach Größe und Lücke</translation>
-    </message>
-    <message>
-        <source>Largest distance from the wrap of what sticks out of it</source>
-        <translation>Größter Abstand dessen, was aus der Hülle herausragt, von ihr</translation>
-    </message>
-    <message>
-        <source>Largest distance of the wrap from what it lies on, but for gaps</source>
-        <translation>Größter Abstand der Hülle von dem, worauf sie liegt, außer an Lücken</translation>
-    </message>
-    <message>
-        <source>Number of triangles that close gaps</source>
-        <translation>Anzahl der Dreiecke, die Lücken schließen</translation>
-    </message>
-    <message>
         <source>One half of the mould opens along it, the other one against it</source>
-        <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
+        <translation>In diese Richtung öffnet sich eine Hälfte des Werkzeugs, die andere ihr entgegen</translation>
     </message>
     <message>
         <source>Pairs (index of a CAD face, number of successive triangles on it); -1: on none</source>
@@ -610,6 +586,30 @@
     <message>
         <source>Largest distance of the mesh that is measured from a shape; 0: automatic</source>
         <translation>Größter Abstand des Netzes, an dem gemessen wird, von einer Form; 0: automatisch</translation>
+    </message>
+    <message>
+        <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area of the triangles that close gaps</source>
+        <translation>Fläche der Dreiecke, die Lücken schließen</translation>
+    </message>
+    <message>
+        <source>Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless given, a quarter of the gap, at most a fiftieth of the size; 0: by size and gap</source>
+        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe; 0: nach Größe und Lücke</translation>
+    </message>
+    <message>
+        <source>Largest distance from the wrap of what sticks out of it</source>
+        <translation>Größter Abstand dessen, was aus der Hülle herausragt, von ihr</translation>
+    </message>
+    <message>
+        <source>Largest distance of the wrap from what it lies on, but for gaps</source>
+        <translation>Größter Abstand der Hülle von dem, worauf sie liegt, außer an Lücken</translation>
+    </message>
+    <message>
+        <source>Number of triangles that close gaps</source>
+        <translation>Anzahl der Dreiecke, die Lücken schließen</translation>
     </message>
     <message>
         <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
@@ -717,10 +717,6 @@
     <message>
         <source>Accuracy</source>
         <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>Algorithm: default divides triangles along the exact intersection; uniform is the sampling scheme of Wang 2010, for two operands</source>
-        <translation>Verfahren: entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper werden nach Wang 2010 abgetastet (für zwei Operanden)</translation>
     </message>
     <message>
         <source>Boolean</source>
@@ -1427,10 +1423,6 @@
         <translation>größte Formverzerrung {number} (Grenze {number2}), {phrase}.</translation>
     </message>
     <message>
-        <source>method uniform does not rule that out, method default does.</source>
-        <translation>das Verfahren uniform schließt das nicht aus, das Verfahren default schon.</translation>
-    </message>
-    <message>
         <source>no change of the triangles around it makes the angle larger within the limits</source>
         <translation>keine Änderung der umliegenden Dreiecke vergrößert den Winkel innerhalb der Grenzen</translation>
     </message>
@@ -1901,10 +1893,6 @@
     <message>
         <source>max. deviation {length} (requested {length2}).</source>
         <translation>größte Abweichung {length} (verlangt {length2}).</translation>
-    </message>
-    <message>
-        <source>method &apos;uniform&apos; would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {length}, or method &apos;default&apos;</source>
-        <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {length} oder das Verfahren „default“</translation>
     </message>
     <message>
         <source>the local size of {name} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value</source>
@@ -2727,36 +2715,8 @@
         <translation>das Netz hat {count} offene Kanten: nur Körper haben Wände; erst schließen</translation>
     </message>
     <message>
-        <source>Gap</source>
-        <translation>Lücke</translation>
-    </message>
-    <message>
-        <source>Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless given, a quarter of the gap, at most a fiftieth of the size</source>
-        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe</translation>
-    </message>
-    <message>
-        <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
-        <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
-    </message>
-    <message>
-        <source>Wrap</source>
-        <translation>Umhüllen</translation>
-    </message>
-    <message>
-        <source>by size and gap</source>
-        <translation>nach Größe und Lücke</translation>
-    </message>
-    <message>
-        <source>finding what is near the surface</source>
-        <translation>Finden, was nahe an der Oberfläche ist</translation>
-    </message>
-    <message>
-        <source>rolling a ball over the surface</source>
-        <translation>Rollen einer Kugel über die Oberfläche</translation>
-    </message>
-    <message>
         <source>-x</source>
-        <translation>Vereinfachen der Oberfläche</translation>
+        <translation>-x</translation>
     </message>
     <message>
         <source>-y</source>
@@ -2823,8 +2783,60 @@
         <translation>automatisch</translation>
     </message>
     <message>
+        <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless given, a quarter of the gap, at most a fiftieth of the size</source>
+        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe</translation>
+    </message>
+    <message>
+        <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
+        <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
+    </message>
+    <message>
+        <source>Wrap</source>
+        <translation>Umhüllen</translation>
+    </message>
+    <message>
+        <source>by size and gap</source>
+        <translation>nach Größe und Lücke</translation>
+    </message>
+    <message>
+        <source>exact where possible</source>
+        <translation>genau, wo möglich</translation>
+    </message>
+    <message>
+        <source>finding what is near the surface</source>
+        <translation>Finden, was nahe an der Oberfläche ist</translation>
+    </message>
+    <message>
+        <source>looking for the inside of open operands</source>
+        <translation>das Innere offener Operanden wird gesucht</translation>
+    </message>
+    <message>
+        <source>method &apos;uniform&apos; would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {length}, or method &apos;exact&apos;</source>
+        <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {length} oder das Verfahren „exact“</translation>
+    </message>
+    <message>
+        <source>method uniform does not rule that out, method exact does.</source>
+        <translation>das Verfahren uniform schließt das nicht aus, das Verfahren exact schon.</translation>
+    </message>
+    <message>
+        <source>rolling a ball over the surface</source>
+        <translation>Rollen einer Kugel über die Oberfläche</translation>
+    </message>
+    <message>
         <source>simplifying the surface</source>
         <translation>Vereinfachen der Oberfläche</translation>
+    </message>
+    <message>
+        <source>{number} % of the surface is a guess, where operands are open.</source>
+        <translation>{number} % der Oberfläche sind geschätzt, wo Operanden offen sind.</translation>
     </message>
 </context>
 <context>
@@ -3080,7 +3092,7 @@
     <name>MeshQuality_Wrap</name>
     <message>
         <source>Close the outer surface of the selected objects, which may overlap, be open or have gaps, for flow simulations</source>
-        <translation>Die äußere Oberfläche der gewählten Objekte schließen, die sich überlappen, offen sein oder Lücken haben dürfen, für Strömungsrechnungen</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wrap...</source>

@@ -131,18 +131,7 @@ class BooleanPipeline {
     /// Whether a triangle of a prepared operand has the same corners as the input's triangle from which it comes.
     bool unchanged(std::size_t operand, std::size_t t) const {
         const Operand& own = prepared_[operand];
-        if (!own.repairs.any()) {
-            return true;
-        }
-        const mesh::TriangleMesh& input = *inputs_[operand];
-        const std::int32_t source = own.source[t];
-        const auto is_corner = [&](std::int32_t v) {
-            const Triangle& c = input.triangles[static_cast<std::size_t>(source)];
-            return std::any_of(c.begin(), c.end(), [&](std::int32_t w) {
-                return input.vertices[static_cast<std::size_t>(w)] == own.vertices[static_cast<std::size_t>(v)];
-            });
-        };
-        return source >= 0 && std::all_of(own.triangles[t].begin(), own.triangles[t].end(), is_corner);
+        return !own.repairs.any() || has_corners_of(own, t, *inputs_[operand]);
     }
 
     /// Pairs of triangles in contact, at most `limit` of them; coincident triangles are left out.

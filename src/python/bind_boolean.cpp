@@ -44,12 +44,15 @@ using PythonOperand = std::tuple<SurfacePointer, bool, py::object>;
 
 BooleanMethod method_from(const std::string& name) {
     if (name == "default") {
+        return BooleanMethod::Default;
+    }
+    if (name == "exact") {
         return BooleanMethod::Exact;
     }
     if (name == "uniform") {
         return BooleanMethod::Uniform;
     }
-    throw InvalidInput("method is '" + name + "': it must be 'default' or 'uniform'");
+    throw InvalidInput("method is '" + name + "': it must be 'default', 'exact' or 'uniform'");
 }
 
 /// An operation by its name, or an expression in postfix order (boolean::Expression::from).
@@ -103,6 +106,9 @@ py::tuple surface_distance(const Surface& from, const Surface& to, const py::obj
 void bind_boolean_report(py::module_& m) {
     py::class_<BooleanReport, mesh::MeshReport>(
         m, "BooleanReport", "A MeshReport of a Boolean's result, and what happened to its operands.")
+        .def_readonly("method", &BooleanReport::method, "that has made the result: 'exact' or 'uniform'")
+        .def_readonly("guessed_share", &BooleanReport::guessed_share,
+                      "share of the surface where an open operand has no triangle, a guess, 0 to 1")
         .def_readonly("error_bound", &BooleanReport::error_bound,
                       "no point of the result is farther from the exact one of these meshes, mm")
         .def_readonly("tolerance_asked", &BooleanReport::tolerance_asked,

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "boolean/input/operand_repair.h"
 #include "boolean/layered_depth/layered_depth_boolean.h"
 #include "boolean/project_to_cad.h"
 #include "geometry/occt/shape_model.h"
@@ -45,6 +46,27 @@ void take(BooleanSurface& surface, BooleanResult&& result) {
     surface.triangle_origin = std::move(result.triangle_origin);
 }
 
+/// The share of the result's samples that no triangle of an operand has.
+double guessed_share(const UniformResult& result) {
+    return static_cast<double>(result.guessed_samples) /
+           static_cast<double>(std::max<std::size_t>(1, result.result_samples));
+}
+
+/// Which operands are open, and how much of the result is a guess.
+std::string guess(const UniformResult& result) {
+    std::string names;
+    for (std::size_t k = 0; k < result.open.size(); ++k) {
+        if (result.open[k] != 0) {
+            names += (names.empty() ? "" : ", ") + boolean::operand_name(k, result.open.size());
+        }
+    }
+    std::array<char, 32> share;
+    std::snprintf(share.data(), share.size(), "%.2g %%", 100.0 * guessed_share(result));
+    return "open, as no repair closes it: " + names +
+           "; inside is where its winding number is at least 0.5, and this guess spans the holes: " + share.data() +
+           " of the result's surface";
+}
+
 /// What the rays found on the faces of shapes.
 std::string samples_of_faces(const UniformResult& result) {
     const boolean::FaceSampleCounts& cad = result.cad;
@@ -60,6 +82,7 @@ std::string samples_of_faces(const UniformResult& result) {
 
 void take(BooleanSurface& surface, UniformResult&& result) {
     BooleanReport& figures = surface.figures;
+    figures.method = "uniform";
     figures.error_bound = result.error_bound;
     figures.retained = result.retained;
     figures.reconstructed = result.changed + result.reconstructed + result.hole_triangles;
@@ -73,6 +96,12 @@ void take(BooleanSurface& surface, UniformResult&& result) {
     if (result.cad.on_faces + result.cad.on_mesh > 0) {
         figures.notes.push_back(samples_of_faces(result));
     }
+    if (std::any_of(result.open.begin(), result.open.end(), [](char open) { return open != 0; })) {
+        figures.notes.push_back(guess(result));
+    }
+    figures.guessed_share = guessed_share(result);
+    std::copy_if(result.repaired.begin(), result.repaired.end(), std::back_inserter(figures.repaired),
+                 [](const std::string& sentence) { return !sentence.empty(); });
     figures.samples = result.samples;
     figures.face_samples = result.cad.on_faces;
     figures.fitted_vertices = result.fitted;
@@ -88,6 +117,7 @@ boolean::CadOperands cad_of(const std::vector<BooleanOperand>& operands, geometr
                             const Progress& progress) {
     boolean::CadOperands cad;
     cad.engine = &engine;
+    cad.shapes.resize(operands.size());
     for (std::size_t i = 0; i < cad.shapes.size(); ++i) {
         const BooleanOperand& operand = operands[i];
         if (operand.shape != nullptr &&
@@ -118,10 +148,6 @@ void check_uniform(BooleanSurface& surface, Progress& progress) {
 void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const std::vector<BooleanOperand>& operands,
                  geometry::Engine& engine, const Expression& expression, const BooleanOptions& options,
                  Progress& progress) {
-    if (frame.meshes().size() != 2 || !expression.chained().has_value()) {
-        throw InvalidInput("method 'uniform' takes two operands, not " + std::to_string(frame.meshes().size()) +
-                           ": use method 'default', or apply it to two at a time");
-    }
     boolean::UniformOptions uniform;
     uniform.resolution = options.resolution;
     double tolerance = options.tolerance;
@@ -131,8 +157,7 @@ void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const std::
         tolerance = boolean::uniform_bound(frame.size(), uniform.resolution);
     }
     const boolean::CadOperands cad = cad_of(operands, engine, progress);
-    take(surface, boolean::layered_depth_boolean(*frame.meshes()[0], *frame.meshes()[1], *expression.chained(), uniform,
-                                                 &progress, cad));
+    take(surface, boolean::layered_depth_boolean(frame.meshes(), expression, uniform, &progress, cad));
     surface.figures.tolerance_asked = tolerance;
     check_uniform(surface, progress);
 }
@@ -206,6 +231,70 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
     figures.seconds = std::move(seconds);
 }
 
+namespace {
+
+/// One Boolean by either method.
+class BooleanRun {
+  public:
+    BooleanRun(geometry::Engine& engine, const std::vector<BooleanOperand>& operands, const OperandFrame& frame,
+               const Expression& expression, const BooleanOptions& options, Progress& progress)
+        : engine_(engine),
+          operands_(operands),
+          frame_(frame),
+          expression_(expression),
+          options_(options),
+          progress_(progress) {}
+
+    BooleanSurface exact() const {
+        BooleanSurface result;
+        const double limit = options_.tolerance_for(frame_.size());
+        take(result, boolean::boolean(frame_.meshes(), expression_, options_, &progress_));
+        result.figures.tolerance_asked = limit;
+        fit_to_shapes(result, frame_, operands_, engine_, limit, progress_);
+        return result;
+    }
+
+    BooleanSurface uniform() const {
+        BooleanSurface result;
+        run_uniform(result, frame_, operands_, engine_, expression_, options_, progress_);
+        return result;
+    }
+
+    BooleanSurface exact_or_uniform() const {
+        try {
+            return exact();
+        } catch (const boolean::OpenOperand& error) {
+            return uniform_after(error);
+        } catch (const TopologyError& error) {
+            return uniform_after(error);
+        }
+    }
+
+  private:
+    template <typename Kind>
+    BooleanSurface uniform_after(const Kind& error) const {
+        BooleanSurface result;
+        try {
+            result = uniform();
+        } catch (const InvalidInput& neither) {
+            throw Kind(std::string(error.what()) + "; sampling it along rays fails, too: " + neither.what());
+        }
+        result.figures.notes.insert(
+            result.figures.notes.begin(),
+            std::string("sampled along rays (method uniform), as there is no exact result: ") + error.what());
+        return result;
+    }
+
+    geometry::Engine& engine_;
+    const std::vector<BooleanOperand>& operands_;
+    const OperandFrame& frame_;
+    const Expression& expression_;
+    const BooleanOptions& options_;
+    Progress& progress_;
+};
+
+}  // namespace
+
 BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,
                                    const Expression& expression, const BooleanOptions& options, BooleanMethod method,
                                    const WorkBefore& before, Progress& progress) {
@@ -217,15 +306,10 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
         framed.push_back({&operand.surface->mesh, operand.round});
     }
     const OperandFrame frame(framed);
-    BooleanSurface result;
-    if (method == BooleanMethod::Uniform) {
-        run_uniform(result, frame, operands, engine, expression, options, progress);
-    } else {
-        const double limit = options.tolerance_for(frame.size());
-        take(result, boolean::boolean(frame.meshes(), expression, options, &progress));
-        result.figures.tolerance_asked = limit;
-        fit_to_shapes(result, frame, operands, engine, limit, progress);
-    }
+    const BooleanRun run(engine, operands, frame, expression, options, progress);
+    BooleanSurface result = method == BooleanMethod::Uniform ? run.uniform()
+                            : method == BooleanMethod::Exact ? run.exact()
+                                                             : run.exact_or_uniform();
     if (!frame.single()) {
         result.figures.notes.emplace_back(
             "an operand has more digits than single precision holds: to_mesh and most files round the result");

@@ -19,8 +19,9 @@ class TopoDS_Shape;
 namespace mq::workflows {
 
 enum class BooleanMethod {
+    Default,  ///< Exact; Uniform where the operands have no exact result
     Exact,    ///< exact arrangements (boolean/boolean.h)
-    Uniform,  ///< layered depth images, for two operands (boolean/layered_depth)
+    Uniform,  ///< layered depth images (boolean/layered_depth)
 };
 
 /// An operand: its mesh, and the shape from which it was meshed.
@@ -55,10 +56,15 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
 
 /// A Boolean of operands in any frames: they are brought into one, the result is put onto the surfaces of the shapes,
 /// as far as the tolerance allows, and measured.
+///
+/// The method Default falls back to Uniform on errors that tell that the geometry has no exact result: an operand that
+/// no repair closes (boolean::OpenOperand), surfaces that bound no volumes or cannot be rounded (TopologyError). The
+/// report names the method, and a note the reason. Other errors (options, meshes that are not valid, memory) are
+/// raised.
 /// @param engine  answers for the shapes; the method Uniform samples their faces, and takes only which of them a ray
 ///     meets from their meshes
-/// @throws as boolean::boolean and boolean::layered_depth_boolean; InvalidInput for an option out of range, and for
-///     other than two operands of the method Uniform.
+/// @throws as boolean::boolean and boolean::layered_depth_boolean; of the method Default the error of the exact one,
+///     with that of the uniform one where this could not be made either.
 BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,
                                    const boolean::Expression& expression, const boolean::BooleanOptions& options,
                                    BooleanMethod method, const WorkBefore& before, Progress& progress);

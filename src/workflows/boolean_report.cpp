@@ -12,6 +12,12 @@ std::string to_text(const BooleanReport& report) {
         std::array<char, 32> buffer;
         return std::string(buffer.data(), std::snprintf(buffer.data(), buffer.size(), "%.6g", value));
     };
+    if (report.method != "exact") {
+        text += "method       " + report.method + "\n";
+    }
+    if (report.guessed_share > 0.0) {
+        text += "guessed      " + number(100.0 * report.guessed_share) + " % of the surface, where operands are open\n";
+    }
     text += "retained     " + std::to_string(report.retained) + " triangles of the operands, bit for bit; " +
             std::to_string(report.reconstructed) + " made or changed\n";
     text += "error bound  " + number(report.error_bound) + " mm, requested " + number(report.tolerance_asked) + " mm\n";

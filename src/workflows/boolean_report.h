@@ -11,6 +11,7 @@ namespace mq::workflows {
 
 /// The contents of a MeshReport, the error bound of a Boolean's result, and the repairs of its operands.
 struct BooleanReport : mesh::MeshReport {
+    std::string method = "exact";        ///< that has made the result: "exact" or "uniform"
     double error_bound = 0.0;            ///< no point of the result is farther from the exact one, mm
     double tolerance_asked = 0.0;        ///< the tolerance that was requested, or that of the resolution, mm
     std::size_t retained = 0;            ///< triangles that are an operand's own
@@ -24,7 +25,10 @@ struct BooleanReport : mesh::MeshReport {
     std::size_t unfitted_vertices = 0;   ///< vertices left on the meshes of these shapes
     std::size_t samples = 0;             ///< samples of the operands along rays (method Uniform)
     std::size_t face_samples = 0;        ///< those with depth and normal of a CAD face
-    std::vector<std::string> repaired;   ///< a sentence for each operand that was repaired
+    /// Share of the result's surface where an open operand has no triangle: it is a guess by the winding number, to
+    /// which the error bound does not apply (method Uniform). 0 to 1.
+    double guessed_share = 0.0;
+    std::vector<std::string> repaired;  ///< a sentence for each operand that was repaired
 };
 
 /// A text of a dozen lines for people.

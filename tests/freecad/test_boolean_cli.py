@@ -84,7 +84,7 @@ class BooleanCommand(helpers.DocumentTest):
                 ((self.a, self.b, "--operation", "cut"), "difference"),
                 ((self.a, self.b, "--tolerance", "0"), "tolerance"),
                 ((self.a, self.b, "--resolution", "3"), "resolution"),
-                ((self.a, self.b, self.a, "--method", "uniform"), "two operands"),
+                ((self.a, self.b, "--method", "sampled"), "method"),
                 ((self.a, self.b, "-o", "/nowhere/x.ply"), "/nowhere"),
                 ((self.a, self.b, "-o", self.folder + "/x.step"), "x.step")):
             with self.subTest(arguments):

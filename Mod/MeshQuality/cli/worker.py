@@ -41,7 +41,8 @@ REPORT_FIELDS = (
 )
 
 BOOLEAN_REPORT_FIELDS = (
-    "error_bound", "tolerance_asked", "retained", "reconstructed", "repaired", "faults_left", "crossing_pairs",
+    "method", "guessed_share", "error_bound", "tolerance_asked", "retained", "reconstructed", "repaired",
+    "faults_left", "crossing_pairs",
     "curve_edges", "parted_contacts", "separated_vertices", "fitted_vertices", "unfitted_vertices",
     "samples", "face_samples",
 )

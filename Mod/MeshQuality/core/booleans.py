@@ -11,7 +11,7 @@ from .surface_mesh import SurfaceMesh
 _MESHING = 0.4
 # Largest deviation of the meshes of shapes by method, as a fraction of the tolerance. Rays take from the meshes which
 # CAD faces they meet: the finer these are, the fewer rays pass between mesh and face.
-_DEVIATION = {"default": 0.5, "uniform": 1.0 / 16.0}
+_DEVIATION = {"default": 0.5, "exact": 0.5, "uniform": 1.0 / 16.0}
 
 
 class BooleanMesh(SurfaceMesh):
@@ -20,7 +20,8 @@ class BooleanMesh(SurfaceMesh):
     triangle_source  int32 (T, 2): operand (0, 1, ...) and triangle there of each triangle that is
                      an operand's own, bit for bit, turned around where an operand was subtracted;
                      (-1, -1) of those made or changed
-    report           BooleanReport: a MeshReport with error_bound, retained, reconstructed, repaired
+    report           BooleanReport: a MeshReport with method ("exact" or "uniform"), error_bound, retained,
+                     reconstructed, repaired, guessed_share
 
     vertices, origin, triangles, to_mesh and write are those of a SurfaceMesh; triangle_face and
     vertex_entity are empty.
@@ -43,14 +44,20 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
                 such a cell (method "uniform": a cell of its grid, which has free cells around them)
     tolerance   mm; largest distance of the result from the exact one
     progress    callable(fraction 0..1, stage); returning False cancels
-    method      "default", or "uniform": the scheme of Wang 2010, for two operands
+    method      "exact": triangles are divided along the exact intersection; "uniform": operands are sampled
+                along rays (Wang 2010), open ones by their winding number; "default": exact, and uniform where
+                the operands have no exact result, which report.method and a note tell
     threads     that work at a time; 0: one for each core. The result is the same for any number
 
     Shapes are meshed first, within half the tolerance; a sixteenth for method "uniform", whose rays
     meet the CAD faces themselves. Operands with small faults (holes,
     duplicate, flipped or degenerate triangles, self-intersections) are repaired, which the report
-    tells. Returns a BooleanMesh; an empty one where nothing is left.
-    Raises InvalidInput naming the operand, the defect and the remedy; TopologyError; Cancelled.
+    tells. Where no repair closes an operand, method "uniform" takes for its inside where its generalised
+    winding number is at least 0.5; report.guessed_share is the share of the surface that this made.
+
+    Returns a BooleanMesh; an empty one where nothing is left.
+    Raises InvalidInput naming the operand, the defect and the remedy; Cancelled; with method "exact" also
+    TopologyError, where the operands have no exact result.
     """
     if isinstance(b, str):
         raise InvalidInput(f"b = {b!r} is no operand: with a list of operands give operation={b!r}")

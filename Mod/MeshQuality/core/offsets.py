@@ -127,7 +127,7 @@ def _hollowed(work, faces):
     operands = [(work.solid, False, None)]
     if len(inside.triangles):
         operands.append((inside, False, None))
-    result = module.boolean(operands, operation, work.boolean_options(_CUTTING), "default", work.before(last=True),
+    result = module.boolean(operands, operation, work.boolean_options(_CUTTING), "exact", work.before(last=True),
                             work.progress(_OFFSET, 1.0))
     module.name_faces(result, [surface for surface, *_ in operands])
     return OffsetMesh(result)
@@ -175,7 +175,7 @@ class _Work:
             self._error_bound = operand.report.max_chord_height
         self._seconds, self._notes = list(self._operands.seconds), []
         self._cpu_seconds = self._operands.cpu_seconds
-        self.solid = extension().boolean([(operand, rounded, None)], "union", self.boolean_options(_UNION), "default",
+        self.solid = extension().boolean([(operand, rounded, None)], "union", self.boolean_options(_UNION), "exact",
                                          self.before(), self.progress(_MESHED if meshed else 0.0, _UNITED))
         extension().name_faces(self.solid, [operand])
         self._seconds, self._notes = [], []

@@ -147,6 +147,8 @@ def of_boolean(mesh):
     """Findings of a BooleanMesh. An empty one has none."""
     report = mesh.report
     found = _too_far(report.error_bound, report.tolerance_asked, phrases.RESULT_DISTANCE)
+    if report.guessed_share > 0.0:
+        found.append(Finding(_sentence(phrases.GUESSED, number=f"{100.0 * report.guessed_share:.2g}")))
     if report.self_intersections > 0:  # counted of method uniform only
         found.append(Finding(phrases.joined(_counted(phrases.CROSSING, report.self_intersections),
                                             _sentence(phrases.UNIFORM_CROSSES))))

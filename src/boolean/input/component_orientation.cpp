@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -11,6 +12,10 @@
 
 namespace mq::boolean {
 namespace {
+
+/// Directions with irregular components, so that rays rarely meet edges of regular meshes.
+constexpr std::array<std::array<double, 3>, 4> kIrregular{
+    {{0.618, 0.271, 0.738}, {-0.391, 0.833, 0.392}, {0.459, -0.577, -0.676}, {-0.733, -0.319, 0.601}}};
 
 /// A component that encloses a point, and its winding number: the crossings of a ray outward minus those inward.
 struct Encloser {
@@ -45,11 +50,8 @@ class Enclosure {
   private:
     /// A point outside of everything, for each attempt in another direction that no axis, grid or diagonal has.
     Vec3 far_point(int attempt) const {
-        // Directions with irregular components, so that rays rarely meet edges of regular meshes.
-        constexpr double kDirections[4][3] = {
-            {0.618, 0.271, 0.738}, {-0.391, 0.833, 0.392}, {0.459, -0.577, -0.676}, {-0.733, -0.319, 0.601}};
         const Box box = tree_.box();
-        const double* d = kDirections[attempt];
+        const std::array<double, 3>& d = kIrregular[attempt];
         return box.center() + 2.0 * (box.high - box.low).norm() * Vec3(d[0], d[1], d[2]);
     }
 
@@ -161,7 +163,79 @@ std::vector<char> components_to_turn(const OperandMesh& draft, const mesh::Compo
     return turned;
 }
 
+/// Votes on which side of an open sheet lies inside, by rays that count the triangles of the operand.
+class SheetVotes {
+  public:
+    explicit SheetVotes(const OperandMesh& draft) : draft_(draft), tree_(draft.vertices, draft.triangles) {}
+
+    /// Above 0 where rays from a triangle find the outside in front of it and the inside behind it, below 0 the other
+    /// way round.
+    int of(std::int32_t triangle) const {
+        const mesh::Triangle& t = draft_.triangles[triangle];
+        const Vec3 &a = draft_.vertices[t[0]], &b = draft_.vertices[t[1]], &c = draft_.vertices[t[2]];
+        const Vec3 normal = (b - a).cross(c - a);
+        int votes = 0;
+        for (const std::array<double, 3>& d : kIrregular) {
+            const Vec3 way(d[0], d[1], d[2]);
+            const Vec3 front = way.dot(normal) < 0.0 ? Vec3(-way) : way;
+            votes +=
+                (odd(triangle, (a + b + c) / 3.0, -front) ? 1 : 0) - (odd(triangle, (a + b + c) / 3.0, front) ? 1 : 0);
+        }
+        return votes;
+    }
+
+  private:
+    /// Whether a ray from a triangle meets an odd number of others. Roundings change single votes only.
+    bool odd(std::int32_t triangle, const Vec3& from, const Vec3& way) const {
+        bool result = false;
+        tree_.for_each_on_ray(from, way, [&](std::int32_t other) {
+            const mesh::Triangle& t = draft_.triangles[other];
+            const Vec3 a = draft_.vertices[t[0]] - from, b = draft_.vertices[t[1]] - from,
+                       c = draft_.vertices[t[2]] - from;
+            const double ab = way.dot(a.cross(b)), bc = way.dot(b.cross(c)), ca = way.dot(c.cross(a));
+            const bool through = (ab > 0.0) == (bc > 0.0) && (bc > 0.0) == (ca > 0.0);
+            const double volume = a.dot(b.cross(c));
+            const bool ahead = (volume > 0.0) == (ab + bc + ca > 0.0);
+            result = result != (other != triangle && through && ahead);
+        });
+        return result;
+    }
+
+    const OperandMesh& draft_;
+    mesh::AabbTree tree_;
+};
+
 }  // namespace
+
+void orient_open_sheets(OperandMesh& draft, const Progress* progress) {
+    const mesh::Components components = mesh::components(draft.mates);
+    std::vector<char> open(components.count, 0);
+    std::vector<std::size_t> size(components.count, 0);
+    for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
+        const std::int32_t c = components.component_of[t];
+        ++size[c];
+        for (std::size_t h = 3 * t; h < 3 * t + 3; ++h) {
+            open[c] |= static_cast<char>(draft.mates[h] < 0);
+        }
+    }
+    const SheetVotes votes(draft);
+    std::vector<double> sum(components.count, 0.0);
+    std::vector<std::size_t> seen(components.count, 0);
+    for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
+        const std::int32_t c = components.component_of[t];
+        const std::size_t every = std::max<std::size_t>(1, size[c] / InputTuning::kVotes);
+        if (open[c] != 0 && seen[c]++ % every == 0) {
+            check_cancelled(progress);
+            const auto triangle = static_cast<std::int32_t>(t);
+            sum[c] += draft.area(triangle) * votes.of(triangle);
+        }
+    }
+    std::vector<char> marked(draft.triangles.size());
+    for (std::size_t t = 0; t < marked.size(); ++t) {
+        marked[t] = static_cast<char>(sum[components.component_of[t]] < 0.0);
+    }
+    draft.turn(marked);
+}
 
 void orient_to_bound_volume(OperandMesh& draft) {
     const mesh::Components components = mesh::components(draft.mates);

@@ -383,7 +383,7 @@ class HoleClosing {
         for (const std::int32_t h : longest->border) {
             middle += draft_.point(h) / double(longest->border.size());
         }
-        throw InvalidInput(
+        throw OpenOperand(
             draft_.name + " is an open surface: a border of " + std::to_string(longest->border.size()) +
             " edges around " + draft_.position(middle) +
             " is too large to be closed by guessing; close it, give the sheet a thickness, or take it out");

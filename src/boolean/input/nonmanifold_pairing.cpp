@@ -236,8 +236,8 @@ void pair_and_orient(OperandMesh& draft) {
     }
     const std::vector<std::int32_t> one_sided = PatchOrientation(draft).run();
     if (!one_sided.empty()) {
-        throw InvalidInput(draft.name + ": the surface has one side only, like a Moebius strip, near " +
-                           draft.position(draft.point(one_sided[0])) + "; an operand must enclose a volume");
+        throw OpenOperand(draft.name + ": the surface has one side only, like a Moebius strip, near " +
+                          draft.position(draft.point(one_sided[0])) + "; an operand must enclose a volume");
     }
     if (!crowded) {
         return;

@@ -82,4 +82,8 @@ void split_fans(OperandMesh& draft);
 /// where it does not lie in another one, together with all that lies in it; in another one it is a cavity.
 void orient_to_bound_volume(OperandMesh& draft);
 
+/// Reverses components with a border of which more area has, by rays that count the triangles, the inside in front of
+/// it than behind it.
+void orient_open_sheets(OperandMesh& draft, const Progress* progress);
+
 }  // namespace mq::boolean

@@ -234,7 +234,8 @@ std::size_t count_flipped(const OperandMesh& draft, const mesh::TriangleMesh& me
     return flipped;
 }
 
-void repair(OperandMesh& draft, const Progress* progress) {
+/// Removes duplicates and triangles without area.
+void remove_doubles(OperandMesh& draft, const Progress* progress) {
     // A swap may make duplicates, and the triangles covered by these may be swapped afterwards.
     for (int round = 0; round < 3; ++round) {
         remove_duplicates(draft);
@@ -247,6 +248,10 @@ void repair(OperandMesh& draft, const Progress* progress) {
         }
         draft.find_twins();
     }
+}
+
+void repair(OperandMesh& draft, const Progress* progress) {
+    remove_doubles(draft, progress);
     pair_and_orient(draft);
     check_cancelled(progress);
     close_holes(draft, progress);
@@ -312,8 +317,22 @@ std::string operand_name(std::size_t index, std::size_t count) {
                        : "operand " + std::to_string(index + 1);
 }
 
-Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, double reach,
-                        const Progress* progress) {
+bool has_corners_of(const Operand& operand, std::size_t triangle, const mesh::TriangleMesh& input) {
+    const std::int32_t source = operand.source[triangle];
+    const auto is_corner = [&](std::int32_t v) {
+        const mesh::Triangle& c = input.triangles[static_cast<std::size_t>(source)];
+        return std::any_of(c.begin(), c.end(), [&](std::int32_t w) {
+            return input.vertices[static_cast<std::size_t>(w)] == operand.vertices[static_cast<std::size_t>(v)];
+        });
+    };
+    const mesh::Triangle& corners = operand.triangles[triangle];
+    return source >= 0 && std::all_of(corners.begin(), corners.end(), is_corner);
+}
+
+namespace {
+
+/// The draft of an operand with its vertices welded.
+OperandMesh welded_draft(const mesh::TriangleMesh& mesh, const std::string& name, const Progress* progress) {
     require_usable(mesh, name);
     check_cancelled(progress);
     OperandMesh draft = draft_of(mesh, name);
@@ -322,19 +341,52 @@ Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name,
     check_cancelled(progress);
     draft.find_twins();
     check_cancelled(progress);
-    if (!is_fit(draft)) {
-        repair_with_cracks(draft, reach, progress);
-    }
-    check_cancelled(progress);
-    if (draft.triangles.empty()) {
-        throw InvalidInput(Message::of(phrases::kNoEnclosedVolume, {{"name", name}}));
-    }
-    orient_to_bound_volume(draft);
+    return draft;
+}
+
+Operand operand_of(OperandMesh& draft, const mesh::TriangleMesh& mesh) {
     if (draft.repairs.flipped > 0) {
         draft.repairs.flipped = count_flipped(draft, mesh);
     }
     return {std::move(draft.vertices), std::move(draft.triangles), std::move(draft.source), draft.repairs,
             draft.largest_move};
+}
+
+void require_some(const OperandMesh& draft) {
+    if (draft.triangles.empty()) {
+        throw InvalidInput(Message::of(phrases::kNoEnclosedVolume, {{"name", draft.name}}));
+    }
+}
+
+}  // namespace
+
+Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, double reach,
+                        const Progress* progress) {
+    OperandMesh draft = welded_draft(mesh, name, progress);
+    if (!is_fit(draft)) {
+        repair_with_cracks(draft, reach, progress);
+    }
+    check_cancelled(progress);
+    require_some(draft);
+    orient_to_bound_volume(draft);
+    return operand_of(draft, mesh);
+}
+
+Operand prepare_open_operand(const mesh::TriangleMesh& mesh, const std::string& name, const Progress* progress) {
+    OperandMesh draft = welded_draft(mesh, name, progress);
+    remove_doubles(draft, progress);
+    require_some(draft);
+    OperandMesh turned = draft;
+    try {
+        pair_and_orient(turned);
+        orient_to_bound_volume(turned);
+        orient_open_sheets(turned, progress);
+        draft = std::move(turned);
+        draft.repairs.nonmanifold_edges = 0;  // nothing is separated there
+    } catch (const OpenOperand&) {
+        check_cancelled(progress);  // one side only: its triangles stay as they are turned
+    }
+    return operand_of(draft, mesh);
 }
 
 }  // namespace mq::boolean

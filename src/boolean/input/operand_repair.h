@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "base/progress.h"
 #include "mesh/triangle_mesh.h"
 
@@ -41,6 +42,14 @@ struct Operand {
     double largest_move = 0.0;  ///< how far at most points of the surface were moved to close cracks, mm
 };
 
+/// Whether a triangle of a prepared operand has the corners of the input's triangle from which it comes, in any order.
+bool has_corners_of(const Operand& operand, std::size_t triangle, const mesh::TriangleMesh& input);
+
+/// An operand that no repair makes closed and oriented: what it encloses can only be guessed.
+class OpenOperand : public InvalidInput {
+    using InvalidInput::InvalidInput;
+};
+
 /// "operand A", "operand B", ...; a number where there are more operands than letters.
 std::string operand_name(std::size_t index, std::size_t count);
 
@@ -51,9 +60,17 @@ std::string operand_name(std::size_t index, std::size_t count);
 /// @param name for messages, such as "operand A"
 /// @param reach  the width up to which cracks are closed, mm; 0: none
 /// @throws InvalidInput naming the operand, the defect and its position: no triangles, a coordinate that is not finite,
-/// an index out of range, a one-sided surface, an open surface (see InputTuning).
+/// an index out of range.
+/// @throws OpenOperand likewise: a one-sided surface, an open surface (see InputTuning).
 /// @throws Cancelled.
 Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, double reach = 0.0,
                         const Progress* progress = nullptr);
+
+/// What can be made of an operand that prepare_operand refuses as open: equal vertices welded, triangles without area
+/// and all but one of those on the same vertices removed, neighbours turned alike unless the surface has one side only,
+/// and each open sheet turned with the side out from which rays leave the operand. It is not closed.
+/// @throws InvalidInput, Cancelled as prepare_operand
+Operand prepare_open_operand(const mesh::TriangleMesh& mesh, const std::string& name,
+                             const Progress* progress = nullptr);
 
 }  // namespace mq::boolean

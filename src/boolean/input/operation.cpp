@@ -115,17 +115,47 @@ void Expression::add_operation(Operation operation) {
 }
 
 bool Expression::contains(const std::int32_t* winding) const {
-    std::vector<char> stack;
-    for (const Node& node : nodes_) {
+    return fold<char>([&](int operand) { return winding[operand] > 0 ? 1 : 0; },
+                      [](Operation operation, char first, char second) {
+                          return in_result(operation, first != 0, second != 0) ? 1 : 0;
+                      }) != 0;
+}
+
+Membership::Membership(const Expression& expression)
+    : expression_(expression),
+      leaves_(expression.operands()),
+      below_(expression.nodes_.size()),
+      holds_(expression.nodes_.size(), 0) {
+    std::vector<int> open;
+    for (std::size_t n = 0; n < below_.size(); ++n) {
+        const Expression::Node& node = expression.nodes_[n];
         if (node.operand >= 0) {
-            stack.push_back(winding[node.operand] > 0 ? 1 : 0);
+            leaves_[static_cast<std::size_t>(node.operand)].push_back(static_cast<int>(n));
         } else {
-            const bool second = stack.back() != 0;
-            stack.pop_back();
-            stack.back() = in_result(node.operation, stack.back() != 0, second) ? 1 : 0;
+            below_[n] = {open[open.size() - 2], open.back()};
+            open.resize(open.size() - 2);
+        }
+        open.push_back(static_cast<int>(n));
+    }
+}
+
+void Membership::set(std::size_t operand, bool inside) {
+    for (int n : leaves_[operand]) {
+        char now = inside ? 1 : 0;
+        while (holds_[static_cast<std::size_t>(n)] != now) {
+            holds_[static_cast<std::size_t>(n)] = now;
+            const int parent = expression_.nodes_[static_cast<std::size_t>(n)].parent;
+            if (parent < 0) {
+                break;
+            }
+            const auto [first, second] = below_[static_cast<std::size_t>(parent)];
+            n = parent;
+            now = in_result(expression_.nodes_[static_cast<std::size_t>(n)].operation,
+                            holds_[static_cast<std::size_t>(first)] != 0, holds_[static_cast<std::size_t>(second)] != 0)
+                      ? 1
+                      : 0;
         }
     }
-    return stack.back() != 0;
 }
 
 Pairing Expression::pairing(int first, int second) const {

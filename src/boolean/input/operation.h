@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -43,10 +44,26 @@ class Expression {
     /// Whether a point of space belongs to the result.
     /// @param winding  how often each operand winds around the point: it lies in those with more than 0
     bool contains(const std::int32_t* winding) const;
+    /// What the operations make of the values of the operands: leaf(operand), join(operation, first, second).
+    template <typename Value, typename Leaf, typename Join>
+    Value fold(const Leaf& leaf, const Join& join) const {
+        std::vector<Value> stack;
+        for (const Node& node : nodes_) {
+            if (node.operand >= 0) {
+                stack.push_back(leaf(static_cast<int>(node.operand)));
+            } else {
+                const Value second = stack.back();
+                stack.pop_back();
+                stack.back() = join(node.operation, stack.back(), second);
+            }
+        }
+        return stack.back();
+    }
     /// How two operands are joined; None by a symmetric difference, and where one of them occurs several times.
     Pairing pairing(int first, int second) const;
 
   private:
+    friend class Membership;
     struct Node {
         std::int32_t operand = -1;  ///< -1: an operation
         Operation operation = Operation::Union;
@@ -60,6 +77,23 @@ class Expression {
     std::vector<int> open_;    ///< nodes without a parent
     std::vector<int> leaf_;    ///< node of each operand; -1 where there are several
     std::optional<Operation> chained_;
+};
+
+/// Whether a point that moves through space belongs to the result: it starts outside of all operands, and each border
+/// that it passes costs no more than the operations whose result changes.
+class Membership {
+  public:
+    /// @param expression is referred to
+    explicit Membership(const Expression& expression);
+
+    void set(std::size_t operand, bool inside);
+    bool inside() const { return holds_.back() != 0; }
+
+  private:
+    const Expression& expression_;
+    std::vector<std::vector<int>> leaves_;   ///< nodes of each operand
+    std::vector<std::array<int, 2>> below_;  ///< what each operation joins
+    std::vector<char> holds_;                ///< by node
 };
 
 }  // namespace mq::boolean

@@ -24,6 +24,7 @@ struct InputTuning {
     MESHQUALITY_TUNED(double, kLargestFilledShare, 1.0 / 3.0);
     /// From this fraction on it is a sheet, and bounds nothing: the winding number of such a dome is 0.6 in the mean,
     /// that of a plane one 0.5. Sheets are left out if together they have at most half of the operand's area.
+    /// Layered depth images take the area that is a guess.
     MESHQUALITY_TUNED(double, kLeastSheetShare, 0.8);
     /// Other components that cannot be closed are left out if together they have at most this fraction of the
     /// operand's area; those that are attached to the rest along edges of three or more triangles (inner walls,
@@ -36,6 +37,8 @@ struct InputTuning {
     MESHQUALITY_TUNED(int, kFillingRounds, 4);
     /// Vertices of a component tried as starts of a ray.
     MESHQUALITY_TUNED(std::size_t, kRayStarts, 8);
+    /// Triangles of an open sheet that vote on which side of it is out, about.
+    MESHQUALITY_TUNED(std::size_t, kVotes, 32);
 };
 
 }  // namespace mq::boolean

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <deque>
 #include <functional>
 
 #include "base/error.h"
+#include "base/parallel.h"
+#include "boolean/input/operand_repair.h"
+#include "boolean/input/tuning.h"
 #include "boolean/layered_depth/reconstruction/border_stitching.h"
 #include "boolean/layered_depth/reconstruction/contour.h"
 #include "boolean/layered_depth/reconstruction/face_projection.h"
@@ -15,8 +18,8 @@
 #include "boolean/layered_depth/reconstruction/tuning.h"
 #include "boolean/layered_depth/samples/rasterise.h"
 #include "boolean/layered_depth/samples/sample_clustering.h"
+#include "boolean/layered_depth/uniform_operand.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "mesh/edge_table.h"
 #include "mesh/polygon_triangulation.h"
 
 namespace mq::boolean {
@@ -41,79 +44,6 @@ void require_options(const UniformOptions& options) {
     }
 }
 
-/// A hash that is zero when every directed edge has its reverse; for an open surface it is zero with probability 2^-64.
-std::uint64_t edge_balance(const mesh::TriangleMesh& mesh) {
-    const auto mixed = [](std::uint64_t from, std::uint64_t to) {
-        std::uint64_t x = (from << 32 | to) * 0x9e3779b97f4a7c15ULL;
-        x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9ULL;
-        x = (x ^ x >> 27) * 0x94d049bb133111ebULL;
-        return x ^ x >> 31;
-    };
-    std::uint64_t sum = 0;
-    for (const mesh::Triangle& t : mesh.triangles) {
-        for (int i = 0; i < 3; ++i) {
-            const auto from = static_cast<std::uint32_t>(t[i]), to = static_cast<std::uint32_t>(t[(i + 1) % 3]);
-            if (from != to) {
-                sum += mixed(from, to) - mixed(to, from);
-            }
-        }
-    }
-    return sum;
-}
-
-void require_valid(const mesh::TriangleMesh& mesh, const char* name) {
-    try {
-        mesh::require_valid(mesh);
-    } catch (const InvalidInput& error) {
-        throw InvalidInput(std::string("operand ") + name + ": " + error.what());
-    }
-}
-
-void require_closed(const mesh::TriangleMesh& mesh, const char* name) {
-    if (edge_balance(mesh) == 0) {
-        return;
-    }
-    const mesh::EdgeTable edges(mesh.triangles, mesh.vertices.size());
-    edges.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
-        std::ptrdiff_t up = 0;
-        for (const std::uint32_t* c = first; c != last; ++c) {
-            up += mesh.triangles[*c / 3][*c % 3] == low ? 1 : -1;
-        }
-        if (up != 0) {
-            const Vec3 p = mesh.origin + 0.5 * (mesh.vertices[low] + mesh.vertices[high]);
-            throw InvalidInput(std::string("operand ") + name + " is not closed or not oriented at (" +
-                               std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) +
-                               "), on the edge of vertices " + std::to_string(low) + " and " + std::to_string(high) +
-                               "; fill its holes and turn its triangles outwards first");
-        }
-    });
-}
-
-/// A reversed operand would be all outside by the normal index, and vanish.
-void require_outward(const mesh::TriangleMesh& mesh, const char* name) {
-    double volume = 0.0;
-    for (const mesh::Triangle& t : mesh.triangles) {
-        const Vec3& base = mesh.vertices[mesh.triangles.front()[0]];
-        volume += (mesh.vertices[t[0]] - base).dot((mesh.vertices[t[1]] - base).cross(mesh.vertices[t[2]] - base));
-    }
-    if (volume < 0.0) {
-        throw InvalidInput(std::string("operand ") + name + " is inside out (volume " + std::to_string(volume / 6.0) +
-                           " mm3); turn its triangles outwards first");
-    }
-}
-
-void require_operands(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
-    require_valid(a, "A");
-    require_valid(b, "B");
-    if (a.origin != b.origin) {
-        throw InvalidInput("the operands have different origins; give both meshes in one frame");
-    }
-    require_closed(a, "A");
-    require_closed(b, "B");
-    require_outward(a, "A");
-    require_outward(b, "B");
-}
-
 Box box_of(const mesh::TriangleMesh& mesh) {
     Box box;
     for (const mesh::Triangle& t : mesh.triangles) {
@@ -125,31 +55,31 @@ Box box_of(const mesh::TriangleMesh& mesh) {
 }
 
 /// The box in which the result can lie; empty where there can be none.
-Box working_box(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation) {
-    Box box = box_of(a);
-    const Box other = box_of(b);
-    if (operation == Operation::Intersection) {
-        box.low = box.low.cwiseMax(other.low);
-        box.high = box.high.cwiseMin(other.high);
-    } else if (operation != Operation::Difference) {
-        box.low = box.low.cwiseMin(other.low);
-        box.high = box.high.cwiseMax(other.high);
-    }
-    return (box.low.array() > box.high.array()).any() ? Box() : box;
+Box working_box(const std::vector<UniformOperand>& operands, const Expression& expression) {
+    return expression.fold<Box>([&](int operand) { return box_of(operands[static_cast<std::size_t>(operand)].mesh()); },
+                                [](Operation operation, Box box, const Box& other) {
+                                    if (operation == Operation::Intersection) {
+                                        box.low = box.low.cwiseMax(other.low);
+                                        box.high = box.high.cwiseMin(other.high);
+                                    } else if (operation != Operation::Difference) {
+                                        box.add(other);
+                                    }
+                                    return (box.low.array() > box.high.array()).any() ? Box() : box;
+                                });
 }
 
 /// The largest memory of a sample, in bytes: sampling one operand, sorted samples of both, and those of the result.
 constexpr double kBytesPerSample = 40.0;
 /// The same with a normal for each: 24 bytes of an operand, 24 while rays are merged and 24 of the result.
 constexpr double kBytesPerFaceSample = 72.0;
-/// The memory of a ray, in bytes: offsets into the samples of three directions and three sets.
-constexpr double kBytesPerRay = 9.0 * sizeof(std::uint32_t);
+/// The memory of a ray, in bytes: offsets into the samples of three directions, for each operand and for the result.
+constexpr double kBytesPerRay = 3.0 * sizeof(std::uint32_t);
 /// The most memory for samples, in bytes: 2 GB.
 constexpr double kMostBytes = 2.0 * (1 << 30);
 
 /// Estimates the number of samples on the rays of the grid: for each triangle in each direction its projected area, and
 /// no more than the area of its box within the grid.
-double count_samples_about(const OperandPair& pair, const SampleGrid& grid) {
+double count_samples_about(const OperandSet& pair, const SampleGrid& grid) {
     double count = 0.0;
     for (const mesh::Triangle& t : pair.triangles) {
         const std::array<Vec3, 3> p = {grid.to_grid(pair.points[t[0]]), grid.to_grid(pair.points[t[1]]),
@@ -165,16 +95,17 @@ double count_samples_about(const OperandPair& pair, const SampleGrid& grid) {
     return count;
 }
 
-double bytes_about(const OperandPair& pair, const SampleGrid& grid) {
+/// @param with_normals  each sample has a normal
+double bytes_about(const OperandSet& pair, const SampleGrid& grid, bool with_normals) {
     const double rays = grid.rays();
-    return (pair.face.empty() ? kBytesPerSample : kBytesPerFaceSample) * count_samples_about(pair, grid) +
-           kBytesPerRay * rays * rays;
+    return (with_normals ? kBytesPerFaceSample : kBytesPerSample) * count_samples_about(pair, grid) +
+           kBytesPerRay * (pair.size() + 1) * rays * rays;
 }
 
 /// @throws InvalidInput naming the largest resolution within the memory
-void require_memory(const OperandPair& pair, const Box& box, int resolution) {
+void require_memory(const OperandSet& pair, const Box& box, int resolution, bool with_normals) {
     const SampleGrid asked(box, resolution);
-    const double bytes = bytes_about(pair, asked);
+    const double bytes = bytes_about(pair, asked, with_normals);
     if (!(bytes > kMostBytes)) {
         return;
     }
@@ -182,7 +113,7 @@ void require_memory(const OperandPair& pair, const Box& box, int resolution) {
     double least = bytes;
     while (possible > kLowestResolution && least > kMostBytes) {
         possible = (possible - 1) / 2 + 1;
-        least = bytes_about(pair, SampleGrid(box, possible));
+        least = bytes_about(pair, SampleGrid(box, possible), with_normals);
     }
     const double side = box.empty() ? 0.0 : box.largest_side();
     const auto in_gb = [](double b) { return in_digits(b / (1 << 30), 2); };
@@ -194,20 +125,44 @@ void require_memory(const OperandPair& pair, const Box& box, int resolution) {
                                            {"length", in_digits(uniform_bound(side, possible), 4) + " mm"}}));
 }
 
+std::vector<const mesh::TriangleMesh*> meshes_of(const std::vector<UniformOperand>& operands) {
+    std::vector<const mesh::TriangleMesh*> meshes;
+    for (const UniformOperand& operand : operands) {
+        meshes.push_back(&operand.mesh());
+    }
+    return meshes;
+}
+
+std::vector<std::vector<mesh::Triangle>> borders_of(const std::vector<UniformOperand>& operands) {
+    std::vector<std::vector<mesh::Triangle>> borders;
+    for (const UniformOperand& operand : operands) {
+        borders.push_back(operand.open() ? operand.winding().border() : std::vector<mesh::Triangle>());
+    }
+    return borders;
+}
+
 /// One run of the method; the stages in their order.
 class LayeredDepthBoolean {
   public:
-    LayeredDepthBoolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
+    LayeredDepthBoolean(const std::vector<UniformOperand>& prepared, const Expression& expression,
                         const UniformOptions& options, const CadOperands& cad, Progress* progress)
-        : operation_(operation),
+        : prepared_(prepared),
+          expression_(expression),
           options_(options),
           cad_(cad),
           progress_(progress),
-          pair_(a, b),
-          grid_(working_box(a, b, operation), options.resolution) {
+          pair_(meshes_of(prepared), borders_of(prepared)),
+          grid_(working_box(prepared, expression), options.resolution),
+          operands_(prepared.size()) {
+        for (std::size_t k = 0; k < prepared.size(); ++k) {
+            open_ = open_ || prepared[k].open();
+            add_shape(cad.shapes.empty() ? CadShape() : cad.shapes[k], prepared[k]);
+            result_.repaired.push_back(prepared[k].repaired());
+            result_.open.push_back(prepared[k].open() ? 1 : 0);
+        }
         name_faces();
-        require_memory(pair_, working_box(a, b, operation), options.resolution);
-        result_.mesh.origin = a.origin;
+        require_memory(pair_, working_box(prepared, expression), options.resolution, has_shapes_ || open_);
+        result_.mesh.origin = prepared.front().mesh().origin;
         result_.spacing = grid_.spacing();
     }
 
@@ -215,10 +170,12 @@ class LayeredDepthBoolean {
 
   private:
     void stage(const char* name, double from, double to, const std::function<void()>& work);
+    void add_shape(CadShape shape, const UniformOperand& operand);
     void name_faces();
     void sample();
     void count();
     void sample_cad();
+    void sample_open();
     void combine_samples();
     void contour_cells();
     void project();
@@ -226,13 +183,17 @@ class LayeredDepthBoolean {
     void fill(const std::vector<std::int32_t>& hole, EdgeSet& edges);
     void assemble();
 
-    Operation operation_;
+    const std::vector<UniformOperand>& prepared_;
+    const Expression& expression_;
     UniformOptions options_;
     const CadOperands& cad_;
     Progress* progress_;
-    OperandPair pair_;
+    OperandSet pair_;
     SampleGrid grid_;
-    std::array<LayeredDepthSet, 2> operands_;
+    std::vector<CadShape> sampled_shapes_;         // by operand, without a model where its mesh is sampled
+    std::deque<std::vector<std::int32_t>> faces_;  // the CAD faces of their triangles
+    bool has_shapes_ = false, open_ = false;
+    std::vector<LayeredDepthSet> operands_;
     std::vector<std::uint32_t> sample_count_;
     std::vector<std::int32_t> region_;
     CombinedSet combined_;
@@ -254,41 +215,59 @@ void LayeredDepthBoolean::stage(const char* name, double from, double to, const 
     clock_.end(name);
 }
 
+void LayeredDepthBoolean::add_shape(CadShape shape, const UniformOperand& operand) {
+    if (shape.model) {
+        faces_.push_back(operand.faces(*shape.faces));
+        shape.faces = &faces_.back();
+    }
+    sampled_shapes_.push_back(shape.model && !shape.faces->empty() ? shape : CadShape());
+    has_shapes_ = has_shapes_ || sampled_shapes_.back().model != nullptr;
+}
+
 void LayeredDepthBoolean::name_faces() {
-    for (int k = 0; k < 2 && cad_.any(); ++k) {
-        pair_.face.resize(pair_.first_triangle[k + 1], -1);
-        if (cad_.shapes[k].model) {
-            std::copy(cad_.shapes[k].faces->begin(), cad_.shapes[k].faces->end(),
+    for (std::size_t k = 0; k < prepared_.size() && has_shapes_; ++k) {
+        pair_.face.resize(static_cast<std::size_t>(pair_.first_triangle[k + 1]), -1);
+        if (sampled_shapes_[k].model) {
+            std::copy(sampled_shapes_[k].faces->begin(), sampled_shapes_[k].faces->end(),
                       pair_.face.begin() + pair_.first_triangle[k]);
         }
     }
 }
 
 void LayeredDepthBoolean::sample_cad() {
-    for (int k = 0; k < 2; ++k) {
-        if (cad_.shapes[k].model) {
-            sample_faces(operands_[k], pair_, grid_, result_.mesh.origin, cad_.shapes[k], *cad_.engine, result_.cad,
+    for (std::size_t k = 0; k < operands_.size(); ++k) {
+        if (sampled_shapes_[k].model) {
+            sample_faces(operands_[k], pair_, grid_, result_.mesh.origin, sampled_shapes_[k], *cad_.engine, result_.cad,
                          progress_);
+        }
+    }
+}
+
+void LayeredDepthBoolean::sample_open() {
+    for (std::size_t k = 0; k < operands_.size(); ++k) {
+        if (prepared_[k].open()) {
+            sample_by_winding(operands_[k], pair_, static_cast<int>(k), grid_, prepared_[k].winding(), result_.winding,
+                              progress_);
         }
     }
 }
 
 void LayeredDepthBoolean::project() {
     const FaceProjection projection = project_onto_faces(surface_, reconstructed_, octree_, sheet_vertex_, pair_, grid_,
-                                                         result_.mesh.origin, cad_.shapes, *cad_.engine, progress_);
+                                                         result_.mesh.origin, sampled_shapes_, *cad_.engine, progress_);
     result_.fitted = projection.moved;
     result_.unfitted = projection.left;
 }
 
 void LayeredDepthBoolean::sample() {
-    for (int k = 0; k < 2; ++k) {
-        operands_[k] = rasterise(pair_, k, grid_, progress_);
+    for (std::size_t k = 0; k < operands_.size(); ++k) {
+        operands_[k] = rasterise(pair_, static_cast<int>(k), grid_, progress_);
     }
 }
 
 void LayeredDepthBoolean::count() {
-    for (int k = 0; k < 2; ++k) {
-        for (const LayeredDepthImage& direction : operands_[k]) {
+    for (const LayeredDepthSet& operand : operands_) {
+        for (const LayeredDepthImage& direction : operand) {
             result_.samples += direction.depth.size();
         }
     }
@@ -296,13 +275,16 @@ void LayeredDepthBoolean::count() {
 
 void LayeredDepthBoolean::combine_samples() {
     CombineOptions options;
-    options.operation = operation_;
+    options.expression = expression_;
     options.thinnest = options_.thinnest * grid_.cells();
     options.normal_index = options_.normal_index;
     combined_ = combine(pair_, operands_, grid_, options, progress_);
-    operands_ = {};
+    operands_.clear();
     for (const CombinedDepth& direction : combined_) {
         result_.result_samples += direction.depth.size();
+        result_.guessed_samples += static_cast<std::size_t>(
+            std::count_if(direction.source.begin(), direction.source.end(),
+                          [&](std::int32_t source) { return pair_.is_gap(CombinedDepth::triangle(source)); }));
     }
 }
 
@@ -415,6 +397,7 @@ void LayeredDepthBoolean::assemble() {
     }
     mesh.triangles.reserve(surface_.triangles.size());
     result_.triangle_source.reserve(surface_.triangles.size());
+    std::size_t repaired = 0;  // triangles that the repair of an operand made or changed
     for (std::size_t k = 0; k < surface_.triangles.size(); ++k) {
         const mesh::Triangle& t = surface_.triangles[k];
         mesh.triangles.push_back({index[t[0]], index[t[1]], index[t[2]]});
@@ -423,20 +406,27 @@ void LayeredDepthBoolean::assemble() {
             result_.triangle_source.push_back({-1, -1});
         } else {
             const int operand = pair_.operand_of(source);
-            result_.triangle_source.push_back({operand, source - pair_.first_triangle[operand]});
-            ++result_.retained;
+            const std::int32_t own = prepared_[static_cast<std::size_t>(operand)].source(
+                source - pair_.first_triangle[static_cast<std::size_t>(operand)]);
+            result_.triangle_source.push_back(own < 0 ? std::array<std::int32_t, 2>{-1, -1}
+                                                      : std::array<std::int32_t, 2>{operand, own});
+            (own < 0 ? repaired : result_.retained) += 1;
         }
     }
     const std::size_t made = mesh.triangles.size() - result_.retained;
     result_.changed = made - result_.reconstructed - result_.hole_triangles;
-    result_.error_bound = made > 0 ? kBound * grid_.spacing() : 0.0;
+    result_.error_bound = made > repaired ? kBound * grid_.spacing() : 0.0;
+    double moved = 0.0;
+    for (const UniformOperand& operand : prepared_) {
+        moved = std::max(moved, operand.largest_move());
+    }
+    result_.error_bound += moved;
 }
 
 UniformResult LayeredDepthBoolean::run() {
-    const bool cad = cad_.any();
-    stage("sampling", 0.0, cad ? 0.1 : 0.3, [&] { sample(); });
-    if (cad) {
-        stage("sampling CAD faces", 0.1, 0.3, [&] { sample_cad(); });
+    stage("sampling", 0.0, has_shapes_ || open_ ? 0.1 : 0.3, [&] { sample(); });
+    if (has_shapes_) {
+        stage("sampling CAD faces", 0.1, open_ ? 0.2 : 0.3, [&] { sample_cad(); });
     }
     count();
     stage("clustering", 0.3, 0.35, [&] {
@@ -444,10 +434,14 @@ UniformResult LayeredDepthBoolean::run() {
         const std::vector<std::uint8_t> beyond = triangles_beyond(pair_, grid_);
         region_ = cluster(pair_, sample_count_, beyond);
         for (std::size_t t = 0; t < region_.size(); ++t) {
-            result_.unsampled_triangles += region_[t] < 0 && beyond[t] == 0 ? 1 : 0;
+            const bool gap = pair_.is_gap(static_cast<std::int32_t>(t));
+            result_.unsampled_triangles += region_[t] < 0 && beyond[t] == 0 && !gap ? 1 : 0;
         }
     });
-    stage("Boolean of samples", 0.35, 0.5, [&] { combine_samples(); });
+    if (open_) {  // after the samples of triangles were counted: where some do not stay, the triangle does not
+        stage("winding numbers", 0.35, 0.4, [&] { sample_open(); });
+    }
+    stage("Boolean of samples", open_ ? 0.4 : 0.35, 0.5, [&] { combine_samples(); });
     stage("membership", 0.5, 0.6, [&] {
         fate_ = classify(pair_, sample_count_, region_, combined_);
         surface_ = retained_surface(pair_, fate_);
@@ -465,7 +459,7 @@ UniformResult LayeredDepthBoolean::run() {
         result_.left_nodes = counts.left_nodes;
     });
     stage("contouring", 0.8, 0.9, [&] { contour_cells(); });
-    if (cad) {
+    if (has_shapes_) {
         stage("fitting to the shapes", 0.9, 0.9, [&] { project(); });
     }
     stage("two-manifold", 0.9, 0.98, [&] { make_manifold(); });
@@ -475,11 +469,34 @@ UniformResult LayeredDepthBoolean::run() {
 
 }  // namespace
 
-UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
-                                    const UniformOptions& options, Progress* progress, const CadOperands& cad) {
+UniformResult layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
+                                    const Expression& expression, const UniformOptions& options, Progress* progress,
+                                    const CadOperands& cad) {
     require_options(options);
-    require_operands(a, b);
-    return LayeredDepthBoolean(a, b, operation, options, cad, progress).run();
+    if (operands.empty() || expression.operands() != operands.size()) {
+        throw InvalidInput("a Boolean of " + std::to_string(operands.size()) + " meshes by an expression of " +
+                           std::to_string(expression.operands()) + " operands");
+    }
+    Box box;
+    for (const mesh::TriangleMesh* operand : operands) {
+        if (operand->origin != operands.front()->origin) {
+            throw InvalidInput("the operands have different origins; give all meshes in one frame");
+        }
+        box.add(box_of(*operand));
+    }
+    const double reach =
+        box.empty() ? 0.0 : InputTuning::kCrackShare * uniform_bound(box.largest_side(), options.resolution);
+    std::vector<UniformOperand> prepared(operands.size());
+    parallel_for(static_cast<int>(operands.size()), [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        prepared[i] = UniformOperand(*operands[i], operand_name(i, operands.size()), reach, progress);
+    });
+    return LayeredDepthBoolean(prepared, expression, options, cad, progress).run();
+}
+
+UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
+                                    const UniformOptions& options, Progress* progress) {
+    return layered_depth_boolean({&a, &b}, Expression::chain(operation, 2), options, progress);
 }
 
 double uniform_bound(double size, int resolution) {

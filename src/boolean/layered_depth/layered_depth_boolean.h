@@ -11,6 +11,7 @@
 #include "base/stopwatch.h"
 #include "boolean/input/operation.h"
 #include "boolean/layered_depth/samples/face_samples.h"
+#include "boolean/layered_depth/samples/winding_samples.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
@@ -31,8 +32,8 @@ struct UniformOptions {
 /// The result of a Boolean by layered depth images, and its counts.
 struct UniformResult {
     mesh::TriangleMesh mesh;
-    /// Operand (0 or 1) and index there of each triangle that is the operand's own, all coordinates unchanged (reversed
-    /// where the result has its outside within the operand); {-1, -1} for triangles made or changed here.
+    /// Operand (0, 1, ...) and index there of each triangle that is the operand's own, all coordinates unchanged
+    /// (reversed where the result has its outside within the operand); {-1, -1} for triangles made or changed here.
     std::vector<std::array<std::int32_t, 2>> triangle_source;
     /// The paper's bound, not measured: sqrt(3) r, where r is the distance between rays (Wang 2010, section IV-A: every
     /// point of the true result has a sample this near). It does not hold where features are thinner than r: those may
@@ -40,8 +41,12 @@ struct UniformResult {
     double error_bound = 0.0;
     double spacing = 0.0;  ///< the distance r between rays, mm
 
-    std::size_t samples = 0;              ///< samples of both operands
+    std::vector<std::string> repaired;    ///< a sentence for each operand, empty when there was nothing to do
+    std::size_t samples = 0;              ///< samples of all operands
     FaceSampleCounts cad;                 ///< samples of operands that are shapes
+    WindingSampleCounts winding;          ///< samples of operands that are open
+    std::vector<char> open;               ///< for each operand whether no repair closed it
+    std::size_t guessed_samples = 0;      ///< samples of the result where an open operand has no triangle
     std::size_t fitted = 0;               ///< vertices put onto the faces of shapes
     std::size_t unfitted = 0;             ///< vertices that have no place on these faces near enough
     std::size_t result_samples = 0;       ///< samples of the result
@@ -62,22 +67,30 @@ struct UniformResult {
 
 /// The shapes from which the operands were meshed. Their CAD faces are sampled, and reconstructed vertices lie on them.
 struct CadOperands {
-    std::array<CadShape, 2> shapes;  ///< without a model where an operand is nothing but a mesh
+    std::vector<CadShape> shapes;  ///< without a model where an operand is nothing but a mesh; empty: all are
     geometry::Engine* engine = nullptr;
-
-    bool any() const { return shapes[0].model != nullptr || shapes[1].model != nullptr; }
 };
 
-/// The approximate Boolean of Wang 2010 on a uniform grid of rays (method "uniform").
+/// The approximate Boolean of Wang 2010 on a uniform grid of rays (method "uniform"), of any number of operands in one
+/// pass.
+///
+/// Operands may intersect themselves. One that is not closed, not oriented or inside out is repaired first (see
+/// prepare_operand); where no repair closes it, inside is where its generalised winding number is at least 0.5 (see
+/// sample_by_winding).
 ///
 /// The result is closed, oriented and 2-manifold in its connections. As in the paper it is not guaranteed to be free of
 /// self-intersections where it was reconstructed, and features thinner than the distance between rays may be lost.
+/// @throws OpenOperand for an open sheet, around which a guess would be most of the surface
 /// @throws InvalidInput for an option out of range, a resolution whose samples would take more than 2 GB, an operand
-/// that
-///     is not closed, not oriented or inside out, or operands with different origins
+///     whose triangles have no area, or operands with different origins
 /// @throws Cancelled
+UniformResult layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
+                                    const Expression& expression, const UniformOptions& options, Progress* progress,
+                                    const CadOperands& cad = {});
+
+/// The same for two operands.
 UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
-                                    const UniformOptions& options, Progress* progress, const CadOperands& cad = {});
+                                    const UniformOptions& options, Progress* progress);
 
 /// The largest error bound of a result whose operands have a common box with this longest side, mm.
 double uniform_bound(double size, int resolution);

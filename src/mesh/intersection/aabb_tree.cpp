@@ -11,9 +11,6 @@ namespace {
 
 /// Triangles in a leaf at most; a leaf is tested triangle by triangle.
 constexpr std::size_t kLeafSize = 4;
-/// Nodes on the stack while the tree is descended: one for each level, of which there are at most 30 for the bits of
-/// the Morton codes, and 32 for the halvings of triangles with the same code.
-constexpr std::size_t kDeepest = 64;
 
 /// The next single-precision number toward minus infinity; std::nextafter, but inlined.
 float next_below(float x) {
@@ -123,14 +120,16 @@ AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle
     build();
 }
 
-Box AabbTree::box() const {
+Box AabbTree::node_box(std::int32_t node) const {
+    const Bounds& bounds = nodes_[static_cast<std::size_t>(node)].bounds;
     Box box;
-    if (!nodes_.empty()) {
-        const Bounds& bounds = nodes_[0].bounds;
-        box.low = Vec3(bounds.low[0], bounds.low[1], bounds.low[2]);
-        box.high = Vec3(bounds.high[0], bounds.high[1], bounds.high[2]);
-    }
+    box.low = Vec3(bounds.low[0], bounds.low[1], bounds.low[2]);
+    box.high = Vec3(bounds.high[0], bounds.high[1], bounds.high[2]);
     return box;
+}
+
+Box AabbTree::box() const {
+    return nodes_.empty() ? Box() : node_box(0);
 }
 
 void AabbTree::build() {

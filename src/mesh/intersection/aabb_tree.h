@@ -92,7 +92,24 @@ class AabbTree {
     /// Some triangle at most `distance` away (mm), -1: none; `guess`, a triangle of the tree, if it is near enough.
     std::int32_t any_within(const Vec3& p, double distance, std::int32_t guess) const;
 
+    // ---- values of nodes, for sums over triangles of which far ones are taken together ----
+
+    std::size_t node_count() const { return nodes_.size(); }
+    Box node_box(std::int32_t node) const;
+    /// Children before their parents: take(node, i) for each triangle i of a leaf, join(node, child) for the two
+    /// children of every other node.
+    template <typename Take, typename Join>
+    void sum_up(Take&& take, Join&& join) const;
+    /// From the root down: children of a node are visited where divide(node) is true; of such leaves visit(i) for each
+    /// triangle.
+    template <typename Divide, typename Visit>
+    void for_each_divided(Divide&& divide, Visit&& visit) const;
+
   private:
+    /// Nodes on the stack while the tree is descended: one for each level, of which there are at most 30 for the bits
+    /// of the Morton codes, and 32 for the halvings of triangles with the same code.
+    static constexpr std::size_t kDeepest = 64;
+
     struct Bounds {
         std::array<float, 3> low;
         std::array<float, 3> high;
@@ -310,6 +327,44 @@ void AabbTree::for_each_in_box(const Box& box, Visit&& visit) const {
 template <typename Visit>
 void AabbTree::for_each_on_ray(const Vec3& origin, const Vec3& direction, double reach, Visit&& visit) const {
     descend(Ray(origin, direction, reach), visit);
+}
+
+template <typename Take, typename Join>
+void AabbTree::sum_up(Take&& take, Join&& join) const {
+    for (std::size_t n = nodes_.size(); n-- > 0;) {
+        const Node& node = nodes_[n];
+        const auto index = static_cast<std::int32_t>(n);
+        if (node.count == 0) {
+            join(index, node.first);
+            join(index, node.first + 1);
+        }
+        for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+            take(index, items_[i].triangle);
+        }
+    }
+}
+
+template <typename Divide, typename Visit>
+void AabbTree::for_each_divided(Divide&& divide, Visit&& visit) const {
+    std::array<std::int32_t, kDeepest> stack;
+    std::size_t height = 0;
+    if (!nodes_.empty()) {
+        stack[height++] = 0;
+    }
+    while (height > 0) {
+        const std::int32_t n = stack[--height];
+        if (!divide(n)) {
+            continue;
+        }
+        const Node& node = nodes_[n];
+        if (node.count == 0) {
+            stack[height++] = node.first + 1;
+            stack[height++] = node.first;
+        }
+        for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+            visit(items_[i].triangle);
+        }
+    }
 }
 
 }  // namespace mq::mesh

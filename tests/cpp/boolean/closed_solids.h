@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "mesh/triangle_mesh.h"
 
@@ -64,6 +66,19 @@ inline mesh::TriangleMesh together(mesh::TriangleMesh a, const mesh::TriangleMes
         a.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
     }
     return a;
+}
+
+/// The triangles whose centroids a condition holds for.
+template <typename Condition>
+mesh::TriangleMesh only(mesh::TriangleMesh mesh, const Condition& condition) {
+    std::vector<mesh::Triangle> left;
+    for (const mesh::Triangle& t : mesh.triangles) {
+        if (condition(Vec3((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0))) {
+            left.push_back(t);
+        }
+    }
+    mesh.triangles = std::move(left);
+    return mesh;
 }
 
 }  // namespace mq::boolean::solids

@@ -135,12 +135,15 @@ TEST_F(Booleans, ResultsOfShapesLieOnTheirSurfaces) {
     }
 }
 
-TEST_F(Booleans, TheUniformMethodTakesTwoOperands) {
+TEST_F(Booleans, TheUniformMethodTakesAnyNumberOfOperands) {
     const BooleanSurface result = run({{&a}, {&b}}, Operation::Union, {}, BooleanMethod::Uniform);
     EXPECT_TRUE(result.figures.closed);
     EXPECT_NEAR(result.figures.volume, 15.0, 0.1);
     EXPECT_GT(result.figures.tolerance_asked, 0.0);
-    EXPECT_THROW(run({{&a}, {&b}, {&a}}, Operation::Union, {}, BooleanMethod::Uniform), InvalidInput);
+    EXPECT_EQ(result.figures.method, "uniform");
+    const BooleanSurface three = run({{&a}, {&b}, {&a}}, Operation::Union, {}, BooleanMethod::Uniform);
+    EXPECT_TRUE(three.figures.closed);
+    EXPECT_NEAR(three.figures.volume, result.figures.volume, 1e-6);
     BooleanOptions wrong;
     wrong.resolution = -1;
     EXPECT_THROW(run({{&a}, {&b}}, Operation::Union, wrong), InvalidInput);

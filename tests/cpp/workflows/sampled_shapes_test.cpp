@@ -25,7 +25,7 @@ namespace {
 using boolean::FaceSampleCounts;
 using boolean::LayeredDepthImage;
 using boolean::LayeredDepthSet;
-using boolean::OperandPair;
+using boolean::OperandSet;
 using boolean::SampleGrid;
 
 Box box_of(const mesh::TriangleMesh& mesh) {
@@ -58,7 +58,7 @@ TEST(SampledShapes, EveryRayLeavesAsOftenAsItEnters) {
         triangulate::TriangulateOptions options;
         options.chord_height = 2e-3 * side;
         const triangulate::Result meshed = triangulate::triangulate(engine, part.model, options);
-        OperandPair pair(meshed.mesh, mesh::TriangleMesh());
+        OperandSet pair(meshed.mesh, mesh::TriangleMesh());
         pair.face = meshed.mesh.triangle_face;
         const SampleGrid grid(box_of(meshed.mesh), 65);
         LayeredDepthSet set = rasterise(pair, 0, grid, nullptr);

@@ -12,7 +12,7 @@ namespace {
 
 class Contourer {
   public:
-    Contourer(const OperandPair& pair, const Octree& tree, const SampleGrid& grid, const CombinedSet& combined,
+    Contourer(const OperandSet& pair, const Octree& tree, const SampleGrid& grid, const CombinedSet& combined,
               const std::vector<Retention>& fate, std::vector<std::int32_t>& vertices, RetainedSurface& surface)
         : pair_(pair),
           tree_(tree),
@@ -41,7 +41,7 @@ class Contourer {
     bool first_diagonal(const std::array<std::int32_t, 4>& c, const Vec3& normal) const;
     Vec3 normal_of(std::int32_t source) const;
 
-    const OperandPair& pair_;
+    const OperandSet& pair_;
     const Octree& tree_;
     const SampleGrid& grid_;
     const CombinedSet& combined_;
@@ -197,7 +197,7 @@ ContouredSurface Contourer::run(const Progress* progress) {
 
 }  // namespace
 
-ContouredSurface contour(const OperandPair& pair, const Octree& tree, const SampleGrid& grid,
+ContouredSurface contour(const OperandSet& pair, const Octree& tree, const SampleGrid& grid,
                          const CombinedSet& combined, const std::vector<Retention>& fate,
                          std::vector<std::int32_t> vertices, RetainedSurface& surface, const Progress* progress) {
     return Contourer(pair, tree, grid, combined, fate, vertices, surface).run(progress);

@@ -22,7 +22,7 @@ struct ContouredSurface {
 /// there. Vertices of sheets off the border are appended to `surface.points`.
 /// @param vertices of the octree's sheets, -1 where contouring makes one; see stitch
 /// @throws Cancelled
-ContouredSurface contour(const OperandPair& pair, const Octree& tree, const SampleGrid& grid,
+ContouredSurface contour(const OperandSet& pair, const Octree& tree, const SampleGrid& grid,
                          const CombinedSet& combined, const std::vector<Retention>& fate,
                          std::vector<std::int32_t> vertices, RetainedSurface& surface, const Progress* progress);
 

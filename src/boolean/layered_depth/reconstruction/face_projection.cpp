@@ -77,16 +77,17 @@ Vec3 newton_step(const MovedVertex& moved) {
 
 class FaceProjector {
   public:
-    FaceProjector(RetainedSurface& surface, const OperandPair& pair, const SampleGrid& grid, const Vec3& origin,
-                  const std::array<CadShape, 2>& shapes, geometry::Engine& engine, const Progress* progress)
+    FaceProjector(RetainedSurface& surface, const OperandSet& pair, const SampleGrid& grid, const Vec3& origin,
+                  const std::vector<CadShape>& shapes, geometry::Engine& engine, const Progress* progress)
         : progress_(progress),
           surface_(surface),
           pair_(pair),
           origin_(origin),
           spacing_(grid.spacing()),
           farthest_(kFarthest * grid.spacing()),
-          on_faces_(kOnFaces * grid.spacing() * grid.cells()) {
-        for (std::size_t k = 0; k < 2; ++k) {
+          on_faces_(kOnFaces * grid.spacing() * grid.cells()),
+          sessions_(shapes.size()) {
+        for (std::size_t k = 0; k < shapes.size(); ++k) {
             if (shapes[k].model) {
                 sessions_[k].emplace(engine, shapes[k].model, progress);
                 from_mesh_ = std::max(from_mesh_, kDeviations * shapes[k].chord_height);
@@ -111,12 +112,12 @@ class FaceProjector {
 
     const Progress* progress_;
     RetainedSurface& surface_;
-    const OperandPair& pair_;
+    const OperandSet& pair_;
     Vec3 origin_;
     double spacing_, farthest_, on_faces_;
     double from_mesh_ = 0.0;           ///< distance of the faces from the meshes at most, mm
     std::vector<std::uint8_t> stays_;  // for each point whether an operand's own triangle has it
-    std::array<std::optional<geometry::Session>, 2> sessions_;
+    std::vector<std::optional<geometry::Session>> sessions_;
     std::vector<MovedVertex> moved_;
     std::vector<std::int32_t> moved_of_;  // index into moved_ for each point, -1 for those that stay
 };
@@ -368,10 +369,9 @@ FaceProjection FaceProjector::apply(const std::vector<mesh::Triangle>& reconstru
 }  // namespace
 
 FaceProjection project_onto_faces(RetainedSurface& surface, const std::vector<mesh::Triangle>& reconstructed,
-                                  const Octree& tree, const std::vector<std::int32_t>& vertices,
-                                  const OperandPair& pair, const SampleGrid& grid, const Vec3& origin,
-                                  const std::array<CadShape, 2>& shapes, geometry::Engine& engine,
-                                  const Progress* progress) {
+                                  const Octree& tree, const std::vector<std::int32_t>& vertices, const OperandSet& pair,
+                                  const SampleGrid& grid, const Vec3& origin, const std::vector<CadShape>& shapes,
+                                  geometry::Engine& engine, const Progress* progress) {
     FaceProjector projector(surface, pair, grid, origin, shapes, engine, progress);
     projector.find(tree, vertices);
     projector.approach();

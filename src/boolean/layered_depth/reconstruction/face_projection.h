@@ -27,9 +27,8 @@ struct FaceProjection {
 /// @param origin         of the frame of the operands, mm
 /// @throws Cancelled
 FaceProjection project_onto_faces(RetainedSurface& surface, const std::vector<mesh::Triangle>& reconstructed,
-                                  const Octree& tree, const std::vector<std::int32_t>& vertices,
-                                  const OperandPair& pair, const SampleGrid& grid, const Vec3& origin,
-                                  const std::array<CadShape, 2>& shapes, geometry::Engine& engine,
-                                  const Progress* progress);
+                                  const Octree& tree, const std::vector<std::int32_t>& vertices, const OperandSet& pair,
+                                  const SampleGrid& grid, const Vec3& origin, const std::vector<CadShape>& shapes,
+                                  geometry::Engine& engine, const Progress* progress);
 
 }  // namespace mq::boolean

@@ -42,7 +42,7 @@ bool clip(const Vec3& a, const Vec3& b, const CellBox& box, double& from, double
 /// The CAD faces of the samples of a sheet, each by a triangle.
 class SheetFaces {
   public:
-    explicit SheetFaces(const OperandPair& pair) : pair_(pair) {}
+    explicit SheetFaces(const OperandSet& pair) : pair_(pair) {}
 
     void add(std::int32_t triangle) {
         if (pair_.face.empty() || pair_.face[triangle] < 0) {
@@ -64,7 +64,7 @@ class SheetFaces {
     std::array<std::int32_t, 3> triangles() const { return many_ ? std::array<std::int32_t, 3>{-1, -1, -1} : found_; }
 
   private:
-    const OperandPair& pair_;
+    const OperandSet& pair_;
     std::array<std::int32_t, 3> found_{-1, -1, -1};
     std::size_t count_ = 0;
     bool many_ = false;
@@ -92,7 +92,7 @@ std::int32_t Octree::leaf_at(int x, int y, int z) const {
 /// The input that all tasks read.
 class OctreeBuilder {
   public:
-    OctreeBuilder(const OperandPair& pair, const SampleGrid& grid, const CombinedSet& combined,
+    OctreeBuilder(const OperandSet& pair, const SampleGrid& grid, const CombinedSet& combined,
                   const std::vector<Retention>& fate, const RetainedSurface& retained);
 
     Octree build(Progress* progress);
@@ -124,7 +124,7 @@ class OctreeBuilder {
         return normals_[triangle(s)].cast<double>();
     }
 
-    const OperandPair& pair_;
+    const OperandSet& pair_;
     const SampleGrid& grid_;
     const CombinedSet& combined_;
     const std::vector<Retention>& fate_;
@@ -354,7 +354,7 @@ void OctreeBuilder::Subtree::split(std::size_t node, const CellBox& box, const C
     }
 }
 
-OctreeBuilder::OctreeBuilder(const OperandPair& pair, const SampleGrid& grid, const CombinedSet& combined,
+OctreeBuilder::OctreeBuilder(const OperandSet& pair, const SampleGrid& grid, const CombinedSet& combined,
                              const std::vector<Retention>& fate, const RetainedSurface& retained)
     : pair_(pair), grid_(grid), combined_(combined), fate_(fate), retained_(retained) {
     const bool own = std::all_of(combined.begin(), combined.end(),
@@ -476,7 +476,7 @@ Octree OctreeBuilder::build(Progress* progress) {
     return tree;
 }
 
-Octree build_octree(const OperandPair& pair, const SampleGrid& grid, const CombinedSet& combined,
+Octree build_octree(const OperandSet& pair, const SampleGrid& grid, const CombinedSet& combined,
                     const std::vector<Retention>& fate, const RetainedSurface& retained, Progress* progress) {
     return OctreeBuilder(pair, grid, combined, fate, retained).build(progress);
 }

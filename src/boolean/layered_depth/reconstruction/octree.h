@@ -72,7 +72,7 @@ class Octree {
 /// Beyond the paper, a leaf of width r that several sheets of the surface pass has a vertex for each of them (as in
 /// Schaefer, Ju and Warren 2007), so that thin walls and narrow gaps stay 2-manifold.
 /// @throws Cancelled
-Octree build_octree(const OperandPair& pair, const SampleGrid& grid, const CombinedSet& combined,
+Octree build_octree(const OperandSet& pair, const SampleGrid& grid, const CombinedSet& combined,
                     const std::vector<Retention>& fate, const RetainedSurface& retained, Progress* progress);
 
 }  // namespace mq::boolean

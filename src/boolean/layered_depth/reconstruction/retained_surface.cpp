@@ -10,7 +10,7 @@ namespace mq::boolean {
 namespace {
 
 /// Marks the points that both a retained and a removed triangle (or one that is reversed differently) touch.
-std::vector<std::uint8_t> mixed_points(const OperandPair& pair, const std::vector<Retention>& fate) {
+std::vector<std::uint8_t> mixed_points(const OperandSet& pair, const std::vector<Retention>& fate) {
     std::vector<std::uint8_t> seen(pair.points.size(), 0);
     for (std::size_t t = 0; t < fate.size(); ++t) {
         for (const std::int32_t p : pair.triangles[t]) {
@@ -58,7 +58,7 @@ void find_border(RetainedSurface& surface) {
 
 }  // namespace
 
-RetainedSurface retained_surface(const OperandPair& pair, const std::vector<Retention>& fate) {
+RetainedSurface retained_surface(const OperandSet& pair, const std::vector<Retention>& fate) {
     RetainedSurface surface;
     surface.points = pair.points;
     for (std::size_t t = 0; t < fate.size(); ++t) {

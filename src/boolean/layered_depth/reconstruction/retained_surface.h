@@ -21,6 +21,6 @@ struct RetainedSurface {
     std::vector<std::uint8_t> on_border;    ///< for each point whether it is on the border
 };
 
-RetainedSurface retained_surface(const OperandPair& pair, const std::vector<Retention>& fate);
+RetainedSurface retained_surface(const OperandSet& pair, const std::vector<Retention>& fate);
 
 }  // namespace mq::boolean

@@ -26,10 +26,13 @@ std::vector<Retention> fate_of_sampled(const std::vector<std::uint32_t>& samples
 
 }  // namespace
 
-std::vector<Retention> classify(const OperandPair& pair, const std::vector<std::uint32_t>& samples,
+std::vector<Retention> classify(const OperandSet& pair, const std::vector<std::uint32_t>& samples,
                                 const std::vector<std::int32_t>& region, const CombinedSet& combined) {
     const std::vector<Retention> own = fate_of_sampled(samples, combined);
-    const auto fate_of_region = [&](std::size_t t) { return region[t] < 0 ? Retention::Removed : own[region[t]]; };
+    const auto fate_of_region = [&](std::size_t t) {
+        const bool gone = region[t] < 0 || pair.is_gap(static_cast<std::int32_t>(t));
+        return gone ? Retention::Removed : own[region[t]];
+    };
     // Marks triangles without a decision. The border is widened by one ring: a point between triangles of different
     // fates belongs to it.
     constexpr std::uint8_t kUnseen = 255;
@@ -55,7 +58,7 @@ std::vector<Retention> classify(const OperandPair& pair, const std::vector<std::
     std::vector<Retention> fate(pair.triangles.size(), Retention::Removed);
     for (std::size_t t = 0; t < fate.size(); ++t) {
         if (region[t] >= 0 && ring[region[t]] == 0) {
-            fate[t] = own[region[t]];
+            fate[t] = fate_of_region(t);
         }
     }
     return fate;

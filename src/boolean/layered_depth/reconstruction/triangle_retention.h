@@ -9,10 +9,10 @@ namespace mq::boolean {
 enum class Retention : std::uint8_t { Removed, Kept, KeptReversed };
 
 /// Which triangles stay (Wang 2010, section II, step 3): a region stays iff all its samples are samples of the result,
-/// all with the same side out, and no triangle of it touches a region that does not.
+/// all with the same side out, and no triangle of it touches a region that does not, or the border of an open operand.
 /// @param samples number for each triangle, see count_samples
 /// @param region for each triangle, see cluster
-std::vector<Retention> classify(const OperandPair& pair, const std::vector<std::uint32_t>& samples,
+std::vector<Retention> classify(const OperandSet& pair, const std::vector<std::uint32_t>& samples,
                                 const std::vector<std::int32_t>& region, const CombinedSet& combined);
 
 }  // namespace mq::boolean

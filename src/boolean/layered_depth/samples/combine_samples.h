@@ -31,22 +31,23 @@ struct CombinedDepth {
 using CombinedSet = std::array<CombinedDepth, 3>;
 
 struct CombineOptions {
-    Operation operation = Operation::Union;
-    /// Samples of A and B no farther apart than this (grid units) are in contact.
+    Expression expression = Expression::chain(Operation::Union, 2);
+    /// Samples of two operands no farther apart than this (grid units) are in contact.
     double thinnest = 0.0;
     /// Inside is where the normal index is 1 or more (Wang 2010, section IV-C), so that only the outer surface of an
     /// operand that intersects itself counts; otherwise inside is after an odd number of samples.
     bool normal_index = true;
 };
 
-/// The Boolean operation ray by ray (Wang 2010, section II, step 2 and section IV-B), in parallel.
+/// The operations of an expression ray by ray (Wang 2010, section II, step 2 and section IV-B), in parallel: all
+/// operands in one pass, each ray telling where the point on it comes into the result.
 ///
-/// A gap or a slab between A and B as thin as a contact vanishes. Where both are oriented the same way the sample is
-/// that of the lower triangle, whichever comes first (Remark 3): a contact region keeps one operand's triangles whole.
-/// Samples of one operand alone are left as they are, however near to each other.
+/// A gap or a slab between two operands as thin as a contact vanishes. Where both are oriented the same way in the
+/// result the sample is that of the lower triangle, whichever comes first (Remark 3): a contact region keeps one
+/// operand's triangles whole. Samples of one operand alone are left as they are, however near to each other.
 /// @throws InvalidInput where a ray does not leave an operand as often as it enters: the operand is not closed, or not
 /// oriented
-CombinedSet combine(const OperandPair& pair, const std::array<LayeredDepthSet, 2>& operands, const SampleGrid& grid,
+CombinedSet combine(const OperandSet& set, const std::vector<LayeredDepthSet>& operands, const SampleGrid& grid,
                     const CombineOptions& options, const Progress* progress);
 
 }  // namespace mq::boolean

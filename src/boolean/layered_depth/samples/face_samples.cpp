@@ -42,7 +42,7 @@ struct LineAtTriangle {
 
 class FaceSampler {
   public:
-    FaceSampler(LayeredDepthSet& set, const OperandPair& pair, const SampleGrid& grid, const Vec3& origin,
+    FaceSampler(LayeredDepthSet& set, const OperandSet& pair, const SampleGrid& grid, const Vec3& origin,
                 const CadShape& shape, geometry::Engine& engine, const Progress* progress)
         : set_(set),
           pair_(pair),
@@ -74,7 +74,7 @@ class FaceSampler {
     Vec3 corner(std::int32_t triangle, int i) const { return origin_ + pair_.points[pair_.triangles[triangle][i]]; }
 
     LayeredDepthSet& set_;
-    const OperandPair& pair_;
+    const OperandSet& pair_;
     const SampleGrid& grid_;
     Vec3 origin_;
     const CadShape& shape_;
@@ -340,7 +340,7 @@ void FaceSampler::run(FaceSampleCounts& counts) {
 
 }  // namespace
 
-void sample_faces(LayeredDepthSet& set, const OperandPair& pair, const SampleGrid& grid, const Vec3& origin,
+void sample_faces(LayeredDepthSet& set, const OperandSet& pair, const SampleGrid& grid, const Vec3& origin,
                   const CadShape& shape, geometry::Engine& engine, FaceSampleCounts& counts, const Progress* progress) {
     FaceSampler(set, pair, grid, origin, shape, engine, progress).run(counts);
 }

@@ -36,7 +36,7 @@ struct FaceSampleCounts {
 /// stays on the triangle. Then the rays are made consistent once more (restore_order, make_consistent).
 /// @param origin of the frame of the operands in that of the model, mm
 /// @throws Cancelled
-void sample_faces(LayeredDepthSet& set, const OperandPair& pair, const SampleGrid& grid, const Vec3& origin,
+void sample_faces(LayeredDepthSet& set, const OperandSet& pair, const SampleGrid& grid, const Vec3& origin,
                   const CadShape& shape, geometry::Engine& engine, FaceSampleCounts& counts, const Progress* progress);
 
 }  // namespace mq::boolean

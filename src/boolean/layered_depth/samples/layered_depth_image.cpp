@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "boolean/layered_depth/samples/layered_depth_image.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mq::boolean {
@@ -40,21 +41,41 @@ SampleGrid::SampleGrid(const Box& box, int resolution) {
     origin_ = low - spacing_ * kMargin;
 }
 
-OperandPair::OperandPair(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
-    points.reserve(a.vertices.size() + b.vertices.size());
-    points.insert(points.end(), a.vertices.begin(), a.vertices.end());
-    points.insert(points.end(), b.vertices.begin(), b.vertices.end());
-    const auto shift = static_cast<std::int32_t>(a.vertices.size());
-    triangles.reserve(a.triangles.size() + b.triangles.size());
-    triangles.insert(triangles.end(), a.triangles.begin(), a.triangles.end());
-    for (const mesh::Triangle& t : b.triangles) {
-        triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+OperandSet::OperandSet(const std::vector<const mesh::TriangleMesh*>& operands,
+                       const std::vector<std::vector<mesh::Triangle>>& borders) {
+    const auto add = [this](const std::vector<mesh::Triangle>& added) {
+        const std::int32_t shift = first_point.back();
+        for (const mesh::Triangle& t : added) {
+            triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+        }
+    };
+    std::size_t point_count = 0, triangle_count = 0;
+    for (const mesh::TriangleMesh* operand : operands) {
+        point_count += operand->vertices.size();
+        triangle_count += operand->triangles.size();
     }
-    first_triangle = {0, static_cast<std::int32_t>(a.triangles.size()), static_cast<std::int32_t>(triangles.size())};
-    first_point = {0, shift, static_cast<std::int32_t>(points.size())};
+    points.reserve(point_count);
+    triangles.reserve(triangle_count);
+    for (std::size_t k = 0; k < operands.size(); ++k) {
+        first_point.push_back(static_cast<std::int32_t>(points.size()));
+        first_triangle.push_back(static_cast<std::int32_t>(triangles.size()));
+        points.insert(points.end(), operands[k]->vertices.begin(), operands[k]->vertices.end());
+        add(operands[k]->triangles);
+        first_gap.push_back(static_cast<std::int32_t>(triangles.size()));
+        if (!borders.empty()) {
+            add(borders[k]);
+        }
+    }
+    first_point.push_back(static_cast<std::int32_t>(points.size()));
+    first_triangle.push_back(static_cast<std::int32_t>(triangles.size()));
 }
 
-Vec3 OperandPair::unit_normal(std::int32_t triangle) const {
+int OperandSet::operand_of(std::int32_t triangle) const {
+    const auto next = std::upper_bound(first_triangle.begin(), first_triangle.end() - 1, triangle);
+    return static_cast<int>(next - first_triangle.begin()) - 1;
+}
+
+Vec3 OperandSet::unit_normal(std::int32_t triangle) const {
     const auto& [a, b, c] = triangles[static_cast<std::size_t>(triangle)];
     const Vec3 n = (points[b] - points[a]).cross(points[c] - points[a]);
     const double length = n.norm();

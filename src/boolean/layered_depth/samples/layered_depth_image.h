@@ -41,19 +41,30 @@ class SampleGrid {
     int cells_ = 0;
 };
 
-/// The triangles of both operands under one numbering, those of A first.
-struct OperandPair {
-    OperandPair(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b);
+/// The triangles of all operands under one numbering, those of the first operand first.
+///
+/// Where the surface of an operand is open, each edge of its border stands for what is missing there, as a triangle
+/// (a, b, b) without area that no ray meets; they follow the operand's own triangles.
+struct OperandSet {
+    /// @param borders  for each operand the edges (a, b, b) of its border (see mesh::WindingNumber::border); none where
+    ///     all operands are closed
+    explicit OperandSet(const std::vector<const mesh::TriangleMesh*>& operands,
+                        const std::vector<std::vector<mesh::Triangle>>& borders = {});
+    OperandSet(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) : OperandSet({&a, &b}) {}
 
     std::vector<Vec3> points;
     std::vector<mesh::Triangle> triangles;
-    std::array<std::int32_t, 3> first_triangle{};  ///< first triangle of A and of B, and the end
-    std::array<std::int32_t, 3> first_point{};
+    std::vector<std::int32_t> first_triangle;  ///< first triangle of each operand, and the end
+    std::vector<std::int32_t> first_gap;       ///< first edge of each operand's border among the triangles
+    std::vector<std::int32_t> first_point;     ///< first point of each operand, and the end
     /// The CAD face of each triangle, an index into the faces of its operand; -1 where the operand is a mesh. Empty
-    /// where both are.
+    /// where all are.
     std::vector<std::int32_t> face;
 
-    int operand_of(std::int32_t triangle) const { return triangle < first_triangle[1] ? 0 : 1; }
+    int size() const { return static_cast<int>(first_gap.size()); }
+    int operand_of(std::int32_t triangle) const;
+    /// Whether a triangle is an edge of a border.
+    bool is_gap(std::int32_t triangle) const { return triangles[triangle][1] == triangles[triangle][2]; }
     /// Along the outward normal of a triangle; zero where it has no area.
     Vec3 unit_normal(std::int32_t triangle) const;
 };

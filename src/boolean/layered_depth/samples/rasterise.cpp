@@ -40,7 +40,7 @@ std::int64_t ceil_div(Integer a, Integer b) {
 /// Samples triangles along all three axes.
 class Rasteriser {
   public:
-    Rasteriser(const OperandPair& pair, int operand, const SampleGrid& grid);
+    Rasteriser(const OperandSet& pair, int operand, const SampleGrid& grid);
 
     void sample(std::int32_t triangle, RawSet& out) const;
 
@@ -59,7 +59,7 @@ class Rasteriser {
     void fill(int axis, std::int32_t triangle, const std::array<Corner, 3>& c, std::vector<RawSample>& out) const;
     std::int64_t ceil_ray(std::int64_t fixed) const { return (fixed + (std::int64_t{1} << shift_) - 1) >> shift_; }
 
-    const OperandPair& pair_;
+    const OperandSet& pair_;
     std::int32_t first_point_;
     std::int64_t rays_;
     int shift_;
@@ -67,7 +67,7 @@ class Rasteriser {
     std::vector<FixedPoint> fixed_;
 };
 
-Rasteriser::Rasteriser(const OperandPair& pair, int operand, const SampleGrid& grid)
+Rasteriser::Rasteriser(const OperandSet& pair, int operand, const SampleGrid& grid)
     : pair_(pair),
       first_point_(pair.first_point[operand]),
       rays_(grid.rays()),
@@ -213,7 +213,7 @@ LayeredDepthImage gather(const std::vector<RawSet>& parts, int axis, std::size_t
 
 }  // namespace
 
-LayeredDepthSet rasterise(const OperandPair& pair, int operand, const SampleGrid& grid, const Progress* progress) {
+LayeredDepthSet rasterise(const OperandSet& pair, int operand, const SampleGrid& grid, const Progress* progress) {
     const Rasteriser rasteriser(pair, operand, grid);
     const std::int32_t first = pair.first_triangle[operand], end = pair.first_triangle[operand + 1];
     std::vector<RawSet> parts((end - first + kTrianglesPerTask - 1) / kTrianglesPerTask);

@@ -17,6 +17,6 @@ constexpr int kMaxLevels = 12;
 /// operand has as many entries as exits on every ray. The operand may reach beyond the grid. Time O(triangles + rays +
 /// samples log layers), on all cores.
 /// @throws Cancelled
-LayeredDepthSet rasterise(const OperandPair& pair, int operand, const SampleGrid& grid, const Progress* progress);
+LayeredDepthSet rasterise(const OperandSet& pair, int operand, const SampleGrid& grid, const Progress* progress);
 
 }  // namespace mq::boolean

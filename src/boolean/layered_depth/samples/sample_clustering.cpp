@@ -5,7 +5,7 @@
 
 namespace mq::boolean {
 
-std::vector<std::uint32_t> count_samples(const OperandPair& pair, const std::array<LayeredDepthSet, 2>& operands) {
+std::vector<std::uint32_t> count_samples(const OperandSet& pair, const std::vector<LayeredDepthSet>& operands) {
     std::vector<std::uint32_t> samples(pair.triangles.size(), 0);
     for (const LayeredDepthSet& operand : operands) {
         for (const LayeredDepthImage& direction : operand) {
@@ -17,7 +17,7 @@ std::vector<std::uint32_t> count_samples(const OperandPair& pair, const std::arr
     return samples;
 }
 
-std::vector<std::uint8_t> triangles_beyond(const OperandPair& pair, const SampleGrid& grid) {
+std::vector<std::uint8_t> triangles_beyond(const OperandSet& pair, const SampleGrid& grid) {
     std::vector<std::uint8_t> point_beyond(pair.points.size());
     for (std::size_t p = 0; p < pair.points.size(); ++p) {
         const Vec3 g = grid.to_grid(pair.points[p]);
@@ -31,7 +31,7 @@ std::vector<std::uint8_t> triangles_beyond(const OperandPair& pair, const Sample
     return beyond;
 }
 
-std::vector<std::int32_t> cluster(const OperandPair& pair, const std::vector<std::uint32_t>& samples,
+std::vector<std::int32_t> cluster(const OperandSet& pair, const std::vector<std::uint32_t>& samples,
                                   const std::vector<std::uint8_t>& beyond) {
     const auto count = static_cast<std::int32_t>(pair.triangles.size());
     std::vector<std::int32_t> region(count, -1);

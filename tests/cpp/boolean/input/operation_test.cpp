@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <vector>
+
 #include "base/error.h"
 
 namespace mq::boolean {
@@ -75,6 +78,32 @@ TEST(Expression, ComplementsFollowDeMorgan) {
     EXPECT_EQ(Expression::from({0, 1, 2, kAnd, kLess}, 3).pairing(1, 2), Pairing::Intersection);
     EXPECT_EQ(Expression::from({0, 1, kLess, 2, kOr}, 3).pairing(1, 2), Pairing::FirstLessSecond);
     EXPECT_EQ(Expression::from({0, 1, kXor, 2, kOr}, 3).pairing(0, 2), Pairing::None);
+}
+
+/// The point that moves is told as one that is looked up, whatever is passed in whatever order.
+TEST(Membership, FollowsAPoint) {
+    std::mt19937 random(7);
+    for (int round = 0; round < 200; ++round) {
+        const int operands = 2 + static_cast<int>(random() % 5);
+        std::vector<std::int32_t> postfix;
+        int open = 0;
+        for (int k = 0; k < 2 * operands; ++k) {  // each operand at least once, some twice
+            postfix.push_back(k % operands);
+            for (++open; open > 1 && (random() % 2 == 0 || k + 1 == 2 * operands); --open) {
+                postfix.push_back(-1 - static_cast<std::int32_t>(random() % 4));
+            }
+        }
+        const Expression expression = Expression::from(postfix, operands);
+        Membership point(expression);
+        std::vector<std::int32_t> winding(static_cast<std::size_t>(operands), 0);
+        EXPECT_FALSE(point.inside());
+        for (int step = 0; step < 50; ++step) {
+            const std::size_t k = random() % winding.size();
+            winding[k] = winding[k] == 0 ? 1 : 0;
+            point.set(k, winding[k] != 0);
+            ASSERT_EQ(point.inside(), expression.contains(winding.data()));
+        }
+    }
 }
 
 }  // namespace

@@ -11,32 +11,33 @@ namespace {
 using Ray = std::vector<std::pair<double, std::int32_t>>;
 
 /// Operands that have samples on ray 0 of the x-LDI only.
-std::array<LayeredDepthSet, 2> on_one_ray(const Ray& a, const Ray& b, const SampleGrid& grid) {
-    std::array<LayeredDepthSet, 2> operands;
-    const std::array<const Ray*, 2> rays{&a, &b};
-    for (int k = 0; k < 2; ++k) {
+std::vector<LayeredDepthSet> on_one_ray(const std::vector<Ray>& rays, const SampleGrid& grid) {
+    std::vector<LayeredDepthSet> operands(rays.size());
+    for (std::size_t k = 0; k < rays.size(); ++k) {
         for (int axis = 0; axis < 3; ++axis) {
             LayeredDepthImage& direction = operands[k][axis];
-            const std::size_t count = axis == 0 ? rays[k]->size() : 0;
+            const std::size_t count = axis == 0 ? rays[k].size() : 0;
             direction.begin.assign(static_cast<std::size_t>(grid.rays()) * grid.rays() + 1,
                                    static_cast<std::uint32_t>(count));
             direction.begin[0] = 0;
             for (std::size_t i = 0; i < count; ++i) {
-                direction.depth.push_back((*rays[k])[i].first);
-                direction.code.push_back((*rays[k])[i].second);
+                direction.depth.push_back(rays[k][i].first);
+                direction.code.push_back(rays[k][i].second);
             }
         }
     }
     return operands;
 }
 
-std::string combined(Operation operation, const Ray& a, const Ray& b, bool normal_index = true) {
+std::string combined(const Expression& expression, const std::vector<Ray>& rays, bool normal_index = true) {
     const SampleGrid grid(Box(), 9);
     CombineOptions options;
-    options.operation = operation;
+    options.expression = expression;
     options.thinnest = 0.01;
     options.normal_index = normal_index;
-    const CombinedDepth result = combine(OperandPair({}, {}), on_one_ray(a, b, grid), grid, options, nullptr)[0];
+    const mesh::TriangleMesh none;
+    const OperandSet operands(std::vector<const mesh::TriangleMesh*>(rays.size(), &none));
+    const CombinedDepth result = combine(operands, on_one_ray(rays, grid), grid, options, nullptr)[0];
     std::string text;
     for (std::size_t i = 0; i < result.depth.size(); ++i) {
         text += (i == 0 ? "" : " ") + std::to_string(static_cast<int>(result.depth[i])) + ":" +
@@ -44,6 +45,10 @@ std::string combined(Operation operation, const Ray& a, const Ray& b, bool norma
                 (CombinedDepth::reversed(result.source[i]) ? "r" : "");
     }
     return text;
+}
+
+std::string combined(Operation operation, const Ray& a, const Ray& b, bool normal_index = true) {
+    return combined(Expression::chain(operation, 2), {a, b}, normal_index);
 }
 
 const Ray kA{{1, 0}, {5, ~1}};
@@ -75,6 +80,26 @@ TEST(Combine, ContactPrefersTheLowerTriangle) {
     EXPECT_EQ(combined(Operation::Difference, kA, {{4.996, 10}, {6, ~11}}), "1:0 4:1");
     EXPECT_EQ(combined(Operation::Difference, kA, kA), "");
     EXPECT_EQ(combined(Operation::Intersection, kA, kA), "1:0 5:1");
+}
+
+TEST(Combine, ManyOperandsInOnePass) {
+    const Ray c{{4, 20}, {9, ~21}}, d{{10, 30}, {12, ~31}};
+    const auto chain = [&](Operation operation) { return combined(Expression::chain(operation, 4), {kA, kB, c, d}); };
+    EXPECT_EQ(chain(Operation::Union), "1:0 9:21 10:30 12:31");
+    EXPECT_EQ(chain(Operation::Intersection), "");
+    EXPECT_EQ(chain(Operation::Difference), "1:0 3:10r");
+    EXPECT_EQ(chain(Operation::SymmetricDifference), "1:0 3:10r 4:20 5:1 7:11r 9:21 10:30 12:31");
+    // (A u D) less (B n C).
+    const std::int32_t unite = -1, intersect = -2, subtract = -3;
+    EXPECT_EQ(combined(Expression::from({0, 3, unite, 1, 2, intersect, subtract}, 4), {kA, kB, c, d}),
+              "1:0 4:20r 10:30 12:31");
+    // Three that touch in a row: the slabs and gaps between neighbours vanish.
+    EXPECT_EQ(combined(Expression::chain(Operation::Union, 3),
+                       {{{1, 0}, {3, ~1}}, {{3.005, 10}, {5, ~11}}, {{4.995, 20}, {7, ~21}}}),
+              "1:0 7:21");
+    // Two tools with one face: the lower triangle cuts.
+    EXPECT_EQ(combined(Expression::chain(Operation::Difference, 3), {kA, {{4, 10}, {6, ~11}}, {{3.997, 20}, {6, ~21}}}),
+              "1:0 3:10r");
 }
 
 TEST(Combine, NormalIndexKeepsTheOuterSurface) {

@@ -100,7 +100,7 @@ struct Sampled {
 
 Sampled sample(const FacedMesh& faced, const std::shared_ptr<geometry::Model>& model, const SampleGrid& grid,
                double chord_height, const Progress* progress = nullptr) {
-    OperandPair pair(faced.mesh, mesh::TriangleMesh());
+    OperandSet pair(faced.mesh, mesh::TriangleMesh());
     pair.face = faced.faces;
     Sampled result;
     result.set = rasterise(pair, 0, grid, nullptr);

@@ -9,7 +9,7 @@
 namespace mq::boolean {
 namespace {
 
-Box box_of(const OperandPair& pair) {
+Box box_of(const OperandSet& pair) {
     Box box;
     for (const Vec3& p : pair.points) {
         box.add(p);
@@ -51,7 +51,7 @@ TEST(SampleGrid, HoldsTheBoxInPowerOfTwoCells) {
 }
 
 TEST(Rasterise, SamplesLieOnTheirTriangles) {
-    const OperandPair pair(solids::sphere(Vec3(0.3, 0.2, 0.1), 1.0, 12, 0.2), mesh::TriangleMesh());
+    const OperandSet pair(solids::sphere(Vec3(0.3, 0.2, 0.1), 1.0, 12, 0.2), mesh::TriangleMesh());
     const SampleGrid grid(box_of(pair), 65);
     const LayeredDepthSet set = rasterise(pair, 0, grid, nullptr);
     EXPECT_GT(expect_balance(set, grid), 15000U);
@@ -75,7 +75,7 @@ TEST(Rasterise, SamplesLieOnTheirTriangles) {
 
 /// Vertices exactly on rays and nodes, edges along rays: the worst for an inconsistent rule.
 TEST(Rasterise, RaysThroughVerticesAndEdgesCountOnce) {
-    const OperandPair frame(solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), mesh::TriangleMesh());
+    const OperandSet frame(solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), mesh::TriangleMesh());
     const SampleGrid grid(box_of(frame), 33);
     std::mt19937 random(7);
     for (int round = 0; round < 40; ++round) {
@@ -88,8 +88,8 @@ TEST(Rasterise, RaysThroughVerticesAndEdgesCountOnce) {
             }
             p = grid.to_space(g);
         }
-        expect_balance(rasterise(OperandPair(solid, mesh::TriangleMesh()), 0, grid, nullptr), grid);
-        expect_balance(rasterise(OperandPair(mesh::TriangleMesh(), solid), 1, grid, nullptr), grid);
+        expect_balance(rasterise(OperandSet(solid, mesh::TriangleMesh()), 0, grid, nullptr), grid);
+        expect_balance(rasterise(OperandSet(mesh::TriangleMesh(), solid), 1, grid, nullptr), grid);
     }
 }
 
@@ -99,23 +99,23 @@ TEST(Rasterise, DegenerateTrianglesKeepTheBalance) {
     for (int k = 0; k < 60; ++k) {
         solid.vertices[random() % solid.vertices.size()] = solid.vertices[random() % solid.vertices.size()];
     }
-    const OperandPair pair(solid, mesh::TriangleMesh());
+    const OperandSet pair(solid, mesh::TriangleMesh());
     const SampleGrid grid(box_of(pair), 65);
     expect_balance(rasterise(pair, 0, grid, nullptr), grid);
 }
 
 TEST(Rasterise, OperandsBeyondTheGridKeepTheBalance) {
-    const OperandPair frame(solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), mesh::TriangleMesh());
+    const OperandSet frame(solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), mesh::TriangleMesh());
     const SampleGrid grid(box_of(frame), 33);
     for (const double radius : {0.9, 2.0, 50.0, 1e4, 1e9}) {
         const mesh::TriangleMesh ball = solids::sphere(Vec3(0.3, 0.4, 0.5 - 0.99 * radius), radius, 40);
-        const OperandPair pair(ball, mesh::TriangleMesh());
+        const OperandSet pair(ball, mesh::TriangleMesh());
         EXPECT_GT(expect_balance(rasterise(pair, 0, grid, nullptr), grid), 1000U) << radius;
     }
 }
 
 TEST(Rasterise, StopsWhenCancelled) {
-    const OperandPair pair(solids::sphere(Vec3(0, 0, 0), 1.0, 20), mesh::TriangleMesh());
+    const OperandSet pair(solids::sphere(Vec3(0, 0, 0), 1.0, 20), mesh::TriangleMesh());
     Progress progress;
     progress.cancel();
     EXPECT_THROW(rasterise(pair, 0, SampleGrid(box_of(pair), 65), &progress), Cancelled);

@@ -37,7 +37,7 @@ TEST(RestoreOrder, SurfacesThatOverlapAreSorted) {
 
 class Ball : public testing::Test {
   protected:
-    OperandPair pair{solids::sphere(Vec3(0.1, 0.2, 0.3), 1.0, 24), mesh::TriangleMesh()};
+    OperandSet pair{solids::sphere(Vec3(0.1, 0.2, 0.3), 1.0, 24), mesh::TriangleMesh()};
     SampleGrid grid{box(), 65};
     LayeredDepthSet set = rasterise(pair, 0, grid, nullptr);
     ConsistencyCounts counts;
