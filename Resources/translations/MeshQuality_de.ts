@@ -589,7 +589,7 @@
     </message>
     <message>
         <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfahren: Entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper, auch offene, werden längs Strahlen abgetastet (Wang 2010); voreingestellt ist das Abtasten nur, wo es kein genaues Ergebnis gibt</translation>
     </message>
     <message>
         <source>Area of the triangles that close gaps</source>
@@ -2784,7 +2784,7 @@
     </message>
     <message>
         <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfahren: Entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper, auch offene, werden längs Strahlen abgetastet (Wang 2010); voreingestellt ist das Abtasten nur, wo es kein genaues Ergebnis gibt</translation>
     </message>
     <message>
         <source>Gap</source>
@@ -3092,7 +3092,7 @@
     <name>MeshQuality_Wrap</name>
     <message>
         <source>Close the outer surface of the selected objects, which may overlap, be open or have gaps, for flow simulations</source>
-        <translation type="unfinished"></translation>
+        <translation>Die äußere Oberfläche der gewählten Objekte schließen, die sich überlappen, offen sein oder Lücken haben dürfen, für Strömungsrechnungen</translation>
     </message>
     <message>
         <source>Wrap...</source>
