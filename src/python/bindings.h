@@ -17,7 +17,6 @@ void bind_errors(pybind11::module_& m);
 void bind_freecad_mesh(pybind11::module_& m);
 void bind_improve(pybind11::module_& m);
 void bind_inspection(pybind11::module_& m);
-void bind_wrap(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);
 void bind_triangulate(pybind11::module_& m);
 

@@ -52,7 +52,6 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_boolean(m);
     mq::python::bind_improve(m);
     mq::python::bind_inspection(m);
-    mq::python::bind_wrap(m);
     m.def(
         "waits",
         [] {

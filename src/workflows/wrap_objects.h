@@ -16,7 +16,7 @@ struct WrapSurface : BooleanSurface {
     wrap::WrapDistance distance;
     std::vector<wrap::Leak> leaks;
     std::size_t gap_triangles = 0;
-    double gap_area = 0.0;  ///< of the triangles that close gaps, mm2
+    double gap_area = 0.0;  ///< the sum of the triangles that close gaps, mm2
     std::size_t sheet_nodes = 0;
 };
 

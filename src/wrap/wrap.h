@@ -30,7 +30,7 @@ struct WrapResult {
     /// The triangle of the input on which each triangle lies; -1 where it closes a gap.
     std::vector<std::int32_t> triangle_source;
     WrapDistance distance;
-    std::vector<Leak> leaks;      ///< of the places that are to stay dry and do not
+    std::vector<Leak> leaks;      ///< to the places that are to stay dry and do not
     std::size_t sheet_nodes = 0;  ///< nodes of the lattice beside material that is thinner than it resolves
     StageTimes seconds;
 };

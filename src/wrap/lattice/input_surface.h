@@ -12,7 +12,7 @@ namespace mq::wrap {
 
 /// Where a segment first meets a surface.
 struct FirstMeeting {
-    double share = 2.0;  ///< of the way from its start; above 1: it does not
+    double share = 2.0;  ///< fraction of the way from its start; above 1: it does not
     std::int32_t triangle = -1;
 };
 

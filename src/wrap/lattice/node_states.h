@@ -90,7 +90,7 @@ class NodeStates {
     const Lattice& lattice_;
     const InputSurface& surface_;
     double radius_;
-    std::vector<std::int32_t> slots_;  ///< of each block: where its states are, else kFreeBlock or kOutsideBlock
+    std::vector<std::int32_t> slots_;  ///< for each block: where its states are, else kFreeBlock or kOutsideBlock
     std::vector<std::array<std::int32_t, 3>> blocks_;
     std::vector<BlockStates> states_;
     KeyMap<Vec3> moved_;

@@ -121,7 +121,7 @@ std::optional<Leak> find_leak(const NodeStates& states, const Vec3& dry, const P
         return std::nullopt;
     }
     if (const NodeState* state = states.find(start)) {
-        // Of a pocket there is no ball: it is beside one.
+        // A node in a pocket has no ball, and is beside the ball itself.
         start = start + Node{state->to_ball[0], state->to_ball[1], state->to_ball[2]};
     }
     if (!states.is_free(start)) {

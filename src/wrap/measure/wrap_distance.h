@@ -12,10 +12,10 @@ namespace mq::wrap {
 
 /// How far a wrap and what it wraps are from each other, mm, at samples of both that are at most a spacing apart.
 struct WrapDistance {
-    /// Of the wrap from the input, but for triangles that close gaps.
+    /// The wrap's from the input, but for triangles that close gaps.
     double to_input = 0.0;
     Vec3 to_input_where = Vec3::Zero();
-    /// Of those points of the input from the wrap that stick out of it. What is inside of it may be at any depth.
+    /// That of points of the input that stick out of the wrap from it. What is inside of it may be at any depth.
     double from_input = 0.0;
     Vec3 from_input_where = Vec3::Zero();
 };

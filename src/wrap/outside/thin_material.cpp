@@ -22,7 +22,7 @@ double volume(const std::array<Vec3, 4>& c) {
 /// A place in material on an edge between two nodes outside.
 struct Middle {
     Vec3 place = Vec3::Zero();
-    double width = -1.0;  ///< of the material along the edge, mm; below 0: there is none
+    double width = -1.0;  ///< width of the material along the edge, mm; below 0: there is none
 };
 
 class ThinMaterial {

@@ -84,7 +84,7 @@ class ContourBuilder {
         result_.plane.push_back(plane);
     }
 
-    /// Of a triangle or a pair of them: -1 where one of the crossings closes a gap.
+    /// That of a triangle or a pair of them: -1 where one of the crossings closes a gap.
     std::int32_t source_of(const CrossedCell& cell) const {
         std::int32_t source = crossing(cell, 0).source;
         for (int k = 1; k < cell.count; ++k) {

@@ -117,7 +117,7 @@ class CellSearch {
 
 /// How far from `from` towards `to`, as a share of the way, the distance from the input falls to `distance`.
 double share_to_distance(const InputSurface& surface, const Vec3& from, const Vec3& to, double distance) {
-    constexpr double kFine = 1e-3;  // of the distance
+    constexpr double kFine = 1e-3;  // a fraction of the distance
     const double length = (to - from).norm();
     double share = 0.0;
     while (share < 1.0) {
