@@ -75,7 +75,8 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     Contour between = contour(states, cells, progress);
 
     watch.start("simplifying", 0.5, 0.9);
-    simplify(between, cells.crossings, patches_of(between, input), options.spacing, progress);
+    between.patch = patches_of(between, input);
+    simplify(between, cells.crossings, options.spacing, progress);
     result.mesh.origin = input.origin;
     result.mesh.vertices = std::move(between.points);
     result.mesh.triangles = std::move(between.triangles);

@@ -60,7 +60,7 @@ class WrapMesh(BooleanMesh, metaclass=Public):
     report               BooleanReport; error_bound is the larger one of the distances, with that of the meshes from shapes
     """
 
-    __slots__ = ("leaks",)
+    __slots__ = {"leaks": "[Leak, ...]"}
 
     def __init__(self, surface, patches=None, leaks=()):
         super().__init__(surface, patches)

@@ -23,6 +23,8 @@ struct WrapTuning {
     MESHQUALITY_TUNED(double, kSimplification, 0.1);
     /// Its edges are not longer than this, in spacings: what is to be asked of triangles near by would grow.
     MESHQUALITY_TUNED(double, kLongest, 10.0);
+    /// Side of the blocks that are simplified at once, in spacings: far more than triangles are long at first.
+    MESHQUALITY_TUNED(double, kBlock, 24.0);
     /// Where a triangle is moved, the cosine between its normal and that of its plane does not fall below this.
     MESHQUALITY_TUNED(double, kTurn, 0.8);
     /// Where a triangle is moved, the tangent of its smallest angle does not fall below this: 5 degrees.

@@ -14,6 +14,7 @@ struct Contour {
     std::vector<Vec3> points;
     std::vector<mesh::Triangle> triangles;  ///< counter-clockwise seen from outside
     std::vector<std::int32_t> source;       ///< the input's triangle that each one lies on; -1 where it closes a gap
+    std::vector<std::int32_t> patch;        ///< the CAD face that each one lies on; -1 where it closes a gap
     /// The crossing whose plane each triangle stands for; -1: its own, where it closes a gap.
     std::vector<std::int32_t> plane;
 };

@@ -5,417 +5,177 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <queue>
-#include <tuple>
+#include <cstdint>
 #include <utility>
 
 #include "base/key_set.h"
-#include "mesh/intersection/triangle_contact.h"
+#include "base/parallel.h"
 #include "wrap/lattice/tuning.h"
-#include "wrap/surface/quadric.h"
-#include "wrap/surface/triangle_grid.h"
+#include "wrap/surface/edge_collapse.h"
 
 namespace mq::wrap {
 
 namespace {
 
-using mesh::Triangle;
+using BlockKey = std::array<std::int32_t, 3>;
 
-double longest_side(const std::array<Vec3, 3>& c) {
-    return std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
-}
-
-/// Tangent of the smallest angle.
-double smallest_tangent(const std::array<Vec3, 3>& c) {
-    const double area = (c[1] - c[0]).cross(c[2] - c[0]).norm();
-    double cosine = 0.0;  // the largest one times the lengths of its two sides
-    for (std::size_t k = 0; k < 3; ++k) {
-        cosine = std::max(cosine, (c[(k + 1) % 3] - c[k]).dot(c[(k + 2) % 3] - c[k]));
-    }
-    return area / cosine;
-}
-
-bool has(const Triangle& t, std::int32_t v) {
-    return t[0] == v || t[1] == v || t[2] == v;
-}
-
-/// An edge that may be collapsed, and where its ends would go.
-struct Candidate {
-    double cost = 0.0;
-    std::int32_t a = -1;
-    std::int32_t b = -1;
-    std::int32_t age_a = 0;  ///< how often the ends had moved when it was assessed
-    std::int32_t age_b = 0;
-    Vec3 place = Vec3::Zero();
-
-    bool is_end(std::int32_t v) const { return v == a || v == b; }
-    /// Whether a triangle vanishes with the edge.
-    bool takes(const Triangle& t) const { return has(t, a) && has(t, b); }
-    bool operator<(const Candidate& o) const { return std::tie(o.cost, o.a, o.b) < std::tie(cost, a, b); }
+/// A block of space, and a surface of its triangles and of those that reach into it.
+struct Block {
+    CollapseLimits limits;
+    Contour surface;
+    std::vector<std::int32_t> triangles;  ///< those that reach into it, by their index in the whole surface
+    std::vector<char> fixed;              ///< of these: whether they are in other blocks, too
+    std::vector<std::int32_t> vertices;   ///< the vertices of fixed triangles, by their index in the whole surface
 };
 
-class Simplifier {
+class Blocks {
   public:
-    Simplifier(Contour& surface, const std::vector<Crossing>& crossings, const std::vector<std::int32_t>& patch,
-               double distance, double longest, const Progress& progress)
-        : surface_(surface),
-          crossings_(crossings),
-          patch_(patch),
-          most_(distance * distance),
-          longest_(longest),
-          pace_(progress),
-          stars_(surface.points.size()),
-          ages_(surface.points.size()),
-          quadrics_(surface.points.size()),
-          planes_(surface.triangles.size()) {
-        for (Vec3& p : surface_.points) {
-            p = to_single(p);
+    Blocks(Contour& surface, double side) : surface_(surface), side_(side) {
+        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+            distribute(static_cast<std::int32_t>(t));
         }
     }
 
-    void run() {
-        prepare();
-        assess_all();
-        while (!queue_.empty()) {
-            pace_.step();
-            Candidate next = queue_.top();
-            queue_.pop();
-            if (next.age_a == ages_[next.a] && next.age_b == ages_[next.b] && keeps_links(next) && finds_place(next)) {
-                collapse(next);
-            }
-        }
-        finish();
+    void simplify(const std::vector<Crossing>& crossings, const CollapseLimits& limits, const Progress& progress) {
+        parallel_for(static_cast<int>(blocks_.size()), [&](int k) {
+            Block& block = blocks_[static_cast<std::size_t>(k)];
+            block.limits.distance = limits.distance;
+            block.limits.longest = limits.longest;
+            fill(block);
+            collapse_edges(block.surface, crossings, block.limits, progress);
+        });
+        join();
     }
 
   private:
-    std::array<Vec3, 3> corners(const Triangle& t) const {
-        return {surface_.points[t[0]], surface_.points[t[1]], surface_.points[t[2]]};
-    }
-    Vec3 normal(const Triangle& t) const {
-        const std::array<Vec3, 3> c = corners(t);
-        return (c[1] - c[0]).cross(c[2] - c[0]).normalized();
-    }
-
-    void prepare() {
-        double longest = 0.0;
-        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-            const Triangle& c = surface_.triangles[t];
-            const std::int32_t plane = surface_.plane[t];
-            planes_[t] = plane >= 0 ? crossings_[plane].normal : normal(c);
-            const Vec3& on = plane >= 0 ? crossings_[plane].on_input : surface_.points[c[0]];
-            for (int k = 0; k < 3; ++k) {
-                stars_[c[k]].push_back(static_cast<std::int32_t>(t));
-                quadrics_[c[k]].add_plane(on, planes_[t], 1.0);
-                longest = std::max(longest, (surface_.points[c[k]] - surface_.points[c[(k + 1) % 3]]).norm());
-            }
+    BlockKey key_of(const Vec3& p) const {
+        BlockKey key{};
+        for (int i = 0; i < 3; ++i) {
+            key[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::floor(p[i] / side_));
         }
-        grid_ = TriangleGrid(longest);
-        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-            grid_.add(static_cast<std::int32_t>(t), corners(surface_.triangles[t]));
+        return key;
+    }
+    Block& block_at(const BlockKey& key) {
+        const auto [at, is_new] = numbers_.insert({key, blocks_.size()});
+        if (is_new) {
+            // A little inside, so that triangles of two blocks do not touch on the plane between them.
+            constexpr double kInside = 1e-6;
+            Block block;
+            block.limits.within.low = side_ * (Vec3(key[0], key[1], key[2]) + Vec3::Constant(kInside));
+            block.limits.within.high = side_ * (Vec3(key[0], key[1], key[2]) + Vec3::Constant(1.0 - kInside));
+            blocks_.push_back(std::move(block));
         }
-        for (const Triangle& c : surface_.triangles) {
-            for (int k = 0; k < 3; ++k) {
-                const std::int32_t a = c[k];
-                const std::int32_t b = c[(k + 1) % 3];
-                if (a < b) {
-                    keep_border(a, b);
-                }
-            }
-        }
+        return blocks_[at->second];
     }
-
-    /// The triangles at an edge.
-    std::array<std::int32_t, 2> sides(std::int32_t a, std::int32_t b) const {
-        std::array<std::int32_t, 2> found{-1, -1};
-        std::size_t count = 0;
-        for (const std::int32_t t : stars_[a]) {
-            if (has(surface_.triangles[t], b) && count < 2) {
-                found[count++] = t;
-            }
-        }
-        return found;
-    }
-    bool is_border(std::int32_t a, std::int32_t b) const {
-        const std::array<std::int32_t, 2> two = sides(a, b);
-        return patch_[two[0]] != patch_[two[1]];
-    }
-    bool on_border(std::int32_t v) const {
-        return std::any_of(stars_[v].begin(), stars_[v].end(),
-                           [&](std::int32_t t) { return patch_[t] != patch_[stars_[v][0]]; });
-    }
-    /// Planes through a border that stand on the surface, so that it does not wander along it.
-    void keep_border(std::int32_t a, std::int32_t b) {
-        constexpr double kWeight = 1.0 / 16.0;  // four times the distance
-        const std::array<std::int32_t, 2> two = sides(a, b);
-        const Vec3 along = surface_.points[b] - surface_.points[a];
-        if (patch_[two[0]] == patch_[two[1]] || along.squaredNorm() == 0.0) {
-            return;
-        }
-        for (const std::int32_t t : two) {
-            const Vec3 across = along.cross(planes_[t]);
-            if (across.squaredNorm() > 0.0) {
-                quadrics_[a].add_plane(surface_.points[a], across.normalized(), kWeight);
-                quadrics_[b].add_plane(surface_.points[a], across.normalized(), kWeight);
-            }
-        }
-    }
-
-    void assess_all() {
-        for (const Triangle& c : surface_.triangles) {
-            for (int k = 0; k < 3; ++k) {
-                if (c[k] < c[(k + 1) % 3]) {
-                    assess(c[k], c[(k + 1) % 3]);
-                }
-            }
-        }
-    }
-
-    /// Puts the edge into the queue where its ends may go to one place.
-    void assess(std::int32_t a, std::int32_t b) {
-        Quadric both = quadrics_[a];
-        both.add(quadrics_[b]);
-        const Vec3& p = surface_.points[a];
-        const Vec3& q = surface_.points[b];
-        const bool border_a = on_border(a);
-        const bool border_b = on_border(b);
-        if (border_a && border_b && !is_border(a, b)) {
-            return;
-        }
-        const Vec3 start = border_a == border_b ? Vec3(0.5 * (p + q)) : border_a ? p : q;
-        const Vec3 best = to_single(both.least(start, WrapTuning::kFlatShare));
-        const double length = (q - p).squaredNorm();
-        // The least point of a nearly singular quadric may be anywhere.
-        const Vec3 place = (best - start).squaredNorm() <= length ? best : start;
-        const double cost = std::max(0.0, both.at(place));
-        // On a plane all costs are nearly 0: short edges go first there.
-        constexpr double kByLength = 1e-2;
-        if (cost <= most_) {
-            queue_.push({cost + kByLength * length, a, b, ages_[a], ages_[b], place});
-        }
-    }
-
-    /// The vertices around one.
-    std::vector<std::int32_t> ring(std::int32_t v) const {
-        std::vector<std::int32_t> found;
-        for (const std::int32_t t : stars_[v]) {
-            for (const std::int32_t w : surface_.triangles[t]) {
-                if (w != v) {
-                    found.push_back(w);
-                }
-            }
-        }
-        std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-        return found;
-    }
-
-    /// The link condition: only the two vertices opposite to the edge are joined to both of its ends.
-    bool keeps_links(const Candidate& edge) const {
-        const std::vector<std::int32_t> around_a = ring(edge.a);
-        const std::vector<std::int32_t> around_b = ring(edge.b);
-        std::vector<std::int32_t> common;
-        std::set_intersection(around_a.begin(), around_a.end(), around_b.begin(), around_b.end(),
-                              std::back_inserter(common));
-        constexpr std::size_t kOfTetrahedron = 6;  // neighbours of both ends
-        return common.size() == 2 && around_a.size() + around_b.size() > kOfTetrahedron;
-    }
-
-    /// Takes the first of the best place and those of both ends at which the surface stays sound.
-    bool finds_place(Candidate& edge) const {
-        const std::array<Vec3, 3> places{edge.place, surface_.points[edge.a], surface_.points[edge.b]};
-        Quadric both = quadrics_[edge.a];
-        both.add(quadrics_[edge.b]);
-        const std::array<bool, 2> border{on_border(edge.a), on_border(edge.b)};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const bool leaves_border = k > 0 && !border[k - 1] && border[2 - k];
-            edge.place = places[k];
-            if (!leaves_border && both.at(edge.place) <= most_ && keeps_shape(edge) && keeps_apart(edge)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /// The triangles at one end or both, each once.
-    template <typename Visit>
-    bool all_at(const Candidate& edge, const Visit& visit) const {
-        const auto is_new = [&](std::int32_t t) { return !has(surface_.triangles[t], edge.a); };
-        return std::all_of(stars_[edge.a].begin(), stars_[edge.a].end(), visit) &&
-               std::all_of(stars_[edge.b].begin(), stars_[edge.b].end(),
-                           [&](std::int32_t t) { return !is_new(t) || visit(t); });
-    }
-    /// The triangles that stay, with both ends at the new place: visit(triangle, its corners then).
-    template <typename Visit>
-    bool all_of_moved(const Candidate& edge, const Visit& visit) const {
-        return all_at(edge, [&](std::int32_t t) {
-            const Triangle& c = surface_.triangles[t];
-            std::array<Vec3, 3> moved = corners(c);
-            for (int k = 0; k < 3; ++k) {
-                moved[k] = edge.is_end(c[k]) ? edge.place : moved[k];
-            }
-            return edge.takes(c) || visit(t, moved);
-        });
-    }
-
-    /// Whether no triangle turns away from its plane, becomes thinner than all at the edge are, or too long.
-    bool keeps_shape(const Candidate& edge) const {
-        double thinnest = WrapTuning::kThinTangent;
-        all_at(edge, [&](std::int32_t t) {
-            thinnest = std::min(thinnest, smallest_tangent(corners(surface_.triangles[t])));
-            return true;
-        });
-        return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
-            const Vec3 cross = (moved[1] - moved[0]).cross(moved[2] - moved[0]);
-            const double length = cross.norm();
-            const double before = normal(surface_.triangles[t]).dot(planes_[t]);
-            return length > 0.0 && longest_side(moved) <= longest_ &&
-                   cross.dot(planes_[t]) >= std::min(WrapTuning::kTurn, before) * length &&
-                   smallest_tangent(moved) >= thinnest;
-        });
-    }
-
-    /// Whether no moved triangle meets another one.
-    bool keeps_apart(const Candidate& edge) const {
-        std::vector<std::int32_t> star;
-        return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
-            // The grid has those that are moved, too, at their places of before.
-            const auto is_apart = [&](std::int32_t other) { return apart(t, other, edge); };
-            const bool from_star = std::all_of(star.begin(), star.end(), is_apart);
-            star.push_back(t);
-            const Box box = box_of(t, edge);
-            return from_star && grid_.all_near(moved, [&](std::int32_t other) {
-                const Triangle& c = surface_.triangles[other];
-                return has(c, edge.a) || has(c, edge.b) || !box.meets(box_of(other, edge)) || is_apart(other);
-            });
-        });
-    }
-    Box box_of(std::int32_t t, const Candidate& edge) const {
+    /// Gives a triangle to all blocks that its box reaches into.
+    void distribute(std::int32_t t) {
         Box box;
         for (const std::int32_t v : surface_.triangles[t]) {
-            box.add(edge.is_end(v) ? edge.place : surface_.points[v]);
+            box.add(surface_.points[v]);
         }
-        return box;
-    }
-    /// Whether two triangles do not meet once the ends are at the new place.
-    bool apart(std::int32_t t, std::int32_t other, const Candidate& edge) const {
-        const Triangle first = renamed(surface_.triangles[t], edge, edge.a);
-        const Triangle second = renamed(surface_.triangles[other], edge, edge.a);
-        std::vector<Vec3>& points = of_pair_;
-        points.clear();
-        std::array<Triangle, 2> named{first, second};
-        std::array<std::int32_t, 6> known{};
-        for (Triangle& triangle : named) {
-            for (std::int32_t& v : triangle) {
-                const auto end = known.begin() + static_cast<std::ptrdiff_t>(points.size());
-                const auto at = std::find(known.begin(), end, v);
-                if (at == end) {
-                    *end = v;
-                    points.push_back(v == edge.a ? edge.place : surface_.points[v]);
+        const BlockKey low = key_of(box.low);
+        const BlockKey high = key_of(box.high);
+        for (std::int32_t x = low[0]; x <= high[0]; ++x) {
+            for (std::int32_t y = low[1]; y <= high[1]; ++y) {
+                for (std::int32_t z = low[2]; z <= high[2]; ++z) {
+                    Block& block = block_at({x, y, z});
+                    block.triangles.push_back(t);
+                    const bool is_inside =
+                        block.limits.within.contains(box.low) && block.limits.within.contains(box.high);
+                    block.fixed.push_back(is_inside ? 0 : 1);
                 }
-                v = static_cast<std::int32_t>(at - known.begin());
             }
         }
-        return mesh::contact(points, named[0], named[1]) == mesh::Contact::None;
     }
-    static Triangle renamed(Triangle t, const Candidate& edge, std::int32_t v) {
-        for (std::int32_t& corner : t) {
-            corner = edge.is_end(corner) ? v : corner;
-        }
-        return t;
-    }
-
-    /// Moves the ends of the edge, or the vertex, to the new place, and makes one of both.
-    void apply(const Candidate& edge) {
-        std::vector<std::int32_t> star;
-        all_at(edge, [&](std::int32_t t) {
-            star.push_back(t);
-            return true;
-        });
-        for (const std::int32_t t : star) {
-            grid_.remove(t, corners(surface_.triangles[t]));
-        }
-        surface_.points[edge.a] = edge.place;
-        stars_[edge.a].clear();
-        std::sort(star.begin(), star.end());
-        for (const std::int32_t t : star) {
-            Triangle& c = surface_.triangles[t];
-            if (edge.takes(c)) {
-                drop(t, edge);
-            } else {
-                c = renamed(c, edge, edge.a);
-                stars_[edge.a].push_back(t);
-                grid_.add(t, corners(c));
+    /// Copies the triangles of a block, those that are fixed first, with their vertices.
+    void fill(Block& block) const {
+        KeyMap<std::int32_t> numbers;
+        for (const char fixed : {1, 0}) {
+            for (std::size_t k = 0; k < block.triangles.size(); ++k) {
+                if (block.fixed[k] == fixed) {
+                    add(block, block.triangles[k], numbers);
+                    block.limits.fixed.push_back(fixed);
+                }
+            }
+            if (fixed != 0) {
+                block.vertices.resize(block.surface.points.size());
+                for (const auto& [v, number] : numbers) {
+                    block.vertices[static_cast<std::size_t>(number)] = static_cast<std::int32_t>(v);
+                }
             }
         }
-        ++ages_[edge.a];
     }
-    void collapse(const Candidate& edge) {
-        apply(edge);
-        stars_[edge.b].clear();
-        quadrics_[edge.a].add(quadrics_[edge.b]);
-        ++ages_[edge.b];
-        for (const std::int32_t v : ring(edge.a)) {
-            assess(std::min(edge.a, v), std::max(edge.a, v));
+    void add(Block& block, std::int32_t t, KeyMap<std::int32_t>& numbers) const {
+        mesh::Triangle triangle = surface_.triangles[t];
+        for (std::int32_t& v : triangle) {
+            const auto number = static_cast<std::int32_t>(block.surface.points.size());
+            const auto [at, is_new] = numbers.insert({static_cast<std::uint64_t>(v), number});
+            if (is_new) {
+                block.surface.points.push_back(surface_.points[v]);
+            }
+            v = at->second;
         }
+        block.surface.triangles.push_back(triangle);
+        block.surface.source.push_back(surface_.source[t]);
+        block.surface.patch.push_back(surface_.patch[t]);
+        block.surface.plane.push_back(surface_.plane[t]);
     }
-    /// Takes a triangle of the edge out of the stars of the vertices beside it.
-    void drop(std::int32_t t, const Candidate& edge) {
-        for (const std::int32_t v : surface_.triangles[t]) {
-            if (!edge.is_end(v)) {
-                stars_[v].erase(std::find(stars_[v].begin(), stars_[v].end(), t));
+    /// Makes the whole surface of what is left of the blocks, and of the triangles between them.
+    void join() {
+        Contour all;
+        all.points = surface_.points;
+        std::vector<char> is_fixed(surface_.triangles.size());
+        for (const Block& block : blocks_) {
+            for (std::size_t k = 0; k < block.triangles.size(); ++k) {
+                is_fixed[block.triangles[k]] = block.fixed[k];
             }
         }
-        surface_.triangles[t] = {-1, -1, -1};
-    }
-
-    /// Leaves out what is gone.
-    void finish() {
-        std::vector<std::int32_t> index(surface_.points.size(), -1);
-        std::size_t count = 0;
-        for (std::size_t v = 0; v < surface_.points.size(); ++v) {
-            if (!stars_[v].empty()) {
-                index[v] = static_cast<std::int32_t>(count);
-                surface_.points[count++] = surface_.points[v];
-            }
-        }
-        surface_.points.resize(count);
-        std::size_t left = 0;
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-            const Triangle c = surface_.triangles[t];
-            if (c[0] >= 0) {
-                surface_.triangles[left] = {index[c[0]], index[c[1]], index[c[2]]};
-                surface_.source[left] = surface_.source[t];
-                surface_.plane[left++] = surface_.plane[t];
+            if (is_fixed[t] != 0) {
+                take(all, surface_, t, surface_.triangles[t]);
             }
         }
-        surface_.triangles.resize(left);
-        surface_.source.resize(left);
-        surface_.plane.resize(left);
+        for (const Block& block : blocks_) {
+            std::vector<std::int32_t> index = block.vertices;
+            for (std::size_t v = index.size(); v < block.surface.points.size(); ++v) {
+                index.push_back(static_cast<std::int32_t>(all.points.size()));
+                all.points.push_back(block.surface.points[v]);
+            }
+            const auto fixed = static_cast<std::size_t>(std::count(block.fixed.begin(), block.fixed.end(), 1));
+            for (std::size_t t = fixed; t < block.surface.triangles.size(); ++t) {
+                mesh::Triangle triangle = block.surface.triangles[t];
+                for (std::int32_t& v : triangle) {
+                    v = index[v];
+                }
+                take(all, block.surface, t, triangle);
+            }
+        }
+        surface_ = std::move(all);
+    }
+    static void take(Contour& all, const Contour& from, std::size_t t, const mesh::Triangle& triangle) {
+        all.triangles.push_back(triangle);
+        all.source.push_back(from.source[t]);
+        all.patch.push_back(from.patch[t]);
+        all.plane.push_back(from.plane[t]);
     }
 
     Contour& surface_;
-    const std::vector<Crossing>& crossings_;
-    const std::vector<std::int32_t>& patch_;
-    double most_;
-    double longest_;
-    CancelPace pace_;
-    std::vector<std::vector<std::int32_t>> stars_;
-    std::vector<std::int32_t> ages_;
-    std::vector<Quadric> quadrics_;
-    std::vector<Vec3> planes_;  ///< normal of the plane that each triangle stands for
-    TriangleGrid grid_{1.0};
-    std::priority_queue<Candidate> queue_;
-    mutable std::vector<Vec3> of_pair_;  ///< points of two triangles that are tested
+    double side_;
+    std::vector<Block> blocks_;
+    tsl::robin_map<BlockKey, std::size_t, KeyHash> numbers_;
 };
 
 }  // namespace
 
-void simplify(Contour& surface, const std::vector<Crossing>& crossings, const std::vector<std::int32_t>& patch,
-              double spacing, const Progress& progress) {
-    Simplifier(surface, crossings, patch, WrapTuning::kSimplification * spacing, WrapTuning::kLongest * spacing,
-               progress)
-        .run();
+void simplify(Contour& surface, const std::vector<Crossing>& crossings, double spacing, const Progress& progress) {
+    for (Vec3& p : surface.points) {
+        p = to_single(p);
+    }
+    CollapseLimits limits;
+    limits.distance = WrapTuning::kSimplification * spacing;
+    limits.longest = WrapTuning::kLongest * spacing;
+    Blocks(surface, WrapTuning::kBlock * spacing).simplify(crossings, limits, progress);
+    collapse_edges(surface, crossings, limits, progress);
 }
 
 }  // namespace mq::wrap

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "base/progress.h"
@@ -9,17 +8,14 @@
 
 namespace mq::wrap {
 
-/// Collapses edges of the contour as long as the planes that its triangles stand for are within a distance (Garland and
-/// Heckbert 1997). The planes of a cell with an edge are those of the input, so edges that the lattice has cut off
-/// become sharp again.
+/// Collapses edges of the contour as long as the planes that its triangles stand for are within a tenth of the spacing
+/// (collapse_edges). The planes of a cell with an edge are those of the input, so edges that the lattice has cut off
+/// become sharp again. Borders between patches stay within four times that, and do not vanish.
 ///
-/// A collapse is made only where the surface stays 2-manifold (link condition) and no new triangle meets another one
-/// (exact), so a contour without self-intersections stays without. Borders between patches stay within four
-/// times the distance, and do not vanish.
-/// @param patch  of each triangle
-/// @param distance  from all planes, mm
+/// First in blocks of space at once: each holds the triangles that are in it with all of their corners, and changes
+/// nothing outside of itself, so that blocks do not meet. Triangles between blocks are fixed meanwhile. Then all that
+/// is left together. The result is the same for any number of threads.
 /// @throws Cancelled
-void simplify(Contour& surface, const std::vector<Crossing>& crossings, const std::vector<std::int32_t>& patch,
-              double spacing, const Progress& progress);
+void simplify(Contour& surface, const std::vector<Crossing>& crossings, double spacing, const Progress& progress);
 
 }  // namespace mq::wrap

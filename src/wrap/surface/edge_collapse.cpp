@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "wrap/surface/edge_collapse.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "base/key_set.h"
+#include "mesh/intersection/triangle_contact.h"
+#include "wrap/lattice/tuning.h"
+#include "wrap/surface/quadric.h"
+#include "wrap/surface/triangle_grid.h"
+
+namespace mq::wrap {
+
+namespace {
+
+using mesh::Triangle;
+
+double longest_side(const std::array<Vec3, 3>& c) {
+    return std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+}
+
+/// Tangent of the smallest angle.
+double smallest_tangent(const std::array<Vec3, 3>& c) {
+    const double area = (c[1] - c[0]).cross(c[2] - c[0]).norm();
+    double cosine = 0.0;  // the largest one times the lengths of its two sides
+    for (std::size_t k = 0; k < 3; ++k) {
+        cosine = std::max(cosine, (c[(k + 1) % 3] - c[k]).dot(c[(k + 2) % 3] - c[k]));
+    }
+    return area / cosine;
+}
+
+bool has(const Triangle& t, std::int32_t v) {
+    return t[0] == v || t[1] == v || t[2] == v;
+}
+
+/// An edge that may be collapsed, and where its ends would go.
+struct Candidate {
+    double cost = 0.0;
+    std::int32_t a = -1;
+    std::int32_t b = -1;
+    std::int32_t age_a = 0;  ///< how often the ends had moved when it was assessed
+    std::int32_t age_b = 0;
+    Vec3 place = Vec3::Zero();
+
+    bool is_end(std::int32_t v) const { return v == a || v == b; }
+    /// Whether a triangle vanishes with the edge.
+    bool takes(const Triangle& t) const { return has(t, a) && has(t, b); }
+    bool operator<(const Candidate& o) const { return std::tie(o.cost, o.a, o.b) < std::tie(cost, a, b); }
+};
+
+class EdgeCollapse {
+  public:
+    EdgeCollapse(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits,
+                 const Progress& progress)
+        : surface_(surface),
+          crossings_(crossings),
+          limits_(limits),
+          most_(limits.distance * limits.distance),
+          pace_(progress),
+          stars_(surface.points.size()),
+          ages_(surface.points.size()),
+          stays_(surface.points.size()),
+          quadrics_(surface.points.size()),
+          planes_(surface.triangles.size()),
+          seen_(surface.triangles.size()) {
+        for (std::size_t t = 0; t < limits.fixed.size(); ++t) {
+            for (const std::int32_t v : surface.triangles[t]) {
+                stays_[v] = static_cast<char>(stays_[v] | limits.fixed[t]);
+            }
+        }
+    }
+
+    void run() {
+        prepare();
+        assess_all();
+        while (!queue_.empty()) {
+            pace_.step();
+            Candidate next = queue_.top();
+            queue_.pop();
+            if (next.age_a == ages_[next.a] && next.age_b == ages_[next.b] && keeps_links(next) && finds_place(next)) {
+                collapse(next);
+            }
+        }
+        finish();
+    }
+
+  private:
+    std::array<Vec3, 3> corners(const Triangle& t) const {
+        return {surface_.points[t[0]], surface_.points[t[1]], surface_.points[t[2]]};
+    }
+    Vec3 normal(const Triangle& t) const {
+        const std::array<Vec3, 3> c = corners(t);
+        return (c[1] - c[0]).cross(c[2] - c[0]).normalized();
+    }
+
+    void prepare() {
+        double longest = 0.0;
+        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+            const Triangle& c = surface_.triangles[t];
+            const std::int32_t plane = surface_.plane[t];
+            planes_[t] = plane >= 0 ? crossings_[plane].normal : normal(c);
+            const Vec3& on = plane >= 0 ? crossings_[plane].on_input : surface_.points[c[0]];
+            for (int k = 0; k < 3; ++k) {
+                stars_[c[k]].push_back(static_cast<std::int32_t>(t));
+                quadrics_[c[k]].add_plane(on, planes_[t], 1.0);
+                longest = std::max(longest, (surface_.points[c[k]] - surface_.points[c[(k + 1) % 3]]).norm());
+            }
+        }
+        grid_ = TriangleGrid(longest);
+        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+            grid_.add(static_cast<std::int32_t>(t), corners(surface_.triangles[t]));
+        }
+        for (const Triangle& c : surface_.triangles) {
+            for (int k = 0; k < 3; ++k) {
+                const std::int32_t a = c[k];
+                const std::int32_t b = c[(k + 1) % 3];
+                if (a < b) {
+                    keep_border(a, b);
+                }
+            }
+        }
+    }
+
+    /// The triangles at an edge.
+    std::array<std::int32_t, 2> sides(std::int32_t a, std::int32_t b) const {
+        std::array<std::int32_t, 2> found{-1, -1};
+        std::size_t count = 0;
+        for (const std::int32_t t : stars_[a]) {
+            if (has(surface_.triangles[t], b) && count < 2) {
+                found[count++] = t;
+            }
+        }
+        return found;
+    }
+    bool is_border(std::int32_t a, std::int32_t b) const {
+        const std::array<std::int32_t, 2> two = sides(a, b);
+        return surface_.patch[two[0]] != surface_.patch[two[1]];
+    }
+    bool on_border(std::int32_t v) const {
+        return std::any_of(stars_[v].begin(), stars_[v].end(),
+                           [&](std::int32_t t) { return surface_.patch[t] != surface_.patch[stars_[v][0]]; });
+    }
+    /// Planes through a border that stand on the surface, so that it does not wander along it.
+    void keep_border(std::int32_t a, std::int32_t b) {
+        constexpr double kWeight = 1.0 / 16.0;  // four times the distance
+        const std::array<std::int32_t, 2> two = sides(a, b);
+        const Vec3 along = surface_.points[b] - surface_.points[a];
+        if (surface_.patch[two[0]] == surface_.patch[two[1]] || along.squaredNorm() == 0.0) {
+            return;
+        }
+        for (const std::int32_t t : two) {
+            const Vec3 across = along.cross(planes_[t]);
+            if (across.squaredNorm() > 0.0) {
+                quadrics_[a].add_plane(surface_.points[a], across.normalized(), kWeight);
+                quadrics_[b].add_plane(surface_.points[a], across.normalized(), kWeight);
+            }
+        }
+    }
+
+    void assess_all() {
+        for (const Triangle& c : surface_.triangles) {
+            for (int k = 0; k < 3; ++k) {
+                if (c[k] < c[(k + 1) % 3]) {
+                    assess(c[k], c[(k + 1) % 3]);
+                }
+            }
+        }
+    }
+
+    /// Puts the edge into the queue where its ends may go to one place.
+    void assess(std::int32_t a, std::int32_t b) {
+        if (stays_[b] != 0) {
+            std::swap(a, b);  // what is left of the edge has the name of its first end
+        }
+        const int hold_a = hold(a);
+        const int hold_b = hold(b);
+        if (stays_[b] != 0 || (hold_a > 0 && hold_b > 0 && !is_border(a, b))) {
+            return;
+        }
+        Quadric both = quadrics_[a];
+        both.add(quadrics_[b]);
+        const Vec3& p = surface_.points[a];
+        const Vec3& q = surface_.points[b];
+        const double length = (q - p).squaredNorm();
+        Vec3 place = hold_a == hold_b ? Vec3(0.5 * (p + q)) : hold_a > hold_b ? p : q;
+        if (stays_[a] == 0) {
+            const Vec3 best = to_single(both.least(place, WrapTuning::kFlatShare));
+            // The least point of a nearly singular quadric may be anywhere.
+            place = (best - place).squaredNorm() <= length ? best : to_single(place);
+        }
+        const double cost = std::max(0.0, both.at(place));
+        // On a plane all costs are nearly 0: short edges go first there.
+        constexpr double kByLength = 1e-2;
+        if (cost <= most_) {
+            queue_.push({cost + kByLength * length, a, b, ages_[a], ages_[b], place});
+        }
+    }
+    /// How much holds a vertex: 2 a fixed triangle, 1 a border between patches, 0 nothing.
+    int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border(v) ? 1 : 0; }
+
+    /// The vertices around one.
+    std::vector<std::int32_t> ring(std::int32_t v) const {
+        std::vector<std::int32_t> found;
+        for (const std::int32_t t : stars_[v]) {
+            for (const std::int32_t w : surface_.triangles[t]) {
+                if (w != v) {
+                    found.push_back(w);
+                }
+            }
+        }
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+        return found;
+    }
+
+    /// The link condition: only the two vertices opposite to the edge are joined to both of its ends.
+    bool keeps_links(const Candidate& edge) const {
+        const std::vector<std::int32_t> around_a = ring(edge.a);
+        const std::vector<std::int32_t> around_b = ring(edge.b);
+        std::vector<std::int32_t> common;
+        std::set_intersection(around_a.begin(), around_a.end(), around_b.begin(), around_b.end(),
+                              std::back_inserter(common));
+        constexpr std::size_t kOfTetrahedron = 6;  // neighbours of both ends
+        return common.size() == 2 && around_a.size() + around_b.size() > kOfTetrahedron;
+    }
+
+    /// Takes the first of the best place and those of both ends at which the surface stays sound.
+    bool finds_place(Candidate& edge) {
+        const std::array<Vec3, 3> places{edge.place, surface_.points[edge.a], surface_.points[edge.b]};
+        Quadric both = quadrics_[edge.a];
+        both.add(quadrics_[edge.b]);
+        const std::array<int, 2> held{hold(edge.a), hold(edge.b)};
+        for (std::size_t k = 0; k < 3; ++k) {
+            // An end that is held less than the other one is no place for both, nor is the best place where one is
+            // fixed.
+            const bool leaves = k == 0 ? held[0] == 2 && places[0] != places[1] : held[k - 1] < held[2 - k];
+            edge.place = places[k];
+            if (!leaves && both.at(edge.place) <= most_ && keeps_shape(edge) && keeps_apart(edge)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// The triangles at one end or both, each once.
+    template <typename Visit>
+    bool all_at(const Candidate& edge, const Visit& visit) const {
+        const auto is_new = [&](std::int32_t t) { return !has(surface_.triangles[t], edge.a); };
+        return std::all_of(stars_[edge.a].begin(), stars_[edge.a].end(), visit) &&
+               std::all_of(stars_[edge.b].begin(), stars_[edge.b].end(),
+                           [&](std::int32_t t) { return !is_new(t) || visit(t); });
+    }
+    /// The triangles that stay, with both ends at the new place: visit(triangle, its corners then).
+    template <typename Visit>
+    bool all_of_moved(const Candidate& edge, const Visit& visit) const {
+        return all_at(edge, [&](std::int32_t t) {
+            const Triangle& c = surface_.triangles[t];
+            return edge.takes(c) || visit(t, corners_at(c, edge));
+        });
+    }
+
+    /// Whether no triangle turns away from its plane, becomes thinner than all at the edge are, or too long.
+    bool keeps_shape(const Candidate& edge) const {
+        double thinnest = WrapTuning::kThinTangent;
+        all_at(edge, [&](std::int32_t t) {
+            thinnest = std::min(thinnest, smallest_tangent(corners(surface_.triangles[t])));
+            return true;
+        });
+        return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
+            const Vec3 cross = (moved[1] - moved[0]).cross(moved[2] - moved[0]);
+            const double length = cross.norm();
+            const double before = normal(surface_.triangles[t]).dot(planes_[t]);
+            return length > 0.0 && longest_side(moved) <= limits_.longest &&
+                   cross.dot(planes_[t]) >= std::min(WrapTuning::kTurn, before) * length &&
+                   smallest_tangent(moved) >= thinnest;
+        });
+    }
+
+    /// Whether no moved triangle meets another one.
+    bool keeps_apart(const Candidate& edge) {
+        // The grid has the triangles that are moved, too, at their places of before: here they come first.
+        near_.clear();
+        ++round_;
+        all_at(edge, [&](std::int32_t t) {
+            seen_[t] = round_;
+            return true;
+        });
+        all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>&) {
+            near_.emplace_back(t, box_of(t, edge));
+            return true;
+        });
+        const std::size_t moved = near_.size();
+        for (const auto& [t, box] : near_) {
+            const bool is_fixed = !limits_.fixed.empty() && limits_.fixed[t] != 0;
+            if (!is_fixed && !(limits_.within.contains(box.low) && limits_.within.contains(box.high))) {
+                return false;
+            }
+        }
+        for (std::size_t i = 0; i < moved; ++i) {
+            const Triangle own = surface_.triangles[near_[i].first];
+            grid_.all_near(corners_at(own, edge), [&](std::int32_t other) {
+                if (seen_[other] != round_) {
+                    seen_[other] = round_;
+                    near_.emplace_back(other, box_of(other, edge));
+                }
+                return true;
+            });
+        }
+        for (std::size_t i = 0; i < moved; ++i) {
+            for (std::size_t j = i + 1; j < near_.size(); ++j) {
+                if (near_[i].second.meets(near_[j].second) && !apart(near_[i].first, near_[j].first, edge)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+    /// The corners of a triangle with the ends at the new place.
+    std::array<Vec3, 3> corners_at(const Triangle& c, const Candidate& edge) const {
+        std::array<Vec3, 3> moved = corners(c);
+        for (int k = 0; k < 3; ++k) {
+            moved[k] = edge.is_end(c[k]) ? edge.place : moved[k];
+        }
+        return moved;
+    }
+    Box box_of(std::int32_t t, const Candidate& edge) const {
+        Box box;
+        for (const std::int32_t v : surface_.triangles[t]) {
+            box.add(edge.is_end(v) ? edge.place : surface_.points[v]);
+        }
+        return box;
+    }
+    /// Whether two triangles do not meet once the ends are at the new place.
+    bool apart(std::int32_t t, std::int32_t other, const Candidate& edge) {
+        const Triangle first = renamed(surface_.triangles[t], edge, edge.a);
+        const Triangle second = renamed(surface_.triangles[other], edge, edge.a);
+        std::vector<Vec3>& points = of_pair_;
+        points.clear();
+        std::array<Triangle, 2> named{first, second};
+        std::array<std::int32_t, 6> known{};
+        for (Triangle& triangle : named) {
+            for (std::int32_t& v : triangle) {
+                const auto end = known.begin() + static_cast<std::ptrdiff_t>(points.size());
+                const auto at = std::find(known.begin(), end, v);
+                if (at == end) {
+                    *end = v;
+                    points.push_back(v == edge.a ? edge.place : surface_.points[v]);
+                }
+                v = static_cast<std::int32_t>(at - known.begin());
+            }
+        }
+        return mesh::contact(points, named[0], named[1]) == mesh::Contact::None;
+    }
+    static Triangle renamed(Triangle t, const Candidate& edge, std::int32_t v) {
+        for (std::int32_t& corner : t) {
+            corner = edge.is_end(corner) ? v : corner;
+        }
+        return t;
+    }
+
+    /// Moves the ends of the edge, or the vertex, to the new place, and makes one of both.
+    void apply(const Candidate& edge) {
+        std::vector<std::int32_t> star;
+        all_at(edge, [&](std::int32_t t) {
+            star.push_back(t);
+            return true;
+        });
+        for (const std::int32_t t : star) {
+            grid_.remove(t, corners(surface_.triangles[t]));
+        }
+        surface_.points[edge.a] = edge.place;
+        stars_[edge.a].clear();
+        std::sort(star.begin(), star.end());
+        for (const std::int32_t t : star) {
+            Triangle& c = surface_.triangles[t];
+            if (edge.takes(c)) {
+                drop(t, edge);
+            } else {
+                c = renamed(c, edge, edge.a);
+                stars_[edge.a].push_back(t);
+                grid_.add(t, corners(c));
+            }
+        }
+        ++ages_[edge.a];
+    }
+    void collapse(const Candidate& edge) {
+        apply(edge);
+        stars_[edge.b].clear();
+        quadrics_[edge.a].add(quadrics_[edge.b]);
+        ++ages_[edge.b];
+        for (const std::int32_t v : ring(edge.a)) {
+            assess(std::min(edge.a, v), std::max(edge.a, v));
+        }
+    }
+    /// Takes a triangle of the edge out of the stars of the vertices beside it.
+    void drop(std::int32_t t, const Candidate& edge) {
+        for (const std::int32_t v : surface_.triangles[t]) {
+            if (!edge.is_end(v)) {
+                stars_[v].erase(std::find(stars_[v].begin(), stars_[v].end(), t));
+            }
+        }
+        surface_.triangles[t] = {-1, -1, -1};
+    }
+
+    /// Leaves out what is gone.
+    void finish() {
+        std::vector<std::int32_t> index(surface_.points.size(), -1);
+        std::size_t count = 0;
+        for (std::size_t v = 0; v < surface_.points.size(); ++v) {
+            if (!stars_[v].empty()) {
+                index[v] = static_cast<std::int32_t>(count);
+                surface_.points[count++] = surface_.points[v];
+            }
+        }
+        surface_.points.resize(count);
+        std::size_t left = 0;
+        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+            const Triangle c = surface_.triangles[t];
+            if (c[0] >= 0) {
+                surface_.triangles[left] = {index[c[0]], index[c[1]], index[c[2]]};
+                surface_.source[left] = surface_.source[t];
+                surface_.patch[left] = surface_.patch[t];
+                surface_.plane[left++] = surface_.plane[t];
+            }
+        }
+        surface_.triangles.resize(left);
+        surface_.source.resize(left);
+        surface_.patch.resize(left);
+        surface_.plane.resize(left);
+    }
+
+    Contour& surface_;
+    const std::vector<Crossing>& crossings_;
+    const CollapseLimits& limits_;
+    double most_;  ///< square of the distance
+    CancelPace pace_;
+    std::vector<std::vector<std::int32_t>> stars_;
+    std::vector<std::int32_t> ages_;
+    std::vector<char> stays_;  ///< whether a vertex is one of a fixed triangle
+    std::vector<Quadric> quadrics_;
+    std::vector<Vec3> planes_;  ///< normal of the plane that each triangle stands for
+    TriangleGrid grid_{1.0};
+    std::priority_queue<Candidate> queue_;
+    // What the tests of one collapse use.
+    std::vector<std::pair<std::int32_t, Box>> near_;  ///< triangles that are moved, and those near them, with boxes
+    std::vector<std::uint32_t> seen_;                 ///< by triangle: the round in which it came into near_
+    std::uint32_t round_ = 0;
+    std::vector<Vec3> of_pair_;  ///< points of two triangles that are tested
+};
+
+}  // namespace
+
+void collapse_edges(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits,
+                    const Progress& progress) {
+    EdgeCollapse(surface, crossings, limits, progress).run();
+}
+
+}  // namespace mq::wrap

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "base/progress.h"
+#include "wrap/surface/contour.h"
+
+namespace mq::wrap {
+
+/// What a collapse of edges must keep.
+struct CollapseLimits {
+    double distance = 0.0;  ///< of vertices from the planes that their triangles stand for, mm
+    double longest = std::numeric_limits<double>::infinity();  ///< length of edges of triangles that are moved, mm
+    /// Triangles that stay as they are, with their vertices; empty: there are none.
+    std::vector<char> fixed;
+    /// Where all others are, before and after.
+    Box within{Vec3::Constant(-1e300), Vec3::Constant(1e300)};
+};
+
+/// Collapses edges of a surface, those first that cost least (Garland and Heckbert 1997). Its points are
+/// single-precision numbers, and stay that. Of the vertices of fixed triangles those that come first keep their order.
+///
+/// A collapse is made only where the surface stays 2-manifold (link condition), no triangle turns away from its plane,
+/// and no triangle that is moved meets another one (exact).
+/// @throws Cancelled
+void collapse_edges(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits,
+                    const Progress& progress);
+
+}  // namespace mq::wrap
