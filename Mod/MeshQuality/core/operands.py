@@ -90,9 +90,9 @@ class Operands:
         with self._stage("reading the operands"):
             return [self._read(i) for i in range(len(self._taken))]
 
-    def mesh_shapes(self, core_options, progress, fraction=0.5):
+    def mesh_shapes(self, core_options, progress, fraction=0.5, rough=False):
         """Meshes the operands that are shapes, as far from them as this fraction of the tolerance of these
-        core.BooleanOptions.
+        core.BooleanOptions. Where that fails, `rough` takes OpenCASCADE's triangulation, which may have holes, and notes it.
 
         Returns whether there were any.
         """
@@ -103,7 +103,7 @@ class Operands:
             wanted = self._possible(core_options.tolerance_for(self.size()))
             for done, i in enumerate(shapes):
                 part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
-                self._found[i] = self._mesh_shape(i, fraction * wanted, part)
+                self._found[i] = self._mesh_shape(i, fraction * wanted, part, rough)
         return True
 
     def _possible(self, tolerance):
@@ -190,7 +190,7 @@ class Operands:
                           points.max(axis=0) + found[0].origin]
         return float(np.ptp(np.array(boxes), axis=0).max())
 
-    def _mesh_shape(self, i, chord_height, progress):
+    def _mesh_shape(self, i, chord_height, progress, rough):
         shape = _shape_in(self._found[i])
         box = attribute_of(shape, "BoundBox")
         side = max(box.XLength, box.YLength, box.ZLength)
@@ -199,6 +199,8 @@ class Operands:
         try:
             mesh = triangulate(shape, chord_height=chord_height, progress=progress)
         except (InvalidInput, TopologyError) as error:
+            if rough:
+                return self._tessellated(i, shape, chord_height, error)
             raise type(error)(f"{self._names[i]}, {convert.label_of(self._sources[i])}: {error}") \
                 from error
         if not mesh.report.complete:
@@ -208,8 +210,8 @@ class Operands:
         mixed = isinstance(self._found[i], _Mixed)
         what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
         self.notes.append(f"{self._names[i]} {what} deviates by at most "
-                          f"{mesh.report.max_chord_height:.3g} mm from {'them' if mixed else 'it'}; the error bound is "
-                          "that of the Boolean of the meshes")
+                          f"{mesh.report.max_chord_height:.3g} mm from {'them' if mixed else 'it'}"
+                          + ("" if rough else "; the error bound is that of the Boolean of the meshes"))
         if not mixed:
             return mesh._surface, False, shape
         # Overlapping surfaces of one operand enclose together what each of them does.
@@ -218,6 +220,22 @@ class Operands:
         return convert.surface_of_arrays(extension(), np.concatenate((own, vertices)),
                                          np.concatenate((mesh.triangles, triangles + len(own))),
                                          measured=False), True, None
+
+    def _tessellated(self, i, shape, chord_height, error):
+        """(surface, True, None) of OpenCASCADE's triangulation of each face."""
+        vertices, triangles, faces, count = [], [], [], 0
+        for number, face in enumerate(attribute_of(shape, "Faces")):
+            points, corners = face.tessellate(chord_height)
+            vertices += [tuple(point) for point in points]
+            triangles += [tuple(c + count for c in corner) for corner in corners]
+            faces += [number] * len(corners)
+            count += len(points)
+        if not triangles:
+            raise InvalidInput(f"{self._names[i]}, {convert.label_of(self._sources[i])}: {error}") from error
+        self.notes.append(f"{self._names[i]} was not meshed ({error}): OpenCASCADE's triangulation is taken, which may have "
+                          f"holes, and was to deviate by at most {chord_height:.3g} mm")
+        return extension().surface_from_arrays(np.array(vertices), np.array(triangles, dtype=np.int32),
+                                               np.array(faces, dtype=np.int32), False), True, None
 
     def explain(self, error):
         """The error with the labels of the operands, where it names one by its letter."""

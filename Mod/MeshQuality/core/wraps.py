@@ -130,7 +130,7 @@ def run(wrapped, values, progress=None, dry=()):
                            "larger gap")
     core_options, before = module.BooleanOptions(), module.WorkBefore()
     core_options.tolerance = tolerance
-    meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION)
+    meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION, rough=True)
     before.seconds, before.notes, before.cpu_seconds = operands.seconds, operands.notes, operands.cpu_seconds
     before.tolerance = tolerance
     before.error_bound = max((surface.report.max_chord_height for surface, _, shape in operands.surfaces if shape is not None),

@@ -152,7 +152,8 @@ class EdgeCollapse {
         constexpr double kWeight = 1.0 / 16.0;  // four times the distance
         const std::array<std::int32_t, 2> two = sides(a, b);
         const Vec3 along = surface_.points[b] - surface_.points[a];
-        if (surface_.patch[two[0]] == surface_.patch[two[1]] || along.squaredNorm() == 0.0) {
+        // A block ends at edges of one triangle, which are fixed.
+        if (two[1] < 0 || surface_.patch[two[0]] == surface_.patch[two[1]] || along.squaredNorm() == 0.0) {
             return;
         }
         for (const std::int32_t t : two) {
