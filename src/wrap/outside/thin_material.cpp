@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/key_set.h"
 #include "wrap/lattice/tuning.h"
 
 namespace mq::wrap {
@@ -44,29 +43,36 @@ class ThinMaterial {
     }
 
   private:
+    /// Moves a node into the material on one of its edges, the widest first, where that is possible.
     void treat(const Node& node) {
-        Middle widest;
+        std::vector<Middle> middles;
         for_each_neighbour(lattice_, node, [&](const Node& other, int step) {
             if (states_.is_outside(other) && states_.is_barred(node, step)) {
-                const Middle found = middle_between(states_.position(node), states_.position(other));
-                widest = found.width > widest.width ? found : widest;
+                middles.push_back(middle_between(states_.position(node), states_.position(other)));
             }
         });
-        if (widest.width <= 0.0) {
-            return;
+        std::stable_sort(middles.begin(), middles.end(),
+                         [](const Middle& one, const Middle& two) { return one.width > two.width; });
+        for (const Middle& middle : middles) {
+            if (middle.width > 0.0 && moves(node, middle.place)) {
+                return;
+            }
         }
-        states_.move(node, widest.place);
+    }
+    bool moves(const Node& node, const Vec3& place) {
+        states_.move(node, place);
         if (keeps_cells(node)) {
             states_.bar_edges_at(node);
             if (closed_to_outside(node)) {
                 states_.find(node)->outside = false;
-                return;
+                return true;
             }
             states_.move_back(node);
             states_.bar_edges_at(node);
-            return;
+            return false;
         }
         states_.move_back(node);
+        return false;
     }
 
     /// The middle of the material that an edge enters first, where it is nearer to the start than to the end.
@@ -113,99 +119,33 @@ void move_into_thin_material(NodeStates& states, const Progress& progress) {
     ThinMaterial(states, progress).run();
 }
 
-namespace {
-
-/// Edges by which a sheet goes on into material that the lattice resolves.
-constexpr int kOverlap = 3;
-
-/// Edges between nodes outside that meet the input.
-class ThinEdges {
-  public:
-    ThinEdges(NodeStates& states, const Progress& progress)
-        : states_(states), lattice_(states.lattice()), pace_(progress) {}
-
-    /// Returns the number of nodes that became a sheet.
-    std::size_t run() {
-        std::vector<Node> front;
-        for (const std::array<std::int32_t, 3>& block : states_.blocks()) {
-            pace_.step();
-            for (int place = 0; place < Lattice::kBlockNodes; ++place) {
-                const Node node = Lattice::node_at(block, place);
-                const NodeState& state = *states_.find(node);
-                if (state.outside && state.near && has_thin_edge(node) && !is_held(node)) {
-                    front.push_back(node);
-                }
-            }
-        }
-        for (const Node& node : front) {
-            chosen_.insert(Lattice::key(node));
-        }
-        std::vector<Node> all = front;
-        for (int ring = 0; ring < kOverlap; ++ring) {
-            front = grown(front);
-            all.insert(all.end(), front.begin(), front.end());
-        }
-        return mark(all);
-    }
-
-  private:
-    template <typename Visit>
-    void for_each_thin_edge(const Node& node, const Visit& visit) const {
-        for_each_neighbour(lattice_, node, [&](const Node& other, int step) {
-            if (states_.is_outside(other) && states_.is_barred(node, step)) {
-                visit(other);
-            }
-        });
-    }
-    bool has_thin_edge(const Node& node) const {
-        bool has = false;
-        for_each_thin_edge(node, [&](const Node&) { has = true; });
-        return has;
-    }
-    /// Whether a node beside it is not outside: the wrap then passes within a side.
-    bool is_held(const Node& node) const {
-        bool held = false;
-        for_each_neighbour(lattice_, node, [&](const Node& other, int) { held = held || !states_.is_outside(other); });
-        return held;
-    }
-    /// The nodes at thin edges of some nodes that are not chosen yet; chooses them.
-    std::vector<Node> grown(const std::vector<Node>& front) {
-        std::vector<Node> next;
-        for (const Node& node : front) {
-            pace_.step();
-            for_each_thin_edge(node, [&](const Node& other) {
-                if (chosen_.insert(Lattice::key(other)).second) {
-                    next.push_back(other);
-                }
-            });
-        }
-        return next;
-    }
-    std::size_t mark(const std::vector<Node>& nodes) {
-        std::size_t count = 0;
-        const double half = 0.5 * lattice_.side();
-        for (const Node& node : nodes) {
-            pace_.step();
-            if (states_.surface().tree.any_within(states_.position(node), half, 0) >= 0) {
-                NodeState& state = *states_.find(node);
-                state.outside = false;
-                state.sheet = true;
-                ++count;
-            }
-        }
-        return count;
-    }
-
-    NodeStates& states_;
-    const Lattice& lattice_;
-    CancelPace pace_;
-    KeySet chosen_;
-};
-
-}  // namespace
-
 std::size_t mark_sheets(NodeStates& states, const Progress& progress) {
-    return ThinEdges(states, progress).run();
+    const Lattice& lattice = states.lattice();
+    const double half = 0.5 * lattice.side();
+    CancelPace pace(progress);
+    std::vector<Node> sheet;
+    for (const std::array<std::int32_t, 3>& block : states.blocks()) {
+        for (int place = 0; place < Lattice::kBlockNodes; ++place) {
+            pace.step();
+            const Node node = Lattice::node_at(block, place);
+            const NodeState& state = *states.find(node);
+            bool is_thin = false;
+            if (state.outside && state.near) {
+                for_each_neighbour(lattice, node, [&](const Node& other, int step) {
+                    is_thin = is_thin || (states.is_outside(other) && states.is_barred(node, step));
+                });
+            }
+            if (is_thin && states.surface().tree.any_within(lattice.at(node), half, 0) >= 0) {
+                sheet.push_back(node);
+            }
+        }
+    }
+    for (const Node& node : sheet) {
+        NodeState& state = *states.find(node);
+        state.outside = false;
+        state.sheet = true;
+    }
+    return sheet.size();
 }
 
 }  // namespace mq::wrap

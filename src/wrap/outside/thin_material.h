@@ -19,9 +19,8 @@ namespace mq::wrap {
 void move_into_thin_material(NodeStates& states, const Progress& progress);
 
 /// Marks nodes at material that still lies between nodes outside as sheets; they are no longer outside. Where an edge
-/// between two nodes outside meets the input, and none of their neighbours is not outside, so that the wrap would pass
-/// farther than a side away, the nodes there that are at most half a side from the input become a sheet. A sheet goes
-/// on for three edges into what is held, so that it stays connected. Returns the number of nodes.
+/// between two nodes outside meets the input, one of them is at most half a side from it: that becomes a sheet. Then no
+/// edge between nodes outside meets the input. Returns the number of nodes.
 /// @throws Cancelled
 std::size_t mark_sheets(NodeStates& states, const Progress& progress);
 
