@@ -11,7 +11,7 @@ namespace mq::wrap {
 
 /// What a collapse of edges must keep.
 struct CollapseLimits {
-    double distance = 0.0;  ///< of vertices from the planes that their triangles stand for, mm
+    double distance = 0.0;  ///< from vertices to the planes that their triangles stand for, mm
     double longest = std::numeric_limits<double>::infinity();  ///< length of edges of triangles that are moved, mm
     /// Triangles that stay as they are, with their vertices; empty: there are none.
     std::vector<char> fixed;

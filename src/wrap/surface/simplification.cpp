@@ -24,7 +24,7 @@ struct Block {
     CollapseLimits limits;
     Contour surface;
     std::vector<std::int32_t> triangles;  ///< those that reach into it, by their index in the whole surface
-    std::vector<char> fixed;              ///< of these: whether they are in other blocks, too
+    std::vector<char> fixed;              ///< whether these are in other blocks, too
     std::vector<std::int32_t> vertices;   ///< the vertices of fixed triangles, by their index in the whole surface
 };
 
