@@ -565,7 +565,7 @@
     </message>
     <message>
         <source>One half of the mould opens along it, the other one against it</source>
-        <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
+        <translation>In diese Richtung öffnet sich eine Hälfte des Werkzeugs, die andere ihr entgegen</translation>
     </message>
     <message>
         <source>Pairs (index of a CAD face, number of successive triangles on it); -1: on none</source>
@@ -2756,7 +2756,7 @@
     </message>
     <message>
         <source>-x</source>
-        <translation>Vereinfachen der Oberfläche</translation>
+        <translation>-x</translation>
     </message>
     <message>
         <source>-y</source>
