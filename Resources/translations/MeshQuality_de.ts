@@ -615,6 +615,18 @@
         <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
         <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
     </message>
+    <message>
+        <source>Requested largest distance between the wrap and what it lies on</source>
+        <translation>Verlangter größter Abstand zwischen der Hülle und dem, worauf sie liegt</translation>
+    </message>
+    <message>
+        <source>The larger one of both distances, with that of the meshes of shapes</source>
+        <translation>Der größere der beiden Abstände, mit dem der Netze von Formen</translation>
+    </message>
+    <message>
+        <source>The objects that are wrapped, with a mesh or a shape</source>
+        <translation>Die Objekte, die umhüllt werden, mit einem Netz oder einer Form</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2825,6 +2837,10 @@
     <message>
         <source>simplifying the surface</source>
         <translation>Vereinfachen der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Sources is empty: choose objects with a mesh or a shape</source>
+        <translation>Es sind keine Quellen angegeben: Objekte mit einem Netz oder einer Form wählen</translation>
     </message>
 </context>
 <context>

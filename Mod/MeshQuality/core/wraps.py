@@ -124,15 +124,15 @@ def run(wrapped, values, progress=None, dry=()):
     """The WrapMesh with checked options."""
     module, operands = extension(), wrapped.operands
     gap = values["gap"]
-    tolerance = values["tolerance"] or min(_RELATIVE * operands.size(), _OF_GAP * gap)
+    size = operands.size() or gap  # what has none is refused below
+    tolerance = values["tolerance"] or min(_RELATIVE * size, _OF_GAP * gap)
     if tolerance > _LARGEST * gap:
         raise InvalidInput(f"tolerance = {tolerance:g} mm is more than half of the gap of {gap:g} mm: give a smaller one, or a "
                            "larger gap")
     core_options, before = module.BooleanOptions(), module.WorkBefore()
     core_options.tolerance = tolerance
     meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION)
-    before.seconds, before.notes, before.cpu_seconds = operands.seconds, operands.notes, operands.cpu_seconds
-    before.tolerance = tolerance
+    before.seconds, before.cpu_seconds, before.tolerance = operands.seconds, operands.cpu_seconds, tolerance
     before.error_bound = max((surface.report.max_chord_height for surface, _, shape in operands.surfaces if shape is not None),
                              default=0.0)
     try:
