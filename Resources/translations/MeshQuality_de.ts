@@ -2842,6 +2842,10 @@
         <source>Sources is empty: choose objects with a mesh or a shape</source>
         <translation>Es sind keine Quellen angegeben: Objekte mit einem Netz oder einer Form wählen</translation>
     </message>
+    <message>
+        <source>tolerance is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap</source>
+        <translation>Die Toleranz ist {length}: möglich ist höchstens die Hälfte der Lücke von {length2}; eine kleinere oder eine größere Lücke angeben</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

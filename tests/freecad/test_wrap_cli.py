@@ -101,7 +101,7 @@ class WrapCommand(helpers.DocumentTest):
                 ((self.a, "--gap", "0"), "gap"),
                 ((self.a, "--gap", "-1"), "gap"),
                 ((self.a, "--gap", "wide"), "wide"),
-                ((self.a, *GAP, "--tolerance", "1.2"), "more than half of the gap"),
+                ((self.a, *GAP, "--tolerance", "1.2"), "half of the gap"),
                 ((self.a, *GAP, "--dry", "here"), "'here' is no list of places such as '0, 0, 300; 10, 0, 20'"),
                 ((self.a, *GAP, "--dry", "1, 2"), "'1, 2' is no list of places"),
                 ((self.a, *GAP, "--dry", "1, 2, 3; 4"), "no list of places"),

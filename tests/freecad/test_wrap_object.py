@@ -129,7 +129,7 @@ class Recompute(WrapTest):
         obj = self.added()
         facets = obj.Mesh.CountFacets
         for name, value, words in (("Gap", 0, "gap is 0: give a length"),
-                                   ("Tolerance", 1.5, "tolerance = 1.5 mm is more than half of the gap of 2 mm"),
+                                   ("Tolerance", 1.5, "tolerance is 1.5 mm: at most half of the gap of 2 mm is possible"),
                                    ("Sources", [], "Sources is empty: choose objects with a mesh or a shape")):
             held = getattr(obj, name)
             setattr(obj, name, value)
@@ -226,7 +226,7 @@ class Undo(WrapTest):
         both = [self.cube, self.other]
         for arguments, words in (((both, None), "gap is 0: give a length"), ((both, 0.0), "gap"), ((both, -1.0), "gap"),
                                  ((both, float("nan")), "gap = nan"), ((both, 1.0, -1), "tolerance"),
-                                 ((both, 1.0, 0.8), "more than half of the gap of 1 mm"), (([], 1.0), "list of objects is empty"),
+                                 ((both, 1.0, 0.8), "at most half of the gap of 1 mm"), (([], 1.0), "list of objects is empty"),
                                  (([self.cube, foreign], 1.0), "different documents"),
                                  ((self.cube.Shape, 1.0), "document objects"), (([self.cube, 5], 1.0), "document objects"),
                                  ((empty, 1.0), "nothing to wrap")):

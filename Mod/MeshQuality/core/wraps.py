@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .. import options, wrap_options
+from .. import options, phrases, wrap_options
 from ..compat import extension
 from ..errors import Error, InvalidInput
 from ..listing import Public
@@ -127,8 +127,7 @@ def run(wrapped, values, progress=None, dry=()):
     size = operands.size() or gap  # what has none is refused below
     tolerance = values["tolerance"] or min(_RELATIVE * size, _OF_GAP * gap)
     if tolerance > _LARGEST * gap:
-        raise InvalidInput(f"tolerance = {tolerance:g} mm is more than half of the gap of {gap:g} mm: give a smaller one, or a "
-                           "larger gap")
+        raise InvalidInput(phrases.Text(phrases.HALF_OF_GAP, length=f"{tolerance:g} mm", length2=f"{gap:g} mm"))
     core_options, before = module.BooleanOptions(), module.WorkBefore()
     core_options.tolerance = tolerance
     meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION)
