@@ -162,12 +162,7 @@ def parser(batched="triangulate"):
                 "Boolean of two or more meshes or CAD shapes, applied in their order. The result\n"
                 "is closed and free of self-intersections.")
     _add_offsets(commands)
-    one = _add_single(commands, "wrap", "close the outer surface of objects that need not be clean",
-                      "The outer surface of one or several CAD shapes and meshes, which may overlap, be open, or have gaps: all\n"
-                      "that a ball as wide as the gap can touch from outside. The result is closed and free of\n"
-                      "self-intersections. Exit status 3 with --strict where a place of --dry is not dry.")
-    one.add_argument("--dry", metavar="PLACES", type=_places,
-                     help='places in mm that are to stay inside, as in "0, 0, 300; 10, 0, 20" (default: none)')
+    _add_wrap(commands)
     _add_single(commands, "improve", "improve the triangles of a mesh",
                 "Improves the triangles of a mesh on its own surface; sharp edges stay.")
     one = _add_single(commands, "quality", "measure the quality of a mesh",
@@ -224,6 +219,15 @@ def _add_offsets(commands):
                       "self-intersections, and its distance is proven.")
     one.add_argument("--openings", metavar="FACES", type=lambda text: [face.strip() for face in text.split(",")],
                      help="faces of the shape that the hollow reaches, such as Face3,Face5 (default: it is closed)")
+
+
+def _add_wrap(commands):
+    one = _add_single(commands, "wrap", "close the outer surface of objects that need not be clean",
+                      "The outer surface of one or several CAD shapes and meshes, which may overlap, be open, or have gaps: all\n"
+                      "that a ball as wide as the gap can touch from outside. The result is closed and free of\n"
+                      "self-intersections. Exit status 3 with --strict where a place of --dry is not dry.")
+    one.add_argument("--dry", metavar="PLACES", type=_places,
+                     help='places in mm that are to stay inside, as in "0, 0, 300; 10, 0, 20" (default: none)')
 
 
 def _new(commands, name, title, description, arguments):
