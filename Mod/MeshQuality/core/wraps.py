@@ -60,12 +60,13 @@ class WrapMesh(BooleanMesh, metaclass=Public):
     report               BooleanReport; error_bound is the larger one of the distances, with that of the meshes from shapes
     """
 
-    __slots__ = ("leaks",)
+    __slots__ = ("_leaks",)
 
     def __init__(self, surface, patches=None, leaks=()):
         super().__init__(surface, patches)
-        self.leaks = list(leaks)
+        self._leaks = list(leaks)
 
+    leaks = property(lambda self: self._leaks, doc="[Leak, ...]")
     distance_to_input = property(lambda self: self._surface.distance_to_input, doc="mm")
     distance_from_input = property(lambda self: self._surface.distance_from_input, doc="mm")
     gap_triangles = property(lambda self: self._surface.gap_triangles, doc="number")
