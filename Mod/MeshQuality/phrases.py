@@ -151,6 +151,8 @@ TWO_BOUNDS = "chord_height = {length} and chord_height_relative = {number} exclu
 NO_BOUND_AND_BOUND = "chord_height = 'none' and chord_height_relative = {number} exclude each other: give one of them"
 MIN_ABOVE_MAX = "min_edge = {length} is longer than max_edge = {length2}"
 NO_SOURCE = "Source is empty: choose an object with a shape"
+NO_SOURCES = "Sources is empty: choose objects with a mesh or a shape"
+HALF_OF_GAP = "tolerance is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap"
 GIVEN_DELETED = "Given is empty: the FEM mesh was deleted; choose another one, or delete this mesh"
 NOT_MEASURED = "the surface of the mesh is not measured: it is not of triangles of one order"
 NO_PART = "{name} does not say of which part it is a mesh: give part=, or select the part beside it"
@@ -177,7 +179,7 @@ DOCUMENT_CLOSED = "The document was closed. Close this panel."
 ERRORS = (
     IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES,
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
-    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
+    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, HALF_OF_GAP, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
     SHAPES_AND_MESHES, NO_THICKNESS_OPEN, NO_THICKNESS_FAULTS, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )

@@ -540,6 +540,26 @@
         <translation>Größter Abstand zwischen dem Ergebnis und dem exakten, in beiden Richtungen; ohne Angabe ein Tausendstel der Größe, höchstens ein Zehntel des Abstands; 0: nach Größe und Abstand</translation>
     </message>
     <message>
+        <source>Area of the triangles that close gaps</source>
+        <translation>Fläche der Dreiecke, die Lücken schließen</translation>
+    </message>
+    <message>
+        <source>Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless given, a quarter of the gap, at most a fiftieth of the size; 0: by size and gap</source>
+        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe; 0: nach Größe und Lücke</translation>
+    </message>
+    <message>
+        <source>Largest distance from the wrap of what sticks out of it</source>
+        <translation>Größter Abstand dessen, was aus der Hülle herausragt, von ihr</translation>
+    </message>
+    <message>
+        <source>Largest distance of the wrap from what it lies on, but for gaps</source>
+        <translation>Größter Abstand der Hülle von dem, worauf sie liegt, außer an Lücken</translation>
+    </message>
+    <message>
+        <source>Number of triangles that close gaps</source>
+        <translation>Anzahl der Dreiecke, die Lücken schließen</translation>
+    </message>
+    <message>
         <source>One half of the mould opens along it, the other one against it</source>
         <translation>In diese Richtung öffnet sich eine Hälfte des Werkzeugs, die andere ihr entgegen</translation>
     </message>
@@ -588,32 +608,24 @@
         <translation>Größter Abstand des Netzes, an dem gemessen wird, von einer Form; 0: automatisch</translation>
     </message>
     <message>
-        <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
-        <translation>Verfahren: Entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper, auch offene, werden längs Strahlen abgetastet (Wang 2010); voreingestellt ist das Abtasten nur, wo es kein genaues Ergebnis gibt</translation>
-    </message>
-    <message>
-        <source>Area of the triangles that close gaps</source>
-        <translation>Fläche der Dreiecke, die Lücken schließen</translation>
-    </message>
-    <message>
-        <source>Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless given, a quarter of the gap, at most a fiftieth of the size; 0: by size and gap</source>
-        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe; 0: nach Größe und Lücke</translation>
-    </message>
-    <message>
-        <source>Largest distance from the wrap of what sticks out of it</source>
-        <translation>Größter Abstand dessen, was aus der Hülle herausragt, von ihr</translation>
-    </message>
-    <message>
-        <source>Largest distance of the wrap from what it lies on, but for gaps</source>
-        <translation>Größter Abstand der Hülle von dem, worauf sie liegt, außer an Lücken</translation>
-    </message>
-    <message>
-        <source>Number of triangles that close gaps</source>
-        <translation>Anzahl der Dreiecke, die Lücken schließen</translation>
-    </message>
-    <message>
         <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
         <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
+    </message>
+    <message>
+        <source>Requested largest distance between the wrap and what it lies on</source>
+        <translation>Verlangter größter Abstand zwischen der Hülle und dem, worauf sie liegt</translation>
+    </message>
+    <message>
+        <source>The larger one of both distances, with that of the meshes of shapes</source>
+        <translation>Der größere der beiden Abstände, mit dem der Netze von Formen</translation>
+    </message>
+    <message>
+        <source>The objects that are wrapped, with a mesh or a shape</source>
+        <translation>Die Objekte, die umhüllt werden, mit einem Netz oder einer Form</translation>
+    </message>
+    <message>
+        <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
+        <translation>Verfahren: Entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper, auch offene, werden längs Strahlen abgetastet (Wang 2010); voreingestellt ist das Abtasten nur, wo es kein genaues Ergebnis gibt</translation>
     </message>
 </context>
 <context>
@@ -2715,6 +2727,34 @@
         <translation>das Netz hat {count} offene Kanten: nur Körper haben Wände; erst schließen</translation>
     </message>
     <message>
+        <source>Gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless given, a quarter of the gap, at most a fiftieth of the size</source>
+        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe</translation>
+    </message>
+    <message>
+        <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
+        <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
+    </message>
+    <message>
+        <source>Wrap</source>
+        <translation>Umhüllen</translation>
+    </message>
+    <message>
+        <source>by size and gap</source>
+        <translation>nach Größe und Lücke</translation>
+    </message>
+    <message>
+        <source>finding what is near the surface</source>
+        <translation>Finden, was nahe an der Oberfläche ist</translation>
+    </message>
+    <message>
+        <source>rolling a ball over the surface</source>
+        <translation>Rollen einer Kugel über die Oberfläche</translation>
+    </message>
+    <message>
         <source>-x</source>
         <translation>-x</translation>
     </message>
@@ -2783,36 +2823,24 @@
         <translation>automatisch</translation>
     </message>
     <message>
+        <source>simplifying the surface</source>
+        <translation>Vereinfachen der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Sources is empty: choose objects with a mesh or a shape</source>
+        <translation>Es sind keine Quellen angegeben: Objekte mit einem Netz oder einer Form wählen</translation>
+    </message>
+    <message>
+        <source>tolerance is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap</source>
+        <translation>Die Toleranz ist {length}: möglich ist höchstens die Hälfte der Lücke von {length2}; eine kleinere oder eine größere Lücke angeben</translation>
+    </message>
+    <message>
         <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
         <translation>Verfahren: Entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper, auch offene, werden längs Strahlen abgetastet (Wang 2010); voreingestellt ist das Abtasten nur, wo es kein genaues Ergebnis gibt</translation>
     </message>
     <message>
-        <source>Gap</source>
-        <translation>Lücke</translation>
-    </message>
-    <message>
-        <source>Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless given, a quarter of the gap, at most a fiftieth of the size</source>
-        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe</translation>
-    </message>
-    <message>
-        <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
-        <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
-    </message>
-    <message>
-        <source>Wrap</source>
-        <translation>Umhüllen</translation>
-    </message>
-    <message>
-        <source>by size and gap</source>
-        <translation>nach Größe und Lücke</translation>
-    </message>
-    <message>
         <source>exact where possible</source>
         <translation>genau, wo möglich</translation>
-    </message>
-    <message>
-        <source>finding what is near the surface</source>
-        <translation>Finden, was nahe an der Oberfläche ist</translation>
     </message>
     <message>
         <source>looking for the inside of open operands</source>
@@ -2825,14 +2853,6 @@
     <message>
         <source>method uniform does not rule that out, method exact does.</source>
         <translation>das Verfahren uniform schließt das nicht aus, das Verfahren exact schon.</translation>
-    </message>
-    <message>
-        <source>rolling a ball over the surface</source>
-        <translation>Rollen einer Kugel über die Oberfläche</translation>
-    </message>
-    <message>
-        <source>simplifying the surface</source>
-        <translation>Vereinfachen der Oberfläche</translation>
     </message>
     <message>
         <source>{number} % of the surface is a guess, where operands are open.</source>

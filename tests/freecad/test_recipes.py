@@ -105,6 +105,25 @@ class Recipes(helpers.DocumentTest):
             self.assertAlmostEqual(self.names[name].report.volume / volume, 1.0, delta=0.05, msg=name)
             self.assertTrue(self.names[name].report.closed)
 
+    def test_wrap(self):
+        tub = Part.makeBox(20, 16, 9).cut(Part.makeBox(16, 12, 9, FreeCAD.Vector(2, 2, 2)))
+        self.names["objects"] = [tub, Part.makeBox(20, 16, 2, FreeCAD.Vector(0, 0, 9.5))]
+        self.names["tunnel"] = Part.makeBox(60, 60, 60, FreeCAD.Vector(-20, -20, -20))
+        self.follow("docs/use/wrap.md")
+        self.assertEqual(sorted(os.listdir(".")), ["case", "flow.stl", "outside.stl"])
+        outside = self.names["outside"]
+        self.assertTrue(outside.report.closed and outside.gap_area > 0.0)
+        self.assertAlmostEqual(outside.report.volume, 20 * 16 * 11.5, delta=30.0)
+        self.assertAlmostEqual(self.names["around"].report.volume, 60**3 - outside.report.volume, delta=1.0)
+        self.assertEqual(len(self.names["gaps"]), outside.gap_triangles)
+        with open("flow.stl", encoding="ascii") as stream:
+            solids = [line.split()[1] for line in stream if line.startswith("solid")]
+        self.assertEqual(solids, ["lid", "walls"])
+        with open("outside.stl", encoding="ascii") as stream:
+            solids = [line.split()[1] for line in stream if line.startswith("solid")]
+        self.assertIn("gaps", solids)
+        self.assertIn("Object2_Face6", solids)
+
     def test_clearance(self):
         self.names["assembly"] = Part.makeCompound([Part.makeBox(4, 4, 4, FreeCAD.Vector(4.1 * i, 0, 0)) for i in range(2)])
         self.follow("docs/use/clearance.md")

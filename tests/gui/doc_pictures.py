@@ -179,12 +179,16 @@ class Pictures(gui_helpers.GuiTest):
         points = np.asarray(half.vertices) + half.origin
         on_plane = (abs(points[half.triangles][:, :, 1]) < 1e-3).all(axis=1)
         for name, chosen, shown in (("Behind", ~on_plane, colour), ("Section", on_plane, of_cut)):
-            obj = self.document.addObject("Mesh::Feature", name)
-            obj.Mesh = convert.mesh_of_surface(extension().surface_from_arrays(
-                points, half.triangles[chosen], np.zeros(0, np.int32), False))
-            obj.Placement.Base.y -= forward
-            obj.ViewObject.ShapeColor = shown
-            obj.ViewObject.Lighting = "Two side"
+            self.coloured(name, half, chosen, shown).Placement.Base.y -= forward
+
+    def coloured(self, name, mesh, chosen, colour):
+        """Adds some triangles of a mesh in one colour."""
+        obj = self.document.addObject("Mesh::Feature", name)
+        obj.Mesh = convert.mesh_of_surface(extension().surface_from_arrays(
+            np.asarray(mesh.vertices) + mesh.origin, mesh.triangles[chosen], np.zeros(0, np.int32), False))
+        obj.ViewObject.ShapeColor = colour
+        obj.ViewObject.Lighting = "Two side"
+        return obj
 
     def seen_from(self, name, *eye):
         """A picture seen from a direction, z upward."""
@@ -238,4 +242,52 @@ class Pictures(gui_helpers.GuiTest):
         panel = commands.panel_of(mq.add_inspection(source, min_thickness=1.2))
         FreeCADGui.Control.showDialog(panel)
         self.picture_of_panel(panel, "panel_inspection")
+        panel.reject()
+
+    def housing(self):
+        """An assembly: a tub with a hole, a lid on a crack, and a motor that does not touch the tub."""
+        tub = Part.makeBox(60, 40, 24).cut(Part.makeBox(54, 34, 24, FreeCAD.Vector(3, 3, 3)))
+        parts = (("Tub", tub.cut(Part.makeCylinder(4, 10, FreeCAD.Vector(30, -2, 13), FreeCAD.Vector(0, 1, 0))), (0.72, 0.78, 0.85)),
+                 ("Lid", Part.makeBox(60, 40, 3, FreeCAD.Vector(0, 0, 24.8)), (0.62, 0.74, 0.62)),
+                 ("Motor", Part.makeCylinder(10, 14, FreeCAD.Vector(60.9, 20, 12), FreeCAD.Vector(1, 0, 0)), (0.8, 0.74, 0.6)))
+        found = []
+        for name, shape, colour in parts:
+            obj = self.document.addObject("Part::Feature", name)
+            obj.Shape, obj.ViewObject.ShapeColor = shape, colour
+            found.append(obj)
+        self.document.recompute()
+        return found
+
+    def test_wrap_of_an_assembly(self):
+        """As it is, where it leaks, and its wrap with what closes gaps in another colour."""
+        parts = self.housing()
+        self.seen_from("wrap_assembly", 0.45, -1, 0.6)
+        leaking = mq.wrap(parts, 3.0, 1.0, dry=[(30, 20, 13)])
+        leak, = leaking.leaks
+        dry = mq.wrap(parts, 10.0, 1.0, dry=[leak.dry])
+        self.assertEqual(dry.leaks, [])
+        for obj in parts:
+            obj.ViewObject.Visibility = False
+        gaps = dry.triangle_patch == dry.patches.index("gaps")
+        shown = [self.coloured("Wrap", dry, ~gaps, (0.72, 0.78, 0.85)), self.coloured("Gaps", dry, gaps, (0.95, 0.55, 0.2))]
+        self.seen_from("wrap_closed", 0.45, -1, 0.6)
+        for obj in shown:
+            obj.ViewObject.Visibility = False
+        below = Part.makeBox(200, 200, 100, FreeCAD.Vector(-50, -100, leak.narrowest[2] - 100))
+        for obj in parts:
+            half = self.document.addObject("Part::Feature", "Half")
+            half.Shape, half.ViewObject.ShapeColor = obj.Shape.common(below), obj.ViewObject.ShapeColor
+        line = self.document.addObject("Part::Feature", "Path")
+        line.Shape = Part.makePolygon([FreeCAD.Vector(*place) for place in leak.path])
+        line.ViewObject.LineColor, line.ViewObject.LineWidth = (0.85, 0.1, 0.1), 6
+        for place, radius in ((leak.dry, 1.5), (leak.narrowest, 0.5 * leak.width)):
+            ball = self.document.addObject("Part::Feature", "Ball")
+            ball.Shape, ball.ViewObject.ShapeColor = Part.makeSphere(radius, FreeCAD.Vector(*place)), (0.95, 0.55, 0.2)
+        self.seen_from("wrap_leak", 0.2, -1, 1.6)
+
+    def test_panel_of_a_wrap(self):
+        panel = MeshPanel(commands.Wrap().operations(self.housing()))
+        FreeCADGui.Control.showDialog(panel)
+        panel.options.set_values({"gap": 3.0})
+        self.picture_of_panel(panel, "panel_wrap")
         panel.reject()

@@ -182,7 +182,7 @@ class Commands(gui_helpers.PanelTest):
         workbench = FreeCADGui.getWorkbench("MeshQualityWorkbench")
         box = self.box()
         curved = mq.add_curved_mesh(box)
-        both = {"Offset", "Hollow", "Inspect"}
+        both = {"Offset", "Hollow", "Wrap", "Inspect"}
         for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh", *both}), ((), set()),
                                  ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Update", *both}),
                                  ((curved,), {"Analyse", "Improve", "Update", "Patches", "Export", "FlowCase", "CfdSurface",

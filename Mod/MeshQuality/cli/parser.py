@@ -161,7 +161,8 @@ def parser(batched="triangulate"):
     _add_single(commands, "boolean", "unite, intersect or subtract closed meshes and shapes",
                 "Boolean of two or more meshes or CAD shapes, applied in their order. The result\n"
                 "is closed and free of self-intersections.")
-    _add_around(commands)
+    _add_offsets(commands)
+    _add_wrap(commands)
     _add_single(commands, "improve", "improve the triangles of a mesh",
                 "Improves the triangles of a mesh on its own surface; sharp edges stay.")
     one = _add_single(commands, "quality", "measure the quality of a mesh",
@@ -209,7 +210,7 @@ def _places(text):
     return places
 
 
-def _add_around(commands):
+def _add_offsets(commands):
     _add_single(commands, "offset", "grow or shrink a solid by a distance",
                 "All points within a distance of a CAD shape or a mesh, or those deeper in it. The result is closed and free\n"
                 "of self-intersections, and its distance is proven.")
@@ -218,6 +219,9 @@ def _add_around(commands):
                       "self-intersections, and its distance is proven.")
     one.add_argument("--openings", metavar="FACES", type=lambda text: [face.strip() for face in text.split(",")],
                      help="faces of the shape that the hollow reaches, such as Face3,Face5 (default: it is closed)")
+
+
+def _add_wrap(commands):
     one = _add_single(commands, "wrap", "close the outer surface of objects that need not be clean",
                       "The outer surface of one or several CAD shapes and meshes, which may overlap, be open, or have gaps: all\n"
                       "that a ball as wide as the gap can touch from outside. The result is closed and free of\n"

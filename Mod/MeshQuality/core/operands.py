@@ -188,7 +188,7 @@ class Operands:
                 points = found[0].vertices
                 boxes += [points.min(axis=0) + found[0].origin,
                           points.max(axis=0) + found[0].origin]
-        return float(np.ptp(np.array(boxes), axis=0).max())
+        return float(np.ptp(np.array(boxes), axis=0).max()) if boxes else 0.0
 
     def _mesh_shape(self, i, chord_height, progress, rough):
         shape = _shape_in(self._found[i])

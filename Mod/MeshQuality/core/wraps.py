@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .. import options, wrap_options
+from .. import options, phrases, wrap_options
 from ..compat import extension
 from ..errors import Error, InvalidInput
 from ..listing import Public
@@ -60,12 +60,13 @@ class WrapMesh(BooleanMesh, metaclass=Public):
     report               BooleanReport; error_bound is the larger one of the distances, with that of the meshes from shapes
     """
 
-    __slots__ = {"leaks": "[Leak, ...]"}
+    __slots__ = ("_leaks",)
 
     def __init__(self, surface, patches=None, leaks=()):
         super().__init__(surface, patches)
-        self.leaks = list(leaks)
+        self._leaks = list(leaks)
 
+    leaks = property(lambda self: self._leaks, doc="[Leak, ...]")
     distance_to_input = property(lambda self: self._surface.distance_to_input, doc="mm")
     distance_from_input = property(lambda self: self._surface.distance_from_input, doc="mm")
     gap_triangles = property(lambda self: self._surface.gap_triangles, doc="number")
@@ -124,10 +125,10 @@ def run(wrapped, values, progress=None, dry=()):
     """The WrapMesh with checked options."""
     module, operands = extension(), wrapped.operands
     gap = values["gap"]
-    tolerance = values["tolerance"] or min(_RELATIVE * operands.size(), _OF_GAP * gap)
+    size = operands.size() or gap  # what has none is refused below
+    tolerance = values["tolerance"] or min(_RELATIVE * size, _OF_GAP * gap)
     if tolerance > _LARGEST * gap:
-        raise InvalidInput(f"tolerance = {tolerance:g} mm is more than half of the gap of {gap:g} mm: give a smaller one, or a "
-                           "larger gap")
+        raise InvalidInput(phrases.Text(phrases.HALF_OF_GAP, length=f"{tolerance:g} mm", length2=f"{gap:g} mm"))
     core_options, before = module.BooleanOptions(), module.WorkBefore()
     core_options.tolerance = tolerance
     meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION, rough=True)

@@ -40,6 +40,7 @@ class MeshBoolean(mesh_object.MeshObject):
     OPTIONS, MEASURED = options.BOOLEAN, MEASURED
     PROMISES = PROMISES
     GROUP, LEAST = "Boolean", 2  # of properties; number of sources
+    SOURCES = "The operands: objects with a mesh or a shape, in their order"
     TAKES_MESHES = True
     LINKS = ("Sources", "SourcePaths")
 
@@ -59,8 +60,7 @@ class MeshBoolean(mesh_object.MeshObject):
     def add_properties(self, obj):
         """Adds those properties that the object has not got yet."""
         # Global: operands may lie inside a container that the mesh does not belong to itself.
-        properties.add_property(obj, "App::PropertyLinkListGlobal", "Sources", self.GROUP,
-                                 "The operands: objects with a mesh or a shape, in their order")
+        properties.add_property(obj, "App::PropertyLinkListGlobal", "Sources", self.GROUP, self.SOURCES)
         properties.add_property(obj, "App::PropertyStringList", "SourcePaths", self.GROUP,
                                  "The path from each source to its operand, where only a link leads there: "
                                  "Part.Box.")
@@ -72,13 +72,18 @@ class MeshBoolean(mesh_object.MeshObject):
     def work_on(cls, sources, values, obj=None):
         """The Boolean of these sources."""
         if len(sources) < cls.LEAST:
-            few, count = phrases.FEW_SOURCES, len(sources)
-            raise InvalidInput(phrases.Text(few[0]) if count == 1 else phrases.Text(few[1], count=str(count)))
+            raise InvalidInput(cls.few(len(sources)))
         values = options.check(cls.OPTIONS, values)
         operands = cls.read(sources)
         return Work(sources, values,
                     lambda: operands.digest() + json.dumps(values, sort_keys=True),
                     partial(cls.compute, operands, values))
+
+    @classmethod
+    def few(cls, count):
+        """What is said of too few sources, a Text."""
+        one, several = phrases.FEW_SOURCES
+        return phrases.Text(one) if count == 1 else phrases.Text(several, count=str(count))
 
     @classmethod
     def read(cls, sources):
@@ -96,20 +101,19 @@ class MeshBoolean(mesh_object.MeshObject):
     def take(self, obj, result):
         """Shows the mesh and its report."""
         mesh, shown, findings = result
+        report = mesh.report
         properties.show_mesh(obj, shown)
-        show_report(obj, mesh.report)
-        mesh_object.show_certificate(obj, mesh.report, True, findings)
-        return mesh.report, findings
+        properties.show_topology(obj, report)
+        obj.Volume, obj.ErrorBound, obj.AskedTolerance = report.volume, report.error_bound, report.tolerance_asked
+        obj.FaultsLeft, obj.Notes = report.faults_left, list(report.notes)
+        self.show_origin(obj, mesh)
+        mesh_object.show_certificate(obj, report, True, findings)
+        return report, findings
 
-
-def show_report(obj, report):
-    """Fills the group Quality, and what the certificate says of the distance."""
-    properties.show_topology(obj, report)
-    obj.Volume, obj.ErrorBound = report.volume, report.error_bound
-    obj.AskedTolerance = report.tolerance_asked
-    obj.Retained, obj.Reconstructed = report.retained, report.reconstructed
-    obj.FaultsLeft = report.faults_left
-    obj.Repaired, obj.Notes = list(report.repaired), list(report.notes)
+    def show_origin(self, obj, mesh):
+        """Fills those properties that say what the triangles come from."""
+        report = mesh.report
+        obj.Retained, obj.Reconstructed, obj.Repaired = report.retained, report.reconstructed, list(report.repaired)
 
 
 def add_boolean(a, b=None, operation="union", **values):

@@ -5,13 +5,25 @@ from .. import options, phrases, wrap_options
 from ..core import verdict
 from ..core.wraps import Wrapped, run
 from ..errors import InvalidInput
-from . import boolean
+from . import boolean, properties
 
-_OF_WRAP = (
+# Name, type, what it says: measured on the mesh that the object holds.
+MEASURED = (
+    *properties.TOPOLOGY,
+    ("Volume", "App::PropertyVolume", "Enclosed volume"),
     ("GapTriangles", "App::PropertyInteger", "Number of triangles that close gaps"),
     ("GapArea", "App::PropertyArea", "Area of the triangles that close gaps"),
     ("DistanceToInput", "App::PropertyLength", "Largest distance of the wrap from what it lies on, but for gaps"),
     ("DistanceFromInput", "App::PropertyLength", "Largest distance from the wrap of what sticks out of it"),
+    ("Notes", "App::PropertyStringList", "Other remarks about the computation"),
+)
+
+# Name, type, what it says: beside mesh_object.PROMISES.
+PROMISES = (
+    ("AskedTolerance", "App::PropertyLength", "Requested largest distance between the wrap and what it lies on"),
+    ("ErrorBound", "App::PropertyLength",
+     "The larger one of both distances, with that of the meshes of shapes"),
+    ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
 )
 
 
@@ -19,8 +31,14 @@ class WrapObject(boolean.MeshBoolean):
     """Proxy of a Mesh::FeaturePython that holds the outer surface of its sources."""
 
     COMMAND, CALL = "MeshQuality_Wrap", "add_wrap"
-    OPTIONS, MEASURED = wrap_options.WRAP_OBJECT, (*boolean.MEASURED, *_OF_WRAP)
+    OPTIONS, MEASURED, PROMISES = wrap_options.WRAP_OBJECT, MEASURED, PROMISES
     GROUP, LEAST = "Wrap", 1
+    SOURCES = "The objects that are wrapped, with a mesh or a shape"
+
+    @classmethod
+    def few(cls, count):
+        """What is said of no source, a Text."""
+        return phrases.Text(phrases.NO_SOURCES)
 
     @classmethod
     def read(cls, sources):
@@ -35,12 +53,10 @@ class WrapObject(boolean.MeshBoolean):
         mesh = run(wrapped, {**values, "threads": 0}, progress)
         return mesh, mesh.to_mesh(), verdict.of_boolean(mesh)
 
-    def take(self, obj, result):
-        """Shows the mesh and its report."""
-        mesh = result[0]
+    def show_origin(self, obj, mesh):
+        """Fills those properties that say what the triangles lie on."""
         obj.GapTriangles, obj.GapArea = mesh.gap_triangles, mesh.gap_area
         obj.DistanceToInput, obj.DistanceFromInput = mesh.distance_to_input, mesh.distance_from_input
-        return super().take(obj, result)
 
 
 def add_wrap(objects, gap, tolerance=None):

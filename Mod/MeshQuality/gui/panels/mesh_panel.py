@@ -293,9 +293,9 @@ class MeshPanel:
 
 
 def _sources_text(operations):
-    """Names the sources; operands by their letters, too, as messages do."""
+    """Names the sources; several operands by their letters, too, as messages do."""
     labels = [frames.leaf_of(source).Label for made in operations for source in made.sources if source is not None]
-    if "Sources" in operations[0].kind.LINKS:
+    if "Sources" in operations[0].kind.LINKS and len(labels) > 1:
         operands = (f"{letter} = {label}" for letter, label in zip(letters(len(labels)), labels))
         return translate("MeshQuality", "Operands: {}").format(", ".join(operands))
     return translate("MeshQuality", "Source: {}").format(", ".join(labels))
