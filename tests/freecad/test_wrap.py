@@ -116,6 +116,20 @@ class Dirty(Sound):
         clean = mq.boolean(*solids, "union", tolerance=0.02)
         self.assertAlmostEqual(mesh.report.volume / clean.report.volume, 1.0, delta=0.02)
 
+    def test_shape_that_cannot_be_meshed_is_wrapped_as_opencascade_has_it(self):
+        corners = [Vector(*p) for p in ((0, 0, 0), (9, 9, 0), (9, 0, 0), (0, 9, 0))]  # its border crosses itself
+        shape = Part.makeCompound([Part.makeBox(6, 6, 6, Vector(20, 0, 0)),
+                                   Part.Face(Part.makePolygon([*corners, corners[0]]))])
+        with self.assertRaises(mq.TopologyError):
+            mq.triangulate(shape)
+        mesh = mq.wrap(shape, 1.0, 0.4)
+        self.assertTrue(mesh.report.closed and mesh.report.manifold)
+        self.assertEqual(mesh.report.self_intersections, 0)
+        self.assertTrue(any("was not meshed" in note and "Face7" in note for note in mesh.report.notes))
+        box = mesh.vertices[mesh.vertices[:, 0] + mesh.origin[0] > 15] + mesh.origin
+        self.assertTrue(np.allclose(box.max(axis=0), (26, 6, 6), atol=0.2))
+        self.assertIn("Face1", mesh.patches)
+
     def test_random_soups_give_sound_wraps(self):
         for seed in range(6):
             with self.subTest(seed):

@@ -209,9 +209,10 @@ class Operands:
                                f"{chord_height:g} mm: give a larger tolerance")
         mixed = isinstance(self._found[i], _Mixed)
         what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
-        self.notes.append(f"{self._names[i]} {what} deviates by at most "
-                          f"{mesh.report.max_chord_height:.3g} mm from {'them' if mixed else 'it'}"
-                          + ("" if rough else "; the error bound is that of the Boolean of the meshes"))
+        if not rough:
+            self.notes.append(f"{self._names[i]} {what} deviates by at most "
+                              f"{mesh.report.max_chord_height:.3g} mm from {'them' if mixed else 'it'}; the error bound is "
+                              "that of the Boolean of the meshes")
         if not mixed:
             return mesh._surface, False, shape
         # Overlapping surfaces of one operand enclose together what each of them does.
