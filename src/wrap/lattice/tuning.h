@@ -17,6 +17,8 @@ struct WrapTuning {
     MESHQUALITY_TUNED(double, kInset, 0.02);
     /// A crossing lies at least this fraction of its edge from both ends, for the same reason.
     MESHQUALITY_TUNED(double, kEndShare, 1e-3);
+    /// Rounds in which what closes gaps is smoothed.
+    MESHQUALITY_TUNED(int, kSmoothing, 20);
     /// Nodes move as long as the tetrahedra keep this fraction of their volumes.
     MESHQUALITY_TUNED(double, kFlatCell, 0.1);
     /// The simplified surface keeps within this fraction of the spacing of the planes of the contour.

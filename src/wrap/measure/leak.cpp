@@ -41,13 +41,13 @@ class Search {
 
     /// The widest narrowest place of all ways: the least distance from the input on them, mm.
     double widest(const Node& start) {
-        return run(start, [this](const Node& node, double so_far, double) {
+        return run(start, -std::numeric_limits<double>::infinity(), [this](const Node& node, double so_far, double) {
             return std::max(so_far, -states_.surface().tree.nearest(lattice_.at(node)).distance);
         });
     }
     /// The shortest way with at least that distance.
     void shortest(const Node& start, double distance) {
-        run(start, [this, distance](const Node& node, double so_far, double step) {
+        run(start, 0.0, [this, distance](const Node& node, double so_far, double step) {
             const double own = states_.surface().tree.nearest(lattice_.at(node)).distance;
             return own < distance ? std::numeric_limits<double>::infinity() : so_far + step;
         });
@@ -73,13 +73,14 @@ class Search {
         bool operator<(const Entry& o) const { return std::tie(o.cost, o.node, o.from) < std::tie(cost, node, from); }
     };
 
-    /// Dijkstra's algorithm; cost(node, cost before, length of the step) does not fall along a way. Returns the cost of
+    /// Dijkstra's algorithm; cost(node, cost before, length of the step) does not fall along a way, and is `before` at
+    /// its start. Returns the cost of
     /// the way's end, negative where it is a distance.
     template <typename Cost>
-    double run(const Node& start, const Cost& cost) {
+    double run(const Node& start, double before, const Cost& cost) {
         from_.clear();
         std::priority_queue<Entry> queue;
-        queue.push({cost(start, -std::numeric_limits<double>::infinity(), 0.0), start, start});
+        queue.push({cost(start, before, 0.0), start, start});
         while (!queue.empty()) {
             pace_.step();
             const Entry next = queue.top();

@@ -13,6 +13,10 @@ namespace mq::wrap {
 
 namespace {
 
+/// Where a gap is closed there is no surface to be kept: a crossing is at least this fraction of its edge from both
+/// ends.
+constexpr double kGapEnds = 0.05;
+
 /// An edge of the lattice between a node outside and one that is not.
 struct Edge {
     Node outer;
@@ -171,9 +175,8 @@ Crossing at_gap(const NodeStates& states, const Edge& edge) {
         const double c = (from_centre.squaredNorm() - radius * radius) / ahead.squaredNorm();
         share = -b + std::sqrt(std::max(0.0, b * b - c));
     }
-    constexpr double kEnds = 0.05;  // there is no surface here to be kept
     Crossing result;
-    result.point = outer + std::clamp(share, kEnds, 1.0 - kEnds) * ahead;
+    result.point = outer + std::clamp(share, kGapEnds, 1.0 - kGapEnds) * ahead;
     return result;
 }
 
@@ -191,6 +194,35 @@ Crossing crossing_of(const NodeStates& states, const Edge& edge) {
     return at_gap(states, edge);
 }
 
+/// Moves where gaps are closed along their edges towards the middle of what is beside them. A crossing may be anywhere
+/// on its edge, so the surface stays as sound as it is.
+void smooth_gaps(CrossedCells& cells, const std::vector<Edge>& edges, const Lattice& lattice) {
+    std::vector<Vec3> sums(cells.crossings.size());
+    std::vector<int> counts(cells.crossings.size());
+    for (int round = 0; round < WrapTuning::kSmoothing; ++round) {
+        std::fill(sums.begin(), sums.end(), Vec3(Vec3::Zero()));
+        std::fill(counts.begin(), counts.end(), 0);
+        for (const CrossedCell& cell : cells.cells) {
+            for (int k = 0; k < cell.count; ++k) {
+                const std::int32_t a = cell.crossings[static_cast<std::size_t>(k)];
+                const std::int32_t b = cell.crossings[static_cast<std::size_t>((k + 1) % cell.count)];
+                sums[a] += cells.crossings[b].point;
+                sums[b] += cells.crossings[a].point;
+                ++counts[a];
+                ++counts[b];
+            }
+        }
+        for (std::size_t k = 0; k < edges.size(); ++k) {
+            if (cells.crossings[k].source < 0) {
+                const Vec3 outer = lattice.at(edges[k].outer);
+                const Vec3 ahead = lattice.at(edges[k].inner) - outer;
+                const double share = (sums[k] / counts[k] - outer).dot(ahead) / ahead.squaredNorm();
+                cells.crossings[k].point = outer + std::clamp(share, kGapEnds, 1.0 - kGapEnds) * ahead;
+            }
+        }
+    }
+}
+
 }  // namespace
 
 CrossedCells find_crossings(const NodeStates& states, const Progress& progress) {
@@ -201,6 +233,7 @@ CrossedCells find_crossings(const NodeStates& states, const Progress& progress) 
     for_chunks(static_cast<int>(search.edges.size()), [&](int k) {
         result.crossings[static_cast<std::size_t>(k)] = crossing_of(states, search.edges[static_cast<std::size_t>(k)]);
     });
+    smooth_gaps(result, search.edges, states.lattice());
     return result;
 }
 

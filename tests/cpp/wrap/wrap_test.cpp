@@ -103,6 +103,12 @@ TEST(Wrap, LeakLeadsThroughTheOpening) {
     const Leak& leak = result.leaks.front();
     EXPECT_NEAR(leak.width, 3.0, 0.5);
     EXPECT_NEAR(leak.narrowest.y(), 6.5, 0.5);
+    double length = 0.0;
+    for (std::size_t k = 1; k < leak.path.size(); ++k) {
+        length += (leak.path[k] - leak.path[k - 1]).norm();
+    }
+    // Straight to the opening and out; edges of the lattice are up to a seventh longer.
+    EXPECT_LT(length, 1.3 * (std::hypot(2.5, 4.0) + 1.5));
     EXPECT_NEAR((leak.path.front() - Vec3(4, 4, 4)).norm(), 0.0, 1e-12);
     const Box box{Vec3(0, 0, 0), Vec3(8, 8, 9)};
     EXPECT_FALSE(box.contains(leak.path.back()));
