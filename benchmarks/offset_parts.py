@@ -192,8 +192,8 @@ def picked(points):
     return points[:: max(1, len(points) // MOST_POINTS)]
 
 
-def locator(points, facets):
-    """(distances of points from triangles, as a function; the points and the triangles)."""
+def poly_data(points, facets):
+    """Triangles for VTK."""
     import numpy as np
     import vtk
     from vtk.util import numpy_support
@@ -204,8 +204,16 @@ def locator(points, facets):
     cells.SetCells(len(facets), numpy_support.numpy_to_vtkIdTypeArray(ids.ravel(), deep=True))
     data.SetPoints(array)
     data.SetPolys(cells)
+    return data
+
+
+def locator(points, facets):
+    """(distances of points from triangles, as a function; the points and the triangles)."""
+    import numpy as np
+    import vtk
+
     tree = vtk.vtkStaticCellLocator()
-    tree.SetDataSet(data)
+    tree.SetDataSet(poly_data(points, facets))
     tree.BuildLocator()
 
     def distances(samples):

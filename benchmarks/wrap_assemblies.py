@@ -216,7 +216,7 @@ def distances(triangles, vertices, facets, on_input):
     """Of the wrap from the input, and of points of the input outside of the wrap from it; mm."""
     import numpy as np
     import vtk
-    from offset_parts import locator
+    from offset_parts import locator, poly_data
 
     given, _, _ = locator(*triangles)
     samples = vertices[facets[on_input]]
@@ -228,7 +228,7 @@ def distances(triangles, vertices, facets, on_input):
     chosen = corners[rng.choice(len(corners), MOST_POINTS, p=weights / weights.sum())]
     shares = rng.dirichlet((1.0, 1.0, 1.0), MOST_POINTS)
     points = np.concatenate((np.einsum("ij,ijk->ik", shares, chosen), picked(corners.reshape(-1, 3))))
-    wrapped = surface_of(vertices, facets)
+    wrapped = poly_data(vertices, facets)
     inside = vtk.vtkSelectEnclosedPoints()
     cloud, places = vtk.vtkPolyData(), vtk.vtkPoints()
     for point in points:
@@ -245,20 +245,6 @@ def distances(triangles, vertices, facets, on_input):
 
 def picked(points):
     return points[:: max(1, len(points) // MOST_POINTS)]
-
-
-def surface_of(points, facets):
-    import numpy as np
-    import vtk
-    from vtk.util import numpy_support
-
-    data, cells, array = vtk.vtkPolyData(), vtk.vtkCellArray(), vtk.vtkPoints()
-    array.SetData(numpy_support.numpy_to_vtk(np.ascontiguousarray(points, dtype=float), deep=True))
-    ids = np.hstack((np.full((len(facets), 1), 3), facets)).astype(np.int64)
-    cells.SetCells(len(facets), numpy_support.numpy_to_vtkIdTypeArray(ids.ravel(), deep=True))
-    data.SetPoints(array)
-    data.SetPolys(cells)
-    return data
 
 
 if VARIABLE in os.environ:
