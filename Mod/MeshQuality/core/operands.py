@@ -198,15 +198,14 @@ class Operands:
         chord_height = max(chord_height, _FINEST_CHORD * min(largest, _FRAME * side))
         try:
             mesh = triangulate(shape, chord_height=chord_height, progress=progress)
+            if not mesh.report.complete:
+                raise InvalidInput(f"more than {mesh.report.triangles} triangles at a max. deviation of {chord_height:g} mm: "
+                                   "give a larger tolerance")
         except (InvalidInput, TopologyError) as error:
             if rough:
                 return self._tessellated(i, shape, chord_height, error)
             raise type(error)(f"{self._names[i]}, {convert.label_of(self._sources[i])}: {error}") \
                 from error
-        if not mesh.report.complete:
-            raise InvalidInput(f"{self._names[i]}, {convert.label_of(self._sources[i])}, has more "
-                               f"than {mesh.report.triangles} triangles at a max. deviation of "
-                               f"{chord_height:g} mm: give a larger tolerance")
         mixed = isinstance(self._found[i], _Mixed)
         what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
         if not rough:
