@@ -110,7 +110,7 @@ py::tuple surface_distance(const Surface& from, const Surface& to, const py::obj
 void bind_boolean_report(py::module_& m) {
     py::class_<BooleanReport, mesh::MeshReport>(
         m, "BooleanReport", "A MeshReport of a Boolean's result, and what happened to its operands.")
-        .def_readonly("method", &BooleanReport::method, "that has made the result: 'exact' or 'uniform'")
+        .def_readonly("method", &BooleanReport::method, "that has made the result: 'exact', 'uniform' or 'wrap'")
         .def_readonly("guessed_share", &BooleanReport::guessed_share,
                       "share of the surface where an open operand has no triangle, a guess, 0 to 1")
         .def_readonly("error_bound", &BooleanReport::error_bound,

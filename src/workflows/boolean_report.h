@@ -11,7 +11,7 @@ namespace mq::workflows {
 
 /// The contents of a MeshReport, the error bound of a Boolean's result, and the repairs of its operands.
 struct BooleanReport : mesh::MeshReport {
-    std::string method = "exact";        ///< that has made the result: "exact" or "uniform"
+    std::string method = "exact";        ///< that has made the result: "exact", "uniform" or "wrap"
     double error_bound = 0.0;            ///< no point of the result is farther from the exact one, mm
     double tolerance_asked = 0.0;        ///< the tolerance that was requested, or that of the resolution, mm
     std::size_t retained = 0;            ///< triangles that are an operand's own

@@ -97,6 +97,7 @@ WrapSurface wrap_objects(const std::vector<BooleanOperand>& objects, const wrap:
     }
     result.sheet_nodes = wrapped.sheet_nodes;
     BooleanReport& figures = result.figures;
+    figures.method = "wrap";
     figures.error_bound = std::max(wrapped.distance.to_input, wrapped.distance.from_input);
     figures.reconstructed = result.mesh.triangles.size();
     figures.seconds = std::move(wrapped.seconds);

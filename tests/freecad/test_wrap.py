@@ -30,6 +30,7 @@ class Sound(unittest.TestCase):
         report = mesh.report
         self.assertTrue(report.closed and report.manifold and report.oriented)
         self.assertEqual(report.self_intersections, 0)
+        self.assertEqual(report.method, "wrap")
         self.assertLessEqual(report.error_bound, report.tolerance_asked)
         return mesh
 

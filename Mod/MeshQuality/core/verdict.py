@@ -149,7 +149,7 @@ def of_boolean(mesh):
     found = _too_far(report.error_bound, report.tolerance_asked, phrases.RESULT_DISTANCE)
     if report.guessed_share > 0.0:
         found.append(Finding(_sentence(phrases.GUESSED, number=f"{100.0 * report.guessed_share:.2g}")))
-    if report.self_intersections > 0:  # counted of method uniform only
+    if report.self_intersections > 0 and report.method == "uniform":
         found.append(Finding(phrases.joined(_counted(phrases.CROSSING, report.self_intersections),
                                             _sentence(phrases.UNIFORM_CROSSES))))
     elif report.faults_left:
