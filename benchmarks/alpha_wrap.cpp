@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// CGAL's alpha wrapping (Portaneri et al. 2022) of a triangle soup, for wrap_assemblies.py. Built by that when CGAL is there.
+// CGAL's alpha wrapping (Portaneri et al. 2022) of a triangle soup, for wrap_assemblies.py. Built by that when CGAL is
+// there.
 //     alpha_wrap IN.off OUT.off ALPHA OFFSET
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
