@@ -235,7 +235,6 @@ void bind_wrap(py::module_& m) {
         .def_property_readonly("distance_from_input", [](const WrapSurface& self) { return self.distance.from_input; })
         .def_readonly("gap_triangles", &WrapSurface::gap_triangles)
         .def_readonly("gap_area", &WrapSurface::gap_area, "mm2")
-        .def_readonly("sheet_nodes", &WrapSurface::sheet_nodes)
         .def_property_readonly(
             "leaks",
             [](const WrapSurface& self) {

@@ -95,7 +95,6 @@ WrapSurface wrap_objects(const std::vector<BooleanOperand>& objects, const wrap:
             p += input.mesh.origin;
         }
     }
-    result.sheet_nodes = wrapped.sheet_nodes;
     BooleanReport& figures = result.figures;
     figures.method = "wrap";
     figures.error_bound = std::max(wrapped.distance.to_input, wrapped.distance.from_input);

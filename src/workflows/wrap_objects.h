@@ -17,7 +17,6 @@ struct WrapSurface : BooleanSurface {
     std::vector<wrap::Leak> leaks;
     std::size_t gap_triangles = 0;
     double gap_area = 0.0;  ///< the sum of the triangles that close gaps, mm2
-    std::size_t sheet_nodes = 0;
 };
 
 /// Wraps objects in any frames. `triangle_source` names the object and its triangle on which each triangle lies, (-1,

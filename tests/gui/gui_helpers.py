@@ -21,6 +21,25 @@ QLineEdit, QAbstractSpinBox, QComboBox, QListWidget, QTableWidget { background-c
 LIMIT = 300  # seconds for what a test waits for, on a machine that does much else
 
 
+MM, INCHES = 0, 3  # schemas of units
+_UNITS = "User parameter:BaseApp/Preferences/Units"
+
+
+def use_units(schema):
+    """As the preferences set them."""
+    FreeCAD.ParamGet(_UNITS).SetInt("UserSchema", schema)
+    FreeCAD.Units.setSchema(schema)
+
+
+def typed(box, text):
+    """Types into a field as a user does, and leaves it."""
+    box.setFocus()
+    box.selectAll()
+    for key, letter in [(QtCore.Qt.Key_A, letter) for letter in text] + [(QtCore.Qt.Key_Tab, "")]:
+        QtGui.QApplication.sendEvent(box, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, key, QtCore.Qt.NoModifier, letter))
+    wait()
+
+
 def wait(seconds=0.05):
     """Lets the event loop run."""
     end = time.monotonic() + seconds

@@ -16,20 +16,13 @@ from MeshQuality.features import mesh_object
 from MeshQuality.gui import background_recompute, commands, jobs
 from MeshQuality.gui.panels.mesh_panel import MeshPanel
 
-MM, INCHES = 0, 3
-UNITS = "User parameter:BaseApp/Preferences/Units"
 TOLERANCE = 0.05
-
-
-def use_units(schema):
-    FreeCAD.ParamGet(UNITS).SetInt("UserSchema", schema)
-    FreeCAD.Units.setSchema(schema)
 
 
 class SolidCommands(gui_helpers.PanelTest):
     def setUp(self):
         super().setUp()
-        self.addCleanup(use_units, MM)
+        self.addCleanup(gui_helpers.use_units, gui_helpers.MM)
         self.cube = self.box(Length=10, Width=10, Height=10)
         faces = self.cube.Shape.Faces
         self.top = f"Face{max(range(6), key=lambda i: faces[i].CenterOfMass.z) + 1}"
@@ -42,19 +35,11 @@ class SolidCommands(gui_helpers.PanelTest):
         gui_helpers.wait()
         return panel
 
-    def typed(self, box, text):
-        """Types into a field as a user does, and leaves it."""
-        box.setFocus()
-        box.selectAll()
-        for key, typed in [(QtCore.Qt.Key_A, letter) for letter in text] + [(QtCore.Qt.Key_Tab, "")]:
-            QtGui.QApplication.sendEvent(box, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, key, QtCore.Qt.NoModifier, typed))
-        gui_helpers.wait()
-
 
 class Offset(SolidCommands):
     def test_from_the_selection_to_the_mesh_inward(self):
         panel = self.panel(commands.Offset, self.cube)
-        self.typed(panel.options.field("distance"), "-2 mm")
+        gui_helpers.typed(panel.options.field("distance"), "-2 mm")
         panel.options.set_values({"tolerance": TOLERANCE})
         self.narrow(panel, "panel_offset")
         self.finish(panel)
@@ -78,17 +63,17 @@ class Offset(SolidCommands):
         panel.reject()
 
     def test_in_inches(self):
-        use_units(INCHES)
+        gui_helpers.use_units(gui_helpers.INCHES)
         panel = self.panel(commands.Offset, self.cube)
         box = panel.options.field("distance")
-        self.typed(box, "-1/16 in")
+        gui_helpers.typed(box, "-1/16 in")
         self.assertAlmostEqual(box.value(), -1.5875)
         self.assertIn("in", box.text())
-        self.typed(panel.options.field("tolerance"), "0.1")  # inches
+        gui_helpers.typed(panel.options.field("tolerance"), "0.1")  # inches
         self.finish(panel)
         self.assertIn("larger than the distance of", panel.said)
         self.assertNotIn("mm", panel.said)
-        self.typed(panel.options.field("tolerance"), "0.002")
+        gui_helpers.typed(panel.options.field("tolerance"), "0.002")
         self.finish(panel)
         obj = self.document.Objects[-1]
         self.assertAlmostEqual(obj.Distance.Value, -1.5875)

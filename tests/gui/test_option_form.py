@@ -11,27 +11,13 @@ from PySide import QtCore, QtGui
 import MeshQuality as mq
 from MeshQuality.gui import commands, quantities
 
-MM, METRES, IMPERIAL, INCHES, BUILDING, FEET = 0, 1, 2, 3, 5, 7
-UNITS = "User parameter:BaseApp/Preferences/Units"
+METRES, IMPERIAL, BUILDING, FEET = 1, 2, 5, 7
 
 
 class FormTest(gui_helpers.PanelTest):
     def setUp(self):
         super().setUp()
-        self.addCleanup(self.use_units, MM)
-
-    def use_units(self, schema):
-        FreeCAD.ParamGet(UNITS).SetInt("UserSchema", schema)
-        FreeCAD.Units.setSchema(schema)
-
-    def typed(self, box, text):
-        """Types into a field as a user does, and leaves it."""
-        box.setFocus()
-        box.selectAll()
-        for key, typed in [(QtCore.Qt.Key_A, letter) for letter in text] + [(QtCore.Qt.Key_Tab, "")]:
-            QtGui.QApplication.sendEvent(box, QtGui.QKeyEvent(
-                QtCore.QEvent.KeyPress, key, QtCore.Qt.NoModifier, typed))
-        gui_helpers.wait()
+        self.addCleanup(gui_helpers.use_units, gui_helpers.MM)
 
     def length_box(self, panel):
         """The field of the absolute distance, shown."""
@@ -48,9 +34,9 @@ class Unchanged(FormTest):
         obj = mq.add_quality_mesh(self.box(), **self.VALUES)
         held = {name: getattr(obj, name) for name in (
             "MinAngle", "ChordHeight", "MaxEdge", "MinEdge", "Growth", "LocalSizes", "DistanceBound")}
-        for schema in (MM, METRES, IMPERIAL, INCHES, BUILDING, FEET):
+        for schema in (gui_helpers.MM, METRES, IMPERIAL, gui_helpers.INCHES, BUILDING, FEET):
             with self.subTest(schema=schema):
-                self.use_units(schema)
+                gui_helpers.use_units(schema)
                 steps = self.document.UndoCount
                 panel = self.edit(obj)
                 panel.options.more.setChecked(False)
@@ -75,9 +61,9 @@ class Unchanged(FormTest):
 
     def test_an_edit_of_one_field_leaves_the_others(self):
         obj = mq.add_quality_mesh(self.box(), **self.VALUES)
-        self.use_units(INCHES)
+        gui_helpers.use_units(gui_helpers.INCHES)
         panel = self.edit(obj)
-        self.typed(panel.options.field("max_edge"), "1/8 in")
+        gui_helpers.typed(panel.options.field("max_edge"), "1/8 in")
         self.finish(panel)
         self.assertEqual(obj.MaxEdge.Value, 3.175)
         self.assertEqual(obj.MinEdge.Value, 0.05)
@@ -86,20 +72,20 @@ class Unchanged(FormTest):
 
 class Texts(FormTest):
     def test_no_unit_system_hides_a_small_value(self):
-        for schema in (MM, METRES, IMPERIAL, INCHES, BUILDING, FEET):
-            self.use_units(schema)
+        for schema in (gui_helpers.MM, METRES, IMPERIAL, gui_helpers.INCHES, BUILDING, FEET):
+            gui_helpers.use_units(schema)
             for value in (0.05, 0.1234567, 1e-4, 3.0, 25.4, 1000.0):
                 text = quantities.text_of(value)
                 self.assertAlmostEqual(quantities.value_of(text) / value, 1.0, 5, (schema, text))
-        self.use_units(INCHES)
+        gui_helpers.use_units(gui_helpers.INCHES)
         self.assertEqual(quantities.text_of(0.05), "0.0019685 in")
         self.assertEqual(quantities.text_of(25.4), "1.00 in")
-        self.use_units(BUILDING)
+        gui_helpers.use_units(BUILDING)
         self.assertEqual(quantities.text_of(3.175), '1/8"')
 
     def test_the_promise_says_how_far_in_every_unit_system(self):
-        for schema, words in ((MM, "30 µm"), (INCHES, "0.00118 in"), (BUILDING, "0.00118 in")):
-            self.use_units(schema)
+        for schema, words in ((gui_helpers.MM, "30 µm"), (gui_helpers.INCHES, "0.00118 in"), (BUILDING, "0.00118 in")):
+            gui_helpers.use_units(schema)
             panel = self.panel(commands.Triangulate, self.box())
             self.assertIn(f"Keeps within {words} of", panel.presets.promise.text())
             panel.reject()
@@ -108,13 +94,13 @@ class Texts(FormTest):
         box = self.length_box(self.panel(commands.Triangulate, self.box()))
         for text, value in (("0.05", 0.05), ("1/8 in", 3.175), ("=2*0.1 mm", 0.2), ("3 um", 0.003),
                             ("0.12345678 mm", 0.12345678)):
-            self.typed(box, text)
+            gui_helpers.typed(box, text)
             self.assertAlmostEqual(box.value(), value, 12, text)
         for text in ("kg", "abc"):
-            self.typed(box, text)
+            gui_helpers.typed(box, text)
             self.assertAlmostEqual(box.value(), 0.12345678, 12, text)
-        self.use_units(INCHES)
-        self.typed(box, "0.5")
+        gui_helpers.use_units(gui_helpers.INCHES)
+        gui_helpers.typed(box, "0.5")
         self.assertAlmostEqual(box.value(), 12.7)
 
     def test_german_numbers(self):
@@ -183,7 +169,7 @@ class Distance(FormTest):
 
     def test_typing_a_length_beside_a_preset_is_no_error(self):
         panel = self.panel(commands.Triangulate, self.box())
-        self.typed(self.length_box(panel), "0.1 mm")
+        gui_helpers.typed(self.length_box(panel), "0.1 mm")
         self.assertEqual(panel.presets.box.currentText(), "Custom")
         self.finish(panel)
         self.assertEqual(panel.said, "")

@@ -3,7 +3,6 @@
 
 import re
 
-import FreeCAD
 import FreeCADGui
 import gui_helpers
 import Part
@@ -14,22 +13,15 @@ from MeshQuality.gui import commands, quantities
 from MeshQuality.gui.panels import quality_panel
 from MeshQuality.gui.translation import translated, translated_certificate
 
-MM, INCHES = 0, 3
-UNITS = "User parameter:BaseApp/Preferences/Units"
 # Samples alone, without anything that keeps the distance.
 ROUGH = {"method": "star", "refine_samples": False, "chord_height": 0.01}
-
-
-def use_units(schema):
-    FreeCAD.ParamGet(UNITS).SetInt("UserSchema", schema)
-    FreeCAD.Units.setSchema(schema)
 
 
 class UnitsTest(gui_helpers.PanelTest):
     def setUp(self):
         super().setUp()
-        self.addCleanup(use_units, MM)
-        use_units(INCHES)
+        self.addCleanup(gui_helpers.use_units, gui_helpers.MM)
+        gui_helpers.use_units(gui_helpers.INCHES)
 
     def use_german_numbers(self):
         before = QtCore.QLocale()
@@ -127,7 +119,7 @@ class Texts(UnitsTest):
                              (["2.54 mm", "2.54 mm"], ["0.1 in", "0.1 in"]),
                              (["0 mm", "2.54 mm"], ["0 in", "0.1 in"]), (["0 mm"], ["0 in"]), ([], [])):
             self.assertEqual(quantities.lengths_in_units(texts), shown)
-        use_units(MM)
+        gui_helpers.use_units(gui_helpers.MM)
         for texts, shown in ((["2.5401 mm", "2.54 mm"], ["2.5401 mm", "2.54 mm"]), (["0.0171 mm"], ["17.1 µm"]),
                              (["0.0171 mm", "0.01 mm"], ["17.1 µm", "10 µm"]), (["1234.5 mm"], ["1234.5 mm"]),
                              (["0.05 mm", "20 mm"], ["0.05 mm", "20 mm"]), (["1.5e-07 mm"], ["0.15 nm"])):
@@ -140,7 +132,7 @@ class Texts(UnitsTest):
 
     def test_order_is_kept_in_every_unit(self):
         for schema in range(8):
-            use_units(schema)
+            gui_helpers.use_units(schema)
             for limit in (0.00123, 0.2543, 1.0, 25.4, 914.4):
                 for more in (1e-6, 1e-4, 0.3):
                     texts = [f"{limit * (1.0 + more):.10g} mm", f"{limit:g} mm"]
@@ -174,7 +166,7 @@ class LocalSizes(UnitsTest):
             field.text.setText(text)
             self.assertEqual(field.value(), sizes)
         self.use_german_numbers()
-        use_units(MM)
+        gui_helpers.use_units(gui_helpers.MM)
         field.text.setText("Face3=0,5, Edge7=1,25 mm")
         self.assertEqual(field.value(), "Face3=0.5, Edge7=1.25")
 

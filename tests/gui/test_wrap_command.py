@@ -6,27 +6,20 @@ import FreeCADGui
 import gui_helpers
 import Mesh
 import numpy as np
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 import MeshQuality as mq
 from MeshQuality.gui import commands
 from MeshQuality.gui.panels import quality_panel
 
-MM, INCHES = 0, 3
-UNITS = "User parameter:BaseApp/Preferences/Units"
 GAP, TOLERANCE = 2.0, 1.0
 WIDTH = 0.4  # of the crack
-
-
-def use_units(schema):
-    FreeCAD.ParamGet(UNITS).SetInt("UserSchema", schema)
-    FreeCAD.Units.setSchema(schema)
 
 
 class WrapCommand(gui_helpers.PanelTest):
     def setUp(self):
         super().setUp()
-        self.addCleanup(use_units, MM)
+        self.addCleanup(gui_helpers.use_units, gui_helpers.MM)
         self.first, self.second = (self.cube(name, x) for name, x in (("First", 0.0), ("Second", 10.0 + WIDTH)))
 
     def cube(self, name, x):
@@ -34,14 +27,6 @@ class WrapCommand(gui_helpers.PanelTest):
         obj.Placement.Base.x = x
         self.document.recompute()
         return obj
-
-    def typed(self, box, text):
-        """Types into a field as a user does, and leaves it."""
-        box.setFocus()
-        box.selectAll()
-        for key, typed in [(QtCore.Qt.Key_A, letter) for letter in text] + [(QtCore.Qt.Key_Tab, "")]:
-            QtGui.QApplication.sendEvent(box, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, key, QtCore.Qt.NoModifier, typed))
-        gui_helpers.wait()
 
     def texts(self, panel):
         return [label.text() for label in panel.form.findChildren(QtGui.QLabel)]
@@ -61,7 +46,7 @@ class WrapCommand(gui_helpers.PanelTest):
         self.assertGreater(self.seen_through("wrap_before"), 3)
         panel = self.panel(commands.Wrap, self.first, self.second)
         self.assertIn("Operands: A = First, B = Second", self.texts(panel))
-        self.typed(panel.options.field("gap"), "2 mm")
+        gui_helpers.typed(panel.options.field("gap"), "2 mm")
         panel.options.set_values({"tolerance": TOLERANCE})
         self.narrow(panel, "panel_wrap")
         self.finish(panel)
@@ -129,17 +114,17 @@ class WrapCommand(gui_helpers.PanelTest):
         self.assertEqual((obj.Gap.Value, self.document.UndoNames[0]), (3.0, "Edit First wrap"))
 
     def test_in_inches(self):
-        use_units(INCHES)
+        gui_helpers.use_units(gui_helpers.INCHES)
         panel = self.panel(commands.Wrap, self.first, self.second)
         box = panel.options.field("gap")
-        self.typed(box, "1/8 in")
+        gui_helpers.typed(box, "1/8 in")
         self.assertAlmostEqual(box.value(), 3.175)
         self.assertIn("in", box.text())
-        self.typed(panel.options.field("tolerance"), "0.1")  # inches
+        gui_helpers.typed(panel.options.field("tolerance"), "0.1")  # inches
         self.finish(panel)
         self.assertIn("at most half of the gap of", panel.said)
         self.assertNotIn("mm", panel.said)
-        self.typed(panel.options.field("tolerance"), "0.04")
+        gui_helpers.typed(panel.options.field("tolerance"), "0.04")
         self.narrow(panel, "panel_wrap_inches")
         self.finish(panel)
         obj = self.document.Objects[-1]

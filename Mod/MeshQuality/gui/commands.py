@@ -143,7 +143,7 @@ class Boolean(_Command):
     def selected(self):
         found = [source for source in _selected() if _has_shape(source) or convert.is_mesh(source)]
         one_document = len({frames.object_of(source).Document for source in found}) == 1
-        return found if len(found) > 1 and one_document else []
+        return found if len(found) >= self.KIND.LEAST and one_document else []
 
     def operations(self, selected):
         return [Operation(self.TEXT, self.KIND, selected)]
@@ -173,19 +173,12 @@ class Hollow(Offset):
                 for source in selected]
 
 
-class Wrap(_Command):
+class Wrap(Boolean):
     KIND = wrap.WrapObject
     NAME = KIND.COMMAND
     TEXT = "Wrap"
     TIP = "Close the outer surface of the selected objects, which may overlap, be open or have gaps, for flow simulations"
     KEYS = "Q, W"
-
-    def selected(self):
-        found = [source for source in _selected() if _has_shape(source) or convert.is_mesh(source)]
-        return found if len({frames.object_of(source).Document for source in found}) == 1 else []
-
-    def operations(self, selected):
-        return [Operation(self.TEXT, self.KIND, selected)]
 
 
 class _OfOneMesh(_Command):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -53,7 +54,10 @@ class Lattice {
     }
     /// The node at a place of a block.
     static Node node_at(const std::array<std::int32_t, 3>& block, int place);
-    /// The number of a node, ascending along the axes.
+    /// Half sides along each axis for which keys are unique.
+    static constexpr std::int32_t kMostAcross = 1 << 20;
+    bool has_keys() const { return kAcross * std::max({blocks_[0], blocks_[1], blocks_[2]}) <= kMostAcross; }
+    /// The number of a node, ascending along the axes; see has_keys.
     static std::uint64_t key(const Node& node) {
         return (static_cast<std::uint64_t>(node[0]) << 40) | (static_cast<std::uint64_t>(node[1]) << 20) |
                static_cast<std::uint64_t>(node[2]);

@@ -45,6 +45,10 @@ void NodeStates::find_blocks(const Progress& progress) {
     if (static_cast<double>(lattice_.block_count()) * sizeof(std::int32_t) > kMostBytes) {
         refuse();
     }
+    if (!lattice_.has_keys()) {
+        throw InvalidInput("the largest side is more than " + std::to_string(Lattice::kMostAcross / 2) +
+                           " times the tolerance: give a larger tolerance");
+    }
     slots_.assign(lattice_.block_count(), kFreeBlock);
     std::vector<std::array<std::int32_t, 3>> starts;
     for (std::int32_t x = 0; x < lattice_.blocks()[0]; x += kCoarse) {

@@ -33,13 +33,12 @@ class NodeStates {
   public:
     /// Determines free and near nodes and barred edges, in parallel.
     /// @param radius  of the ball, mm, at least the side
-    /// @throws InvalidInput where the nodes would take more than kMostBytes of memory
+    /// @throws InvalidInput where the nodes would take more than kMostBytes of memory, or have no keys
     /// @throws Cancelled
     NodeStates(const Lattice& lattice, const InputSurface& surface, double radius, const Progress& progress);
 
     const Lattice& lattice() const { return lattice_; }
     const InputSurface& surface() const { return surface_; }
-    double radius() const { return radius_; }
 
     /// Null where its block is not kept.
     NodeState* find(const Node& node) {
@@ -69,9 +68,18 @@ class NodeStates {
     /// Whether the edge of a step meets the input.
     bool is_barred(const Node& node, int step) const;
 
+    /// visit(node, its state) for all nodes of the blocks that are kept, by ascending blocks.
+    template <typename Visit>
+    void for_each_node(const Visit& visit) {
+        for (const std::array<std::int32_t, 3>& block : blocks_) {
+            for (int place = 0; place < Lattice::kBlockNodes; ++place) {
+                const Node node = Lattice::node_at(block, place);
+                visit(node, *find(node));
+            }
+        }
+    }
     /// Blocks kept, ascending.
     const std::vector<std::array<std::int32_t, 3>>& blocks() const { return blocks_; }
-    bool is_kept(std::size_t block) const { return slots_[block] >= 0; }
     bool is_outside_block(std::size_t block) const { return slots_[block] == kOutsideBlock; }
     void set_outside_block(std::size_t block) { slots_[block] = kOutsideBlock; }
 

@@ -5,7 +5,8 @@
 
 namespace mq::wrap {
 
-/// The constants of wrapping. None is fitted to parts; what each does at half and at double its value was not measured.
+/// The constants of wrapping, chosen on boxes and a few parts; what each does at half and at double its value was not
+/// measured.
 struct WrapTuning {
     /// Normals that differ by more than the angle of this cosine meet in an edge: 25 degrees (Kobbelt et al. 2001 have
     /// 0.9 for their θ_sharp).

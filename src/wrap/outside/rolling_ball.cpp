@@ -83,16 +83,12 @@ class RollingBall {
         : states_(states), lattice_(states.lattice()), pace_(progress) {}
 
     void run() {
-        for (const std::array<std::int32_t, 3>& block : states_.blocks()) {
-            for (int place = 0; place < Lattice::kBlockNodes; ++place) {
-                pace_.step();
-                const Node node = Lattice::node_at(block, place);
-                const NodeState& state = *states_.find(node);
-                if (state.free && state.outside && has_covered_neighbour(node)) {
-                    spread(node, {node, states_.surface().tree.nearest(lattice_.at(node)).distance});
-                }
+        states_.for_each_node([&](const Node& node, const NodeState& state) {
+            pace_.step();
+            if (state.free && state.outside && has_covered_neighbour(node)) {
+                spread(node, {node, states_.surface().tree.nearest(lattice_.at(node)).distance});
             }
-        }
+        });
         while (!queue_.empty()) {
             pace_.step();
             const Reached next = queue_.top();
@@ -154,15 +150,11 @@ class Pockets {
         : states_(states), lattice_(states.lattice()), depth_(depth), pace_(progress) {}
 
     void run() {
-        for (const std::array<std::int32_t, 3>& block : states_.blocks()) {
-            for (int place = 0; place < Lattice::kBlockNodes; ++place) {
-                const Node node = Lattice::node_at(block, place);
-                const NodeState& state = *states_.find(node);
-                if (state.outside && !state.free) {
-                    spread(node, 0.0, kOutside);
-                }
+        states_.for_each_node([&](const Node& node, const NodeState& state) {
+            if (state.outside && !state.free) {
+                spread(node, 0.0, kOutside);
             }
-        }
+        });
         find_ways();
         find_gaps();
         for (Way& way : ways_) {

@@ -30,21 +30,17 @@ class ThinMaterial {
         : states_(states), lattice_(states.lattice()), pace_(progress) {}
 
     void run() {
-        for (const std::array<std::int32_t, 3>& block : states_.blocks()) {
-            for (int place = 0; place < Lattice::kBlockNodes; ++place) {
-                pace_.step();
-                const Node node = Lattice::node_at(block, place);
-                const NodeState& state = *states_.find(node);
-                if (state.outside && state.near) {
-                    treat(node);
-                }
+        states_.for_each_node([&](const Node& node, const NodeState& state) {
+            pace_.step();
+            if (state.outside && state.near) {
+                move_into_widest(node);
             }
-        }
+        });
     }
 
   private:
     /// Moves a node into the material on one of its edges, the widest first, where that is possible.
-    void treat(const Node& node) {
+    void move_into_widest(const Node& node) {
         std::vector<Middle> middles;
         for_each_neighbour(lattice_, node, [&](const Node& other, int step) {
             if (states_.is_outside(other) && states_.is_barred(node, step)) {
@@ -54,12 +50,13 @@ class ThinMaterial {
         std::stable_sort(middles.begin(), middles.end(),
                          [](const Middle& one, const Middle& two) { return one.width > two.width; });
         for (const Middle& middle : middles) {
-            if (middle.width > 0.0 && moves(node, middle.place)) {
+            if (middle.width > 0.0 && try_to_move(node, middle.place)) {
                 return;
             }
         }
     }
-    bool moves(const Node& node, const Vec3& place) {
+    /// Whether the node could move; else it is where it was.
+    bool try_to_move(const Node& node, const Vec3& place) {
         states_.move(node, place);
         if (keeps_cells(node)) {
             states_.bar_edges_at(node);
@@ -124,22 +121,18 @@ std::size_t mark_sheets(NodeStates& states, const Progress& progress) {
     const double half = 0.5 * lattice.side();
     CancelPace pace(progress);
     std::vector<Node> sheet;
-    for (const std::array<std::int32_t, 3>& block : states.blocks()) {
-        for (int place = 0; place < Lattice::kBlockNodes; ++place) {
-            pace.step();
-            const Node node = Lattice::node_at(block, place);
-            const NodeState& state = *states.find(node);
-            bool is_thin = false;
-            if (state.outside && state.near) {
-                for_each_neighbour(lattice, node, [&](const Node& other, int step) {
-                    is_thin = is_thin || (states.is_outside(other) && states.is_barred(node, step));
-                });
-            }
-            if (is_thin && states.surface().tree.any_within(lattice.at(node), half, 0) >= 0) {
-                sheet.push_back(node);
-            }
+    states.for_each_node([&](const Node& node, const NodeState& state) {
+        pace.step();
+        bool is_thin = false;
+        if (state.outside && state.near) {
+            for_each_neighbour(lattice, node, [&](const Node& other, int step) {
+                is_thin = is_thin || (states.is_outside(other) && states.is_barred(node, step));
+            });
         }
-    }
+        if (is_thin && states.surface().tree.any_within(lattice.at(node), half, 0) >= 0) {
+            sheet.push_back(node);
+        }
+    });
     for (const Node& node : sheet) {
         NodeState& state = *states.find(node);
         state.outside = false;

@@ -5,12 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <queue>
 #include <tuple>
 #include <utility>
 
-#include "base/key_set.h"
 #include "mesh/intersection/triangle_contact.h"
 #include "wrap/lattice/tuning.h"
 #include "wrap/surface/quadric.h"
@@ -366,7 +364,7 @@ class EdgeCollapse {
         return t;
     }
 
-    /// Moves the ends of the edge, or the vertex, to the new place, and makes one of both.
+    /// Moves both ends of the edge to the new place, and makes one of them.
     void apply(const Candidate& edge) {
         std::vector<std::int32_t> star;
         all_at(edge, [&](std::int32_t t) {

@@ -139,6 +139,10 @@ TEST(Wrap, BadOptionsAreNamed) {
     EXPECT_THROW(wrap(mesh, options_of(0.1, 0.1), progress), InvalidInput);
     EXPECT_THROW(wrap(mesh, options_of(1e-4, 1e-5), progress), InvalidInput);
     EXPECT_THROW(wrap(mesh::TriangleMesh(), options_of(1.0, 0.1), progress), InvalidInput);
+    mesh::TriangleMesh wire;
+    wire.vertices = {{0, 0, 0}, {2e5, 0, 0}, {2e5, 0.01, 0}};
+    wire.triangles = {{0, 1, 2}};
+    EXPECT_THROW(wrap(wire, options_of(0.6, 0.3), progress), InvalidInput);
     progress.cancel();
     EXPECT_THROW(wrap(mesh, options_of(0.1, 0.02), progress), Cancelled);
 }
