@@ -14,7 +14,6 @@ import gui_helpers
 import helpers
 import numpy as np
 import test_language
-import test_units
 from PySide import QtGui
 
 import MeshQuality as mq
@@ -115,8 +114,8 @@ class Nested(CureTest):
         inner.Placement = FreeCAD.Placement(FreeCAD.Vector(3, 0, 0), FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 30))
         outer.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 70, 0), FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 50))
         self.part.Label, self.given.Label = "Welle", "Vorgabe"
-        self.addCleanup(test_units.use_units, test_units.MM)
-        test_units.use_units(test_units.INCHES)
+        self.addCleanup(gui_helpers.use_units, gui_helpers.MM)
+        gui_helpers.use_units(gui_helpers.INCHES)
         FreeCADGui.setLocale("German")
         self.addCleanup(FreeCADGui.setLocale, "English")
         gui_helpers.wait(0.2)
