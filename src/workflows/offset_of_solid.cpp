@@ -21,24 +21,22 @@ std::string empty_offset(double distance) {
     return text.data();
 }
 
-BooleanSurface reported(boolean::OffsetResult&& offset, const BooleanSurface& solid,
-                        const boolean::OffsetOptions& options, const WorkBefore& before, const Stopwatch& watch,
-                        Progress& progress) {
+BooleanSurface reported(offset::OffsetResult&& found, const BooleanSurface& solid, const offset::OffsetOptions& options,
+                        const WorkBefore& before, const Stopwatch& watch, Progress& progress) {
     BooleanSurface result;
-    result.mesh = std::move(offset.mesh);
+    result.mesh = std::move(found.mesh);
     if (!solid.mesh.triangle_face.empty()) {
-        for (const std::int32_t t : offset.triangle_source) {
+        for (const std::int32_t t : found.triangle_source) {
             result.mesh.triangle_face.push_back(solid.mesh.triangle_face[static_cast<std::size_t>(t)]);
         }
     }
     result.triangle_source.assign(result.mesh.triangles.size(), {-1, -1});
     BooleanReport& figures = result.figures;
-    figures.error_bound = offset.error_bound;
+    figures.error_bound = found.error_bound;
     figures.tolerance_asked = options.tolerance;
     figures.reconstructed = result.mesh.triangles.size();
-    figures.crossing_pairs = offset.crossing_pairs;
     figures.self_intersections = 0;
-    figures.seconds = std::move(offset.seconds);
+    figures.seconds = std::move(found.seconds);
     complete_report(result, before, empty_offset(options.distance), progress);
     figures.cpu_seconds = before.cpu_seconds + watch.cpu();
     result.report = figures;
@@ -47,16 +45,16 @@ BooleanSurface reported(boolean::OffsetResult&& offset, const BooleanSurface& so
 
 }  // namespace
 
-BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::OffsetOptions& options,
+BooleanSurface offset_of_solid(const BooleanSurface& solid, const offset::OffsetOptions& options,
                                const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
-    return reported(boolean::offset(solid.mesh, options, progress), solid, options, before, watch, progress);
+    return reported(offset::offset(solid.mesh, options, progress), solid, options, before, watch, progress);
 }
 
 BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,
-                               const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
+                               const offset::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
-    return reported(boolean::thicken(solid.mesh, left_out, options, progress), solid, options, before, watch, progress);
+    return reported(offset::thicken(solid.mesh, left_out, options, progress), solid, options, before, watch, progress);
 }
 
 }  // namespace mq::workflows

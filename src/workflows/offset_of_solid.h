@@ -5,23 +5,23 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "boolean/offset/offset.h"
+#include "offset/offset.h"
 #include "workflows/boolean_of_operands.h"
 
 namespace mq::workflows {
 
-/// The offset of a solid (boolean::offset) with its report.
+/// The offset of a solid (offset::offset) with its report.
 /// @param solid  what boolean_of_operands gives; each triangle of the result is on the CAD face of the one from which
 ///     it is offset, where those are known (name_faces)
-/// @throws as boolean::offset
-BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::OffsetOptions& options,
+/// @throws as offset::offset
+BooleanSurface offset_of_solid(const BooleanSurface& solid, const offset::OffsetOptions& options,
                                const WorkBefore& before, Progress& progress);
 
-/// All that is within a distance of some triangles of a solid (boolean::thicken) with its report and CAD faces
+/// All that is within a distance of some triangles of a solid (offset::thicken) with its report and CAD faces
 /// likewise.
 /// @param left_out  for each triangle of the solid
-/// @throws as boolean::thicken
+/// @throws as offset::thicken
 BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,
-                               const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress);
+                               const offset::OffsetOptions& options, const WorkBefore& before, Progress& progress);
 
 }  // namespace mq::workflows

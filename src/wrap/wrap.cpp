@@ -9,12 +9,12 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "contour/contour.h"
+#include "contour/simplification.h"
 #include "wrap/lattice/tuning.h"
 #include "wrap/outside/rolling_ball.h"
 #include "wrap/outside/thin_material.h"
-#include "wrap/surface/contour.h"
 #include "wrap/surface/crossings.h"
-#include "wrap/surface/simplification.h"
 
 namespace mq::wrap {
 
@@ -27,7 +27,7 @@ void require(bool holds, const std::string& what) {
 }
 
 /// The patch of each triangle: the CAD face that it lies on, and one for closed gaps.
-std::vector<std::int32_t> patches_of(const Contour& surface, const mesh::TriangleMesh& input) {
+std::vector<std::int32_t> patches_of(const contour::Contour& surface, const mesh::TriangleMesh& input) {
     std::vector<std::int32_t> patch;
     for (const std::int32_t source : surface.source) {
         patch.push_back(source < 0 || input.triangle_face.empty()
@@ -35,6 +35,14 @@ std::vector<std::int32_t> patches_of(const Contour& surface, const mesh::Triangl
                             : input.triangle_face[static_cast<std::size_t>(source)]);
     }
     return patch;
+}
+
+contour::Simplification simplification(double spacing) {
+    contour::Simplification limits;
+    limits.distance = WrapTuning::kSimplification * spacing;
+    limits.longest = WrapTuning::kLongest * spacing;
+    limits.block = WrapTuning::kBlock * spacing;
+    return limits;
 }
 
 }  // namespace
@@ -71,12 +79,15 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     result.sheet_nodes = mark_sheets(states, progress);
 
     watch.start("contouring", 0.4, 0.5);
-    const CrossedCells cells = find_crossings(states, progress);
-    Contour between = contour(states, cells, progress);
+    const contour::CrossedCells cells = find_crossings(states, progress);
+    contour::Contour between = contour::contour(cells, nullptr, progress);
 
     watch.start("simplifying", 0.5, 0.9);
     between.patch = patches_of(between, input);
-    simplify(between, cells.crossings, options.spacing, progress);
+    for (Vec3& p : between.points) {
+        p = to_single(p);
+    }
+    contour::simplify(between, cells.crossings, simplification(options.spacing), progress);
     result.mesh.origin = input.origin;
     result.mesh.vertices = std::move(between.points);
     result.mesh.triangles = std::move(between.triangles);

@@ -13,8 +13,8 @@ ROWS = [
     ["base"],
     ["geometry"],
     ["mesh"],
-    ["triangulate", "curve", "boolean", "improve", "inspection"],
-    ["wrap"],
+    ["triangulate", "curve", "boolean", "improve", "inspection", "contour"],
+    ["offset", "wrap"],
     ["workflows", "view"],
     ["python"],
 ]

@@ -7,9 +7,14 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "contour/tuning.h"
 #include "wrap/lattice/tuning.h"
 
 namespace mq::wrap {
+
+using contour::CrossedCell;
+using contour::CrossedCells;
+using contour::Crossing;
 
 namespace {
 
@@ -26,49 +31,6 @@ struct Edge {
 std::uint64_t edge_key(const Edge& edge) {
     const int step = Lattice::step_between(edge.outer, edge.inner);
     return Lattice::key(step < 7 ? edge.outer : edge.inner) << 3 | static_cast<std::uint64_t>(step % 7);
-}
-
-/// Two nodes on one side of the wrap, or one, and the others.
-struct Sides {
-    std::array<Node, 4> outer;
-    std::array<Node, 4> inner;
-    int outside = 0;
-};
-
-Sides sides_of(const std::array<Node, 4>& cell, const NodeStates& states) {
-    Sides sides;
-    int inside = 0;
-    for (const Node& node : cell) {
-        if (states.is_outside(node)) {
-            sides.outer[static_cast<std::size_t>(sides.outside++)] = node;
-        } else {
-            sides.inner[static_cast<std::size_t>(inside++)] = node;
-        }
-    }
-    return sides;
-}
-
-/// The edges between both sides, around the cell.
-std::vector<Edge> crossed_edges(const Sides& sides) {
-    const auto& [outer, inner, outside] = sides;
-    if (outside == 1) {
-        return {{outer[0], inner[0]}, {outer[0], inner[1]}, {outer[0], inner[2]}};
-    }
-    if (outside == 3) {
-        return {{outer[0], inner[0]}, {outer[1], inner[0]}, {outer[2], inner[0]}};
-    }
-    return {{outer[0], inner[0]}, {outer[0], inner[1]}, {outer[1], inner[1]}, {outer[1], inner[0]}};
-}
-
-/// Whether the middles of the edges run counter-clockwise, seen from the outer nodes.
-bool runs_outward(const std::vector<Edge>& edges, const Lattice& lattice) {
-    const auto middle = [&](std::size_t k) { return Vec3(lattice.at(edges[k].outer) + lattice.at(edges[k].inner)); };
-    const Vec3 normal = (middle(1) - middle(0)).cross(middle(2) - middle(0));
-    Vec3 outward = Vec3::Zero();
-    for (const Edge& edge : edges) {
-        outward += lattice.at(edge.outer) - lattice.at(edge.inner);
-    }
-    return normal.dot(outward) > 0.0;
 }
 
 /// Finds the cells of blocks one after the other, and numbers the edges that they share.
@@ -94,22 +56,24 @@ class CellSearch {
                 return;
             }
         }
-        const Sides sides = sides_of(cell, states_);
-        if (sides.outside == 0 || sides.outside == 4) {
+        CrossedCell found;
+        std::array<bool, 4> is_outside{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            found.corners[k] = states_.position(cell[k]);
+            is_outside[k] = states_.is_outside(cell[k]);
+        }
+        found.polygon = contour::cell_polygon(found.corners, is_outside);
+        if (found.polygon.count == 0) {
             return;
         }
-        std::vector<Edge> crossed = crossed_edges(sides);
-        if (!runs_outward(crossed, states_.lattice())) {
-            std::reverse(crossed.begin(), crossed.end());
-        }
-        CrossedCell found;
-        found.nodes = cell;
-        for (const Edge& edge : crossed) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(found.polygon.count); ++k) {
+            const auto& [outer, inner] = found.polygon.edges[k];
+            const Edge edge{cell[static_cast<std::size_t>(outer)], cell[static_cast<std::size_t>(inner)]};
             const auto [at, is_new] = numbers_.insert({edge_key(edge), static_cast<std::int32_t>(edges.size())});
             if (is_new) {
                 edges.push_back(edge);
             }
-            found.crossings[static_cast<std::size_t>(found.count++)] = at->second;
+            found.crossings[k] = at->second;
         }
         result.cells.push_back(found);
     }
@@ -137,7 +101,9 @@ double share_to_distance(const InputSurface& surface, const Vec3& from, const Ve
 Crossing at_share(double share, const Vec3& outer, const Vec3& inner) {
     Crossing result;
     result.on_input = outer + share * (inner - outer);
-    result.point = outer + std::clamp(share, WrapTuning::kEndShare, 1.0 - WrapTuning::kEndShare) * (inner - outer);
+    result.point =
+        outer +
+        std::clamp(share, contour::ContourTuning::kEndShare, 1.0 - contour::ContourTuning::kEndShare) * (inner - outer);
     return result;
 }
 
@@ -203,9 +169,9 @@ void smooth_gaps(CrossedCells& cells, const std::vector<Edge>& edges, const Latt
         std::fill(sums.begin(), sums.end(), Vec3(Vec3::Zero()));
         std::fill(counts.begin(), counts.end(), 0);
         for (const CrossedCell& cell : cells.cells) {
-            for (int k = 0; k < cell.count; ++k) {
+            for (int k = 0; k < cell.polygon.count; ++k) {
                 const std::int32_t a = cell.crossings[static_cast<std::size_t>(k)];
-                const std::int32_t b = cell.crossings[static_cast<std::size_t>((k + 1) % cell.count)];
+                const std::int32_t b = cell.crossings[static_cast<std::size_t>((k + 1) % cell.polygon.count)];
                 sums[a] += cells.crossings[b].point;
                 sums[b] += cells.crossings[a].point;
                 ++counts[a];

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
+#include <functional>
 #include <limits>
 #include <vector>
 
 #include "base/progress.h"
-#include "wrap/surface/contour.h"
+#include "contour/contour.h"
 
-namespace mq::wrap {
+namespace mq::contour {
+
+/// Whether a triangle may be where its corners are.
+using MayBe = std::function<bool(const std::array<Vec3, 3>&)>;
 
 /// What a collapse of edges must keep.
 struct CollapseLimits {
@@ -15,6 +20,8 @@ struct CollapseLimits {
     double longest = std::numeric_limits<double>::infinity();  ///< length of edges of triangles that are moved, mm
     /// Triangles that stay as they are, with their vertices; empty: there are none.
     std::vector<char> fixed;
+    /// Asked of triangles that are moved; empty: all may. Called by several threads.
+    MayBe may_be;
     /// Where all others are, before and after.
     Box within{Vec3::Constant(-1e300), Vec3::Constant(1e300)};
 };
@@ -28,4 +35,4 @@ struct CollapseLimits {
 void collapse_edges(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits,
                     const Progress& progress);
 
-}  // namespace mq::wrap
+}  // namespace mq::contour

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/surface/edge_collapse.h"
+#include "contour/edge_collapse.h"
 
 #include <algorithm>
 #include <array>
@@ -9,12 +9,12 @@
 #include <tuple>
 #include <utility>
 
+#include "contour/quadric.h"
+#include "contour/triangle_grid.h"
+#include "contour/tuning.h"
 #include "mesh/intersection/triangle_contact.h"
-#include "wrap/lattice/tuning.h"
-#include "wrap/surface/quadric.h"
-#include "wrap/surface/triangle_grid.h"
 
-namespace mq::wrap {
+namespace mq::contour {
 
 namespace {
 
@@ -190,7 +190,7 @@ class EdgeCollapse {
         const double length = (q - p).squaredNorm();
         Vec3 place = hold_a == hold_b ? Vec3(0.5 * (p + q)) : hold_a > hold_b ? p : q;
         if (stays_[a] == 0) {
-            const Vec3 best = to_single(both.least(place, WrapTuning::kFlatShare));
+            const Vec3 best = to_single(both.least(place, ContourTuning::kFlatShare));
             // The least point of a nearly singular quadric may be anywhere.
             place = (best - place).squaredNorm() <= length ? best : to_single(place);
         }
@@ -241,7 +241,8 @@ class EdgeCollapse {
             // fixed.
             const bool leaves = k == 0 ? held[0] == 2 && places[0] != places[1] : held[k - 1] < held[2 - k];
             edge.place = places[k];
-            if (!leaves && both.at(edge.place) <= most_ && keeps_shape(edge) && keeps_apart(edge)) {
+            if (!leaves && both.at(edge.place) <= most_ && keeps_shape(edge) && keeps_apart(edge) &&
+                keeps_where(edge)) {
                 return true;
             }
         }
@@ -267,7 +268,7 @@ class EdgeCollapse {
 
     /// Whether no triangle turns away from its plane, becomes thinner than all at the edge are, or too long.
     bool keeps_shape(const Candidate& edge) const {
-        double thinnest = WrapTuning::kThinTangent;
+        double thinnest = ContourTuning::kThinTangent;
         all_at(edge, [&](std::int32_t t) {
             thinnest = std::min(thinnest, smallest_tangent(corners(surface_.triangles[t])));
             return true;
@@ -277,7 +278,7 @@ class EdgeCollapse {
             const double length = cross.norm();
             const double before = normal(surface_.triangles[t]).dot(planes_[t]);
             return length > 0.0 && longest_side(moved) <= limits_.longest &&
-                   cross.dot(planes_[t]) >= std::min(WrapTuning::kTurn, before) * length &&
+                   cross.dot(planes_[t]) >= std::min(ContourTuning::kTurn, before) * length &&
                    smallest_tangent(moved) >= thinnest;
         });
     }
@@ -320,6 +321,12 @@ class EdgeCollapse {
             }
         }
         return true;
+    }
+    /// Whether all moved triangles may be there.
+    bool keeps_where(const Candidate& edge) const {
+        return !limits_.may_be || all_of_moved(edge, [&](std::int32_t, const std::array<Vec3, 3>& moved) {
+            return limits_.may_be(moved);
+        });
     }
     /// The corners of a triangle with the ends at the new place.
     std::array<Vec3, 3> corners_at(const Triangle& c, const Candidate& edge) const {
@@ -461,4 +468,4 @@ void collapse_edges(Contour& surface, const std::vector<Crossing>& crossings, co
     EdgeCollapse(surface, crossings, limits, progress).run();
 }
 
-}  // namespace mq::wrap
+}  // namespace mq::contour

@@ -10,7 +10,7 @@
 #include "base/key_set.h"
 #include "base/vec.h"
 
-namespace mq::wrap {
+namespace mq::contour {
 
 /// Triangles by the cells of a uniform grid that they may meet, for a surface that changes.
 class TriangleGrid {
@@ -78,4 +78,4 @@ class TriangleGrid {
     KeyMap<std::vector<std::int32_t>> cells_;
 };
 
-}  // namespace mq::wrap
+}  // namespace mq::contour

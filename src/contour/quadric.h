@@ -6,7 +6,7 @@
 
 #include "base/vec.h"
 
-namespace mq::wrap {
+namespace mq::contour {
 
 /// A sum of squared distances from planes (Garland and Heckbert 1997), as a function of a point.
 class Quadric {
@@ -47,4 +47,4 @@ class Quadric {
     double constant_ = 0.0;
 };
 
-}  // namespace mq::wrap
+}  // namespace mq::contour

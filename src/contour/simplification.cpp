@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/surface/simplification.h"
+#include "contour/simplification.h"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,9 @@
 
 #include "base/key_set.h"
 #include "base/parallel.h"
-#include "wrap/lattice/tuning.h"
-#include "wrap/surface/edge_collapse.h"
+#include "contour/edge_collapse.h"
 
-namespace mq::wrap {
+namespace mq::contour {
 
 namespace {
 
@@ -42,6 +41,7 @@ class Blocks {
             Block& block = blocks_[static_cast<std::size_t>(k)];
             block.limits.distance = limits.distance;
             block.limits.longest = limits.longest;
+            block.limits.may_be = limits.may_be;
             fill(block);
             collapse_edges(block.surface, crossings, block.limits, progress);
         });
@@ -169,18 +169,17 @@ class Blocks {
 
 }  // namespace
 
-void simplify(Contour& surface, const std::vector<Crossing>& crossings, double spacing, const Progress& progress) {
-    for (Vec3& p : surface.points) {
-        p = to_single(p);
-    }
+void simplify(Contour& surface, const std::vector<Crossing>& crossings, const Simplification& how,
+              const Progress& progress) {
     CollapseLimits limits;
-    limits.distance = WrapTuning::kSimplification * spacing;
-    limits.longest = WrapTuning::kLongest * spacing;
+    limits.distance = how.distance;
+    limits.longest = how.longest;
+    limits.may_be = how.may_be;
     // The second time most of what was between blocks is in one.
     for (const double shift : {0.0, 0.5}) {
-        Blocks(surface, WrapTuning::kBlock * spacing, shift).simplify(crossings, limits, progress);
+        Blocks(surface, how.block, shift).simplify(crossings, limits, progress);
     }
     collapse_edges(surface, crossings, limits, progress);
 }
 
-}  // namespace mq::wrap
+}  // namespace mq::contour

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "base/vec.h"
+
+namespace mq::contour {
+
+/// What a level set is at a point.
+struct Level {
+    double value = 0.0;            ///< mm: below 0 within, above it outside
+    Vec3 gradient = Vec3::Zero();  ///< of length 1
+    std::int32_t source = -1;      ///< the input's triangle that decides
+};
+
+/// A function of space of which a surface is where it is 0. It changes by at most the distance of two points.
+class LevelSet {
+  public:
+    LevelSet() = default;
+    LevelSet(const LevelSet&) = delete;
+    LevelSet& operator=(const LevelSet&) = delete;
+    virtual ~LevelSet() = default;
+
+    /// @param guess  a triangle near the one that decides makes it faster; -1: none is known
+    virtual Level at(const Vec3& point, std::int32_t guess) const = 0;
+    /// The patch of a source.
+    virtual std::int32_t patch(std::int32_t source) const = 0;
+    /// mm: values as small count as 0.
+    virtual double resolution() const = 0;
+};
+
+}  // namespace mq::contour

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "offset/distance_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "base/parallel.h"
+#include "mesh/intersection/triangle_distance.h"
+
+namespace mq::offset {
+
+namespace {
+
+/// How often a triangle is divided in four at most.
+constexpr int kMostDivisions = 10;
+/// Triangles in one parallel task.
+constexpr std::size_t kBlock = 64;
+
+Vec3 centre(const Corners& t) {
+    return (t[0] + t[1] + t[2]) / 3.0;
+}
+
+double radius(const Corners& t, const Vec3& middle) {
+    return std::sqrt(
+        std::max({(t[0] - middle).squaredNorm(), (t[1] - middle).squaredNorm(), (t[2] - middle).squaredNorm()}));
+}
+
+std::array<Corners, 4> divided(const Corners& t) {
+    const Vec3 a = 0.5 * (t[1] + t[2]);
+    const Vec3 b = 0.5 * (t[2] + t[0]);
+    const Vec3 c = 0.5 * (t[0] + t[1]);
+    return {Corners{t[0], c, b}, Corners{c, t[1], a}, Corners{b, a, t[2]}, Corners{a, b, c}};
+}
+
+Corners corners(const SearchedSurface& surface, std::int32_t t) {
+    const mesh::Triangle& c = surface.triangles[static_cast<std::size_t>(t)];
+    return {surface.points[static_cast<std::size_t>(c[0])], surface.points[static_cast<std::size_t>(c[1])],
+            surface.points[static_cast<std::size_t>(c[2])]};
+}
+
+double distance(const Vec3& p, const Corners& t) {
+    return (mesh::nearest_on_triangle(p, t[0], t[1], t[2]) - p).norm();
+}
+
+/// The least upper bound for the distances of a triangle's points from a surface that one of its triangles gives.
+double farthest(const Corners& t, const Vec3& middle, const SearchedSurface& surface) {
+    const std::int32_t nearest_triangle = surface.tree.nearest(middle).triangle;
+    if (nearest_triangle < 0) {
+        return std::numeric_limits<double>::infinity();  // it has no triangles
+    }
+    const Corners nearest = corners(surface, nearest_triangle);
+    return std::max({distance(t[0], nearest), distance(t[1], nearest), distance(t[2], nearest)});
+}
+
+/// The distance of a triangle from a surface, where it is less than `bound`; else `bound`.
+double nearest_within(const Corners& t, const Vec3& middle, const SearchedSurface& surface, double bound) {
+    const double reach = radius(t, middle);
+    Box box;
+    for (const Vec3& p : t) {
+        box.add(p);
+    }
+    box.low.array() -= bound;
+    box.high.array() += bound;
+    double result = bound;
+    surface.tree.for_each_in_box(box, [&](std::int32_t other) {
+        const Corners o = corners(surface, other);
+        if (distance(middle, o) - reach < result) {
+            result = std::min(result, mesh::triangle_distance(t, o).distance);
+        }
+    });
+    return result;
+}
+
+/// Runs task(triangle, bound) over all triangles in parallel; each raises the bound of its block.
+template <typename Task>
+ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& progress, const Task& task) {
+    std::vector<ProvenBound> blocks((triangles.size() + kBlock - 1) / kBlock);
+    parallel_for(static_cast<int>(blocks.size()), [&](int k) {
+        progress.check();
+        const std::size_t first = static_cast<std::size_t>(k) * kBlock;
+        for (std::size_t t = first; t < std::min(first + kBlock, triangles.size()); ++t) {
+            task(triangles[t], blocks[static_cast<std::size_t>(k)]);
+        }
+    });
+    ProvenBound result;
+    for (const ProvenBound& block : blocks) {
+        result = block.bound > result.bound ? block : result;
+    }
+    return result;
+}
+
+/// A piece of a triangle.
+struct Piece {
+    Corners corners;
+    int divisions;
+};
+
+}  // namespace
+
+ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
+                                    double wanted, double fineness, const Progress& progress) {
+    return over_all(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
+        const Vec3 middle = centre(whole);
+        // No piece is nearer than the whole triangle is.
+        const double near = nearest_within(whole, middle, surface, wanted);
+        if (wanted - near > found.bound) {
+            found = {wanted - near, middle};
+        }
+        std::vector<Piece> stack{{whole, 0}};
+        while (!stack.empty()) {
+            const Piece piece = stack.back();
+            stack.pop_back();
+            const Vec3 here = centre(piece.corners);
+            const double far = farthest(piece.corners, here, surface);
+            if (far - wanted <= found.bound) {
+                continue;
+            }
+            double attained = 0.0;
+            for (const Vec3& p : piece.corners) {
+                attained = std::max(attained, surface.tree.nearest(p).distance);
+            }
+            if (far - std::max(attained, wanted) <= fineness || piece.divisions == kMostDivisions) {
+                found = {far - wanted, here};
+                continue;
+            }
+            for (const Corners& quarter : divided(piece.corners)) {
+                stack.push_back({quarter, piece.divisions + 1});
+            }
+        }
+    });
+}
+
+}  // namespace mq::offset

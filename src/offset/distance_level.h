@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/key_set.h"
+#include "base/vec.h"
+#include "contour/level_set.h"
+#include "mesh/intersection/aabb_tree.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::offset {
+
+/// The surface from which an offset is made. It must outlive what uses it.
+struct OffsetSurface {
+    std::vector<Vec3> points;
+    std::vector<mesh::Triangle> triangles;  ///< of a solid: closed and oriented outward
+    std::vector<std::int32_t> patch;        ///< of each triangle
+    bool is_solid = true;                   ///< otherwise both sides count
+};
+
+/// The distance from a surface less a given one: the level set of an offset. Within a solid distances count as
+/// negative.
+///
+/// The side of a point is that of the pseudonormal of what is nearest to it: of a face its normal, of an edge the sum
+/// of both, of a vertex the sum weighted by angles (Baerentzen and Aanaes 2005, Signed distance computation using the
+/// angle weighted pseudonormal, section 3).
+class DistanceLevel : public contour::LevelSet {
+  public:
+    /// @param resolution  see LevelSet
+    DistanceLevel(const OffsetSurface& surface, double distance, double resolution);
+
+    contour::Level at(const Vec3& point, std::int32_t guess) const override;
+    std::int32_t patch(std::int32_t source) const override { return surface_.patch[static_cast<std::size_t>(source)]; }
+    double resolution() const override { return resolution_; }
+
+    double distance() const { return distance_; }
+    const mesh::AabbTree& tree() const { return tree_; }
+    /// The point of a triangle nearest to another point.
+    Vec3 nearest(const Vec3& point, std::int32_t triangle) const;
+
+  private:
+    /// An edge or a vertex: its pseudonormal, and the triangle that stands for all that it has.
+    struct Feature {
+        Vec3 normal = Vec3::Zero();
+        std::int32_t triangle = -1;
+    };
+    void add(Feature& feature, std::int32_t triangle, double weight) const;
+    const Feature& feature_at(std::int32_t triangle, const Vec3& point) const;
+
+    const OffsetSurface& surface_;
+    const double distance_;
+    const double resolution_;
+    const mesh::AabbTree tree_;
+    std::vector<Feature> faces_;
+    std::vector<Feature> vertices_;
+    KeyMap<Feature> edges_;
+};
+
+}  // namespace mq::offset

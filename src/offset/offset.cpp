@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "offset/offset.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "contour/contour.h"
+#include "contour/simplification.h"
+#include "mesh/intersection/self_intersection.h"
+#include "offset/distance_bound.h"
+#include "offset/distance_level.h"
+#include "offset/refinement.h"
+#include "offset/tuning.h"
+
+namespace mq::offset {
+
+namespace {
+
+/// Some triangles of a mesh, by their numbers there, with their patches.
+OffsetSurface surface_of(const mesh::TriangleMesh& mesh, const std::vector<std::int32_t>& chosen) {
+    OffsetSurface result{mesh.vertices, {}, {}, true};
+    for (const std::int32_t t : chosen) {
+        result.triangles.push_back(mesh.triangles[static_cast<std::size_t>(t)]);
+        result.patch.push_back(mesh.triangle_face.empty() ? 0 : mesh.triangle_face[static_cast<std::size_t>(t)]);
+    }
+    return result;
+}
+
+/// One offset: it holds the state that the stages share.
+class OffsetPipeline {
+  public:
+    /// @param chosen  the triangles of the surface, by their numbers in the mesh
+    /// @param inward  what is left of the space before the surface is wanted
+    OffsetPipeline(OffsetSurface surface, std::vector<std::int32_t> chosen, bool inward, const OffsetOptions& options,
+                   Progress& progress)
+        : surface_(std::move(surface)),
+          chosen_(std::move(chosen)),
+          inward_(inward),
+          distance_(std::abs(options.distance)),
+          tolerance_(options.tolerance),
+          level_set_(surface_, distance_, OffsetTuning::kResolution * tolerance_),
+          progress_(progress) {}
+
+    OffsetResult run(const Vec3& origin) {
+        stages_.start("dividing cells", 0.0, 0.6);
+        const RefinedCells cells =
+            refine(level_set_, box(), OffsetTuning::kSlack * tolerance_, OffsetTuning::kFinest * tolerance_, progress_);
+        result_.cells = cells.cells;
+        stages_.start("contouring", 0.6, 0.65);
+        const contour::Contour whole = contour::contour(cells.crossed, &level_set_, progress_);
+        simplify(whole, cells);
+        stages_.start("checking crossings", 0.95, 1.0);
+        finish(origin);
+        stages_.end();
+        return std::move(result_);
+    }
+
+  private:
+    Box box() const {
+        Box result = level_set_.tree().box();
+        const double margin = (inward_ ? 0.0 : distance_) + 2.0 * tolerance_;
+        result.low.array() -= margin;
+        result.high.array() += margin;
+        return result;
+    }
+
+    /// Takes the first of a simplified contour, of one that is less so, and of the contour itself that is within the
+    /// tolerance.
+    void simplify(const contour::Contour& whole, const RefinedCells& cells) {
+        for (const double share : {1.0, 0.5, 0.0}) {
+            stages_.start("simplifying", 0.65, 0.8);
+            surface_found_ = whole;
+            for (Vec3& p : surface_found_.points) {
+                p = to_single(p);
+            }
+            contour::Simplification how;
+            how.distance = share * OffsetTuning::kSimplification * tolerance_;
+            how.block = level_set_.tree().box().largest_side() / OffsetTuning::kBlocks;
+            const double near = share * OffsetTuning::kNear + (1.0 - share) * OffsetTuning::kSlack;
+            how.may_be = [this, near](const std::array<Vec3, 3>& c) { return is_near(c, near); };
+            if (share > 0.0) {
+                contour::simplify(surface_found_, cells.crossed.crossings, how, progress_);
+            }
+            stages_.start("proving the distance", 0.8, 0.95);
+            result_.error_bound = std::max(cells.bound, deviation(cells.nodes));
+            if (result_.error_bound <= tolerance_) {
+                break;
+            }
+        }
+    }
+    /// Whether points of a triangle are at the distance within a fraction of the tolerance. They are as near to each
+    /// other as a chord of the ball of that radius is long whose arc is by the tolerance away from it.
+    bool is_near(const std::array<Vec3, 3>& c, double share) const {
+        constexpr double kMost = 16.0;
+        const double longest = std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+        const double chord = std::sqrt(8.0 * distance_ * tolerance_);
+        const int parts = static_cast<int>(std::clamp(std::ceil(longest / chord), 2.0, kMost));
+        std::int32_t guess = -1;
+        const auto near = [&](const Vec3& p) {
+            const contour::Level level = level_set_.at(p, guess);
+            guess = level.source;
+            return std::abs(level.value) <= share * tolerance_;
+        };
+        bool holds = near((c[0] + c[1] + c[2]) / 3.0);
+        for (int i = 0; holds && i <= parts; ++i) {
+            for (int j = 0; holds && i + j <= parts; ++j) {
+                holds = near((i * c[0] + j * c[1] + (parts - i - j) * c[2]) / parts);
+            }
+        }
+        return holds;
+    }
+    /// The largest deviation of the surface's points from the distance, and of nodes on the wrong side of it.
+    double deviation(const std::vector<LatticeNode>& nodes) const {
+        std::vector<Corners> triangles;
+        for (const mesh::Triangle& t : surface_found_.triangles) {
+            const auto& v = surface_found_.points;
+            triangles.push_back({v[static_cast<std::size_t>(t[0])], v[static_cast<std::size_t>(t[1])],
+                                 v[static_cast<std::size_t>(t[2])]});
+        }
+        const SearchedSurface searched(surface_.points, surface_.triangles);
+        const double fineness = OffsetTuning::kFineness * tolerance_;
+        double bound = deviation_from_distance(triangles, searched, distance_, fineness, progress_).bound;
+        if (surface_found_.triangles.empty()) {
+            return bound;
+        }
+        const OffsetSurface found{surface_found_.points, surface_found_.triangles, surface_found_.patch, true};
+        const DistanceLevel side(found, 0.0, 0.0);
+        std::vector<double> missed(nodes.size());
+        for_chunks(static_cast<int>(nodes.size()), [&](int k) {
+            const LatticeNode& node = nodes[static_cast<std::size_t>(k)];
+            const bool is_outside = side.at(node.place, -1).value >= 0.0;
+            missed[static_cast<std::size_t>(k)] = is_outside == (node.value >= 0.0) ? 0.0 : std::abs(node.value);
+        });
+        for (const double value : missed) {
+            bound = std::max(bound, value);
+        }
+        return bound;
+    }
+
+    void finish(const Vec3& origin) {
+        const std::size_t crossing =
+            mesh::self_intersections(surface_found_.points, surface_found_.triangles, mesh::kAllPairs, &progress_)
+                .size();
+        if (crossing > 0) {
+            throw TopologyError("the offset cannot be held in single precision: " + std::to_string(crossing) +
+                                " pairs of triangles cross there; choose a larger tolerance, or another distance");
+        }
+        result_.mesh.origin = origin;
+        result_.mesh.vertices = std::move(surface_found_.points);
+        result_.mesh.triangles = std::move(surface_found_.triangles);
+        for (const std::int32_t source : surface_found_.source) {
+            result_.triangle_source.push_back(chosen_[static_cast<std::size_t>(source)]);
+        }
+        if (inward_) {
+            for (mesh::Triangle& t : result_.mesh.triangles) {
+                std::swap(t[1], t[2]);
+            }
+        }
+    }
+
+    const OffsetSurface surface_;
+    const std::vector<std::int32_t> chosen_;
+    const bool inward_;
+    const double distance_;  ///< mm
+    const double tolerance_;
+    const DistanceLevel level_set_;
+    Progress& progress_;
+    contour::Contour surface_found_;
+    OffsetResult result_;
+    StageWatch stages_{progress_, result_.seconds};
+};
+
+}  // namespace
+
+void OffsetOptions::validate() const {
+    if (!std::isfinite(distance) || distance == 0.0) {
+        throw InvalidInput("the distance is " + std::to_string(distance) + " mm: it must be a length other than 0");
+    }
+    if (!std::isfinite(tolerance) || !(tolerance > 0.0) || tolerance > std::abs(distance)) {
+        throw InvalidInput("tolerance is " + std::to_string(tolerance) +
+                           " mm: it must be a positive length, at most the distance of " +
+                           std::to_string(std::abs(distance)) + " mm");
+    }
+}
+
+OffsetResult offset(const mesh::TriangleMesh& solid, const OffsetOptions& options, Progress& progress) {
+    options.validate();
+    const ThreadLimit threads(options.threads);
+    std::vector<std::int32_t> all(solid.triangles.size());
+    std::iota(all.begin(), all.end(), 0);
+    OffsetSurface surface = surface_of(solid, all);
+    const bool inward = options.distance < 0.0;
+    if (inward) {
+        for (mesh::Triangle& t : surface.triangles) {
+            std::swap(t[1], t[2]);
+        }
+    }
+    return OffsetPipeline(std::move(surface), std::move(all), inward, options, progress).run(solid.origin);
+}
+
+OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>& left_out, const OffsetOptions& options,
+                     Progress& progress) {
+    options.validate();
+    if (options.distance < 0.0) {
+        throw InvalidInput("the distance is " + std::to_string(options.distance) + " mm: it must be above 0");
+    }
+    const ThreadLimit threads(options.threads);
+    std::vector<std::int32_t> chosen;
+    for (std::size_t t = 0; t < left_out.size(); ++t) {
+        if (left_out[t] == 0) {
+            chosen.push_back(static_cast<std::int32_t>(t));
+        }
+    }
+    if (chosen.empty()) {
+        throw InvalidInput("all faces are left out: at least one is needed");
+    }
+    OffsetSurface sheet = surface_of(surface, chosen);
+    sheet.is_solid = false;
+    return OffsetPipeline(std::move(sheet), std::move(chosen), false, options, progress).run(surface.origin);
+}
+
+}  // namespace mq::offset
