@@ -74,15 +74,54 @@ double nearest_within(const Corners& t, const Vec3& middle, const SearchedSurfac
     return result;
 }
 
-/// Runs task(triangle, bound) over all triangles in parallel; each raises the bound of its block.
-template <typename Task>
-ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& progress, const Task& task) {
+/// A piece of a triangle.
+struct Piece {
+    Corners corners;
+    int divisions;
+};
+
+/// Raises a bound to that of one triangle.
+void raise_bound(const Corners& whole, const SearchedSurface& surface, double wanted, double fineness,
+                 ProvenBound& found) {
+    const Vec3 middle = centre(whole);
+    // No piece is nearer than the whole triangle is.
+    const double near = nearest_within(whole, middle, surface, wanted);
+    if (wanted - near > found.bound) {
+        found = {wanted - near, middle};
+    }
+    std::vector<Piece> stack{{whole, 0}};
+    while (!stack.empty()) {
+        const Piece piece = stack.back();
+        stack.pop_back();
+        const Vec3 here = centre(piece.corners);
+        const double far = farthest(piece.corners, here, surface);
+        if (far - wanted <= found.bound) {
+            continue;
+        }
+        double attained = 0.0;
+        for (const Vec3& p : piece.corners) {
+            attained = std::max(attained, surface.tree.nearest(p).distance);
+        }
+        if (far - std::max(attained, wanted) <= fineness || piece.divisions == kMostDivisions) {
+            found = {far - wanted, here};
+            continue;
+        }
+        for (const Corners& quarter : divided(piece.corners)) {
+            stack.push_back({quarter, piece.divisions + 1});
+        }
+    }
+}
+
+}  // namespace
+
+ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
+                                    double wanted, double fineness, const Progress& progress) {
     std::vector<ProvenBound> blocks((triangles.size() + kBlock - 1) / kBlock);
     parallel_for(static_cast<int>(blocks.size()), [&](int k) {
         progress.check();
         const std::size_t first = static_cast<std::size_t>(k) * kBlock;
         for (std::size_t t = first; t < std::min(first + kBlock, triangles.size()); ++t) {
-            task(triangles[t], blocks[static_cast<std::size_t>(k)]);
+            raise_bound(triangles[t], surface, wanted, fineness, blocks[static_cast<std::size_t>(k)]);
         }
     });
     ProvenBound result;
@@ -92,45 +131,22 @@ ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& prog
     return result;
 }
 
-/// A piece of a triangle.
-struct Piece {
-    Corners corners;
-    int divisions;
-};
-
-}  // namespace
-
-ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
-                                    double wanted, double fineness, const Progress& progress) {
-    return over_all(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
-        const Vec3 middle = centre(whole);
-        // No piece is nearer than the whole triangle is.
-        const double near = nearest_within(whole, middle, surface, wanted);
-        if (wanted - near > found.bound) {
-            found = {wanted - near, middle};
-        }
-        std::vector<Piece> stack{{whole, 0}};
-        while (!stack.empty()) {
-            const Piece piece = stack.back();
-            stack.pop_back();
-            const Vec3 here = centre(piece.corners);
-            const double far = farthest(piece.corners, here, surface);
-            if (far - wanted <= found.bound) {
-                continue;
-            }
-            double attained = 0.0;
-            for (const Vec3& p : piece.corners) {
-                attained = std::max(attained, surface.tree.nearest(p).distance);
-            }
-            if (far - std::max(attained, wanted) <= fineness || piece.divisions == kMostDivisions) {
-                found = {far - wanted, here};
-                continue;
-            }
-            for (const Corners& quarter : divided(piece.corners)) {
-                stack.push_back({quarter, piece.divisions + 1});
-            }
-        }
+std::vector<std::int32_t> triangles_beyond(const std::vector<Corners>& triangles, const SearchedSurface& surface,
+                                           double wanted, double most, double fineness, const Progress& progress) {
+    std::vector<char> is_beyond(triangles.size());
+    for_chunks(static_cast<int>(triangles.size()), [&](int k) {
+        progress.check();
+        ProvenBound bound{most, Vec3::Zero()};
+        raise_bound(triangles[static_cast<std::size_t>(k)], surface, wanted, fineness, bound);
+        is_beyond[static_cast<std::size_t>(k)] = bound.bound > most ? 1 : 0;
     });
+    std::vector<std::int32_t> result;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (is_beyond[t] != 0) {
+            result.push_back(static_cast<std::int32_t>(t));
+        }
+    }
+    return result;
 }
 
 }  // namespace mq::offset

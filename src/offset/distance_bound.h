@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "base/progress.h"
@@ -36,5 +37,9 @@ struct ProvenBound {
 /// `fineness` (mm) of what is attained.
 ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                     double distance, double fineness, const Progress& progress);
+
+/// The triangles, by their numbers, of which that bound is above `most` (mm).
+std::vector<std::int32_t> triangles_beyond(const std::vector<Corners>& triangles, const SearchedSurface& surface,
+                                           double distance, double most, double fineness, const Progress& progress);
 
 }  // namespace mq::offset

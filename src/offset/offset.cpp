@@ -46,6 +46,7 @@ class OffsetPipeline {
           distance_(std::abs(options.distance)),
           tolerance_(options.tolerance),
           level_set_(surface_, distance_, OffsetTuning::kResolution * tolerance_),
+          searched_(surface_.points, surface_.triangles),
           progress_(progress) {}
 
     OffsetResult run(const Vec3& origin) {
@@ -71,33 +72,42 @@ class OffsetPipeline {
         return result;
     }
 
-    /// Takes the first of a simplified contour, of one that is less so, and of the contour itself that is within the
-    /// tolerance.
+    /// Simplifies the contour. Where that leaves the tolerance, the contour stays as it is the next time, and
+    /// everywhere in the last round.
     void simplify(const contour::Contour& whole, const RefinedCells& cells) {
-        for (const double share : {1.0, 0.5, 0.0}) {
+        contour::Simplification how;
+        how.distance = OffsetTuning::kSimplification * tolerance_;
+        how.block = level_set_.tree().box().largest_side() / OffsetTuning::kBlocks;
+        how.may_be = [this](const std::array<Vec3, 3>& c) { return is_free(c) && is_near(c); };
+        for (int round = 1; round <= OffsetTuning::kRounds; ++round) {
             stages_.start("simplifying", 0.65, 0.8);
             surface_found_ = whole;
             for (Vec3& p : surface_found_.points) {
                 p = to_single(p);
             }
-            contour::Simplification how;
-            how.distance = share * OffsetTuning::kSimplification * tolerance_;
-            how.block = level_set_.tree().box().largest_side() / OffsetTuning::kBlocks;
-            const double near = share * OffsetTuning::kNear + (1.0 - share) * OffsetTuning::kSlack;
-            how.may_be = [this, near](const std::array<Vec3, 3>& c) { return is_near(c, near); };
-            if (share > 0.0) {
+            if (round < OffsetTuning::kRounds) {
                 contour::simplify(surface_found_, cells.crossed.crossings, how, progress_);
             }
             stages_.start("proving the distance", 0.8, 0.95);
-            result_.error_bound = std::max(cells.bound, deviation(cells.nodes));
-            if (result_.error_bound <= tolerance_) {
+            const std::vector<Box> faults = faults_of(cells.nodes);
+            if (faults.empty()) {
                 break;
             }
+            kept_.insert(kept_.end(), faults.begin(), faults.end());
         }
+        result_.error_bound = std::max({cells.bound, deviation(), largest_missed(cells.nodes)});
     }
-    /// Whether points of a triangle are at the distance within a fraction of the tolerance. They are as near to each
+    /// Whether a triangle is apart from all places where the contour stays as it is.
+    bool is_free(const std::array<Vec3, 3>& c) const {
+        Box box;
+        for (const Vec3& p : c) {
+            box.add(p);
+        }
+        return std::none_of(kept_.begin(), kept_.end(), [&](const Box& kept) { return kept.meets(box); });
+    }
+    /// Whether points of a triangle are at the distance within a fraction of the tolerance. These are as near to each
     /// other as a chord of the ball of that radius is long whose arc is by the tolerance away from it.
-    bool is_near(const std::array<Vec3, 3>& c, double share) const {
+    bool is_near(const std::array<Vec3, 3>& c) const {
         constexpr double kMost = 16.0;
         const double longest = std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
         const double chord = std::sqrt(8.0 * distance_ * tolerance_);
@@ -106,7 +116,7 @@ class OffsetPipeline {
         const auto near = [&](const Vec3& p) {
             const contour::Level level = level_set_.at(p, guess);
             guess = level.source;
-            return std::abs(level.value) <= share * tolerance_;
+            return std::abs(level.value) <= OffsetTuning::kNear * tolerance_;
         };
         bool holds = near((c[0] + c[1] + c[2]) / 3.0);
         for (int i = 0; holds && i <= parts; ++i) {
@@ -116,32 +126,67 @@ class OffsetPipeline {
         }
         return holds;
     }
-    /// The largest deviation of the surface's points from the distance, and of nodes on the wrong side of it.
-    double deviation(const std::vector<LatticeNode>& nodes) const {
+    std::vector<Corners> triangles_found() const {
         std::vector<Corners> triangles;
         for (const mesh::Triangle& t : surface_found_.triangles) {
             const auto& v = surface_found_.points;
             triangles.push_back({v[static_cast<std::size_t>(t[0])], v[static_cast<std::size_t>(t[1])],
                                  v[static_cast<std::size_t>(t[2])]});
         }
-        const SearchedSurface searched(surface_.points, surface_.triangles);
+        return triangles;
+    }
+    double deviation() const {
         const double fineness = OffsetTuning::kFineness * tolerance_;
-        double bound = deviation_from_distance(triangles, searched, distance_, fineness, progress_).bound;
+        return deviation_from_distance(triangles_found(), searched_, distance_, fineness, progress_).bound;
+    }
+    /// How far from the offset the nodes are that lie on the wrong side of the surface found, by their numbers; 0: on
+    /// the right side.
+    std::vector<double> missed(const std::vector<LatticeNode>& nodes) const {
+        std::vector<double> result(nodes.size());
         if (surface_found_.triangles.empty()) {
-            return bound;
+            return result;
         }
         const OffsetSurface found{surface_found_.points, surface_found_.triangles, surface_found_.patch, true};
         const DistanceLevel side(found, 0.0, 0.0);
-        std::vector<double> missed(nodes.size());
         for_chunks(static_cast<int>(nodes.size()), [&](int k) {
             const LatticeNode& node = nodes[static_cast<std::size_t>(k)];
             const bool is_outside = side.at(node.place, -1).value >= 0.0;
-            missed[static_cast<std::size_t>(k)] = is_outside == (node.value >= 0.0) ? 0.0 : std::abs(node.value);
+            result[static_cast<std::size_t>(k)] = is_outside == (node.value >= 0.0) ? 0.0 : std::abs(node.value);
         });
-        for (const double value : missed) {
-            bound = std::max(bound, value);
+        return result;
+    }
+    double largest_missed(const std::vector<LatticeNode>& nodes) const {
+        const std::vector<double> all = missed(nodes);
+        return all.empty() ? 0.0 : *std::max_element(all.begin(), all.end());
+    }
+    /// Boxes around what is not within the tolerance.
+    std::vector<Box> faults_of(const std::vector<LatticeNode>& nodes) const {
+        std::vector<Box> result;
+        const std::vector<Corners> triangles = triangles_found();
+        const double fineness = OffsetTuning::kFineness * tolerance_;
+        const auto add = [&](const Box& box) {
+            result.push_back(box);
+            result.back().low.array() -= tolerance_;
+            result.back().high.array() += tolerance_;
+        };
+        for (const std::int32_t t :
+             triangles_beyond(triangles, searched_, distance_, tolerance_, fineness, progress_)) {
+            Box box;
+            for (const Vec3& p : triangles[static_cast<std::size_t>(t)]) {
+                box.add(p);
+            }
+            add(box);
         }
-        return bound;
+        const std::vector<double> wrong = missed(nodes);
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            if (wrong[k] > tolerance_) {
+                Box box;
+                box.add(nodes[k].place + Vec3::Constant(wrong[k]));
+                box.add(nodes[k].place - Vec3::Constant(wrong[k]));
+                add(box);
+            }
+        }
+        return result;
     }
 
     void finish(const Vec3& origin) {
@@ -171,7 +216,9 @@ class OffsetPipeline {
     const double distance_;  ///< mm
     const double tolerance_;
     const DistanceLevel level_set_;
+    const SearchedSurface searched_;
     Progress& progress_;
+    std::vector<Box> kept_;  ///< where the contour is not simplified
     contour::Contour surface_found_;
     OffsetResult result_;
     StageWatch stages_{progress_, result_.seconds};

@@ -33,6 +33,7 @@ class Refinement {
         : level_set_(level_set),
           proof_(level_set, slack),
           slack_(slack),
+          finest_(finest),
           lattice_(box, box.largest_side() / OffsetTuning::kCubes, finest),
           progress_(progress) {}
 
@@ -40,15 +41,15 @@ class Refinement {
         for (std::vector<std::size_t> fresh = next_cells(); !fresh.empty(); fresh = next_cells()) {
             measure_nodes();
             find_crossings(fresh);
-            std::vector<char> is_good(fresh.size());
+            std::vector<Verdict> verdicts(fresh.size());
             for_chunks(static_cast<int>(fresh.size()), [&](int k) {
                 progress_.check();
                 const auto slot = static_cast<std::size_t>(k);
-                is_good[slot] = keeps_slack(lattice_.cell(fresh[slot])) ? 1 : 0;
+                verdicts[slot] = verdict_on(lattice_.cell(fresh[slot]));
             });
             for (std::size_t k = 0; k < fresh.size(); ++k) {
-                if (is_good[k] == 0) {
-                    divide(fresh[k]);
+                if (!verdicts[k].keeps_slack) {
+                    divide(fresh[k], verdicts[k]);
                 }
             }
             if (static_cast<double>(lattice_.cell_count()) > OffsetTuning::kMostCells) {
@@ -73,7 +74,52 @@ class Refinement {
         }
         return fresh;
     }
-    void divide(std::size_t cell) {
+    /// What is to be done with a cell: nothing, or to divide it, at an edge where that is known.
+    struct Verdict {
+        bool keeps_slack = true;
+        std::array<std::int32_t, 2> edge{-1, -1};
+        Vec3 place = Vec3::Zero();
+    };
+    Verdict verdict_on(const Cell& cell) const {
+        Verdict result;
+        result.keeps_slack = keeps_slack(cell);
+        for (std::size_t i = 0; i < 4 && !result.keeps_slack; ++i) {
+            for (std::size_t j = 0; j < i && result.edge[0] < 0; ++j) {
+                find_tip(std::min(cell.nodes[i], cell.nodes[j]), std::max(cell.nodes[i], cell.nodes[j]), result);
+            }
+        }
+        return result;
+    }
+    /// Whether the other side reaches across an edge between two nodes on one side, where the planes at both ends meet.
+    /// A node there makes an edge of the offset pass through faces once.
+    void find_tip(std::int32_t a, std::int32_t b, Verdict& result) const {
+        const Level& from = levels_[static_cast<std::size_t>(a)];
+        const Level& to = levels_[static_cast<std::size_t>(b)];
+        const Vec3 way = lattice_.at(b) - lattice_.at(a);
+        if (is_outside(a) != is_outside(b) || way.norm() <= finest_) {
+            return;
+        }
+        const double slope = from.gradient.dot(way) - to.gradient.dot(way);
+        const double share = slope == 0.0 ? 0.0 : (to.value - to.gradient.dot(way) - from.value) / slope;
+        constexpr double kEnds = OffsetTuning::kTipEnds;
+        if (share < kEnds || share > 1.0 - kEnds) {
+            return;
+        }
+        const Vec3 place = lattice_.at(a) + share * way;
+        if ((level_set_.at(place, from.source).value >= 0.0) != is_outside(a)) {
+            result.edge = {a, b};
+            result.place = place;
+        }
+    }
+
+    void divide(std::size_t cell, const Verdict& verdict) {
+        if (lattice_.is_divided(cell)) {
+            return;
+        }
+        if (verdict.edge[0] >= 0) {
+            lattice_.divide_edge(verdict.edge[0], verdict.edge[1], verdict.place);
+            return;
+        }
         if (lattice_.is_divisible(lattice_.cell(cell))) {
             lattice_.divide(cell);
             return;
@@ -323,6 +369,7 @@ class Refinement {
     const DistanceLevel& level_set_;
     const SideProof proof_;
     const double slack_;
+    const double finest_;
     BisectedLattice lattice_;
     const Progress& progress_;
     std::size_t known_cells_ = 0;

@@ -20,12 +20,17 @@ struct OffsetTuning {
     MESHQUALITY_TUNED(double, kCubes, 4.0);
     /// How far the lattice begins before what it holds, in sides of its cubes.
     MESHQUALITY_TUNED(double, kShift, 0.0317);
+    /// Where the other side reaches across an edge, that is divided at least this fraction of its length from both
+    /// ends.
+    MESHQUALITY_TUNED(double, kTipEnds, 0.1);
     /// How often a cell is halved in a proof, before the cell itself is divided.
     MESHQUALITY_TUNED(int, kDivisions, 6);
     /// Triangles of which a proof asks before it divides.
     MESHQUALITY_TUNED(int, kMostAsked, 64);
     /// Cells that fit into memory: about 150 bytes for each.
     MESHQUALITY_TUNED(double, kMostCells, 2e7);
+    /// Rounds of simplification, the last of which leaves the contour as it is.
+    MESHQUALITY_TUNED(int, kRounds, 4);
     /// Points of triangles are this fraction of the tolerance from the distance at most, before and after they move.
     MESHQUALITY_TUNED(double, kNear, 0.9);
     /// Blocks along the largest side of a part in which a contour is simplified at once.
