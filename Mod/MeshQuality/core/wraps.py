@@ -19,7 +19,7 @@ _RELATIVE = 2e-2  # the tolerance as a fraction of the size, where none is given
 _OF_GAP = 0.25  # ... and of the gap, at most
 _LARGEST = 0.5  # of the gap: the lattice must not pass openings
 _DEVIATION = 0.05  # of the meshes of shapes, as a fraction of the tolerance
-_MESHED = 0.4  # fraction of the progress at which shapes are meshed
+_MESHED = 0.1  # fraction of the progress at which shapes are meshed
 _GAPS = "gaps"  # the patch of triangles that close gaps
 
 
@@ -131,11 +131,10 @@ def run(wrapped, values, progress=None, dry=()):
         raise InvalidInput(phrases.Text(phrases.HALF_OF_GAP, length=f"{tolerance:g} mm", length2=f"{gap:g} mm"))
     core_options, before = module.BooleanOptions(), module.WorkBefore()
     core_options.tolerance = tolerance
-    meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION, rough=True)
+    meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION, any_angles=True)
     before.seconds, before.notes, before.cpu_seconds = operands.seconds, operands.notes, operands.cpu_seconds
     before.tolerance = tolerance
-    before.error_bound = max((surface.report.max_chord_height for surface, _, shape in operands.surfaces if shape is not None),
-                             default=0.0)
+    before.error_bound = operands.deviation
     try:
         surface = module.wrap_objects(
             [(surface, rounded) for surface, rounded, _ in operands.surfaces], gap, tolerance, [*dry], values["threads"],
