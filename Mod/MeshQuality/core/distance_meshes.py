@@ -10,8 +10,9 @@ from ..errors import InvalidInput, TopologyError
 from . import convert
 from .surface_mesh import SurfaceMesh
 
-_FINER = 4.0  # the tessellation whose points are looked for on that of a face, and by which that is refined, ...
-_ROUNDS = 3  # ... this often where it is too far away
+_COARSEST = 16.0  # of the distance: the first triangulation of a face by OpenCASCADE, ...
+_FINER = 4.0  # ... and by how much the next one is finer, whose points are looked for on it, ...
+_ROUNDS = 3  # ... at most this often
 _NAMED = 5  # faces in a note
 
 
@@ -90,19 +91,22 @@ def _joined(pieces):
 
 
 def _tessellated(face, distance):
-    """(V, F, deviation in mm) of OpenCASCADE's triangulation of a face, refined where it is farther away than this."""
+    """(V, F, deviation in mm) of OpenCASCADE's triangulation of a face: the coarsest one that is measured within this
+    distance. What it is asked for alone takes far too many triangles in faces with faults.
+    """
     face = face.copy()  # the triangulation that the document shows stays
-    points, corners = _arrays(face, distance)
+    wanted = _COARSEST * distance
+    now = _arrays(face, wanted)
+    deviation = 0.0
     for _ in range(_ROUNDS):
-        if not len(corners):
-            return points, corners, 0.0
-        finer = _arrays(face, distance / _FINER)
-        deviation = _deviation(face, (points, corners), finer)
-        if deviation <= distance:
+        if not len(now[1]):
             break
-        points, corners = finer
-        distance /= _FINER
-    return points, corners, deviation
+        coarse, wanted = now, wanted / _FINER
+        now = _arrays(face, wanted)
+        deviation = _deviation(face, coarse, now)
+        if deviation <= distance:
+            return *coarse, deviation
+    return *now, deviation  # that of the coarser one
 
 
 def _arrays(face, distance):

@@ -68,16 +68,15 @@ class Operands:
         """Whether an operand is a shape, with no meshes in it."""
         return not isinstance(self._taken[i], (SurfaceMesh, convert.MeshCopy, _Mixed)) and not is_arrays(self._taken[i])
 
-    def knows_faces(self, i):
-        """Whether the triangles of an operand, which was meshed, have CAD faces."""
-        return len(self.surfaces[i][0].triangle_face) > 0
+    def face_counts(self):
+        """For each operand, which was meshed, how many CAD faces it has; None: not all of its triangles know theirs."""
+        def count(surface, shape):
+            if shape is not None:
+                return shape.countElement("Face")
+            faces = surface.triangle_face
+            return int(faces.max()) + 1 if len(faces) and faces.min() >= 0 else None
 
-    def first_faces(self):
-        """For each operand, which was meshed, the number of its first face where those of all are numbered on. One without
-        faces counts as one.
-        """
-        counts = [int(surface.triangle_face.max(initial=0)) + 1 for surface, _, _ in self.surfaces]
-        return [sum(counts[:i]) for i in range(len(counts))]
+        return [count(surface, shape) for surface, _, shape in self.surfaces]
 
     def plain(self, i):
         """The Part.Shape of an operand, or the arrays of its mesh; raises InvalidInput where it has shapes and meshes."""

@@ -12,7 +12,7 @@ from ..compat import extension, property_of
 from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
 from ..core.element_mesh import ElementMesh
-from ..core.patches import division_for, division_of, kept
+from ..core.patches import division_of, kept
 from ..core.surface_mesh import SurfaceMesh
 from ..errors import Error, InvalidInput, IoError
 from ..phrases import Text
@@ -142,8 +142,10 @@ def flat_maker_of(obj):
 def _division(obj, patches, patch_rest):
     holder = frames.linked_of(obj)[0]
     _require_current(holder, patches)
-    source = holder.Proxy.sources(holder)[0] if patches and hasattr(holder, "FaceRuns") else None
-    return division_of(patches, patch_rest) if source is None else division_for(source, patches, patch_rest)
+    knows = isinstance(getattr(holder, "Proxy", None), PatchedMesh) and hasattr(holder, "FaceRuns")
+    if not knows or holder.Proxy.lacks_source(holder) or not holder.Proxy.has_faces(holder):
+        return division_of(patches, patch_rest)
+    return holder.Proxy.faces(holder).division(patches, patch_rest)
 
 
 def _require_current(holder, patches):
