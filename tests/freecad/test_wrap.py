@@ -2,6 +2,7 @@
 """wrap: known answers, gaps, leaks, dirty input, patches, errors."""
 
 import os
+import tempfile
 import unittest
 
 import FreeCAD
@@ -214,6 +215,30 @@ class Named(Sound):
         self.assertTrue(np.allclose(height, 10.0, atol=0.13))
         self.assertEqual(set(mesh.triangle_source[top][:, 0]), {0})
 
+    def test_files_with_patches_of_ones_own(self):
+        bodies = [Part.makeBox(5, 5, 5), Part.makeBox(5, 5, 5, Vector(5.3, 0, 0))]
+        mesh = mq.wrap(bodies, 1.0, 0.25)
+        with tempfile.TemporaryDirectory() as folder:
+            for patches, rest, wanted in (
+                    ({"inlet": ["Face1"], "outlet": ["Object2_Face2"]}, None, {"inlet", "outlet", "gaps", "Object1_Face3"}),
+                    ({"inlet": ["Face1"], "leaks": ["gaps"]}, "walls", {"inlet", "leaks", "walls"})):
+                path = os.path.join(folder, "out.stl")
+                mesh.write(path, ascii=True, patches=patches, patch_rest=rest)
+                with open(path, encoding="ascii") as file:
+                    names = {line.split()[1] for line in file if line.startswith("solid")}
+                self.assertLessEqual(wanted, names)
+                self.assertNotIn("Surface", names)
+            with self.assertRaisesRegex(mq.InvalidInput, "Object3_Face1"):
+                mesh.write(path, patches={"inlet": ["Object3_Face1"]})
+
+    def test_faces_without_triangles_count(self):
+        hidden, box = Part.makeBox(2, 2, 2, Vector(1, 1, 1)), Part.makeBox(5, 5, 5)
+        mesh = mq.wrap([hidden, box, mq.triangulate(Part.makeBox(5, 5, 5, Vector(20, 0, 0)))], 1.0, 0.25)
+        self.assertEqual(set(mesh.triangle_face.tolist()), set(range(6, 18)))
+        self.assertTrue((np.diff(mesh.triangle_face) >= 0).all())
+        self.assertEqual(set(mesh.triangle_source[:, 0].tolist()), {1, 2})
+        self.assertIn("Object3_Face6", mesh.patches)
+
     def test_one_object_keeps_the_names_of_its_faces(self):
         mesh = mq.wrap(Part.makeBox(5, 5, 5), 1.0)
         self.assertEqual(set(mesh.patches), {f"Face{i}" for i in range(1, 7)})
@@ -224,7 +249,7 @@ class Given(unittest.TestCase):
         box = Part.makeBox(10, 10, 10)
         for arguments, text in (((box, 0.0), "gap"), ((box, -1.0), "gap"), ((box, None), "gap"),
                                 ((box, 1.0, 0.6), "half of the gap"), (([], 1.0), "empty"),
-                                ((box, 1.0, 1e-4), "larger tolerance"), ((5, 1.0), "operand A")):
+                                ((box, 1.0, 1e-4), "tolerance of 0.0001 mm would take more than 2 GB"), ((5, 1.0), "operand A")):
             with self.subTest(arguments), self.assertRaisesRegex(mq.InvalidInput, text):
                 mq.wrap(*arguments)
         for dry in ("here", [(1, 2)], [(1, 2, float("nan"))]):

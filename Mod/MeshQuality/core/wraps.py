@@ -37,6 +37,10 @@ class Leak:
     narrowest: np.ndarray
     width: float
 
+    def to_dict(self):
+        """It as plain values for JSON."""
+        return {"dry": self.dry.tolist(), "path": self.path.tolist(), "narrowest": self.narrowest.tolist(), "width": self.width}
+
     def __str__(self):
         dry, narrowest = (", ".join(f"{x:.4g}" for x in place) for place in (self.dry, self.narrowest))
         return (f"({dry}) is not dry: a ball {self.width:.4g} mm wide comes in at ({narrowest}); close that opening, or give "
