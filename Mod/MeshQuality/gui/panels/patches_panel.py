@@ -260,7 +260,8 @@ def _picked_of(member):
     """(names of the faces of a source that are selected, labels of objects with others); a mesh is selected as a whole."""
     if member.count is None:
         wanted = frames.path_from_root(member.source)
-        chosen = [(selected.Object, path) for selected in FreeCADGui.Selection.getSelectionEx("", 0)
+        # A click on a mesh names its "Main", the tree nothing.
+        chosen = [(selected.Object, path[:path.rfind(".") + 1]) for selected in FreeCADGui.Selection.getSelectionEx("", 0)
                   for path in selected.SubElementNames or ("",)]
         return [member.prefix[:-1]] if wanted in chosen else [], picked(member.source)[1]
     names, others = picked(member.source)
