@@ -365,6 +365,24 @@ class Patches(WrapTest):
         self.document.recompute()
         with self.assertRaisesRegex(mq.InvalidInput, "Other"):
             self.exported(obj)
+        obj.Sources = [self.cube, self.other]
+        mq.set_patches(obj, {"inlet": ["Cube.Face1"]}, patch_rest="walls")
+        obj.Sources = [self.other]
+        self.document.recompute()
+        lost, = obj.PatchesChanged
+        self.assertIn("Cube.Face1 of patch 'inlet'", lost)
+        with self.assertRaisesRegex(mq.InvalidInput, "Cube.Face1.*does not hold"):
+            self.exported(obj)
+
+    def test_one_that_is_out_of_date_is_written_by_numbers(self):
+        obj = self.added()
+        obj.Recompute = "Manual"
+        self.cube.Height = 5
+        self.document.recompute()
+        self.assertEqual(self.exported(obj)[0], "Surface")
+        mq.set_patches(obj, {"inlet": ["Cube.Face1"]})
+        with self.assertRaisesRegex(mq.InvalidInput, "out of date"):
+            self.exported(obj)
 
     def test_one_source_and_containers(self):
         one = self.added(self.cube)

@@ -97,7 +97,7 @@ def follow_sources(obj, faces):
     for prefix in before:
         old, new = before[prefix], now.get(prefix, [])
         if [face[0] for face in old] != [face[0] for face in new]:
-            places = face_matching.same_faces(old, new)
+            places = face_matching.same_faces(old, new) if new else {}
             for name, said in patches.items():
                 said["faces"] = [_followed(face, prefix, name, places, lost) for face in said["faces"]]
             obj.Patches = lines_of_patches(patches)
