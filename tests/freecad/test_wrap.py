@@ -99,6 +99,8 @@ class MeshesOfShapes(Sound):
         self.assertEqual(sorted(set(mesh.surface.triangle_face.tolist())), [0, 1, 2, 3])
         self.assertIn("Face4: not meshed; OpenCASCADE's triangulation", mesh.note)
         self.assertTrue(0.0 < mesh.deviation <= 0.01)
+        with self.assertRaises(mq.Cancelled):
+            mesh_within(slender, 0.01, lambda fraction, stage: fraction < 1.0)
 
     def test_triangulation_that_is_too_far_away_is_refined(self):
         face = Part.makeSphere(5).Faces[0]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..compat import attribute_of, extension
-from ..errors import InvalidInput, TopologyError
+from ..errors import Cancelled, InvalidInput, TopologyError
 from . import convert
 from .surface_mesh import SurfaceMesh
 
@@ -30,6 +30,7 @@ class DistanceMesh:
     deviation: float
     rounded: bool
     note: str
+
 
 def mesh_within(shape, distance, progress=None):
     """The DistanceMesh of a Part.Shape: ours, and OpenCASCADE's triangulation of faces that we cannot mesh, which may have
@@ -57,6 +58,8 @@ def mesh_within(shape, distance, progress=None):
         why = "; ".join(dict.fromkeys(reason for _, reason in mesh.report.missing_faces))
     left_out = []
     for number in missing:
+        if progress is not None and progress(1.0, "initial triangulation") is False:
+            raise Cancelled("meshing the shape was cancelled")
         points, corners, off = _tessellated(faces[number], distance)
         pieces.append((points, corners, np.full(len(corners), number, dtype=np.int32)))
         deviation = max(deviation, off)
@@ -99,10 +102,10 @@ def _tessellated(face, distance):
     now = _arrays(face, wanted)
     deviation = 0.0
     for _ in range(_ROUNDS):
-        if not len(now[1]):
-            break
         coarse, wanted = now, wanted / _FINER
         now = _arrays(face, wanted)
+        if not (len(coarse[1]) and len(now[1])):
+            break
         deviation = _deviation(face, coarse, now)
         if deviation <= distance:
             return *coarse, deviation
