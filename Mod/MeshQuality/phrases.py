@@ -253,6 +253,8 @@ CORE_ERRORS = {
     "not_filled": "the surface could not be filled with tetrahedra (the mesher says: {value}): it meets itself, or "
                   "walls are too thin for its triangles; ask for a smaller chord height",
     "fault_in_solid": "{solid}: {phrase} ({value})",
+    "wrap_memory": "a wrap with a tolerance of {length} would take more than 2 GB of memory: give a larger tolerance",
+    "wrap_across": "the largest side is more than {count} times the tolerance of {length}: give a larger tolerance",
     "no_enclosed_volume": "{name} has no triangle with an area that encloses a volume",
 }
 ANY_LENGTH = "a length"

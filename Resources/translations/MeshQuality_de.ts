@@ -400,10 +400,6 @@
         <translation>Benannte Gruppen von Flächen, eine je Zeile: „inlet: Face1, Face4“, oder mit einer Farbe „inlet #ff0000: Face1“</translation>
     </message>
     <message>
-        <source>What the faces of the source were like when the patches were last right: their kinds, areas and centres</source>
-        <translation>Wie die Flächen der Quelle waren, als die Patches zuletzt stimmten: Arten, Inhalte und Mittelpunkte</translation>
-    </message>
-    <message>
         <source>A point inside of the closed surface, for snappyHexMesh</source>
         <translation>Ein Punkt im Innern der geschlossenen Oberfläche, für snappyHexMesh</translation>
     </message>
@@ -626,6 +622,10 @@
     <message>
         <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
         <translation>Verfahren: Entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper, auch offene, werden längs Strahlen abgetastet (Wang 2010); voreingestellt ist das Abtasten nur, wo es kein genaues Ergebnis gibt</translation>
+    </message>
+    <message>
+        <source>What the faces of the sources were like when the patches were last right: their kinds, areas and centres</source>
+        <translation>Wie die Flächen der Quellen waren, als die Patches zuletzt stimmten: Arten, Inhalte und Mittelpunkte</translation>
     </message>
 </context>
 <context>
@@ -2857,6 +2857,14 @@
     <message>
         <source>{number} % of the surface is a guess, where operands are open.</source>
         <translation>{number} % der Oberfläche sind geschätzt, wo Operanden offen sind.</translation>
+    </message>
+    <message>
+        <source>a wrap with a tolerance of {length} would take more than 2 GB of memory: give a larger tolerance</source>
+        <translation>Eine Hülle mit einer Toleranz von {length} würde mehr als 2 GB Speicher brauchen: eine größere Toleranz angeben</translation>
+    </message>
+    <message>
+        <source>the largest side is more than {count} times the tolerance of {length}: give a larger tolerance</source>
+        <translation>Die längste Seite ist mehr als das {count}-Fache der Toleranz von {length}: eine größere Toleranz angeben</translation>
     </message>
 </context>
 <context>

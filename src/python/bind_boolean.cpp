@@ -198,9 +198,9 @@ using workflows::WrapSurface;
 /// An object: its surface, and whether its coordinates may be rounded to single precision.
 using Object = std::pair<std::shared_ptr<Surface>, bool>;
 
-std::shared_ptr<WrapSurface> wrap_objects(const std::vector<Object>& objects, double gap, double tolerance,
-                                          const std::vector<std::array<double, 3>>& dry, int threads,
-                                          const WorkBefore& before, const py::object& progress) {
+std::shared_ptr<WrapSurface> wrap_objects(const std::vector<Object>& objects, const std::vector<std::int32_t>& faces,
+                                          double gap, double tolerance, const std::vector<std::array<double, 3>>& dry,
+                                          int threads, const WorkBefore& before, const py::object& progress) {
     std::vector<workflows::BooleanOperand> given;
     for (const auto& [surface, round] : objects) {
         given.push_back({surface.get(), round, nullptr});
@@ -213,7 +213,7 @@ std::shared_ptr<WrapSurface> wrap_objects(const std::vector<Object>& objects, do
         options.dry.emplace_back(place[0], place[1], place[2]);
     }
     return watch(progress, [&](Progress& handle) {
-        return std::make_shared<WrapSurface>(workflows::wrap_objects(given, options, before, handle));
+        return std::make_shared<WrapSurface>(workflows::wrap_objects(given, faces, options, before, handle));
     });
 }
 
@@ -245,9 +245,10 @@ void bind_wrap(py::module_& m) {
                 return leaks;
             },
             "[(dry place, path, narrowest place, width in mm), ...]");
-    m.def("wrap_objects", &wrap_objects, py::arg("objects"), py::arg("gap"), py::arg("tolerance"), py::arg("dry"),
-          py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
-          "The outer surface of objects [(Surface, round), ...] without openings narrower than the gap; lengths in mm. "
+    m.def("wrap_objects", &wrap_objects, py::arg("objects"), py::arg("faces"), py::arg("gap"), py::arg("tolerance"),
+          py::arg("dry"), py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
+          "The outer surface of objects [(Surface, round), ...] with so many faces without openings narrower than the "
+          "gap; lengths in mm. "
           "Returns a WrapSurface.");
 }
 

@@ -2,6 +2,7 @@
 #include "workflows/wrap_objects.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -20,9 +21,10 @@ struct Joined {
     std::vector<std::array<std::int32_t, 2>> source;  ///< object and triangle there
 };
 
-Joined joined(const std::vector<const mesh::TriangleMesh*>& meshes, const std::vector<BooleanOperand>& objects) {
+Joined joined(const std::vector<const mesh::TriangleMesh*>& meshes, const std::vector<BooleanOperand>& objects,
+              const std::vector<std::int32_t>& faces) {
     Joined result;
-    std::int32_t faces = 0;
+    std::int32_t first_face = 0;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const auto first = static_cast<std::int32_t>(result.mesh.vertices.size());
         result.mesh.origin = meshes[i]->origin;
@@ -34,16 +36,13 @@ Joined joined(const std::vector<const mesh::TriangleMesh*>& meshes, const std::v
             result.mesh.vertices.push_back(p);
         }
         const std::vector<std::int32_t>& its_faces = objects[i].surface->mesh.triangle_face;
-        std::int32_t most = 0;
         for (std::size_t t = 0; t < meshes[i]->triangles.size(); ++t) {
             const mesh::Triangle& c = meshes[i]->triangles[t];
             result.mesh.triangles.push_back({first + c[0], first + c[1], first + c[2]});
-            const std::int32_t face = its_faces.empty() ? 0 : its_faces[t];
-            most = std::max(most, face);
-            result.mesh.triangle_face.push_back(faces + face);
+            result.mesh.triangle_face.push_back(first_face + (faces[i] == 1 ? 0 : its_faces[t]));
             result.source.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(t)});
         }
-        faces += most + 1;
+        first_face += faces[i];
     }
     return result;
 }
@@ -62,23 +61,38 @@ void measure_gaps(WrapSurface& surface, const std::vector<std::int32_t>& source)
     }
 }
 
+/// As meshers give them, so that a document has few numbers to keep.
+void sort_by_face(wrap::WrapResult& wrapped, const std::vector<std::int32_t>& faces) {
+    const std::vector<std::int32_t> source = wrapped.triangle_source;
+    const std::vector<mesh::Triangle> triangles = wrapped.mesh.triangles;
+    const auto face = [&](std::size_t t) { return source[t] < 0 ? -1 : faces[static_cast<std::size_t>(source[t])]; };
+    std::vector<std::size_t> order(source.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return face(a) < face(b); });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        wrapped.triangle_source[i] = source[order[i]];
+        wrapped.mesh.triangles[i] = triangles[order[i]];
+    }
+}
+
 }  // namespace
 
-WrapSurface wrap_objects(const std::vector<BooleanOperand>& objects, const wrap::WrapOptions& options,
-                         const WorkBefore& before, Progress& progress) {
+WrapSurface wrap_objects(const std::vector<BooleanOperand>& objects, const std::vector<std::int32_t>& faces,
+                         const wrap::WrapOptions& options, const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
     std::vector<FramedOperand> framed;
     for (const BooleanOperand& object : objects) {
         framed.push_back({&object.surface->mesh, object.round});
     }
     const OperandFrame frame(framed);
-    const Joined input = joined(frame.meshes(), objects);
+    const Joined input = joined(frame.meshes(), objects, faces);
     wrap::WrapOptions in_frame = options;
     for (Vec3& dry : in_frame.dry) {
         dry -= input.mesh.origin;
     }
     wrap::WrapResult wrapped = wrap::wrap(input.mesh, in_frame, progress);
     WrapSurface result;
+    sort_by_face(wrapped, input.mesh.triangle_face);
     result.mesh = std::move(wrapped.mesh);
     for (const std::int32_t t : wrapped.triangle_source) {
         result.triangle_source.push_back(t < 0 ? std::array<std::int32_t, 2>{-1, -1}

@@ -20,10 +20,11 @@ struct WrapSurface : BooleanSurface {
 };
 
 /// Wraps objects in any frames. `triangle_source` names the object and its triangle on which each triangle lies, (-1,
-/// -1) where it closes a gap.
+/// -1) where it closes a gap. Triangles come by face, those of gaps first.
+/// @param faces  how many each object has: in `triangle_face` they are numbered on. A mesh that knows none has one
 /// @param options  its places to stay dry are in the frame of the document
 /// @throws as wrap::wrap
-WrapSurface wrap_objects(const std::vector<BooleanOperand>& objects, const wrap::WrapOptions& options,
-                         const WorkBefore& before, Progress& progress);
+WrapSurface wrap_objects(const std::vector<BooleanOperand>& objects, const std::vector<std::int32_t>& faces,
+                         const wrap::WrapOptions& options, const WorkBefore& before, Progress& progress);
 
 }  // namespace mq::workflows

@@ -108,9 +108,18 @@ class Recipes(helpers.DocumentTest):
     def test_wrap(self):
         tub = Part.makeBox(20, 16, 9).cut(Part.makeBox(16, 12, 9, FreeCAD.Vector(2, 2, 2)))
         self.names["objects"] = [tub, Part.makeBox(20, 16, 2, FreeCAD.Vector(0, 0, 9.5))]
+        for name, shape in zip(("Tub", "Lid"), self.names["objects"]):
+            self.document.addObject("Part::Feature", name).Shape = shape
+        self.document.Scan.Placement.Base = FreeCAD.Vector(50, 0, 0)
+        self.document.recompute()
         self.names["tunnel"] = Part.makeBox(60, 60, 60, FreeCAD.Vector(-20, -20, -20))
         self.follow("docs/use/wrap.md")
-        self.assertEqual(sorted(os.listdir(".")), ["case", "flow.stl", "outside.stl"])
+        self.assertEqual(sorted(os.listdir(".")), ["case", "flow.cgns", "flow.stl", "outside.stl"])
+        self.assertEqual(self.names["obj"].Certificate, "met")
+        with open("flow.cgns", "rb") as stream:
+            written = stream.read()
+        for name in (b"lid", b"seat", b"cracks", b"walls"):
+            self.assertIn(name, written)
         outside = self.names["outside"]
         self.assertTrue(outside.report.closed and outside.gap_area > 0.0)
         self.assertAlmostEqual(outside.report.volume, 20 * 16 * 11.5, delta=30.0)

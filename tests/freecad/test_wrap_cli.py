@@ -10,6 +10,7 @@ import Part
 from FreeCAD import Vector
 from test_cli import run
 
+import MeshQuality as mq
 from MeshQuality import wrap_options
 
 GAP, TOLERANCE = ("--gap", 2), ("--tolerance", 0.8)
@@ -41,6 +42,11 @@ class WrapCommand(helpers.DocumentTest):
         self.assertLessEqual(report["error_bound"], 0.8)
         self.assertEqual(Mesh.Mesh(self.output).CountFacets, report["triangles"])
         self.assertIn("simplifying", report["seconds"])
+        mesh = mq.wrap([Mesh.Mesh(self.a), Part.read(self.b)], GAP[1], TOLERANCE[1])
+        self.assertGreater(report["gap_triangles"], 0)
+        for name in ("gap_triangles", "gap_area", "distance_to_input", "distance_from_input"):
+            self.assertAlmostEqual(report[name], getattr(mesh, name), places=6)
+        self.assertEqual(report["leaks"], [])
 
     def test_one_input_and_text_for_people(self):
         status, out, err = run("wrap", self.b, *GAP, *TOLERANCE)
@@ -69,6 +75,11 @@ class WrapCommand(helpers.DocumentTest):
         finding, = report["findings"]
         self.assertRegex(finding["text"], r"^\(10, 10, 10\) is not dry: a ball \d.*mm wide comes in at \(.*\); close that opening")
         self.assertEqual(report["verdict"], "not met")
+        leak, = report["leaks"]
+        self.assertEqual(leak["dry"], [10, 10, 10])
+        self.assertTrue(2 < leak["width"] < 2 * 3.0 + 0.8, leak["width"])
+        self.assertAlmostEqual(leak["narrowest"][0], 10, delta=2.0)
+        self.assertEqual({len(place) for place in leak["path"]}, {3})
         status, out, err = run(*arguments, "--strict")
         self.assertEqual(status, 3)
         self.assertEqual(json.loads(out)["findings"], [finding])

@@ -1,13 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "Wrap": properties, recompute, undo, save and reload, containers, errors."""
 
+import os
+import tempfile
+
 import FreeCAD
 import helpers
 import Mesh
 import numpy as np
+import Part
 
 import MeshQuality as mq
 from MeshQuality import wrap_options
+from MeshQuality.core.patch_names import suggested_for
+from MeshQuality.features.export import flat_maker_of
 
 GAP, TOLERANCE = 2.0, 1.0
 WIDTH = 0.4  # of the crack between both cubes
@@ -258,3 +264,175 @@ class SaveAndReload(WrapTest):
         self.document.getObject("Cube").Height = 5
         self.document.recompute()
         self.assertAlmostEqual(again.Volume.Value, 1500 + 50 * WIDTH, delta=20.0)
+
+
+class Patches(WrapTest):
+    """By the faces of several sources; a mesh is one, and what closes gaps another."""
+
+    CUBE = [f"Cube_Face{k}" for k in range(1, 7)]
+
+    def exported(self, obj, **given):
+        """The names of the solids of an STL file."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "wrap.stl")
+            mq.export_mesh(obj, path, ascii=True, **given)
+            with open(path, encoding="ascii") as file:
+                return [line.split(None, 1)[1].strip() for line in file if line.startswith("solid")]
+
+    def triangles_in(self, obj, patches):
+        """By patch the corners of its triangles in the mesh that is exported."""
+        mesh = flat_maker_of(obj)()
+        corners = (mesh.vertices + mesh.origin)[mesh.triangles]
+        return {name: corners[mesh.triangle_patch == mesh.patches.index(name)] for name in patches}
+
+    def test_without_names_they_are_those_of_wrap(self):
+        obj = self.added()
+        wrapped = mq.wrap([self.cube, self.other], GAP, TOLERANCE)
+        self.assertIn("gaps", wrapped.patches)
+        self.assertIn("Other", wrapped.patches)
+        self.assertLess(set(self.CUBE), {*wrapped.patches, "Cube_Face2"})
+        mesh = flat_maker_of(obj)()
+        self.assertEqual(mesh.patches, wrapped.patches)
+        self.assertTrue(np.array_equal(mesh.triangle_patch, wrapped.triangle_patch))
+        self.assertEqual(self.exported(obj), list(wrapped.patches))
+
+    def test_names_are_kept_and_written(self):
+        obj = self.added()
+        mq.set_patches(obj, {"inlet": {"faces": ["Cube.Face1"], "colour": "#ff0000"}, "scan": ["Other"],
+                             "leaks": ["gaps"]}, patch_rest="walls")
+        self.assertEqual(self.document.UndoNames[0], "Patches of Cube wrap")
+        self.assertEqual(list(obj.Patches), ["inlet #ff0000: Cube.Face1", "scan: Other", "leaks: gaps"])
+        found = self.triangles_in(obj, ("inlet", "scan", "leaks", "walls"))
+        self.assertLess(np.abs(found["inlet"][..., 0]).max(), 0.01)  # Face1 of a box is at x = 0
+        self.assertGreater(found["scan"][..., 0].min(), 10)  # the crack ends at 10 + WIDTH
+        self.assertEqual(len(found["leaks"]), obj.GapTriangles)
+        self.assertEqual(set(self.exported(obj)), {"inlet", "scan", "leaks", "walls"})
+        self.document.undo()
+        self.assertEqual((list(obj.Patches), obj.PatchRest), ([], ""))
+
+    def test_faces_by_any_of_their_names(self):
+        obj = self.added()
+        mq.set_patches(obj, {"a": ["Face1", "Cube_Face3", "Cube.Face4"], "b": ["Face7"]})
+        self.assertEqual(list(obj.Patches), ["a: Cube.Face1, Cube.Face3, Cube.Face4", "b: Other"])
+        self.assertEqual(self.exported(obj)[:2], ["a", "b"])
+
+    def test_errors_name_patch_face_and_remedy(self):
+        obj = self.added()
+        for patches, words in (({"a": ["Cube.Face9"]}, "Cube.Face9"), ({"a": ["Face8"]}, "Face8"),
+                               ({"a": ["Sphere.Face1"]}, "Sphere.Face1.*does not hold"),
+                               ({"a": ["nothing"]}, "'nothing', which is no face"),
+                               ({"a": ["Cube.Face1", "Face1"]}, "Face1 is twice"),
+                               ({"Cube_Face2": ["Cube.Face1"]}, "name of a face that is in no patch"),
+                               ({"a": ["Other.Face1"]}, "Other.Face1")):
+            with self.subTest(words), self.assertRaisesRegex(mq.InvalidInput, words):
+                mq.set_patches(obj, patches)
+                flat_maker_of(obj)()
+                self.fail("no error")
+        self.assertEqual(obj.PatchesChanged, [])
+
+    def test_they_follow_recompute_and_other_sources(self):
+        obj = self.added()
+        mq.set_patches(obj, {"inlet": ["Cube.Face1"], "scan": ["Other"]}, patch_rest="walls")
+        self.cube.Height = 6
+        self.document.recompute()
+        self.assertEqual((obj.Status, list(obj.PatchesChanged)), ("up to date", []))
+        self.assertLess(np.abs(self.triangles_in(obj, ["inlet"])["inlet"][..., 0]).max(), obj.ErrorBound.Value)
+        third = self.box("Third", Length=4, Width=4, Height=4)
+        third.Placement.Base = FreeCAD.Vector(30, 0, 0)
+        obj.Sources = [third, self.other, self.cube]
+        self.document.recompute()
+        self.assertEqual(list(obj.Patches), ["inlet: Cube.Face1", "scan: Other"])
+        found = self.triangles_in(obj, ("inlet", "scan"))
+        self.assertLess(np.abs(found["inlet"][..., 0]).max(), obj.ErrorBound.Value)
+        self.assertTrue((found["scan"][..., 0] > 10).all() and (found["scan"][..., 0] < 21).all())
+
+    def test_faces_that_an_edit_exchanges_are_found_again_or_named(self):
+        feature = self.document.addObject("Part::Feature", "Solid")
+        feature.Shape = Part.makeBox(10, 10, 10)
+        obj = self.added([feature, self.other])
+        mq.set_patches(obj, {"side": ["Solid.Face1"], "top": ["Solid.Face6"]}, patch_rest="walls")
+        feature.Shape = Part.makeBox(10, 10, 10).cut(Part.makeCylinder(2, 20, FreeCAD.Vector(5, 5, 5)))  # through the top
+        self.document.recompute()
+        side = self.triangles_in(obj, ["side"])["side"]
+        self.assertLess(np.abs(side[..., 0]).max(), 0.01)
+        self.assertEqual([text for text in obj.PatchesChanged if "top" in text], list(obj.PatchesChanged))
+        self.assertEqual(len(obj.PatchesChanged), 1)
+
+    def test_a_source_that_is_gone_is_named(self):
+        obj = self.added()
+        mq.set_patches(obj, {"scan": ["Other"]}, patch_rest="walls")
+        obj.Sources = [self.cube]
+        self.document.recompute()
+        with self.assertRaisesRegex(mq.InvalidInput, "Other"):
+            self.exported(obj)
+        obj.Sources = [self.cube, self.other]
+        mq.set_patches(obj, {"inlet": ["Cube.Face1"]}, patch_rest="walls")
+        obj.Sources = [self.other]
+        self.document.recompute()
+        lost, = obj.PatchesChanged
+        self.assertIn("Cube.Face1 of patch 'inlet'", lost)
+        with self.assertRaisesRegex(mq.InvalidInput, "Cube.Face1.*does not hold"):
+            self.exported(obj)
+
+    def test_one_that_is_out_of_date_is_written_by_numbers(self):
+        obj = self.added()
+        obj.Recompute = "Manual"
+        self.cube.Height = 5
+        self.document.recompute()
+        self.assertEqual(self.exported(obj)[0], "Surface")
+        mq.set_patches(obj, {"inlet": ["Cube.Face1"]})
+        with self.assertRaisesRegex(mq.InvalidInput, "out of date"):
+            self.exported(obj)
+
+    def test_one_source_and_containers(self):
+        one = self.added(self.cube)
+        self.assertEqual(self.exported(one), [f"Face{k}" for k in range(1, 7)])
+        mq.set_patches(one, {"inlet": ["Face1"]}, patch_rest="walls")
+        self.assertEqual(list(one.Patches), ["inlet: Cube.Face1"])
+        part = self.document.addObject("App::Part", "Assembly")
+        part.addObject(self.box("Inside", Length=5, Width=5, Height=5))
+        self.document.recompute()
+        obj = self.added([part, self.other])
+        mq.set_patches(obj, {"inlet": ["Assembly.Inside.Face1"]}, patch_rest="walls")
+        self.assertEqual(set(self.exported(obj)), {"inlet", "walls"})
+        self.assertLess(np.abs(self.triangles_in(obj, ["inlet"])["inlet"][..., 0]).max(), 0.01)
+
+    def test_save_and_restore(self):
+        obj = self.added()
+        mq.set_patches(obj, {"inlet": ["Cube.Face1"], "scan": ["Other"]}, patch_rest="walls")
+        name, before = obj.Name, self.triangles_in(obj, ("inlet", "scan", "walls"))
+        segments = obj.Mesh.countSegments()
+        self.assertGreater(segments, 6)
+        self.reopen()
+        again = self.document.getObject(name)
+        self.assertEqual(again.Mesh.countSegments(), segments)
+        for patch, corners in self.triangles_in(again, before).items():
+            self.assertTrue(np.array_equal(corners, before[patch]), patch)
+
+    def test_other_writers_have_them(self):
+        obj = self.added()
+        mq.set_patches(obj, {"inlet": ["Cube.Face1"], "scan": ["Other"]}, patch_rest="walls")
+        with tempfile.TemporaryDirectory() as folder:
+            levels = mq.write_openfoam_case(obj, os.path.join(folder, "case"), flow="external")
+            self.assertLessEqual({"inlet", "scan", "walls"}, set(levels))
+            path = os.path.join(folder, "wrap.cgns")
+            mq.export_mesh(obj, path)
+            with open(path, "rb") as file:
+                content = file.read()
+            self.assertTrue(all(word in content for word in (b"inlet", b"scan", b"walls")))
+        shape = mq.add_cfd_surface(obj)
+        self.assertEqual([line.split(": ")[1] for line in shape.Patches], ["inlet", "scan", "walls"])
+
+    def test_those_of_older_documents_are_made_again(self):
+        obj = self.added()
+        runs = list(obj.FaceRuns)
+        obj.FaceRuns = []
+        self.document.recompute()
+        self.assertEqual(list(obj.FaceRuns), runs)
+
+    def test_suggested_by_labels(self):
+        obj = self.added()
+        self.assertEqual(suggested_for(obj.Proxy.faces(obj).members, "labels"),
+                         {"Cube": {"faces": [f"Cube.Face{k}" for k in range(1, 7)]}, "Other": {"faces": ["Other"]}})
+        with self.assertRaises(mq.InvalidInput):
+            suggested_for(obj.Proxy.faces(obj).members, "analysis")

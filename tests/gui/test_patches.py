@@ -8,6 +8,7 @@ import unittest
 import FreeCAD
 import FreeCADGui
 import gui_helpers
+import Mesh
 import test_units
 
 import MeshQuality as mq
@@ -254,3 +255,76 @@ def cfd_ready():
     from MeshQuality.features import cfd
 
     return cfd._ready
+
+
+class OfAWrap(gui_helpers.PanelTest):
+    """Of several sources, a mesh among them."""
+
+    def setUp(self):
+        super().setUp()
+        self.part = self.document.addObject("Part::Box", "Part")
+        self.scan = self.document.addObject("Mesh::Feature", "Scan")
+        self.scan.Mesh = Mesh.createBox(10.0, 10.0, 10.0)
+        self.scan.Placement.Base = FreeCAD.Vector(15.4, 5, 5)
+        self.document.recompute()
+        self.wrapped = mq.add_wrap([self.part, self.scan], 2.0, 1.0)
+
+    def panel_for(self):
+        self.select(self.wrapped)
+        self.assertTrue(commands.Patches().IsActive())
+        panel = patches_panel.PatchesPanel(self.wrapped)
+        FreeCADGui.Control.showDialog(panel)
+        gui_helpers.wait()
+        return panel
+
+    def test_faces_of_any_source_become_patches(self):
+        self.part.ViewObject.Visibility = self.scan.ViewObject.Visibility = False
+        panel = self.panel_for()
+        self.assertTrue(self.part.ViewObject.Visibility and self.scan.ViewObject.Visibility)
+        FreeCADGui.Selection.clearSelection()
+        panel.new.click()
+        self.assertIn("Select faces of Part, Scan", panel.said)
+        FreeCADGui.Selection.addSelection(self.part, "Face1")
+        panel.new.click()
+        panel.table.item(0, 0).setText("inlet")
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(self.scan)
+        panel.new.click()
+        panel.table.item(1, 0).setText("scanned")
+        panel.table.selectRow(1)
+        self.assertEqual([one.Object for one in FreeCADGui.Selection.getSelectionEx()], [self.scan])
+        panel.table.selectRow(0)
+        chosen = FreeCADGui.Selection.getSelectionEx()
+        self.assertEqual([(one.Object, list(one.SubElementNames)) for one in chosen], [(self.part, ["Face1"])])
+        panel.rest.setText("walls")
+        self.assertEqual(panel.patches(), {"inlet": {"faces": ["Part.Face1"]}, "scanned": {"faces": ["Scan"]}})
+        self.view.viewIsometric()
+        self.view.fitAll()
+        self.narrow(panel, "panel_patches_wrap")
+        self.assertTrue(panel.accept())
+        self.assertEqual(list(self.wrapped.Patches), ["inlet: Part.Face1", "scanned: Scan"])
+        self.assertFalse(self.part.ViewObject.Visibility or self.scan.ViewObject.Visibility)
+        path = os.path.join(self.folder, "wrap.stl")
+        mq.export_mesh(self.wrapped, path, ascii=True)
+        with open(path, encoding="utf-8") as stream:
+            names = [line.split()[1] for line in stream if line.startswith("solid")]
+        self.assertEqual(names, ["inlet", "scanned", "walls"])
+
+    def test_labels_of_the_sources(self):
+        panel = self.panel_for()
+        panel.names.activated.emit(panel.names.findData("labels"))
+        self.assertEqual(panel.patches(), {"Part": {"faces": [f"Part.Face{k}" for k in range(1, 7)]},
+                                           "Scan": {"faces": ["Scan"]}})
+        panel.names.activated.emit(panel.names.findData("analysis"))
+        self.assertNotEqual(panel.said, "")
+        panel.reject()
+
+    def test_the_quality_view_lists_faces_and_gaps(self):
+        panel = quality_panel.QualityPanel(self.wrapped)
+        FreeCADGui.Control.showDialog(panel)
+        self.until(lambda: panel.values is not None)
+        names = {panel.faces.item(row, 0).text() for row in range(panel.faces.rowCount())}
+        self.assertLessEqual({"gaps", "Scan", "Part_Face1"}, names)
+        panel.tabs.setCurrentIndex(1)
+        self.picture("quality_wrap_patches")
+        panel.reject()

@@ -46,6 +46,7 @@ BOOLEAN_REPORT_FIELDS = (
     "curve_edges", "parted_contacts", "separated_vertices", "fitted_vertices", "unfitted_vertices",
     "samples", "face_samples",
 )
+WRAP_FIELDS = ("distance_to_input", "distance_from_input", "gap_triangles", "gap_area")  # of the mesh itself
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
     "min_distortion", "mean_distortion", "max_shape_distortion", "max_deviation", "rms_deviation",
@@ -361,12 +362,13 @@ def hollow(job):
 
 
 def wrap(job):
-    """Likewise; places that are to stay dry are findings where they do not."""
+    """Likewise, and what the report of a Boolean lacks. Places that are to stay dry are findings where they do not."""
     sources = [read_operand(path, job.get("object")) for path in job["inputs"]]
     mesh = mq.wrap(sources, **job["options"], dry=job.get("dry"), progress=progress_line())
     report, told, findings = _offset_written(job, mesh)
     return report, f"{told}, {mesh.gap_triangles} of them close gaps", \
-        [*findings, *(verdict.Finding(str(leak)) for leak in mesh.leaks)]
+        [*findings, *(verdict.Finding(str(leak)) for leak in mesh.leaks)], \
+        {**_plain({name: getattr(mesh, name) for name in WRAP_FIELDS}), "leaks": [leak.to_dict() for leak in mesh.leaks]}
 
 
 def _offset_written(job, mesh):
@@ -467,9 +469,10 @@ def run(job):
     """The job's result as plain data; never raises."""
     _left_out.clear()
     try:
-        report, text, findings = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
-                                  "quality": quality, "certify": certify, "verify": verify, "thickness": thickness, "clearance": clearance, "draft": draft,
-                                  "voids": voids, "offset": offset, "hollow": hollow, "wrap": wrap}[job["command"]](job)
+        report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
+                                         "quality": quality, "certify": certify, "verify": verify, "thickness": thickness,
+                                         "clearance": clearance, "draft": draft, "voids": voids, "offset": offset,
+                                         "hollow": hollow, "wrap": wrap}[job["command"]](job)
     except mq.InvalidInput as error:
         return _failure(USAGE, error)
     except files.DiskFull as error:
@@ -485,7 +488,7 @@ def run(job):
         end_progress_line()
     met = not findings
     said = verdict.sentence(findings) if findings else _NO_FINDING.get(job["command"], _ALL_MET)
-    fields = report_fields(report)
+    fields = {**report_fields(report), **(more[0] if more else {})}
     return {"status": DONE, "text": ". ".join(part.rstrip(".") for part in (f"{text}; {said}", *_left_out)), "met": met,
             "sound": not getattr(report, "faults_left", 0) and getattr(report, "holds", True),
             "report": {**fields, "notes": [*fields["notes"], *_left_out], **verdict.plain(findings)},

@@ -15,6 +15,7 @@ from .. import phrases
 from ..compat import attribute_of, extension
 from ..errors import InvalidInput, TopologyError
 from . import convert, frames
+from .distance_meshes import mesh_within, require_complete
 from .surface_mesh import SurfaceMesh
 from .triangulation import triangulate
 
@@ -44,10 +45,11 @@ class Operands:
     notes       a sentence for each shape that was meshed
     seconds     [(stage, wall-clock seconds), ...]
     cpu_seconds of the process, in all stages
+    deviation   mm; of the meshes from their shapes, the largest
     """
 
     def __init__(self, sources):
-        self.seconds, self.cpu_seconds, self.notes = [], 0.0, []
+        self.seconds, self.cpu_seconds, self.notes, self.deviation = [], 0.0, [], 0.0
         self._sources = sources
         self._letters = letters(len(sources))
         self._names = [f"operand {letter}" for letter in self._letters]
@@ -66,16 +68,15 @@ class Operands:
         """Whether an operand is a shape, with no meshes in it."""
         return not isinstance(self._taken[i], (SurfaceMesh, convert.MeshCopy, _Mixed)) and not is_arrays(self._taken[i])
 
-    def knows_faces(self, i):
-        """Whether the triangles of an operand, which was meshed, have CAD faces."""
-        return len(self.surfaces[i][0].triangle_face) > 0
+    def face_counts(self):
+        """For each operand, which was meshed, how many CAD faces it has; None: not all of its triangles know theirs."""
+        def count(surface, shape):
+            if shape is not None:
+                return shape.countElement("Face")
+            faces = surface.triangle_face
+            return int(faces.max()) + 1 if len(faces) and faces.min() >= 0 else None
 
-    def first_faces(self):
-        """For each operand, which was meshed, the number of its first face where those of all are numbered on. One without
-        faces counts as one.
-        """
-        counts = [int(surface.triangle_face.max(initial=0)) + 1 for surface, _, _ in self.surfaces]
-        return [sum(counts[:i]) for i in range(len(counts))]
+        return [count(surface, shape) for surface, _, shape in self.surfaces]
 
     def plain(self, i):
         """The Part.Shape of an operand, or the arrays of its mesh; raises InvalidInput where it has shapes and meshes."""
@@ -90,9 +91,9 @@ class Operands:
         with self._stage("reading the operands"):
             return [self._read(i) for i in range(len(self._taken))]
 
-    def mesh_shapes(self, core_options, progress, fraction=0.5, rough=False):
+    def mesh_shapes(self, core_options, progress, fraction=0.5, any_angles=False):
         """Meshes the operands that are shapes, as far from them as this fraction of the tolerance of these
-        core.BooleanOptions. Where that fails, `rough` takes OpenCASCADE's triangulation, which may have holes, and notes it.
+        core.BooleanOptions. With `any_angles` as mesh_within does, with notes of that only.
 
         Returns whether there were any.
         """
@@ -103,7 +104,7 @@ class Operands:
             wanted = self._possible(core_options.tolerance_for(self.size()))
             for done, i in enumerate(shapes):
                 part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
-                self._found[i] = self._mesh_shape(i, fraction * wanted, part, rough)
+                self._found[i] = self._mesh_shape(i, fraction * wanted, part, any_angles)
         return True
 
     def _possible(self, tolerance):
@@ -190,30 +191,22 @@ class Operands:
                           points.max(axis=0) + found[0].origin]
         return float(np.ptp(np.array(boxes), axis=0).max()) if boxes else 0.0
 
-    def _mesh_shape(self, i, chord_height, progress, rough):
+    def _mesh_shape(self, i, chord_height, progress, any_angles):
         shape = _shape_in(self._found[i])
         box = attribute_of(shape, "BoundBox")
         side = max(box.XLength, box.YLength, box.ZLength)
         largest = max(map(abs, (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)))
         chord_height = max(chord_height, _FINEST_CHORD * min(largest, _FRAME * side))
         try:
-            mesh = triangulate(shape, chord_height=chord_height, progress=progress)
-            if not mesh.report.complete:
-                raise InvalidInput(f"more than {mesh.report.triangles} triangles at a max. deviation of {chord_height:g} mm: "
-                                   "give a larger tolerance")
+            mesh, deviation, rounded, note = (self._any_mesh if any_angles else self._quality_mesh)(
+                i, shape, chord_height, progress)
         except (InvalidInput, TopologyError) as error:
-            if rough:
-                return self._tessellated(i, shape, chord_height, error)
             raise type(error)(f"{self._names[i]}, {convert.label_of(self._sources[i])}: {error}") \
                 from error
-        mixed = isinstance(self._found[i], _Mixed)
-        what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
-        if not rough:
-            self.notes.append(f"{self._names[i]} {what} deviates by at most "
-                              f"{mesh.report.max_chord_height:.3g} mm from {'them' if mixed else 'it'}; the error bound is "
-                              "that of the Boolean of the meshes")
-        if not mixed:
-            return mesh._surface, False, shape
+        self.deviation = max(self.deviation, deviation)
+        self.notes += [note] if note else []
+        if not isinstance(self._found[i], _Mixed):
+            return mesh, rounded, shape
         # Overlapping surfaces of one operand enclose together what each of them does.
         vertices, triangles = self._found[i].meshes.arrays
         own = np.asarray(mesh.vertices) + mesh.origin
@@ -221,21 +214,20 @@ class Operands:
                                          np.concatenate((mesh.triangles, triangles + len(own))),
                                          measured=False), True, None
 
-    def _tessellated(self, i, shape, chord_height, error):
-        """(surface, True, None) of OpenCASCADE's triangulation of each face."""
-        vertices, triangles, faces, count = [], [], [], 0
-        for number, face in enumerate(attribute_of(shape, "Faces")):
-            points, corners = face.tessellate(chord_height)
-            vertices += [tuple(point) for point in points]
-            triangles += [tuple(c + count for c in corner) for corner in corners]
-            faces += [number] * len(corners)
-            count += len(points)
-        if not triangles:
-            raise InvalidInput(f"{self._names[i]}, {convert.label_of(self._sources[i])}: {error}") from error
-        self.notes.append(f"{self._names[i]} was not meshed ({error}): OpenCASCADE's triangulation is taken, which may have "
-                          f"holes, and was to deviate by at most {chord_height:.3g} mm")
-        return extension().surface_from_arrays(np.array(vertices), np.array(triangles, dtype=np.int32),
-                                               np.array(faces, dtype=np.int32), False), True, None
+    def _quality_mesh(self, i, shape, chord_height, progress):
+        """(Surface, its distance from the shape, whether it may be rounded, note)."""
+        mesh = triangulate(shape, chord_height=chord_height, progress=progress)
+        require_complete(mesh.report, chord_height)
+        mixed = isinstance(self._found[i], _Mixed)
+        what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
+        return mesh._surface, mesh.report.max_chord_height, False, (
+            f"{self._names[i]} {what} deviates by at most {mesh.report.max_chord_height:.3g} mm from "
+            f"{'them' if mixed else 'it'}; the error bound is that of the Boolean of the meshes")
+
+    def _any_mesh(self, i, shape, chord_height, progress):
+        """As _quality_mesh, of mesh_within."""
+        mesh = mesh_within(shape, chord_height, progress)
+        return mesh.surface, mesh.deviation, mesh.rounded, mesh.note and f"{self._names[i]}, {mesh.note}"
 
     def explain(self, error):
         """The error with the labels of the operands, where it names one by its letter."""

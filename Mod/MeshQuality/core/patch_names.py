@@ -33,6 +33,30 @@ def suggested_patches(source, by, analysis=None):
     return found
 
 
+def suggested_for(members, by):
+    """The same of all sources of a mesh, members of source_faces, by the names that faces have there. By labels, each of
+    several that is no container is one.
+    """
+    found, refused = {}, None
+    for member in members:
+        try:
+            patches = _of_one_of_several(member) if by == "labels" and member.prefix else suggested_patches(member.source, by)
+        except InvalidInput as error:
+            refused, patches = error, {}
+        for name, said in patches.items():
+            _add(found, name, [f"{member.prefix}{face}".rstrip(".") for face in said["faces"]], said.get("colour"))
+    if not found:
+        raise refused
+    return found
+
+
+def _of_one_of_several(member):
+    if member.count is not None and any(frames.leaf_paths(frames.leaf_of(member.source))):
+        return suggested_patches(member.source, "labels")
+    faces = [""] if member.count is None else [f"Face{k + 1}" for k in range(member.count)]
+    return {plain_name(frames.leaf_of(member.source).Label): {"faces": faces}}
+
+
 def plain_name(label):
     """A label as a name that all formats can hold."""
     name = re.sub(r"\W+", "_", label, flags=re.ASCII).strip("_")

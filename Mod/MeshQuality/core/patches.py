@@ -20,13 +20,32 @@ _GOLDEN = 0.618034  # of the circle of hues: neighbours in the list differ most
 
 class Division(NamedTuple):
     """Which face belongs to which patch: names, colours, {index of a face: index of its patch}, and the name of the patch
-    of all other faces; None: each is one by its own name.
+    of all other faces; None: each is one by its own name. These are `face_names`, "Face3" where there are none, and
+    `no_face` of triangles on no face, index -1.
     """
 
-    names: tuple
-    colours: tuple
-    patch_of: dict
+    names: tuple = ()
+    colours: tuple = ()
+    patch_of: dict = {}
     rest: str = None
+    face_names: tuple = ()
+    no_face: str = _NO_FACE
+
+    def own_name(self, index):
+        """The name of the patch that a face by itself is."""
+        if index < 0:
+            return self.no_face
+        return self.face_names[index] if index < len(self.face_names) else f"Face{index + 1}"
+
+    def index_of(self, name):
+        """The index of a face, "Face3" or by its own name; None of another name."""
+        if self.face_names and name in (*self.face_names, self.no_face):
+            return -1 if name == self.no_face else self.face_names.index(name)
+        found = _FACE.fullmatch(name)
+        return int(found[1]) - 1 if found else None
+
+
+_PLAIN = Division()
 
 
 class Patches(NamedTuple):
@@ -41,11 +60,11 @@ class Patches(NamedTuple):
     division: Division
 
 
-def division_of(patches, rest=None, resolve=None):
+def division_of(patches, rest=None, index_of=None, like=_PLAIN):
     """The Division of {"inlet": ["Face1", ...]} or {"inlet": {"faces": [...], "colour": "#ff0000"}}.
 
-    `resolve` gives the name "Face12" of a name that is a path, such as "Box.Face3". None where neither is given.
-    Raises InvalidInput naming patch, face and remedy.
+    `index_of` gives the index of a face of such a name, None of others; without one `like` does, a Division whose names
+    of faces are taken. None where neither is given. Raises InvalidInput naming patch, face and remedy.
     """
     if patches is None and rest is None:
         return None
@@ -58,10 +77,10 @@ def division_of(patches, rest=None, resolve=None):
         _require_name(name, phrases.PATCH_NAME)
         faces, colour = _faces_and_colour(name, said)
         for face in faces:
-            _add_face(patch_of, names, name, face, resolve)
+            _add_face(patch_of, names, name, face, index_of or like.index_of)
         names.append(name)
         colours.append(colour)
-    return Division(tuple(names), tuple(colours), patch_of, rest)
+    return like._replace(names=tuple(names), colours=tuple(colours), patch_of=patch_of, rest=rest)
 
 
 def _require_name(name, phrase):
@@ -90,12 +109,10 @@ def _colour_of(name, text):
     return found and tuple(int(part, 16) for part in found.groups())
 
 
-def _add_face(patch_of, names, name, face, resolve):
-    found = _FACE.fullmatch(face.rpartition(".")[2]) if isinstance(face, str) else None
-    if not found or "." in face and resolve is None:
+def _add_face(patch_of, names, name, face, index_of):
+    index = index_of(face) if isinstance(face, str) else None
+    if index is None:
         raise InvalidInput(Text(phrases.PATCH_NO_FACE, name=repr(name), value=repr(face)))
-    plain = resolve(face) if "." in face else face
-    index = int(_FACE.fullmatch(plain)[1]) - 1
     if index in patch_of:
         other = (*names, name)[patch_of[index]]
         if other == name:
@@ -108,16 +125,23 @@ def division_for(source, patches, rest=None):
     """The same for a shape or a document object, which must have the faces. Names are those of local sizes: "Box.Face3"
     of a container or a link.
     """
-    def resolve(name):
-        try:
-            return next(iter(convert.resolve_sizes(source, {name: 1.0})))
-        except InvalidInput:
-            raise InvalidInput(Text(phrases.PATCH_ELSEWHERE, value=name, name=convert.label_of(source))) from None
-
-    division = division_of(patches, rest, resolve)
+    division = division_of(patches, rest, lambda name: index_in(source, name))
     if division is not None and division.patch_of:
         require_faces(division, convert.shape_of(source).countElement("Face"), convert.label_of(source))
     return division
+
+
+def index_in(source, name):
+    """The index of a face of a shape or a document object by its name, as for division_for; None where it is no name of a
+    face. Raises InvalidInput where the source does not hold it.
+    """
+    if not _FACE.fullmatch(name.rpartition(".")[2]):
+        return None
+    try:
+        plain = next(iter(convert.resolve_sizes(source, {name: 1.0})))
+    except InvalidInput:
+        raise InvalidInput(Text(phrases.PATCH_ELSEWHERE, value=name, name=convert.label_of(source))) from None
+    return _PLAIN.index_of(plain)
 
 
 def kept(division, surface):
@@ -140,8 +164,7 @@ def require_faces(division, count, what):
 def patches_of(division, triangle_face, count):
     """The Patches of a mesh with `count` triangles on these faces; without a division each face is one."""
     given = division is not None
-    if not given:
-        division = Division((), (), {})
+    division = division or _PLAIN
     face = np.asarray(triangle_face, dtype=np.int64)
     if not len(face):
         if division.patch_of:
@@ -157,13 +180,13 @@ def patches_of(division, triangle_face, count):
     names, colours = list(division.names), list(division.colours)
     for index in np.unique(face).tolist():
         if patch[index] < 0:
-            name = division.rest or (f"Face{index + 1}" if index >= 0 else _NO_FACE)
+            name = division.rest or division.own_name(index)
             if name in division.names and not division.rest:
                 raise InvalidInput(Text(phrases.PATCH_LIKE_FACE, name=repr(name)))
             if name not in names:
                 names.append(name)
                 colours.append(None)
-            patch[index] = names.index(name) if division.rest else len(names) - 1
+            patch[index] = names.index(name)
     return Patches(tuple(names), tuple(colours), patch[face], given, division)
 
 

@@ -2,7 +2,6 @@
 """wrap: the outer surface of objects that need not be clean."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -13,14 +12,14 @@ from ..listing import Public
 from . import frames
 from .booleans import BooleanMesh
 from .operands import Operands, is_arrays, part_of
-from .patches import Division, Patches
+from .patches import Division, patches_of
+from .source_faces import GAPS, own_names
 
 _RELATIVE = 2e-2  # the tolerance as a fraction of the size, where none is given, ...
 _OF_GAP = 0.25  # ... and of the gap, at most
 _LARGEST = 0.5  # of the gap: the lattice must not pass openings
 _DEVIATION = 0.05  # of the meshes of shapes, as a fraction of the tolerance
-_MESHED = 0.4  # fraction of the progress at which shapes are meshed
-_GAPS = "gaps"  # the patch of triangles that close gaps
+_MESHED = 0.1  # fraction of the progress at which shapes are meshed
 
 
 @dataclass(frozen=True)
@@ -37,6 +36,10 @@ class Leak:
     path: np.ndarray
     narrowest: np.ndarray
     width: float
+
+    def to_dict(self):
+        """It as plain values for JSON."""
+        return {"dry": self.dry.tolist(), "path": self.path.tolist(), "narrowest": self.narrowest.tolist(), "width": self.width}
 
     def __str__(self):
         dry, narrowest = (", ".join(f"{x:.4g}" for x in place) for place in (self.dry, self.narrowest))
@@ -108,17 +111,11 @@ class Wrapped:
         if not sources:
             raise InvalidInput("the list of objects is empty")
         self.operands = Operands(sources)
-        self._labels = [_label(source, i) for i, source in enumerate(sources)]
+        self.labels = [_label(source, i) for i, source in enumerate(sources)]
 
     def digest(self):
         """As Operands.digest."""
         return self.operands.digest()
-
-    @cached_property
-    def names(self):
-        """Unique names of the objects, of letters, digits, - and _."""
-        plain = ["".join(c if c.isalnum() or c in "-_" else "_" for c in label) for label in self._labels]
-        return [name if plain.count(name) == 1 else f"{name}_{i + 1}" for i, name in enumerate(plain)]
 
 
 def run(wrapped, values, progress=None, dry=()):
@@ -131,38 +128,21 @@ def run(wrapped, values, progress=None, dry=()):
         raise InvalidInput(phrases.Text(phrases.HALF_OF_GAP, length=f"{tolerance:g} mm", length2=f"{gap:g} mm"))
     core_options, before = module.BooleanOptions(), module.WorkBefore()
     core_options.tolerance = tolerance
-    meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION, rough=True)
+    meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION, any_angles=True)
     before.seconds, before.notes, before.cpu_seconds = operands.seconds, operands.notes, operands.cpu_seconds
     before.tolerance = tolerance
-    before.error_bound = max((surface.report.max_chord_height for surface, _, shape in operands.surfaces if shape is not None),
-                             default=0.0)
+    before.error_bound = operands.deviation
     try:
+        counts = operands.face_counts()
         surface = module.wrap_objects(
-            [(surface, rounded) for surface, rounded, _ in operands.surfaces], gap, tolerance, [*dry], values["threads"],
-            before, part_of(progress, _MESHED if meshed else 0.0, 1.0))
+            [(surface, rounded) for surface, rounded, _ in operands.surfaces], [1 if n is None else n for n in counts], gap,
+            tolerance, [*dry], values["threads"], before, part_of(progress, _MESHED if meshed else 0.0, 1.0))
     except Error as error:
         raise operands.explain(error) from error
     leaks = [Leak(np.array(place), np.array(path), np.array(narrowest), width)
              for place, path, narrowest, width in surface.leaks]
-    return WrapMesh(surface, _patches(surface, wrapped), leaks)
-
-
-def _patches(surface, wrapped):
-    """The Patches: each face of each object, and the gaps."""
-    face = np.asarray(surface.triangle_face, dtype=np.int64)
-    number, names = np.unique(face), []
-    first = wrapped.operands.first_faces()
-    for index in number.tolist():
-        if index < 0:
-            names.append(_GAPS)
-            continue
-        i = int(np.searchsorted(first, index, side="right")) - 1
-        own = f"Face{index - first[i] + 1}" if wrapped.operands.knows_faces(i) else ""
-        names.append("_".join(filter(None, (wrapped.names[i] if len(first) > 1 or not own else "", own))))
-    of_triangle = np.searchsorted(number, face).astype(np.int32)
-    colours = (None,) * len(names)
-    division = Division(tuple(names), colours, {int(index): k for k, index in enumerate(number) if index >= 0})
-    return Patches(tuple(names), colours, of_triangle, True, division)
+    division = Division(face_names=own_names(wrapped.labels, counts), no_face=GAPS)
+    return WrapMesh(surface, patches_of(division, surface.triangle_face, len(surface.triangles)), leaks)
 
 
 def _label(source, i):

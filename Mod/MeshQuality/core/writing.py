@@ -17,7 +17,7 @@ from . import cgns_file, convert, exodus_file, mfem_file, nektar_file
 from .contact_sheets import SHEET, with_sheets
 from .element_arrays import element_blocks, points_of
 from .element_writers import hopr_file
-from .patches import colour_of, division_of, patches_of, require_faces, with_interfaces
+from .patches import Division, colour_of, division_of, patches_of, require_faces, with_interfaces
 
 _3MF_MODEL = "3D/3dmodel.model"
 _3MF_PARTS = {
@@ -84,9 +84,10 @@ def checked_scale(scale, name="scale", example="0.001"):
 
 def _patches_for(mesh, patches, patch_rest):
     """Those given here, those that the mesh was made with, or each face by its own name."""
-    division = division_of(patches, patch_rest)
-    if division is None and mesh._patches is not None:
-        return mesh._patches
+    made_with = mesh._patches
+    division = division_of(patches, patch_rest, like=made_with.division if made_with is not None else Division())
+    if division is None and made_with is not None:
+        return made_with
     face, count = mesh.triangle_face, len(mesh.triangles)
     if len(face):
         require_faces(division, int(face.max()) + 1, "the mesh")

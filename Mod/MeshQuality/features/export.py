@@ -12,7 +12,7 @@ from ..compat import extension, property_of
 from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
 from ..core.element_mesh import ElementMesh
-from ..core.patches import division_for, division_of, kept
+from ..core.patches import division_of, kept
 from ..core.surface_mesh import SurfaceMesh
 from ..errors import Error, InvalidInput, IoError
 from ..phrases import Text
@@ -141,21 +141,24 @@ def flat_maker_of(obj):
 
 def _division(obj, patches, patch_rest):
     holder = frames.linked_of(obj)[0]
-    _require_current(holder, patches)
-    source = holder.Proxy.sources(holder)[0] if patches and hasattr(holder, "FaceRuns") else None
-    return division_of(patches, patch_rest) if source is None else division_for(source, patches, patch_rest)
+    current = _require_current(holder, patches)
+    knows = isinstance(getattr(holder, "Proxy", None), PatchedMesh) and hasattr(holder, "FaceRuns")
+    if not current or not knows or holder.Proxy.lacks_source(holder) or not holder.Proxy.has_faces(holder):
+        return division_of(patches, patch_rest)
+    return holder.Proxy.faces(holder).division(patches, patch_rest)
 
 
 def _require_current(holder, patches):
     """Raises InvalidInput where patches name faces of a source that has changed since it was meshed: other triangles would
-    be in them. Warns where an old mesh is written without.
+    be in them. Warns where an old mesh is written without. Returns whether the mesh is that of its sources.
     """
     if not isinstance(getattr(holder, "Proxy", None), PatchedMesh) or not _is_outdated(holder):
-        return
+        return True
     text = f"{holder.Label} is out of date: its source or an option has changed since the mesh was made"
     if patches:
         raise InvalidInput(f"{text}, and patches name faces as they are now; recompute it first (Update Mesh)")
     FreeCAD.Console.PrintWarning(f"{text}. The older mesh is written; recompute it (Update Mesh) and export it anew.\n")
+    return False
 
 
 def _is_outdated(holder):

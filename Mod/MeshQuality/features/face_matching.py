@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Faces of a shape that are found again after an edit, by kind, area and place."""
 
-import json
-
 import numpy as np
 
 _SAME = 1e-6  # of the size, and of an area: the same face
 
 
 def described(shape):
-    """Kind, area and centre of each face, as text; centres as if the shape had no placement."""
+    """[kind, area, centre] of each face; centres as if the shape had no placement."""
     back = shape.Placement.inverse()
-    return json.dumps([[type(face.Surface).__name__, face.Area, *back.multVec(face.CenterOfMass)]
-                       for face in shape.Faces])
+    return [[type(face.Surface).__name__, face.Area, *back.multVec(face.CenterOfMass)] for face in shape.Faces]
 
 
 def same_faces(before, now):

@@ -76,9 +76,9 @@ class _OpenGiven(offset.Given):
             raise InvalidInput(phrases.Text(phrases.OPENINGS_OF_MESH, name=convert.label_of(source)))
         own = convert.own_shape_of(source)
         faces = face_matching.described(own)
-        self.names, self.lost = _followed(names, before, json.loads(faces))
+        self.names, self.lost = _followed(names, before, faces)
         self.faces = sorted({int(_face_of(source, name, len(own.Faces))[4:]) - 1 for name in self.names})
-        self.described = json.dumps({"names": self.names, "faces": json.loads(faces)})
+        self.described = json.dumps({"names": self.names, "faces": faces})
 
     def digest(self, values):
         """By the present names."""

@@ -12,6 +12,7 @@ import numpy as np
 from .. import options, phrases
 from ..compat import PlainState, attribute_of, property_of, without_traceback
 from ..core import convert, frames, hidden_parts, verdict
+from ..core.source_faces import FacesOfOne
 from ..errors import Error, InvalidInput
 from . import aliases, distance_bound, patches, placement
 from .gui_hooks import window
@@ -61,6 +62,7 @@ class MeshObject(PlainState):
     COMMAND             the command that adds one, by which it also gets its icon
     CALL                the function of the API that adds one
     OPTIONS, PRESETS    the table of its options, and values of them that go together
+    HIDDEN              the table of properties for its own use
     sources(obj)        what it is made of: document objects, or pairs (document object, path) as in frames
     add_properties(obj) adds those properties that the object has not got yet
     LINKS               the properties by which `sources` finds them
@@ -78,7 +80,7 @@ class MeshObject(PlainState):
     """
 
     TYPE, MESH = "Mesh::FeaturePython", "Mesh"
-    PRESETS = PROMISES = ()
+    PRESETS = PROMISES = HIDDEN = ()
     TAKES_MESHES = LEAVES_CONTAINERS = False
     BOUND_BEFORE = options.UNBOUNDED
     _clearing = False
@@ -98,7 +100,7 @@ class MeshObject(PlainState):
             obj.setEditorMode(name, 1)
         add_hidden(obj, "Certificate", (CERTIFICATE_DATA, CERTIFICATE_FACES, CERTIFICATE_PLACE, FINGERPRINT, STATUS_DATA))
         older = placement.ORIGIN[0] not in obj.PropertiesList
-        add_hidden(obj, "Mesh", (placement.FRAME, placement.ORIGIN, placement.ARRANGEMENT))
+        add_hidden(obj, "Mesh", (*self.HIDDEN, placement.FRAME, placement.ORIGIN, placement.ARRANGEMENT))
         if older:  # computed in the frame of its source, whatever container that is in
             obj.MeshOrigin = attribute_of(property_of(obj, "Placement"), "Base")
         obj.setEditorMode("Placement", 1)
@@ -261,11 +263,11 @@ def with_precomputed(taker, work, result):
 class OfOneSource(MeshObject):
     """Proxy of an object that is made of its Source alone.
 
-    A subclass has SOURCE, what the property says, NEEDS, what a source has, and the tables OPTIONS,
-    MEASURED and HIDDEN of its other properties.
+    A subclass has SOURCE, what the property says, NEEDS, what a source has, and the tables OPTIONS
+    and MEASURED of its other properties.
     """
 
-    OPTIONS = MEASURED = HIDDEN = ()
+    OPTIONS = MEASURED = ()
     LINKS = ("Source", "SourcePath")
 
     def sources(self, obj):
@@ -284,7 +286,6 @@ class OfOneSource(MeshObject):
                      "The path from the source to what is meshed, where only a link leads there: Part.Box.")
         add_options(obj, self.OPTIONS)
         add_measured(obj, self.MEASURED)
-        add_hidden(obj, "Mesh", self.HIDDEN)
         self.add_common_properties(obj)
 
 
@@ -309,8 +310,8 @@ class ShapeMesh(OfOneSource):
                     partial(cls.compute, shape, found))
 
 
-class PatchedMesh(OfOneSource):
-    """Proxy of an object whose mesh has patches, by the faces of its Source."""
+class PatchedMesh(MeshObject):
+    """Proxy of an object whose mesh has patches, by the faces of its sources."""
 
     def add_properties(self, obj):
         """As for all, and patches."""
@@ -319,8 +320,12 @@ class PatchedMesh(OfOneSource):
 
     def follow(self, obj):
         """Patches keep their faces."""
-        for sentence in patches.follow_source(obj, self.sources(obj)[0]):
+        for sentence in patches.follow_sources(obj, self.faces(obj)):
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(sentence)}\n")
+
+    def faces(self, obj):
+        """What its sources' faces are called, as source_faces has them."""
+        return FacesOfOne(self.sources(obj)[0])
 
     def has_faces(self, obj):
         """Whether its mesh knows faces of which patches can be made."""

@@ -28,7 +28,7 @@ PROMISES = (
 )
 
 
-class SolidMesh(mesh_object.SegmentedMesh):
+class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
     """Proxy of a Mesh::FeaturePython that holds a mesh made of a solid: of a shape, or of the space in a closed mesh. Of a
     shape its triangles are on the CAD faces from which they come, and in their patches.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Patches of document objects: named groups of the faces of their source, kept beside the mesh and written with it."""
+"""Patches of document objects: named groups of the faces of their sources, kept beside the mesh and written with it."""
 
 import json
 import re
@@ -7,14 +7,13 @@ import re
 from .. import phrases
 from ..compat import property_of
 from ..core import convert, frames
-from ..core.patches import division_for
 from ..errors import InvalidInput
 from . import face_matching
 from .properties import add_hidden, add_property
 
 PATCHES, REST, CHANGED = "Patches", "PatchRest", "PatchesChanged"
 _FACES = ("PatchFaces", "App::PropertyString",
-          "What the faces of the source were like when the patches were last right: their kinds, areas and centres")
+          "What the faces of the sources were like when the patches were last right: their kinds, areas and centres")
 _LINE = re.compile(r"(?P<name>[^:]*?)\s*(?P<colour>#[0-9a-fA-F]{6})?\s*:(?P<faces>[^:]*)")
 _FACE = re.compile(r"Face([1-9][0-9]{0,8})")
 
@@ -66,48 +65,69 @@ def patches_of_object(obj):
     return patches or None, rest
 
 
-def give_patches(obj, source, patches, patch_rest):
-    """Sets the properties; raises InvalidInput where they are not possible, and then changes nothing."""
-    division_for(source, patches, patch_rest)
+def give_patches(obj, faces, patches, patch_rest):
+    """Sets the properties, of an object whose sources have these faces; raises InvalidInput where they are not possible, and
+    then changes nothing.
+    """
+    faces.division(patches, patch_rest)
     lines = lines_of_patches(patches or {})
-    for name, held in zip(patches or {}, patches_of_lines(lines)):
-        if name != held:
+    held = patches_of_lines(lines)
+    for name, read in zip(patches or {}, held):
+        if name != read:
             raise InvalidInput(phrases.Text(phrases.PATCH_LIKE_COLOUR, value=repr(name)))
-    obj.Patches, obj.PatchRest, obj.PatchesChanged = lines, patch_rest or "", []
-    obj.PatchFaces = face_matching.described(convert.own_shape_of(source)) if lines else ""
+    for said in held.values():
+        said["faces"] = [faces.kept_name(face) for face in said["faces"]]
+    obj.Patches, obj.PatchRest, obj.PatchesChanged = lines_of_patches(held), patch_rest or "", []
+    obj.PatchFaces = _saved(_described(faces)) if lines else ""
 
 
-def follow_source(obj, source):
-    """Finds the faces of the patches again in a source that has changed; returns sentences about those that it does not
+def follow_sources(obj, faces):
+    """Finds the faces of the patches again in sources that have changed; returns sentences about those that it does not
     find.
     """
     if not obj.Patches:
         return []
     try:
-        patches, before = patches_of_lines(obj.Patches), json.loads(obj.PatchFaces or "[]")
+        patches, before = patches_of_lines(obj.Patches), _read(obj.PatchFaces)
     except (InvalidInput, ValueError) as error:  # edited by hand
         lost = [phrases.Text(phrases.PATCHES_NOT_FOLLOWED, text=phrases.text_of(error))]
         obj.PatchesChanged = lost
         return lost
-    described = face_matching.described(convert.own_shape_of(source))
-    now, lost = json.loads(described), []
-    if before and [face[0] for face in before] != [face[0] for face in now]:
-        places = face_matching.same_faces(before, now)
-        for name, said in patches.items():
-            said["faces"] = [_followed(face, name, places, lost) for face in said["faces"]]
-        obj.Patches = lines_of_patches(patches)
+    now, lost = _described(faces), []
+    for prefix in before:
+        old, new = before[prefix], now.get(prefix, [])
+        if [face[0] for face in old] != [face[0] for face in new]:
+            places = face_matching.same_faces(old, new) if new else {}
+            for name, said in patches.items():
+                said["faces"] = [_followed(face, prefix, name, places, lost) for face in said["faces"]]
+            obj.Patches = lines_of_patches(patches)
     obj.PatchesChanged = [*obj.PatchesChanged, *lost]  # until they are chosen anew
-    obj.PatchFaces = described
+    obj.PatchFaces = _saved(now)
     return lost
 
 
-def _followed(face, patch, places, lost):
-    """The present name of a face; what is below a container keeps its own."""
-    found = _FACE.fullmatch(face)
+def _described(faces):
+    """{prefix of a source: what its faces are like}, but for meshes."""
+    return {member.prefix: face_matching.described(convert.own_shape_of(member.source))
+            for member in faces.members if member.count is not None}
+
+
+def _saved(described):
+    return json.dumps(described.get("", described))
+
+
+def _read(text):
+    found = json.loads(text or "{}")
+    return found if isinstance(found, dict) else {"": found}
+
+
+def _followed(face, prefix, patch, places, lost):
+    """The present name of a face of a source; what is below a container keeps its own."""
+    found = _FACE.fullmatch(face[len(prefix):]) if face.startswith(prefix) else None
     if not found:
         return face
     index = places.get(int(found[1]) - 1)
     if index is None:
         lost.append(phrases.Text(phrases.PATCH_LOST, face=face, name=repr(patch)))
         return face
-    return f"Face{index + 1}"
+    return f"{prefix}Face{index + 1}"

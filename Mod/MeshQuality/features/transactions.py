@@ -86,25 +86,26 @@ def update(obj, progress=None, **values):
 
 
 def set_patches(obj, patches, patch_rest=None):
-    """Gives a mesh object named groups of the faces of its source; one undo step. The mesh stays as it is.
+    """Gives a mesh object named groups of the faces of its sources; one undo step. The mesh stays as it is.
 
     obj         of add_quality_mesh, add_curved_mesh, add_offset, add_hollow (triangles of the hollow are in the patch of the
-                face from which they are offset) or add_fem_mesh, which has them as groups of its triangles
+                face from which they are offset), add_wrap or add_fem_mesh, which has them as groups of its triangles
     patches     {"inlet": ["Face1", "Face4"], ...}, or {"inlet": {"faces": [...], "colour": "#ff0000"}}; of a
-                container also "Box.Face1"; None: no patches
+                container also "Box.Face1"; of a wrap "Box.Face1" by the name of the source, "Scan" of one that is a mesh,
+                and "gaps"; None: no patches
     patch_rest  name of the patch of all other faces; None: each is one by its own name
 
-    After an edit of the source the faces of patches are found again by kind, area and place; where that is not
+    After an edit of a source the faces of patches are found again by kind, area and place; where that is not
     possible the property PatchesChanged and a warning name them. Raises InvalidInput naming patch, face and remedy.
     """
     if isinstance(obj, FreeCAD.DocumentObject):
         obj = frames.linked_of(obj)[0]
     if not isinstance(getattr(obj, "Proxy", None), PatchedMesh) or not obj.Proxy.has_faces(obj):
         raise InvalidInput(f"{convert.label_of(obj)} has no patches: give an object of add_quality_mesh, add_curved_mesh, "
-                           "add_fem_mesh, add_offset or add_hollow whose source is a shape")
+                           "add_fem_mesh, add_offset or add_hollow whose source is a shape, or of add_wrap")
     obj.Proxy.require_patch_names([*(patches if isinstance(patches, dict) else ()), *filter(None, (patch_rest,))])
     with undo_step(obj.Document, f"Patches of {obj.Label}"):
-        give_patches(obj, obj.Proxy.sources(obj)[0], patches, patch_rest)
+        give_patches(obj, obj.Proxy.faces(obj), patches, patch_rest)
         obj.Proxy.show_patches(obj)
         obj.purgeTouched()
         for dependent in obj.InList:

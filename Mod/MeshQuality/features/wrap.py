@@ -3,9 +3,10 @@
 
 from .. import options, phrases, wrap_options
 from ..core import verdict
+from ..core.source_faces import FacesOfSeveral
 from ..core.wraps import Wrapped, run
 from ..errors import InvalidInput
-from . import boolean, properties
+from . import boolean, mesh_object, properties
 
 # Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
@@ -27,8 +28,10 @@ PROMISES = (
 )
 
 
-class WrapObject(boolean.MeshBoolean):
-    """Proxy of a Mesh::FeaturePython that holds the outer surface of its sources."""
+class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
+    """Proxy of a Mesh::FeaturePython that holds the outer surface of its sources. Its triangles are on the CAD faces on which
+    they lie, and in their patches.
+    """
 
     COMMAND, CALL = "MeshQuality_Wrap", "add_wrap"
     OPTIONS, MEASURED, PROMISES = wrap_options.WRAP_OBJECT, MEASURED, PROMISES
@@ -53,8 +56,17 @@ class WrapObject(boolean.MeshBoolean):
         mesh = run(wrapped, {**values, "threads": 0}, progress)
         return mesh, mesh.to_mesh(), verdict.of_boolean(mesh)
 
+    def faces(self, obj):
+        """Those of all sources."""
+        return FacesOfSeveral(self.sources(obj))
+
+    def holds_mesh(self, obj):
+        """Older versions did not keep the faces of the triangles."""
+        return super().holds_mesh(obj) and bool(obj.FaceRuns or not obj.Triangles)
+
     def show_origin(self, obj, mesh):
         """Fills those properties that say what the triangles lie on."""
+        obj.FaceRuns = mesh_object.runs_of_faces(mesh.triangle_face)
         obj.GapTriangles, obj.GapArea = mesh.gap_triangles, mesh.gap_area
         obj.DistanceToInput, obj.DistanceFromInput = mesh.distance_to_input, mesh.distance_from_input
 

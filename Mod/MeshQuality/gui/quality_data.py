@@ -13,7 +13,7 @@ from .. import phrases
 from ..compat import extension, property_of
 from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
-from ..core.patches import division_for, patches_of
+from ..core.patches import patches_of
 from ..core.surface_mesh import SurfaceMesh
 from ..core.thickness import thickness
 from ..errors import InvalidInput
@@ -173,12 +173,11 @@ class FaceRow:
 
 
 def _division_of(obj):
-    """The division into patches of an object; None where it has none, or none that its source still has."""
+    """The division into patches of an object; None where it has none, or none that its sources still have."""
+    if not isinstance(getattr(obj, "Proxy", None), mesh_object.PatchedMesh) or obj.Proxy.lacks_source(obj):
+        return None
     try:
-        patches, rest = patches_of_object(obj)
-        if patches is None and rest is None:
-            return None
-        return division_for(obj.Proxy.sources(obj)[0], patches, rest)
+        return obj.Proxy.faces(obj).division(*patches_of_object(obj))
     except InvalidInput:
         return None  # the command Patches says what is wrong
 

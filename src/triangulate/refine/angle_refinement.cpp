@@ -57,6 +57,9 @@ void AngleRefinement::push_touched() {
 
 // Triangles that have not changed since the last run are good, or known to be infeasible.
 void AngleRefinement::run() {
+    if (!(bound_ > 0.0)) {
+        return;
+    }
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         if (!looked_at_.marked(work_.mesh, t)) {
             touched_.push_back(t);

@@ -28,7 +28,7 @@ class AngleRefinement {
     AngleRefinement(Workspace& work, SegmentSplitter& segments, double min_angle_degrees, Insertion insertion,
                     double chord_height = 0.0);
 
-    void run();
+    void run();  ///< without a bound on angles it does nothing
 
   private:
     struct QueuedTriangle {

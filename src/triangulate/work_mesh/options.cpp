@@ -49,9 +49,9 @@ double TriangulateOptions::detail_of(const Box& box) const {
 }
 
 void TriangulateOptions::validate() const {
-    if (!(min_angle > 0.0 && min_angle <= 34.0)) {
+    if (!(min_angle >= 0.0 && min_angle <= 34.0)) {
         throw InvalidInput("min_angle is " + std::to_string(min_angle) +
-                           " degrees: it must be above 0 and at most 34; 25 to 30 is usual");
+                           " degrees: it must be at least 0, which is no bound, and at most 34; 25 to 30 is usual");
     }
     check_length("chord_height", chord_height);
     check_length("chord_height_relative", chord_height_relative);

@@ -36,7 +36,7 @@ enum class KeepEdges {
 };
 
 struct TriangulateOptions {
-    double min_angle = 25.0;             ///< degrees, 0 < a <= 34
+    double min_angle = 25.0;             ///< degrees, 0 <= a <= 34; 0: no bound
     double chord_height = 0.0;           ///< mm; 0: no bound
     double chord_height_relative = 0.0;  ///< fraction of the shape's largest dimension; 0: no bound
     double max_edge = 0.0;               ///< mm; 0: no bound

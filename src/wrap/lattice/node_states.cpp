@@ -6,7 +6,9 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/message.h"
 #include "base/parallel.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::wrap {
 
@@ -39,15 +41,14 @@ NodeStates::NodeStates(const Lattice& lattice, const InputSurface& surface, doub
 void NodeStates::find_blocks(const Progress& progress) {
     const double most = kMostBytes / sizeof(BlockStates);
     const auto refuse = [&] {
-        throw InvalidInput("wrapping with a lattice of " + std::to_string(lattice_.side()) +
-                           " mm would take more than 2 GB of memory: give a larger tolerance");
+        throw InvalidInput(Message::of(phrases::kWrapMemory, {{"length", in_digits(lattice_.side(), 4) + " mm"}}));
     };
     if (static_cast<double>(lattice_.block_count()) * sizeof(std::int32_t) > kMostBytes) {
         refuse();
     }
     if (!lattice_.has_keys()) {
-        throw InvalidInput("the largest side is more than " + std::to_string(Lattice::kMostAcross / 2) +
-                           " times the tolerance: give a larger tolerance");
+        throw InvalidInput(Message::of(phrases::kWrapAcross, {{"count", std::to_string(Lattice::kMostAcross / 2)},
+                                                              {"length", in_digits(lattice_.side(), 4) + " mm"}}));
     }
     slots_.assign(lattice_.block_count(), kFreeBlock);
     std::vector<std::array<std::int32_t, 3>> starts;

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel in which faces of a mesh's source are put into patches, by selecting them in the 3D view."""
+"""The panel in which faces of a mesh's sources are put into patches, by selecting them in the 3D view."""
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 from ...core import frames
-from ...core.patch_names import suggested_patches
+from ...core.patch_names import suggested_for
 from ...errors import Error
 from ...features.patches import patches_of_lines
 from ..panel_operation import is_there, name_of
@@ -31,7 +31,7 @@ class PatchesPanel:
 
     def __init__(self, obj):
         self.obj, self.said = obj, ""
-        self.source = obj.Proxy.sources(obj)[0]
+        self.members = obj.Proxy.faces(obj).members
         self._document = obj.Document.Name
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(title_of("MeshQuality_Patches", "Patches"))
@@ -48,7 +48,7 @@ class PatchesPanel:
         self.rest.setPlaceholderText(translate("MeshQuality", "each by its own name"))
         self._lay_out()
         self._show_object()
-        self._shown = _show_in_place(frames.object_of(self.source), obj)
+        self._shown = _show_in_place([frames.object_of(member.source) for member in self.members], obj)
         self.table.itemSelectionChanged.connect(self._select_faces)
 
     def _lay_out(self):
@@ -179,7 +179,7 @@ class PatchesPanel:
             return
         self._say("")
         try:
-            found = suggested_patches(self.source, by)
+            found = suggested_for(self.members, by)
         except Error as error:
             self._say(translated(error), error=True)
             return
@@ -224,24 +224,27 @@ class PatchesPanel:
 
     def _select_faces(self):
         """The faces of the marked patches are selected in the 3D view."""
-        if not is_there(self._document, frames.object_of(self.source)):
+        if not all(is_there(self._document, frames.object_of(member.source)) for member in self.members):
             return
         FreeCADGui.Selection.clearSelection()
         for row in self._marked():
             for face in self._faces(row):
-                if face.startswith("Face"):
-                    select_face(self.source, face)
+                for member in self.members:
+                    _select(member, face)
 
     def _picked(self):
         """The faces that are selected in the 3D view; without any says what to do."""
         self._say("")
-        label = frames.leaf_of(self.source).Label
+        label = ", ".join(frames.leaf_of(member.source).Label for member in self.members)
+        faces, others = [], None
         try:
-            names, others = picked(self.source)
+            for member in self.members:
+                own, beside = _picked_of(member)
+                faces += own
+                others = beside if others is None else [other for other in others if other in beside]
         except Error as error:
             self._say(translated(error), error=True)
             return []
-        faces = [name for name in names if name.rpartition(".")[2].startswith("Face")]
         if others:
             self._say(translate("MeshQuality", "Not added: {0} is not part of {1}.").format(", ".join(others), label))
         elif not faces:
@@ -253,11 +256,33 @@ class PatchesPanel:
         self.message.say(text, error)
 
 
-def _show_in_place(source, mesh):
-    """Shows the source, whose faces are to be selected, in place of its mesh; returns [(view, visible before), ...]."""
-    views = source.ViewObject, mesh.ViewObject
+def _picked_of(member):
+    """(names of the faces of a source that are selected, labels of objects with others); a mesh is selected as a whole."""
+    if member.count is None:
+        wanted = frames.path_from_root(member.source)
+        # A click on a mesh names its "Main", the tree nothing.
+        chosen = [(selected.Object, path[:path.rfind(".") + 1]) for selected in FreeCADGui.Selection.getSelectionEx("", 0)
+                  for path in selected.SubElementNames or ("",)]
+        return [member.prefix[:-1]] if wanted in chosen else [], picked(member.source)[1]
+    names, others = picked(member.source)
+    return [f"{member.prefix}{name}" for name in names if name.rpartition(".")[2].startswith("Face")], others
+
+
+def _select(member, face):
+    """Selects a face in the 3D view where it is one of this source, by the number that it has there."""
+    if member.count is None:
+        if face == member.prefix[:-1]:
+            FreeCADGui.Selection.addSelection(*frames.path_from_root(member.source))
+    elif face.startswith(member.prefix) and face[len(member.prefix):].startswith("Face"):
+        select_face(member.source, face[len(member.prefix):])
+
+
+def _show_in_place(sources, mesh):
+    """Shows the sources, whose faces are to be selected, in place of their mesh; returns [(view, visible before), ...]."""
+    views = [*(source.ViewObject for source in sources), mesh.ViewObject]
     before = [(view, view.Visibility) for view in views]
-    views[0].Visibility, views[1].Visibility = True, False
+    for view in views:
+        view.Visibility = view is not views[-1]
     return before
 
 

@@ -26,12 +26,12 @@ TEST(TriangulateOptions, DefaultsAreValid) {
 }
 
 TEST(TriangulateOptions, MinAngleHasARange) {
-    for (const double angle : {0.0, -1.0, 34.1, 60.0, kNan, kInfinity}) {
+    for (const double angle : {-1.0, 34.1, 60.0, kNan, kInfinity}) {
         TriangulateOptions options;
         options.min_angle = angle;
         expect_refused(options, "min_angle");
     }
-    for (const double angle : {0.1, 34.0}) {
+    for (const double angle : {0.0, 0.1, 34.0}) {
         TriangulateOptions options;
         options.min_angle = angle;
         EXPECT_NO_THROW(options.validate());
@@ -68,8 +68,23 @@ TEST(TriangulateOptions, ContradictionsNameBothSides) {
     expect_refused(edges, "max_edge");
 }
 
+TEST(TriangulateOptions, WithoutABoundOnAnglesTheDistanceAloneDecides) {
+    for (const geometry::Part& part : geometry::analytic_parts()) {
+        SCOPED_TRACE(part.name);
+        TriangulateOptions options;
+        options.chord_height_relative = 1e-3;
+        const auto with_angles = static_cast<double>(mesh_of(part.model, options).mesh.triangles.size());
+        options.min_angle = 0.0;
+        const Result result = mesh_of(part.model, options);
+        expect_sound(result, part.euler, part.closed);
+        EXPECT_LE(result.report.max_chord_height, result.report.chord_height_asked);
+        EXPECT_TRUE(result.report.exempt.empty());
+        EXPECT_LE(static_cast<double>(result.mesh.triangles.size()), 1.05 * with_angles);  // round ones need no fewer
+    }
+}
+
 TEST(TriangulateOptions, TheExtremesOfMinAngleWork) {
-    for (const double angle : {0.1, 34.0}) {
+    for (const double angle : {0.0, 0.1, 34.0}) {
         for (const geometry::Part& part : geometry::analytic_parts()) {
             SCOPED_TRACE(part.name);
             TriangulateOptions options;
