@@ -172,7 +172,7 @@ void FaceProjector::find(const Octree& tree, const std::vector<std::int32_t>& ve
 
 /// Projects the vertices on each of their faces.
 void FaceProjector::ask(const std::vector<MovedVertex*>& active) {
-    for (std::int32_t operand = 0; operand < 2; ++operand) {
+    for (std::int32_t operand = 0; operand < static_cast<std::int32_t>(sessions_.size()); ++operand) {
         geometry::Engine::Batch batch;
         std::vector<std::pair<MovedVertex*, FaceConstraint*>> asked;
         for (MovedVertex* moved : active) {
