@@ -219,8 +219,7 @@ std::optional<Vec2> FaceSampler::NewtonSolver::parameters_of(const Vec3& vertex)
 /// The parameters of the triangle's corners on its face, on one turn of a closed surface.
 std::optional<std::array<Vec2, 3>> FaceSampler::NewtonSolver::find_corners() {
     std::array<Vec2, 3> result;
-    const std::array<double, 2>& period =
-        sampler_.session_.topology().faces[static_cast<std::size_t>(face_)].period;
+    const std::array<double, 2>& period = sampler_.session_.topology().faces[static_cast<std::size_t>(face_)].period;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::int32_t vertex = sampler_.pair_.triangles[triangle_][i];
         if (parameters_.count(vertex) == 0) {
@@ -420,13 +419,13 @@ void FaceSampler::run(FaceSampleCounts& counts) {
     read_surfaces();
     start_normals();
     std::size_t on_mesh = sample_count() - solve_all();
-    std::array<std::size_t, 3> passed{};
-    parallel_for(3, [&](int axis) { passed[axis] = restore_order(set_[axis]); });
+    for (LayeredDepthImage& image : set_) {
+        counts.passed += restore_order(image);
+    }
     const std::vector<SampleRef> inserted = make_consistent(set_, grid_, counts.nodes, progress_);
     on_mesh += inserted.size() - solve_inserted(inserted);
     counts.on_mesh += on_mesh;
     counts.on_faces += sample_count() - std::min(on_mesh, sample_count());
-    counts.passed += passed[0] + passed[1] + passed[2];
 }
 
 }  // namespace
