@@ -45,7 +45,6 @@ class AnalyticModel final : public Model {
     void finish(const Vec3& low, const Vec3& high);
 
     Answer answer(const Query& query) noexcept override;
-    Answerer* answerer(int /*thread*/) override { return this; }  // nothing changes by an answer
     std::optional<Surface> elementary_surface(int i) override { return surfaces_[static_cast<std::size_t>(i)]; }
     void add_definition(Entity entity, Fingerprint& key) override;
     void add_definition_of_use(int use, Fingerprint& key) override;

@@ -16,7 +16,7 @@ namespace {
 
 /// Samples of the result on consecutive rays.
 struct Piece {
-    std::vector<std::uint32_t> counts;  // of the samples of each ray
+    std::vector<std::uint32_t> counts;  // how many samples each ray has
     std::vector<double> depth;
     std::vector<std::int32_t> source;
     std::vector<SampleNormal> normal;  // empty where samples have none

@@ -100,7 +100,7 @@ class FaceSampler::NewtonSolver {
 
     FaceSampler& sampler_;
     geometry::Answerer& answerer_;
-    std::int32_t face_ = -1, triangle_ = -1;             // of the last sample
+    std::int32_t face_ = -1, triangle_ = -1;             // those at the last sample
     std::unordered_map<std::int32_t, Vec2> parameters_;  // those of the face's vertices
     std::optional<std::array<Vec2, 3>> corners_;
 };
@@ -277,7 +277,7 @@ std::vector<std::int32_t> FaceSampler::order_of_triangles(int operand) const {
     const auto has_formula = [&](std::int32_t t) {
         return pair_.face[t] < 0 || surfaces_[static_cast<std::size_t>(pair_.face[t])].has_value();
     };
-    std::vector<std::uint32_t> begin(pair_.points.size() + 1, 0);  // of the triangles at each point
+    std::vector<std::uint32_t> begin(pair_.points.size() + 1, 0);  // where those at each point begin
     std::vector<std::int32_t> at;
     for (std::int32_t t = first; t < end; ++t) {
         for (const std::int32_t p : pair_.triangles[t]) {
