@@ -368,12 +368,14 @@ std::size_t FaceSampler::solve_by_newton(const std::vector<std::vector<SampleRef
         session_.run_parallel(std::min(kChunksPerWork, chunks - from), [&](geometry::Answerer& answerer, int k) {
             const auto chunk = static_cast<std::size_t>(from + k);
             NewtonSolver solver(*this, answerer);
+            std::size_t count = 0;
             for (std::size_t i = begin[chunk]; i < begin[chunk + 1]; ++i) {
                 if (i % kBetweenChecks == 0) {
                     check_cancelled(progress_);
                 }
-                solved[chunk] += solver.solve(refs[i], inserted) ? 1 : 0;
+                count += solver.solve(refs[i], inserted) ? 1 : 0;
             }
+            solved[chunk] = count;
         });
     }
     return std::accumulate(solved.begin(), solved.end(), std::size_t{0});
@@ -388,12 +390,16 @@ std::size_t FaceSampler::solve_all() {
         const auto row = static_cast<std::size_t>(k);
         const int axis = k / rays;
         const LayeredDepthImage& image = set_[axis];
+        std::size_t count = 0;  // and the list: each thread has its own while it works
+        std::vector<SampleRef> left;
         for (int u = 0; u < rays; ++u) {
             const auto ray = static_cast<std::uint32_t>(k % rays * rays + u);
             for (std::uint32_t i = image.begin[ray]; i < image.begin[ray + 1]; ++i) {
-                solved[row] += solve_or_leave({axis, ray, i}, false, others[row]) ? 1 : 0;
+                count += solve_or_leave({axis, ray, i}, false, left) ? 1 : 0;
             }
         }
+        solved[row] = count;
+        others[row] = std::move(left);
     });
     return std::accumulate(solved.begin(), solved.end(), solve_by_newton(others, false));
 }
