@@ -127,9 +127,14 @@ class NativeRays(unittest.TestCase):
         self.assertAlmostEqual(report.volume / (40 * np.pi), 1.0, delta=0.01)
 
     def test_the_same_for_any_number_of_threads(self):
-        one, three = (uniform(self.ball, self.block, "union", resolution=65, threads=n) for n in (1, 3))
-        self.assertEqual(one.vertices.tobytes(), three.vertices.tobytes())
-        self.assertEqual(one.triangles.tobytes(), three.triangles.tobytes())
+        section = Part.Wire([Part.makeCircle(1.7, Vector(8.0, 0.0, 0.0), Vector(0.0, 1.0, 0.12))])
+        tube = Part.Wire(Part.makeHelix(6.0, 12.0, 8.0)).makePipeShell([section], True, True)  # of spline faces
+        for shape in (self.ball, tube):
+            one, *others = (uniform(shape, self.block, "union", resolution=129, threads=n) for n in (1, 2, 3))
+            self.assertGreater(one.report.fitted_vertices, 100)
+            for other in others:
+                self.assertEqual(one.vertices.tobytes(), other.vertices.tobytes())
+                self.assertEqual(one.triangles.tobytes(), other.triangles.tobytes())
 
     def test_tolerance_and_stages(self):
         stages = []
