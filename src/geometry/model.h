@@ -12,18 +12,26 @@ namespace mq::geometry {
 
 struct ElementarySurface;
 
+/// Answers queries in one thread at a time.
+class Answerer {
+  public:
+    virtual ~Answerer() = default;
+    /// Never throws: failures are in the answer's status.
+    virtual Answer answer(const Query& query) noexcept = 0;
+};
+
 /// A CAD model behind a modeler-neutral interface: the role that CAPRI has in Aftosmis 1999, section 2.
 ///
 /// A model belongs to the thread of the engine that answers for it: only that thread calls `answer` and
 /// `add_definition`. The topology and the place are plain data, fixed once the model is built, and may be read from
 /// anywhere.
-class Model {
+class Model : public Answerer {
   public:
-    virtual ~Model() = default;
-
     const Topology& topology() const { return topology_; }
-    /// Never throws: failures are in the answer's status.
-    virtual Answer answer(const Query& query) noexcept = 0;
+    /// What answers in one of several threads that work while the engine's thread waits for them; 0 is the model
+    /// itself. All give the same answers. Made at the first call, on the engine's thread; null where there is no
+    /// further one.
+    virtual Answerer* answerer(int thread) { return thread == 0 ? this : nullptr; }
 
     /// The surface of a face by formula, in the frame of the answers; empty where it has none. Plain data, which any
     /// thread may evaluate.

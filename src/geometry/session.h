@@ -2,10 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <memory>
 #include <utility>
+#include <vector>
 
+#include "base/parallel.h"
 #include "base/progress.h"
 #include "geometry/engine.h"
 
@@ -50,6 +53,28 @@ class Session {
     void run(const Work& work) {
         check();
         engine_.run([&] { work(*model_); }, progress_);
+    }
+
+    /// Calls `work(answerer, k)` for k = 0 .. count - 1, in no particular order, on as many threads as the caller may
+    /// use, while the engine's thread waits for them. What a call gives must not depend on the calls before it.
+    /// @throws as parallel_for
+    template <typename Work>
+    void run_parallel(int count, const Work& work) {
+        const int most = std::min(count, thread_count());
+        run([&](Model& model) {
+            std::vector<Answerer*> answerers;
+            for (Answerer* more = model.answerer(0); more != nullptr && static_cast<int>(answerers.size()) < most;
+                 more = model.answerer(static_cast<int>(answerers.size()))) {
+                answerers.push_back(more);
+            }
+            std::atomic<int> next{0};
+            const ThreadLimit limit(static_cast<int>(answerers.size()));
+            parallel_for(static_cast<int>(answerers.size()), [&](int thread) {
+                for (int k = next++; k < count; k = next++) {
+                    work(*answerers[static_cast<std::size_t>(thread)], k);
+                }
+            });
+        });
     }
 
     /// @throws Cancelled

@@ -24,6 +24,13 @@ def reconstructed(result):
     return result.vertices[vertices] + result.origin
 
 
+def mean_error(result, exact):
+    """The larger mean distance of both ways, mm."""
+    surfaces = result._surface, exact._surface
+    there, back = (extension().surface_distance(*pair)[0] for pair in (surfaces, surfaces[::-1]))
+    return max(there, back)
+
+
 def uniform(a, b, operation, **options):
     return mq.boolean(a, b, operation, method="uniform", **options)
 
@@ -73,6 +80,36 @@ class NativeRays(unittest.TestCase):
         distances = extension().distances_to_faces(exact, reconstructed(far), None)
         self.assertLess(np.quantile(distances, 0.9), 1e-3)
 
+    def test_vertices_lie_on_the_faces_of_all_operands(self):
+        ring = Part.makeTorus(11.0, 2.6)
+        bars = [Part.makeBox(31.0, 2.1, 1.9, Vector(-15.3, y, -0.9)) for y in (-6.1, -0.8, 4.7)]
+        exact = ring
+        for bar in bars:
+            exact = exact.fuse(bar)
+        result = mq.boolean([ring, *bars], operation="union", method="uniform", resolution=129)
+        self.assertTrue(result.report.closed)
+        self.assertLess(result.report.unfitted_vertices, 0.1 * result.report.fitted_vertices)
+        distances = extension().distances_to_faces(exact, reconstructed(result), None)
+        self.assertLess(np.quantile(distances, 0.9), 1e-5)
+
+    def test_errors_are_below_those_of_meshes(self):
+        ring, bar = Part.makeTorus(11.0, 2.6), Part.makeBox(31.0, 2.1, 1.9, Vector(-15.3, -0.8, -0.9))
+        cube = Part.makeBox(17.1, 16.3, 15.9, Vector(-8.4, -8.1, -7.9))
+        pairs = ((cube, Part.makeSphere(10.3), "intersection"), (ring, bar, "difference"))
+        for a, b, operation in pairs:
+            exact = {"intersection": a.common, "difference": a.cut}[operation](b)
+            fine = mq.triangulate(exact, chord_height=1e-5 * exact.BoundBox.DiagonalLength)
+            for rays in (65, 129):
+                by_faces = uniform(a, b, operation, resolution=rays)
+                cell = by_faces.report.tolerance_asked / 3**0.5
+                default = uniform(mq.triangulate(a), mq.triangulate(b), operation, resolution=rays)
+                coarse = [mq.triangulate(shape, chord_height=cell / 2) for shape in (a, b)]
+                by_meshes = uniform(*coarse, operation, resolution=rays)
+                with self.subTest(operation=operation, rays=rays):
+                    self.assertLess(mean_error(by_faces, fine), 0.06 * cell)
+                    self.assertLess(mean_error(by_faces, fine), mean_error(default, fine))
+                    self.assertLess(3 * mean_error(by_faces, fine), mean_error(by_meshes, fine))
+
     def test_a_shape_and_a_mesh(self):
         block = mq.triangulate(self.block, chord_height=0.01)
         report = uniform(self.ball, block, "difference", resolution=65).report
@@ -90,9 +127,14 @@ class NativeRays(unittest.TestCase):
         self.assertAlmostEqual(report.volume / (40 * np.pi), 1.0, delta=0.01)
 
     def test_the_same_for_any_number_of_threads(self):
-        one, three = (uniform(self.ball, self.block, "union", resolution=65, threads=n) for n in (1, 3))
-        self.assertEqual(one.vertices.tobytes(), three.vertices.tobytes())
-        self.assertEqual(one.triangles.tobytes(), three.triangles.tobytes())
+        section = Part.Wire([Part.makeCircle(1.7, Vector(8.0, 0.0, 0.0), Vector(0.0, 1.0, 0.12))])
+        tube = Part.Wire(Part.makeHelix(6.0, 12.0, 8.0)).makePipeShell([section], True, True)  # of spline faces
+        for shape in (self.ball, tube):
+            one, *others = (uniform(shape, self.block, "union", resolution=129, threads=n) for n in (1, 2, 3))
+            self.assertGreater(one.report.fitted_vertices, 100)
+            for other in others:
+                self.assertEqual(one.vertices.tobytes(), other.vertices.tobytes())
+                self.assertEqual(one.triangles.tobytes(), other.triangles.tobytes())
 
     def test_tolerance_and_stages(self):
         stages = []

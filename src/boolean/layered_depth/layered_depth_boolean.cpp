@@ -6,6 +6,7 @@
 #include <cmath>
 #include <deque>
 #include <functional>
+#include <numeric>
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -68,11 +69,13 @@ Box working_box(const std::vector<UniformOperand>& operands, const Expression& e
                                 });
 }
 
-/// The largest memory of a sample, in bytes: sampling one operand, sorted samples of both, and those of the result.
-constexpr double kBytesPerSample = 40.0;
-/// The same with a normal for each: 24 bytes of an operand, 24 while rays are merged and 24 of the result.
-constexpr double kBytesPerFaceSample = 72.0;
-/// The memory of a ray, in bytes: offsets into the samples of three directions, for each operand and for the result.
+/// The memory of a sample of meshes, in bytes: 12 in the result, 4 for the octree's copies of a layer.
+constexpr double kBytesPerSample = 16.0;
+/// The largest memory of a sample where rays must agree before they are combined: 24 bytes, and 16 more for copies of
+/// one direction while its rays are put in order.
+constexpr double kBytesPerFaceSample = 40.0;
+/// The memory of a ray, in bytes: offsets into the samples of three directions, for the result, and for each operand
+/// whose rays must agree.
 constexpr double kBytesPerRay = 3.0 * sizeof(std::uint32_t);
 /// The most memory for samples, in bytes: 2 GB.
 constexpr double kMostBytes = 2.0 * (1 << 30);
@@ -99,7 +102,7 @@ double count_samples_about(const OperandSet& pair, const SampleGrid& grid) {
 double bytes_about(const OperandSet& pair, const SampleGrid& grid, bool with_normals) {
     const double rays = grid.rays();
     return (with_normals ? kBytesPerFaceSample : kBytesPerSample) * count_samples_about(pair, grid) +
-           kBytesPerRay * (pair.size() + 1) * rays * rays;
+           kBytesPerRay * (with_normals ? pair.size() + 1 : 1) * rays * rays;
 }
 
 /// @throws InvalidInput naming the largest resolution within the memory
@@ -172,11 +175,16 @@ class LayeredDepthBoolean {
     void stage(const char* name, double from, double to, const std::function<void()>& work);
     void add_shape(CadShape shape, const UniformOperand& operand);
     void name_faces();
+    void sample_result();
     void sample();
     void count();
     void sample_cad();
     void sample_open();
+    CombineOptions combine_options() const;
+    void combine_closed_meshes();
     void combine_samples();
+    void count_combined();
+    void cluster_triangles();
     void contour_cells();
     void project();
     void make_manifold();
@@ -273,13 +281,27 @@ void LayeredDepthBoolean::count() {
     }
 }
 
-void LayeredDepthBoolean::combine_samples() {
+CombineOptions LayeredDepthBoolean::combine_options() const {
     CombineOptions options;
     options.expression = expression_;
     options.thinnest = options_.thinnest * grid_.cells();
     options.normal_index = options_.normal_index;
-    combined_ = combine(pair_, operands_, grid_, options, progress_);
-    operands_.clear();
+    return options;
+}
+
+/// Samples and combines in one, where all operands are closed meshes.
+void LayeredDepthBoolean::combine_closed_meshes() {
+    SampleCounts counts(pair_.triangles.size());
+    combined_ = combine_meshes(pair_, grid_, combine_options(), counts, progress_);
+    sample_count_.assign(counts.begin(), counts.end());
+    result_.samples = std::accumulate(sample_count_.begin(), sample_count_.end(), std::size_t{0});
+}
+
+void LayeredDepthBoolean::combine_samples() {
+    combined_ = combine(pair_, std::move(operands_), grid_, combine_options(), progress_);
+}
+
+void LayeredDepthBoolean::count_combined() {
     for (const CombinedDepth& direction : combined_) {
         result_.result_samples += direction.depth.size();
         result_.guessed_samples += static_cast<std::size_t>(
@@ -423,25 +445,40 @@ void LayeredDepthBoolean::assemble() {
     result_.error_bound += moved;
 }
 
-UniformResult LayeredDepthBoolean::run() {
-    stage("sampling", 0.0, has_shapes_ || open_ ? 0.1 : 0.3, [&] { sample(); });
+void LayeredDepthBoolean::cluster_triangles() {
+    const std::vector<std::uint8_t> beyond = triangles_beyond(pair_, grid_);
+    region_ = cluster(pair_, sample_count_, beyond);
+    for (std::size_t t = 0; t < region_.size(); ++t) {
+        const bool gap = pair_.is_gap(static_cast<std::int32_t>(t));
+        result_.unsampled_triangles += region_[t] < 0 && beyond[t] == 0 && !gap ? 1 : 0;
+    }
+}
+
+/// The samples of the result; those of the operands stay in memory no longer than they are needed.
+void LayeredDepthBoolean::sample_result() {
+    if (!has_shapes_ && !open_) {
+        stage("sampling", 0.0, 0.45, [&] { combine_closed_meshes(); });
+        stage("clustering", 0.45, 0.5, [&] { cluster_triangles(); });
+        return;
+    }
+    stage("sampling", 0.0, 0.1, [&] { sample(); });
     if (has_shapes_) {
         stage("sampling CAD faces", 0.1, open_ ? 0.2 : 0.3, [&] { sample_cad(); });
     }
     count();
     stage("clustering", 0.3, 0.35, [&] {
         sample_count_ = count_samples(pair_, operands_);
-        const std::vector<std::uint8_t> beyond = triangles_beyond(pair_, grid_);
-        region_ = cluster(pair_, sample_count_, beyond);
-        for (std::size_t t = 0; t < region_.size(); ++t) {
-            const bool gap = pair_.is_gap(static_cast<std::int32_t>(t));
-            result_.unsampled_triangles += region_[t] < 0 && beyond[t] == 0 && !gap ? 1 : 0;
-        }
+        cluster_triangles();
     });
     if (open_) {  // after the samples of triangles were counted: where some do not stay, the triangle does not
         stage("winding numbers", 0.35, 0.4, [&] { sample_open(); });
     }
     stage("Boolean of samples", open_ ? 0.4 : 0.35, 0.5, [&] { combine_samples(); });
+}
+
+UniformResult LayeredDepthBoolean::run() {
+    sample_result();
+    count_combined();
     stage("membership", 0.5, 0.6, [&] {
         fate_ = classify(pair_, sample_count_, region_, combined_);
         surface_ = retained_surface(pair_, fate_);

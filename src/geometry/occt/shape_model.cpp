@@ -55,31 +55,63 @@ Box box_of(const TopoDS_Shape& shape) {
     return box;
 }
 
-class ShapeModel final : public Model {
+/// The evaluators of a shape's entities, each made when it is first asked for. Several objects may answer for one shape
+/// at a time: what they share is only read.
+class ShapeAnswerer final : public Answerer {
   public:
-    ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join, const Progress* progress);
+    ShapeAnswerer(const ShapeMap& live, const Topology& topology) : live_(live), topology_(topology) {}
     Answer answer(const Query& query) noexcept override;
-    std::optional<ElementarySurface> elementary_surface(int index) override { return face(index).elementary(); }
-    void add_definition(Entity entity, Fingerprint& key) override;
-    void add_definition_of_use(int use, Fingerprint& key) override;
+    FaceEvaluator& face(int index);
+    /// Drops the evaluators of entities that have changed.
+    void forget_face(int index) {
+        if (index < static_cast<int>(faces_.size())) {
+            faces_[static_cast<std::size_t>(index)].reset();
+        }
+    }
 
   private:
-    void read_topology(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join,
-                       std::vector<std::string>& failures, const Progress* progress);
     Answer dispatch(const Query& query);
     Answer on_edge(const Query& query);
     Answer on_face(const Query& query);
     Answer use_on_face(int index, double t);
     Answer volume_contains(int index, const Vec3& point);
     EdgeEvaluator& edge(int index);
-    FaceEvaluator& face(int index);
 
-    ShapeMap live_;
-    GeometryFingerprint definitions_;
+    const ShapeMap& live_;
+    const Topology& topology_;
     std::vector<std::unique_ptr<EdgeEvaluator>> edges_;
     std::vector<std::unique_ptr<FaceEvaluator>> faces_;
     std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers_;
 };
+
+class ShapeModel final : public Model {
+  public:
+    ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join, const Progress* progress);
+    Answer answer(const Query& query) noexcept override { return first_.answer(query); }
+    Answerer* answerer(int thread) override;
+    std::optional<ElementarySurface> elementary_surface(int index) override { return first_.face(index).elementary(); }
+    void add_definition(Entity entity, Fingerprint& key) override;
+    void add_definition_of_use(int use, Fingerprint& key) override;
+
+  private:
+    void read_topology(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join,
+                       std::vector<std::string>& failures, const Progress* progress);
+
+    ShapeMap live_;
+    GeometryFingerprint definitions_;
+    ShapeAnswerer first_{live_, topology_};
+    std::vector<std::unique_ptr<ShapeAnswerer>> further_;
+};
+
+/// The item of a list at an index, which the list is made to reach.
+template <typename Item>
+Item& reached(std::vector<Item>& list, int index) {
+    const auto i = static_cast<std::size_t>(index);
+    if (list.size() <= i) {
+        list.resize(i + 1);
+    }
+    return list[i];
+}
 
 ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join,
                        const Progress* progress)
@@ -110,10 +142,7 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     }
     topology_.imprinted = join.imprint;
     check_cancelled(progress);
-    edges_.resize(live_.edges.size());
-    faces_.resize(live_.faces.size());
-    classifiers_.resize(live_.volumes.size());
-    const auto evaluator = [this](int index) -> FaceEvaluator& { return face(index); };
+    const auto evaluator = [this](int index) -> FaceEvaluator& { return first_.face(index); };
     {
         const OpenCascadeWait wait(progress, "measuring the size");
         topology_.box = bounding_box(shape, live_, topology_, evaluator, progress);
@@ -127,11 +156,21 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     topology_.sewn = join.sew && topology_.detail > 0.0;
     if (topology_.sewn) {
         for (const int turned : join_loose_faces(topology_, live_, progress)) {
-            faces_[static_cast<std::size_t>(turned)].reset();  // it measured the size, and knows the side of before
+            first_.forget_face(turned);  // it measured the size, and knows the side of before
         }
-        edges_.resize(live_.edges.size());
     }
     check_cancelled(progress);
+}
+
+Answerer* ShapeModel::answerer(int thread) {
+    if (thread == 0) {
+        return this;
+    }
+    std::unique_ptr<ShapeAnswerer>& further = reached(further_, thread - 1);
+    if (!further) {
+        further = std::make_unique<ShapeAnswerer>(live_, topology_);
+    }
+    return further.get();
 }
 
 void ShapeModel::add_definition(Entity entity, Fingerprint& key) {
@@ -149,23 +188,25 @@ void ShapeModel::add_definition_of_use(int use, Fingerprint& key) {
     definitions_.add_use(live_.uses[static_cast<std::size_t>(use)], key);
 }
 
-EdgeEvaluator& ShapeModel::edge(int index) {
+EdgeEvaluator& ShapeAnswerer::edge(int index) {
     const auto i = static_cast<std::size_t>(index);
-    if (!edges_[i]) {
-        edges_[i] = std::make_unique<EdgeEvaluator>(live_.edges[i], topology_.edges[i]);
+    std::unique_ptr<EdgeEvaluator>& evaluator = reached(edges_, index);
+    if (!evaluator) {
+        evaluator = std::make_unique<EdgeEvaluator>(live_.edges[i], topology_.edges[i]);
     }
-    return *edges_[i];
+    return *evaluator;
 }
 
-FaceEvaluator& ShapeModel::face(int index) {
+FaceEvaluator& ShapeAnswerer::face(int index) {
     const auto i = static_cast<std::size_t>(index);
-    if (!faces_[i]) {
-        faces_[i] = std::make_unique<FaceEvaluator>(live_.faces[i], topology_.faces[i]);
+    std::unique_ptr<FaceEvaluator>& evaluator = reached(faces_, index);
+    if (!evaluator) {
+        evaluator = std::make_unique<FaceEvaluator>(live_.faces[i], topology_.faces[i]);
     }
-    return *faces_[i];
+    return *evaluator;
 }
 
-Answer ShapeModel::answer(const Query& query) noexcept {
+Answer ShapeAnswerer::answer(const Query& query) noexcept {
     try {
         return finite(query) && query.index >= 0 ? dispatch(query) : refused(Status::BadQuery);
     } catch (const Standard_Failure&) {
@@ -175,7 +216,7 @@ Answer ShapeModel::answer(const Query& query) noexcept {
     }
 }
 
-Answer ShapeModel::dispatch(const Query& query) {
+Answer ShapeAnswerer::dispatch(const Query& query) {
     using Kind = Query::Kind;
     switch (query.kind) {
         case Kind::EdgePoint:
@@ -193,7 +234,7 @@ Answer ShapeModel::dispatch(const Query& query) {
     }
 }
 
-Answer ShapeModel::on_edge(const Query& query) {
+Answer ShapeAnswerer::on_edge(const Query& query) {
     if (query.index >= static_cast<int>(live_.edges.size()) ||
         topology_.edges[static_cast<std::size_t>(query.index)].degenerate) {
         return refused(Status::BadQuery);
@@ -213,7 +254,7 @@ Answer ShapeModel::on_edge(const Query& query) {
     }
 }
 
-Answer ShapeModel::on_face(const Query& query) {
+Answer ShapeAnswerer::on_face(const Query& query) {
     if (query.index >= static_cast<int>(live_.faces.size())) {
         return refused(Status::BadQuery);
     }
@@ -236,7 +277,7 @@ Answer ShapeModel::on_face(const Query& query) {
     }
 }
 
-Answer ShapeModel::use_on_face(int index, double t) {
+Answer ShapeAnswerer::use_on_face(int index, double t) {
     if (index >= static_cast<int>(topology_.uses.size())) {
         return refused(Status::BadQuery);
     }
@@ -277,7 +318,7 @@ Answer ShapeModel::use_on_face(int index, double t) {
     return answer;
 }
 
-Answer ShapeModel::volume_contains(int index, const Vec3& point) {
+Answer ShapeAnswerer::volume_contains(int index, const Vec3& point) {
     if (index >= static_cast<int>(live_.volumes.size()) ||
         topology_.volumes[static_cast<std::size_t>(index)].kind == Volume::Kind::Faces) {
         return refused(Status::BadQuery);
@@ -286,13 +327,14 @@ Answer ShapeModel::volume_contains(int index, const Vec3& point) {
     // The query is answered in the shape's own coordinates: OpenCASCADE's classifier fails in mirrored and scaled
     // locations.
     const TopLoc_Location& location = live_.volumes[i].Location();
-    if (!classifiers_[i]) {
-        classifiers_[i] = std::make_unique<BRepClass3d_SolidClassifier>(live_.volumes[i].Located(TopLoc_Location()));
+    std::unique_ptr<BRepClass3d_SolidClassifier>& classifier = reached(classifiers_, index);
+    if (!classifier) {
+        classifier = std::make_unique<BRepClass3d_SolidClassifier>(live_.volumes[i].Located(TopLoc_Location()));
     }
     // Distance from the boundary that counts as zero, mm: OpenCASCADE's default tolerance.
     constexpr double kOn = 1e-7;
-    classifiers_[i]->Perform(to_pnt(point).Transformed(location.Transformation().Inverted()), kOn);
-    const TopAbs_State state = classifiers_[i]->State();
+    classifier->Perform(to_pnt(point).Transformed(location.Transformation().Inverted()), kOn);
+    const TopAbs_State state = classifier->State();
     Answer answer = refused(state == TopAbs_UNKNOWN ? Status::NotFound : Status::Ok);
     answer.side = state == TopAbs_IN ? 1 : (state == TopAbs_ON ? 0 : -1);
     answer.point = point;

@@ -3,12 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "base/parallel.h"
 #include "boolean/layered_depth/reconstruction/border_stitching.h"
 
 namespace mq::boolean {
 
 namespace {
+
+/// Rows of rays whose faces one thread finds at a time.
+constexpr int kRowsAtATime = 32;
+
+/// A face around an edge of the octree: the sheets of the leaves around it, in the order of its corners.
+struct SheetFace {
+    std::array<std::int32_t, 4> sheets;
+    std::int32_t source;
+};
 
 class Contourer {
   public:
@@ -26,8 +37,9 @@ class Contourer {
 
   private:
     void note_border();
-    void contour_axis(int axis, const Progress* progress);
-    void make_face(int axis, std::size_t ray, std::uint32_t sample);
+    std::vector<SheetFace> find_faces(int axis, int first_row, const Progress* progress) const;
+    std::optional<SheetFace> find_face(int axis, std::size_t ray, std::uint32_t sample) const;
+    void make_face(const SheetFace& face);
     bool reconstructed(const CombinedDepth& direction, std::uint32_t i) const {
         return fate_[CombinedDepth::triangle(direction.source[i])] == Retention::Removed;
     }
@@ -118,7 +130,8 @@ void Contourer::add_polygon(const std::array<std::int32_t, 4>& corners, int coun
     }
 }
 
-void Contourer::make_face(int axis, std::size_t ray, std::uint32_t sample) {
+/// The face that a sample stands for; none where another sample has it, or where no surface is.
+std::optional<SheetFace> Contourer::find_face(int axis, std::size_t ray, std::uint32_t sample) const {
     const CombinedDepth& direction = combined_[axis];
     const int u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
     std::array<int, 3> at{};
@@ -135,60 +148,81 @@ void Contourer::make_face(int axis, std::size_t ray, std::uint32_t sample) {
         cell[v_axis] += kAround[k][1];
         leaves[k] = tree_.leaf_at(cell[0], cell[1], cell[2]);
         if (leaves[k] < 0) {
-            return;
+            return std::nullopt;
         }
         size = std::min<int>(size, tree_.leaves[leaves[k]].size);
     }
     if (at[u_axis] % size != 0 || at[v_axis] % size != 0) {
-        return;  // within a cell or a face
+        return std::nullopt;  // within a cell or a face
     }
     std::array<int, 3> low = at, high = at;
     low[axis] = at[axis] / size * size;
     high[axis] = low[axis] + size;
     for (std::uint32_t i = sample; i > direction.begin[ray] && interval(direction.depth[i - 1]) >= low[axis]; --i) {
         if (reconstructed(direction, i - 1)) {
-            return;  // that sample has made the face
+            return std::nullopt;  // that sample has the face
         }
     }
     const bool leaves_solid = inside(low);
     if (leaves_solid == inside(high)) {
-        return;
+        return std::nullopt;
     }
-    std::array<std::int32_t, 4> corners{};
-    int count = 0;
+    SheetFace face{{}, direction.source[sample]};
     for (int k = 0; k < 4; ++k) {
         const int around = leaves_solid ? k : 3 - k;
         const Leaf& leaf = tree_.leaves[leaves[around]];
         // A cell below on an axis has the ray on its upper side.
         const int edge = 4 * axis - kAround[around][0] - 2 * kAround[around][1];
-        const std::int32_t vertex = vertex_of(leaf.first_sheet + (leaf.size > 1 ? 0 : leaf.sheet_of_edge[edge]));
+        face.sheets[k] = leaf.first_sheet + (leaf.size > 1 ? 0 : leaf.sheet_of_edge[edge]);
+    }
+    return face;
+}
+
+void Contourer::make_face(const SheetFace& face) {
+    std::array<std::int32_t, 4> corners{};
+    int count = 0;
+    for (const std::int32_t sheet : face.sheets) {
+        const std::int32_t vertex = vertex_of(sheet);
         if (count == 0 || (vertex != corners[count - 1] && vertex != corners[0])) {
             corners[count++] = vertex;
         }
     }
     if (count >= 3) {
-        add_polygon(corners, count, normal_of(direction.source[sample]));
+        add_polygon(corners, count, normal_of(face.source));
     }
 }
 
-void Contourer::contour_axis(int axis, const Progress* progress) {
+std::vector<SheetFace> Contourer::find_faces(int axis, int first_row, const Progress* progress) const {
     const CombinedDepth& direction = combined_[axis];
-    for (std::size_t ray = 0; ray + 1 < direction.begin.size(); ++ray) {
-        if (ray % grid_.rays() == 0) {
-            check_cancelled(progress);
-        }
+    const auto rays = static_cast<std::size_t>(grid_.rays());
+    const std::size_t end = static_cast<std::size_t>(std::min(first_row + kRowsAtATime, grid_.rays())) * rays;
+    std::vector<SheetFace> faces;
+    check_cancelled(progress);
+    for (std::size_t ray = static_cast<std::size_t>(first_row) * rays; ray < end; ++ray) {
         for (std::uint32_t i = direction.begin[ray]; i < direction.begin[ray + 1]; ++i) {
-            if (reconstructed(direction, i)) {
-                make_face(axis, ray, i);
+            if (!reconstructed(direction, i)) {
+                continue;
+            }
+            if (const std::optional<SheetFace> face = find_face(axis, ray, i)) {
+                faces.push_back(*face);
             }
         }
     }
+    return faces;
 }
 
 ContouredSurface Contourer::run(const Progress* progress) {
     note_border();
-    for (int axis = 0; axis < 3; ++axis) {
-        contour_axis(axis, progress);
+    const int per_axis = (grid_.rays() + kRowsAtATime - 1) / kRowsAtATime;
+    std::vector<std::vector<SheetFace>> parts(3 * static_cast<std::size_t>(per_axis));
+    parallel_for(static_cast<int>(parts.size()), [&](int k) {
+        parts[static_cast<std::size_t>(k)] = find_faces(k / per_axis, k % per_axis * kRowsAtATime, progress);
+    });
+    for (const std::vector<SheetFace>& faces : parts) {
+        check_cancelled(progress);
+        for (const SheetFace& face : faces) {
+            make_face(face);
+        }
     }
     surface_.on_border.resize(surface_.points.size(), 0);
     result_.vertices = std::move(vertices_);

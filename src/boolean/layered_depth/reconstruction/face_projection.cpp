@@ -27,6 +27,10 @@ constexpr double kDeviations = 2.0;
 constexpr int kUndoRounds = 3;
 /// Contacts that are looked at in a round.
 constexpr std::size_t kListed = 100'000;
+/// Projections that one thread does at a time, and how many of these the engine's thread waits for, so that others come
+/// to their turn.
+constexpr int kQueriesPerChunk = 64;
+constexpr int kChunksPerWork = 32;
 /// More faces have no point in common.
 constexpr std::size_t kMostFaces = 3;
 /// Sides this far apart, in units of the distance between rays, are two: surfaces in contact are nearer.
@@ -103,6 +107,7 @@ class FaceProjector {
   private:
     void add(std::int32_t vertex, const std::vector<std::int32_t>& triangles);
     void ask(const std::vector<MovedVertex*>& active);
+    void take(const geometry::Answer& answer, FaceConstraint& face) const;
     void drop_smooth();
     bool arrived(const MovedVertex& moved) const {
         return !moved.lost && moved.distance() <= on_faces_ && (moved.now - moved.before).norm() <= moved.farthest;
@@ -172,35 +177,45 @@ void FaceProjector::find(const Octree& tree, const std::vector<std::int32_t>& ve
 
 /// Projects the vertices on each of their faces.
 void FaceProjector::ask(const std::vector<MovedVertex*>& active) {
-    for (std::int32_t operand = 0; operand < 2; ++operand) {
-        geometry::Engine::Batch batch;
+    for (std::int32_t operand = 0; operand < static_cast<std::int32_t>(sessions_.size()); ++operand) {
         std::vector<std::pair<MovedVertex*, FaceConstraint*>> asked;
         for (MovedVertex* moved : active) {
             for (FaceConstraint& face : moved->faces) {
                 if (face.operand == operand) {
-                    const Vec3 p = moved->now + origin_;
-                    batch.push_back(face.asked ? Query::face_nearest(face.face, p, face.u, face.v)
-                                               : Query::face_nearest_global(face.face, p));
                     asked.emplace_back(moved, &face);
                 }
             }
         }
-        if (batch.empty()) {
-            continue;
+        const auto count = static_cast<int>(asked.size());
+        for (int from = 0; from < count; from += kQueriesPerChunk * kChunksPerWork) {
+            const int chunks = (count - from + kQueriesPerChunk - 1) / kQueriesPerChunk;
+            sessions_[static_cast<std::size_t>(operand)]->run_parallel(
+                std::min(kChunksPerWork, chunks), [&](geometry::Answerer& answerer, int k) {
+                    check_cancelled(progress_);
+                    const int first = from + k * kQueriesPerChunk;
+                    for (int i = first; i < std::min(first + kQueriesPerChunk, count); ++i) {
+                        FaceConstraint& face = *asked[static_cast<std::size_t>(i)].second;
+                        const Vec3 p = asked[static_cast<std::size_t>(i)].first->now + origin_;
+                        take(answerer.answer(face.asked ? Query::face_nearest(face.face, p, face.u, face.v)
+                                                        : Query::face_nearest_global(face.face, p)),
+                             face);
+                    }
+                });
         }
-        const geometry::Engine::Answers answers = sessions_[static_cast<std::size_t>(operand)]->ask(std::move(batch));
-        for (std::size_t i = 0; i < answers.size(); ++i) {
-            auto& [moved, face] = asked[i];
-            if (answers[i].status != geometry::Status::Ok) {
-                moved->lost = true;
-                continue;
-            }
-            face->foot = answers[i].point - origin_;
-            face->normal = answers[i].normal;
-            face->u = answers[i].u;
-            face->v = answers[i].v;
-            face->asked = true;
+        for (auto& [moved, face] : asked) {
+            moved->lost = moved->lost || !face->asked;
         }
+    }
+}
+
+/// Notes where a face is nearest; where it cannot say, the face was not asked.
+void FaceProjector::take(const geometry::Answer& answer, FaceConstraint& face) const {
+    face.asked = answer.status == geometry::Status::Ok;
+    if (face.asked) {
+        face.foot = answer.point - origin_;
+        face.normal = answer.normal;
+        face.u = answer.u;
+        face.v = answer.v;
     }
 }
 

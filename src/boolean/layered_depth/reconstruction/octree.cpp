@@ -18,8 +18,12 @@ constexpr int kTaskLevels = 2;
 
 /// Tasks along each side of the cube.
 constexpr int kTasksPerSide = 1 << kTaskLevels;
+/// Tasks in a layer of them along x and y, which have the same z.
+constexpr int kTasksPerLayer = kTasksPerSide * kTasksPerSide;
 /// Nodes of the levels above the tasks.
 constexpr int kTaskNodes = 1 + 8 + 64;
+/// Rows of rays whose samples one thread sorts into tasks at a time.
+constexpr int kRowsPerChunk = 64;
 
 /// Clips the segment to the closed cell; false when nothing is left.
 bool clip(const Vec3& a, const Vec3& b, const CellBox& box, double& from, double& to) {
@@ -95,17 +99,20 @@ class OctreeBuilder {
     OctreeBuilder(const OperandSet& pair, const SampleGrid& grid, const CombinedSet& combined,
                   const std::vector<Retention>& fate, const RetainedSurface& retained);
 
-    Octree build(Progress* progress);
+    Octree build(std::size_t most_at_a_time, Progress* progress);
 
   private:
-    struct Part {
-        std::vector<CellSample> samples;
-        Octree tree;
+    /// The samples that lie in each of some tasks.
+    using TaskSamples = std::vector<std::vector<CellSample>>;
+    /// Some layers of tasks.
+    struct Layers {
+        int first, end;
     };
     /// One task: the subtree below a cell.
     class Subtree;
 
-    void distribute(std::vector<Part>& parts, const Progress* progress) const;
+    void build_layers(std::vector<Octree>& parts, const Layers& layers, const Progress* progress) const;
+    void distribute(int axis, int first_row, const Layers& layers, TaskSamples& tasks) const;
     void append(Octree& tree, Octree& part, std::int32_t node) const;
     std::uint8_t nodes_of(const CellBox& box) const;
     std::uint8_t flipped_faces(const CellBox& box, std::uint8_t nodes) const;
@@ -395,34 +402,32 @@ std::uint8_t OctreeBuilder::flipped_faces(const CellBox& box, std::uint8_t nodes
     return flipped;
 }
 
-/// Sorts the samples into the tasks; a sample between two tasks goes to both.
-void OctreeBuilder::distribute(std::vector<Part>& parts, const Progress* progress) const {
+/// Sorts the samples of some rows into the tasks; a sample between two tasks goes to both.
+void OctreeBuilder::distribute(int axis, int first_row, const Layers& layers, TaskSamples& tasks) const {
     const int shift = grid_.levels() - kTaskLevels;
-    for (int axis = 0; axis < 3; ++axis) {
-        const int u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
-        const CombinedDepth& direction = combined_[axis];
-        for (std::size_t ray = 0; ray + 1 < direction.begin.size(); ++ray) {
-            if (ray % grid_.rays() == 0) {
-                check_cancelled(progress);
+    const int u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
+    const CombinedDepth& direction = combined_[axis];
+    const auto rays = static_cast<std::size_t>(grid_.rays());
+    const std::size_t end = static_cast<std::size_t>(std::min(first_row + kRowsPerChunk, grid_.rays())) * rays;
+    tasks.resize(static_cast<std::size_t>((layers.end - layers.first) * kTasksPerLayer));
+    for (std::size_t ray = static_cast<std::size_t>(first_row) * rays; ray < end; ++ray) {
+        for (std::uint32_t i = direction.begin[ray]; i < direction.begin[ray + 1]; ++i) {
+            CellSample s;
+            s.at[axis] = static_cast<std::int16_t>(std::ceil(direction.depth[i]) - 1);
+            s.at[u_axis] = static_cast<std::int16_t>(ray % rays);
+            s.at[v_axis] = static_cast<std::int16_t>(ray / rays);
+            s.axis = static_cast<std::uint8_t>(axis);
+            s.reconstructed = fate_[CombinedDepth::triangle(direction.source[i])] == Retention::Removed ? 1 : 0;
+            s.index = i;
+            std::array<int, 3> from{}, to{};
+            for (int k = 0; k < 3; ++k) {
+                to[k] = std::min(s.at[k] >> shift, kTasksPerSide - 1);
+                from[k] = k == axis ? to[k] : std::max((s.at[k] - 1) >> shift, 0);
             }
-            for (std::uint32_t i = direction.begin[ray]; i < direction.begin[ray + 1]; ++i) {
-                CellSample s;
-                s.at[axis] = static_cast<std::int16_t>(std::ceil(direction.depth[i]) - 1);
-                s.at[u_axis] = static_cast<std::int16_t>(ray % grid_.rays());
-                s.at[v_axis] = static_cast<std::int16_t>(ray / grid_.rays());
-                s.axis = static_cast<std::uint8_t>(axis);
-                s.reconstructed = fate_[CombinedDepth::triangle(direction.source[i])] == Retention::Removed ? 1 : 0;
-                s.index = i;
-                std::array<int, 3> from{}, to{};
-                for (int k = 0; k < 3; ++k) {
-                    to[k] = std::min(s.at[k] >> shift, kTasksPerSide - 1);
-                    from[k] = k == axis ? to[k] : std::max((s.at[k] - 1) >> shift, 0);
-                }
-                for (int z = from[2]; z <= to[2]; ++z) {
-                    for (int y = from[1]; y <= to[1]; ++y) {
-                        for (int x = from[0]; x <= to[0]; ++x) {
-                            parts[x + kTasksPerSide * (y + kTasksPerSide * z)].samples.push_back(s);
-                        }
+            for (int z = std::max(from[2], layers.first); z <= std::min(to[2], layers.end - 1); ++z) {
+                for (int y = from[1]; y <= to[1]; ++y) {
+                    for (int x = from[0]; x <= to[0]; ++x) {
+                        tasks[x + kTasksPerSide * (y + kTasksPerSide * (z - layers.first))].push_back(s);
                     }
                 }
             }
@@ -453,15 +458,37 @@ void OctreeBuilder::append(Octree& tree, Octree& part, std::int32_t node) const 
     tree.edges.insert(tree.edges.end(), part.edges.begin(), part.edges.end());
 }
 
-Octree OctreeBuilder::build(Progress* progress) {
-    std::vector<Part> parts(kTasksPerSide * kTasksPerSide * kTasksPerSide);
-    distribute(parts, progress);
-    const int size = grid_.cells() / kTasksPerSide;
-    parallel_for(static_cast<int>(parts.size()), [&](int k) {
-        const CellBox box{{k % 4 * size, k / 4 % 4 * size, k / 16 * size}, size};
-        Subtree(*this, parts[k].tree, progress).build(box, parts[k].samples);
-        parts[k].samples = {};
+void OctreeBuilder::build_layers(std::vector<Octree>& parts, const Layers& layers, const Progress* progress) const {
+    const int per_axis = (grid_.rays() + kRowsPerChunk - 1) / kRowsPerChunk;
+    std::vector<TaskSamples> chunks(3 * static_cast<std::size_t>(per_axis));
+    parallel_for(static_cast<int>(chunks.size()), [&](int k) {
+        check_cancelled(progress);
+        distribute(k / per_axis, k % per_axis * kRowsPerChunk, layers, chunks[static_cast<std::size_t>(k)]);
     });
+    const int size = grid_.cells() / kTasksPerSide;
+    parallel_for((layers.end - layers.first) * kTasksPerLayer, [&](int task) {
+        std::vector<CellSample> samples;
+        for (TaskSamples& chunk : chunks) {
+            std::vector<CellSample>& some = chunk[static_cast<std::size_t>(task)];
+            samples.insert(samples.end(), some.begin(), some.end());
+            some = {};
+        }
+        const int k = layers.first * kTasksPerLayer + task;
+        const CellBox box{{k % 4 * size, k / 4 % 4 * size, k / 16 * size}, size};
+        Subtree(*this, parts[static_cast<std::size_t>(k)], progress).build(box, samples);
+    });
+}
+
+Octree OctreeBuilder::build(std::size_t most_at_a_time, Progress* progress) {
+    std::vector<Octree> parts(kTasksPerSide * kTasksPerLayer);
+    std::size_t samples = 0;
+    for (const CombinedDepth& direction : combined_) {
+        samples += direction.depth.size();
+    }
+    const int at_a_time = samples > most_at_a_time ? 1 : kTasksPerSide;
+    for (int layer = 0; layer < kTasksPerSide; layer += at_a_time) {
+        build_layers(parts, {layer, layer + at_a_time}, progress);
+    }
     Octree tree;
     tree.levels_ = grid_.levels();
     tree.nodes_.assign(kTaskNodes, -1);
@@ -470,15 +497,16 @@ Octree OctreeBuilder::build(Progress* progress) {
         tree.nodes_[1 + c] = 9 + 8 * c;
         for (int d = 0; d < 8; ++d) {
             const int x = 2 * (c & 1) + (d & 1), y = 2 * (c >> 1 & 1) + (d >> 1 & 1), z = 2 * (c >> 2) + (d >> 2);
-            append(tree, parts[x + kTasksPerSide * (y + kTasksPerSide * z)].tree, 9 + 8 * c + d);
+            append(tree, parts[x + kTasksPerSide * (y + kTasksPerSide * z)], 9 + 8 * c + d);
         }
     }
     return tree;
 }
 
 Octree build_octree(const OperandSet& pair, const SampleGrid& grid, const CombinedSet& combined,
-                    const std::vector<Retention>& fate, const RetainedSurface& retained, Progress* progress) {
-    return OctreeBuilder(pair, grid, combined, fate, retained).build(progress);
+                    const std::vector<Retention>& fate, const RetainedSurface& retained, Progress* progress,
+                    std::size_t most_at_a_time) {
+    return OctreeBuilder(pair, grid, combined, fate, retained).build(most_at_a_time, progress);
 }
 
 }  // namespace mq::boolean

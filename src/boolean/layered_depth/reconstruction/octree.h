@@ -71,8 +71,11 @@ class Octree {
 ///
 /// Beyond the paper, a leaf of width r that several sheets of the surface pass has a vertex for each of them (as in
 /// Schaefer, Ju and Warren 2007), so that thin walls and narrow gaps stay 2-manifold.
+/// @param most_at_a_time with more samples of the result than these a fourth of the grid is built after the other, so
+///     that the octree's own copies of samples, 16 bytes each, take a fraction of the memory; the octree is the same
 /// @throws Cancelled
 Octree build_octree(const OperandSet& pair, const SampleGrid& grid, const CombinedSet& combined,
-                    const std::vector<Retention>& fate, const RetainedSurface& retained, Progress* progress);
+                    const std::vector<Retention>& fate, const RetainedSurface& retained, Progress* progress,
+                    std::size_t most_at_a_time = std::size_t{1} << 24);
 
 }  // namespace mq::boolean

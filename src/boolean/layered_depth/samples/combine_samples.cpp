@@ -14,10 +14,20 @@ namespace mq::boolean {
 
 namespace {
 
-struct Sample {
-    double depth;
-    std::int32_t source;
-    SampleNormal normal;
+/// Samples of the result on consecutive rays.
+struct Piece {
+    std::vector<std::uint32_t> counts;  // how many samples each ray has
+    std::vector<double> depth;
+    std::vector<std::int32_t> source;
+    std::vector<SampleNormal> normal;  // empty where samples have none
+
+    void drop_last() {
+        depth.pop_back();
+        source.pop_back();
+        if (!normal.empty()) {
+            normal.pop_back();
+        }
+    }
 };
 
 /// Combines the operands' samples along one ray after the other.
@@ -34,7 +44,7 @@ class RayMerger {
           parity_(along_.size(), 0) {}
 
     /// Appends the samples of the result.
-    void merge(std::size_t ray, std::vector<Sample>& out);
+    void merge(std::size_t ray, Piece& out);
     /// The operand whose entries and exits on the last ray do not balance, or -1.
     int unbalanced() const {
         const auto found = std::find_if(index_.begin(), index_.end(), [](int index) { return index != 0; });
@@ -59,9 +69,6 @@ class RayMerger {
         return 2 * along_[stop.operand]->triangle(stop.index) + (reversed ? 1 : 0);
     }
     SampleNormal normal_of(const Stop& stop) const {
-        if (!with_normals_) {
-            return SampleNormal::Zero();
-        }
         const LayeredDepthImage& image = *along_[stop.operand];
         return image.normal.empty() ? SampleNormal(operands_.unit_normal(image.triangle(stop.index)).cast<float>())
                                     : image.normal[stop.index];
@@ -125,8 +132,9 @@ const RayMerger::Stop* RayMerger::in_contact(std::size_t at, bool enters, std::i
     return found;
 }
 
-void RayMerger::merge(std::size_t ray, std::vector<Sample>& out) {
+void RayMerger::merge(std::size_t ray, Piece& out) {
     gather(ray);
+    const std::size_t first = out.depth.size();
     operand_.clear();
     for (std::size_t at = 0; at < stops_.size(); ++at) {
         const Stop& stop = stops_[at];
@@ -139,14 +147,19 @@ void RayMerger::merge(std::size_t ray, std::vector<Sample>& out) {
         const Stop* other = in_contact(at, !before, source);
         const Stop& chosen = other != nullptr ? *other : stop;
         if (!operand_.empty() && operand_.back() != chosen.operand &&
-            stop.depth - out.back().depth <= options_.thinnest) {
+            stop.depth - out.depth.back() <= options_.thinnest) {
             operand_.pop_back();
-            out.pop_back();
+            out.drop_last();
             continue;
         }
         operand_.push_back(chosen.operand);
-        out.push_back({stop.depth, source, normal_of(chosen)});
+        out.depth.push_back(stop.depth);
+        out.source.push_back(source);
+        if (with_normals_) {
+            out.normal.push_back(normal_of(chosen));
+        }
     }
+    out.counts.push_back(static_cast<std::uint32_t>(out.depth.size() - first));
 }
 
 [[noreturn]] void fail_unbalanced(int operand, std::size_t operands, int axis, std::size_t ray,
@@ -162,35 +175,66 @@ void RayMerger::merge(std::size_t ray, std::vector<Sample>& out) {
     throw InvalidInput(text.str());
 }
 
-struct Row {
-    std::vector<Sample> samples;
-    std::vector<std::uint32_t> counts;  // number of samples of each ray
-};
+/// Combines consecutive rays.
+class PieceMaker {
+  public:
+    PieceMaker(const CombineOptions& options, const OperandSet& set, const SampleGrid& grid)
+        : options_(options), set_(set), grid_(grid) {}
 
-CombinedDepth join(const std::vector<Row>& rows, bool with_normals, const Progress* progress) {
-    CombinedDepth result;
-    std::size_t count = 0;
-    for (const Row& row : rows) {
-        count += row.samples.size();
-    }
-    result.begin.reserve(rows.size() * rows.size() + 1);
-    result.begin.push_back(0);
-    result.depth.reserve(count);
-    result.source.reserve(count);
-    result.normal.reserve(with_normals ? count : 0);
-    for (const Row& row : rows) {
-        check_cancelled(progress);
-        for (const std::uint32_t n : row.counts) {
-            result.begin.push_back(result.begin.back() + n);
-        }
-        for (const Sample& s : row.samples) {
-            result.depth.push_back(s.depth);
-            result.source.push_back(s.source);
-            if (with_normals) {
-                result.normal.push_back(s.normal);
+    /// @param along the operands' images, in which the rays have the indices from `first` on
+    /// @param shift what is to be added to them for the indices in the grid
+    Piece make(int axis, const std::vector<const LayeredDepthImage*>& along, std::size_t first, std::size_t count,
+               std::size_t shift) const {
+        const bool with_normals = std::any_of(along.begin(), along.end(),
+                                              [](const LayeredDepthImage* image) { return !image->normal.empty(); });
+        RayMerger merger(options_, set_, along, with_normals);
+        Piece piece;
+        piece.counts.reserve(count);
+        for (std::size_t ray = first; ray < first + count; ++ray) {
+            merger.merge(ray, piece);
+            if (merger.unbalanced() >= 0) {
+                fail_unbalanced(merger.unbalanced(), along.size(), axis, ray + shift, grid_);
             }
         }
+        return piece;
     }
+
+  private:
+    const CombineOptions& options_;
+    const OperandSet& set_;
+    const SampleGrid& grid_;
+};
+
+/// Puts the pieces together, on all cores; each is dropped as soon as it is copied.
+CombinedDepth join(std::vector<Piece>& pieces, const Progress* progress) {
+    std::vector<std::size_t> first_ray{0}, first_sample{0};
+    bool with_normals = false;
+    for (const Piece& piece : pieces) {
+        first_ray.push_back(first_ray.back() + piece.counts.size());
+        first_sample.push_back(first_sample.back() + piece.depth.size());
+        with_normals = with_normals || !piece.normal.empty();
+    }
+    CombinedDepth result;
+    result.begin.resize(first_ray.back() + 1);
+    result.begin.back() = static_cast<std::uint32_t>(first_sample.back());
+    result.depth.resize(first_sample.back());
+    result.source.resize(first_sample.back());
+    result.normal.resize(with_normals ? first_sample.back() : 0);
+    parallel_for(static_cast<int>(pieces.size()), [&](int k) {
+        check_cancelled(progress);
+        Piece& piece = pieces[static_cast<std::size_t>(k)];
+        const auto at = static_cast<std::ptrdiff_t>(first_sample[static_cast<std::size_t>(k)]);
+        auto begin = static_cast<std::uint32_t>(at);
+        std::size_t ray = first_ray[static_cast<std::size_t>(k)];
+        for (const std::uint32_t count : piece.counts) {
+            result.begin[ray++] = begin;
+            begin += count;
+        }
+        std::copy(piece.depth.begin(), piece.depth.end(), result.depth.begin() + at);
+        std::copy(piece.source.begin(), piece.source.end(), result.source.begin() + at);
+        std::copy(piece.normal.begin(), piece.normal.end(), result.normal.begin() + (with_normals ? at : 0));
+        piece = {};
+    });
     return result;
 }
 
@@ -200,34 +244,56 @@ CombinedDepth combine_along(int axis, const OperandSet& set, const std::vector<L
     for (const LayeredDepthSet& operand : operands) {
         along.push_back(&operand[axis]);
     }
-    const bool with_normals =
-        std::any_of(along.begin(), along.end(), [](const LayeredDepthImage* image) { return !image->normal.empty(); });
-    std::vector<Row> rows(grid.rays());
+    const PieceMaker maker(options, set, grid);
+    const auto rays = static_cast<std::size_t>(grid.rays());
+    std::vector<Piece> rows(rays);
     parallel_for(grid.rays(), [&](int v) {
         check_cancelled(progress);
-        RayMerger merger(options, set, along, with_normals);
-        Row& row = rows[v];
-        row.counts.reserve(grid.rays());
-        for (int u = 0; u < grid.rays(); ++u) {
-            const std::size_t ray = static_cast<std::size_t>(v) * grid.rays() + u;
-            const std::size_t before = row.samples.size();
-            merger.merge(ray, row.samples);
-            if (merger.unbalanced() >= 0) {
-                fail_unbalanced(merger.unbalanced(), operands.size(), axis, ray, grid);
-            }
-            row.counts.push_back(static_cast<std::uint32_t>(row.samples.size() - before));
-        }
+        const auto row = static_cast<std::size_t>(v);
+        rows[row] = maker.make(axis, along, row * rays, rays, 0);
     });
-    return join(rows, with_normals, progress);
+    return join(rows, progress);
 }
 
 }  // namespace
 
-CombinedSet combine(const OperandSet& set, const std::vector<LayeredDepthSet>& operands, const SampleGrid& grid,
+CombinedSet combine(const OperandSet& set, std::vector<LayeredDepthSet> operands, const SampleGrid& grid,
                     const CombineOptions& options, const Progress* progress) {
     CombinedSet result;
     for (int axis = 0; axis < 3; ++axis) {
         result[axis] = combine_along(axis, set, operands, grid, options, progress);
+        for (LayeredDepthSet& operand : operands) {
+            operand[axis] = {};
+        }
+    }
+    return result;
+}
+
+CombinedSet combine_meshes(const OperandSet& set, const SampleGrid& grid, const CombineOptions& options,
+                           SampleCounts& counts, const Progress* progress, int rows_per_band) {
+    std::vector<Rasteriser> operands;
+    for (int k = 0; k < set.size(); ++k) {
+        operands.emplace_back(set, k, grid, progress, rows_per_band);
+    }
+    const PieceMaker maker(options, set, grid);
+    const auto rays = static_cast<std::size_t>(grid.rays());
+    CombinedSet result;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<Piece> pieces(static_cast<std::size_t>(operands.front().bands()));
+        parallel_for(operands.front().bands(), [&](int band) {
+            std::vector<LayeredDepthImage> images;
+            std::vector<const LayeredDepthImage*> along;
+            for (const Rasteriser& operand : operands) {
+                images.push_back(operand.band(axis, band, &counts, progress));
+            }
+            for (const LayeredDepthImage& image : images) {
+                along.push_back(&image);
+            }
+            const auto first_row = static_cast<std::size_t>(operands.front().first_row(band));
+            pieces[static_cast<std::size_t>(band)] =
+                maker.make(axis, along, 0, images.front().begin.size() - 1, first_row * rays);
+        });
+        result[axis] = join(pieces, progress);
     }
     return result;
 }

@@ -4,6 +4,7 @@
 #include "base/progress.h"
 #include "boolean/input/operation.h"
 #include "boolean/layered_depth/samples/layered_depth_image.h"
+#include "boolean/layered_depth/samples/rasterise.h"
 
 namespace mq::boolean {
 
@@ -45,9 +46,16 @@ struct CombineOptions {
 /// A gap or a slab between two operands as thin as a contact vanishes. Where both are oriented the same way in the
 /// result the sample is that of the lower triangle, whichever comes first (Remark 3): a contact region keeps one
 /// operand's triangles whole. Samples of one operand alone are left as they are, however near to each other.
+/// @param operands their images; one that is moved in is dropped direction by direction
 /// @throws InvalidInput where a ray does not leave an operand as often as it enters: the operand is not closed, or not
 /// oriented
-CombinedSet combine(const OperandSet& set, const std::vector<LayeredDepthSet>& operands, const SampleGrid& grid,
+CombinedSet combine(const OperandSet& set, std::vector<LayeredDepthSet> operands, const SampleGrid& grid,
                     const CombineOptions& options, const Progress* progress);
+
+/// The same of meshes, which are sampled a band of rays at a time. The samples of a band are dropped once they are
+/// combined, so that those of the operands take little memory. The same for any height of the bands.
+/// @param counts the number of samples of each triangle, to which those of these operands are added
+CombinedSet combine_meshes(const OperandSet& set, const SampleGrid& grid, const CombineOptions& options,
+                           SampleCounts& counts, const Progress* progress, int rows_per_band = kRowsPerBand);
 
 }  // namespace mq::boolean

@@ -25,10 +25,12 @@ constexpr double kDeviations = 4.0;
 constexpr double kRounding = 1e-6;
 /// A depth this near to a node (grid units) is at the node: planes of boxes in planes of the grid stay there.
 constexpr double kAtNode = 1e-9;
-/// Samples between two checks for cancellation on the engine's thread: some milliseconds of Newton's method.
+/// Samples between two checks for cancellation: some milliseconds of Newton's method.
 constexpr std::size_t kBetweenChecks = 256;
-/// Samples in one work of the engine's thread, so that others come to their turn.
-constexpr std::size_t kSamplesPerWork = 8192;
+/// Samples of neighbouring triangles that one thread solves, at least.
+constexpr std::size_t kSamplesPerChunk = 8192;
+/// Chunks in one work of the engine's thread, so that others come to their turn.
+constexpr int kChunksPerWork = 4;
 
 /// A sample's triangle and line, mm in the frame of the model.
 struct LineAtTriangle {
@@ -56,20 +58,22 @@ class FaceSampler {
     void run(FaceSampleCounts& counts);
 
   private:
+    /// Newton's method for samples of neighbouring triangles.
+    class NewtonSolver;
+
     void read_surfaces();
     void start_normals();
     std::size_t sample_count() const;
     std::size_t solve_all();
     std::size_t solve_inserted(const std::vector<SampleRef>& refs);
     bool solve_or_leave(const SampleRef& ref, bool inserted, std::vector<SampleRef>& others);
+    std::vector<std::int32_t> order_of_triangles(int operand) const;
     std::vector<SampleRef> by_triangle(const std::vector<std::vector<SampleRef>>& rows) const;
-    std::size_t solve_on_engine(const std::vector<std::vector<SampleRef>>& rows, bool inserted);
+    std::vector<std::size_t> chunks_of(const std::vector<SampleRef>& refs) const;
+    std::size_t solve_by_newton(const std::vector<std::vector<SampleRef>>& rows, bool inserted);
     LineAtTriangle line_at(const SampleRef& ref) const;
     bool solve_by_formula(const SampleRef& ref, bool inserted);
-    bool solve_by_newton(geometry::Model& model, const SampleRef& ref, bool inserted);
     bool take(const SampleRef& ref, const LineAtTriangle& line, double t, const Vec3& normal, bool inserted);
-    std::optional<Vec2> parameters_of(geometry::Model& model, const Vec3& vertex) const;
-    std::optional<std::array<Vec2, 3>> corners_of(geometry::Model& model);
     std::int32_t face_of(const SampleRef& ref) const { return pair_.face[set_[ref.axis].triangle(ref.index)]; }
     Vec3 corner(std::int32_t triangle, int i) const { return origin_ + pair_.points[pair_.triangles[triangle][i]]; }
 
@@ -82,8 +86,21 @@ class FaceSampler {
     const Progress* progress_;
     double deviation_;
     std::vector<std::optional<ElementarySurface>> surfaces_;  // by face
-    // The face and the triangle that the engine's thread is at, and what is known about them.
-    std::int32_t face_ = -1, triangle_ = -1;
+};
+
+class FaceSampler::NewtonSolver {
+  public:
+    NewtonSolver(FaceSampler& sampler, geometry::Answerer& answerer) : sampler_(sampler), answerer_(answerer) {}
+
+    bool solve(const SampleRef& ref, bool inserted);
+
+  private:
+    std::optional<Vec2> parameters_of(const Vec3& vertex) const;
+    std::optional<std::array<Vec2, 3>> find_corners();
+
+    FaceSampler& sampler_;
+    geometry::Answerer& answerer_;
+    std::int32_t face_ = -1, triangle_ = -1;             // those at the last sample
     std::unordered_map<std::int32_t, Vec2> parameters_;  // those of the face's vertices
     std::optional<std::array<Vec2, 3>> corners_;
 };
@@ -184,28 +201,29 @@ bool FaceSampler::solve_or_leave(const SampleRef& ref, bool inserted, std::vecto
 
 /// The parameters of a vertex of the mesh on the face: by Newton's method from those of a vertex beside it, else by a
 /// search.
-std::optional<Vec2> FaceSampler::parameters_of(geometry::Model& model, const Vec3& vertex) const {
-    const auto known = std::find_if(pair_.triangles[triangle_].begin(), pair_.triangles[triangle_].end(),
+std::optional<Vec2> FaceSampler::NewtonSolver::parameters_of(const Vec3& vertex) const {
+    const mesh::Triangle& triangle = sampler_.pair_.triangles[triangle_];
+    const auto known = std::find_if(triangle.begin(), triangle.end(),
                                     [&](std::int32_t other) { return parameters_.count(other) != 0; });
-    if (known != pair_.triangles[triangle_].end()) {
+    if (known != triangle.end()) {
         const Vec2& guess = parameters_.at(*known);
-        const geometry::Answer answer = model.answer(Query::face_nearest(face_, vertex, guess.x(), guess.y()));
-        if (answer.found() && answer.distance <= deviation_) {
+        const geometry::Answer answer = answerer_.answer(Query::face_nearest(face_, vertex, guess.x(), guess.y()));
+        if (answer.found() && answer.distance <= sampler_.deviation_) {
             return Vec2(answer.u, answer.v);
         }
     }
-    const geometry::Answer answer = model.answer(Query::face_nearest_global(face_, vertex));
+    const geometry::Answer answer = answerer_.answer(Query::face_nearest_global(face_, vertex));
     return answer.found() ? std::optional(Vec2(answer.u, answer.v)) : std::nullopt;
 }
 
 /// The parameters of the triangle's corners on its face, on one turn of a closed surface.
-std::optional<std::array<Vec2, 3>> FaceSampler::corners_of(geometry::Model& model) {
+std::optional<std::array<Vec2, 3>> FaceSampler::NewtonSolver::find_corners() {
     std::array<Vec2, 3> result;
-    const std::array<double, 2>& period = model.topology().faces[static_cast<std::size_t>(face_)].period;
+    const std::array<double, 2>& period = sampler_.session_.topology().faces[static_cast<std::size_t>(face_)].period;
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::int32_t vertex = pair_.triangles[triangle_][i];
+        const std::int32_t vertex = sampler_.pair_.triangles[triangle_][i];
         if (parameters_.count(vertex) == 0) {
-            const std::optional<Vec2> found = parameters_of(model, origin_ + pair_.points[vertex]);
+            const std::optional<Vec2> found = parameters_of(sampler_.origin_ + sampler_.pair_.points[vertex]);
             if (!found) {
                 return std::nullopt;
             }
@@ -219,24 +237,25 @@ std::optional<std::array<Vec2, 3>> FaceSampler::corners_of(geometry::Model& mode
     return result;
 }
 
-bool FaceSampler::solve_by_newton(geometry::Model& model, const SampleRef& ref, bool inserted) {
-    const LineAtTriangle line = line_at(ref);
-    if (face_of(ref) != face_) {
-        face_ = face_of(ref);
+bool FaceSampler::NewtonSolver::solve(const SampleRef& ref, bool inserted) {
+    const LineAtTriangle line = sampler_.line_at(ref);
+    if (sampler_.face_of(ref) != face_) {
+        face_ = sampler_.face_of(ref);
         parameters_.clear();
         triangle_ = -1;
     }
     if (line.triangle != triangle_) {
         triangle_ = line.triangle;
-        corners_ = corners_of(model);
+        corners_ = find_corners();
     }
     const auto solved = [&](const Vec2& guess) {
         const geometry::Answer answer =
-            model.answer(Query::face_on_line(face_, line.point, line.along, guess.x(), guess.y()));
-        return answer.status == geometry::Status::Ok && take(ref, line, answer.t, answer.normal, inserted);
+            answerer_.answer(Query::face_on_line(face_, line.point, line.along, guess.x(), guess.y()));
+        return answer.status == geometry::Status::Ok && sampler_.take(ref, line, answer.t, answer.normal, inserted);
     };
     if (corners_) {
-        const Vec3 a = corner(triangle_, 0), b = corner(triangle_, 1) - a, c = corner(triangle_, 2) - a;
+        const Vec3 a = sampler_.corner(triangle_, 0);
+        const Vec3 b = sampler_.corner(triangle_, 1) - a, c = sampler_.corner(triangle_, 2) - a;
         const Vec3 n = b.cross(c), p = line.point - a;
         const double square = n.squaredNorm();
         if (square > 0.0) {
@@ -247,17 +266,72 @@ bool FaceSampler::solve_by_newton(geometry::Model& model, const SampleRef& ref, 
             }
         }
     }
-    const geometry::Answer nearest = model.answer(Query::face_nearest_global(face_, line.point));
+    const geometry::Answer nearest = answerer_.answer(Query::face_nearest_global(face_, line.point));
     return nearest.found() && solved(Vec2(nearest.u, nearest.v));
+}
+
+/// Numbers the triangles of an operand on faces without a closed form: from one on those that share its vertices, and
+/// so on. So the parameters of most corners are found from those of a triangle that was solved shortly before.
+std::vector<std::int32_t> FaceSampler::order_of_triangles(int operand) const {
+    const std::int32_t first = pair_.first_triangle[operand], end = pair_.first_gap[operand];
+    const auto has_formula = [&](std::int32_t t) {
+        return pair_.face[t] < 0 || surfaces_[static_cast<std::size_t>(pair_.face[t])].has_value();
+    };
+    std::vector<std::uint32_t> begin(pair_.points.size() + 1, 0);  // where those at each point begin
+    std::vector<std::int32_t> at;
+    for (std::int32_t t = first; t < end; ++t) {
+        for (const std::int32_t p : pair_.triangles[t]) {
+            begin[static_cast<std::size_t>(p) + 1] += has_formula(t) ? 0 : 1;
+        }
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    at.resize(begin.back());
+    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+    for (std::int32_t t = first; t < end; ++t) {
+        for (const std::int32_t p : pair_.triangles[t]) {
+            if (!has_formula(t)) {
+                at[next[p]++] = t;
+            }
+        }
+    }
+    std::vector<std::int32_t> order(pair_.triangles.size(), -1), queue;
+    const auto reach = [&](std::int32_t t) {
+        if (order[t] < 0) {
+            order[t] = static_cast<std::int32_t>(queue.size());
+            queue.push_back(t);
+        }
+    };
+    std::size_t done = 0;
+    for (std::int32_t t = first; t < end; ++t) {
+        if (!has_formula(t)) {
+            reach(t);
+        }
+        for (; done < queue.size(); ++done) {
+            for (const std::int32_t p : pair_.triangles[queue[done]]) {
+                for (std::uint32_t i = begin[p]; i < begin[p + 1]; ++i) {
+                    if (pair_.face[at[i]] == pair_.face[queue[done]]) {
+                        reach(at[i]);
+                    }
+                }
+            }
+        }
+    }
+    return order;
 }
 
 /// Puts the samples of a triangle beside each other, so that the parameters of its corners are found once.
 std::vector<SampleRef> FaceSampler::by_triangle(const std::vector<std::vector<SampleRef>>& rows) const {
+    const auto some = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return !row.empty(); });
+    if (some == rows.end()) {
+        return {};
+    }
+    const auto triangle = [&](const SampleRef& ref) { return set_[ref.axis].triangle(ref.index); };
+    const std::vector<std::int32_t> order = order_of_triangles(pair_.operand_of(triangle(some->front())));
     std::vector<std::uint32_t> place(pair_.triangles.size() + 1, 0);
     for (const std::vector<SampleRef>& row : rows) {
         check_cancelled(progress_);
         for (const SampleRef& ref : row) {
-            ++place[set_[ref.axis].triangle(ref.index) + 1];
+            ++place[static_cast<std::size_t>(order[triangle(ref)]) + 1];
         }
     }
     std::partial_sum(place.begin(), place.end(), place.begin());
@@ -265,28 +339,46 @@ std::vector<SampleRef> FaceSampler::by_triangle(const std::vector<std::vector<Sa
     for (const std::vector<SampleRef>& row : rows) {
         check_cancelled(progress_);
         for (const SampleRef& ref : row) {
-            sorted[place[set_[ref.axis].triangle(ref.index)]++] = ref;
+            sorted[place[order[triangle(ref)]]++] = ref;
         }
     }
     return sorted;
 }
 
+/// Where chunks of samples begin, and the end. The samples of a triangle are in one chunk.
+std::vector<std::size_t> FaceSampler::chunks_of(const std::vector<SampleRef>& refs) const {
+    const auto triangle = [&](std::size_t i) { return set_[refs[i].axis].triangle(refs[i].index); };
+    std::vector<std::size_t> begin{0};
+    for (std::size_t i = 1; i < refs.size(); ++i) {
+        if (i - begin.back() >= kSamplesPerChunk && triangle(i) != triangle(i - 1)) {
+            begin.push_back(i);
+        }
+    }
+    begin.push_back(refs.size());
+    return begin;
+}
+
 /// @return the samples that are on their faces
-std::size_t FaceSampler::solve_on_engine(const std::vector<std::vector<SampleRef>>& rows, bool inserted) {
+std::size_t FaceSampler::solve_by_newton(const std::vector<std::vector<SampleRef>>& rows, bool inserted) {
     const std::vector<SampleRef> refs = by_triangle(rows);
-    std::size_t solved = 0;
-    for (std::size_t from = 0; from < refs.size(); from += kSamplesPerWork) {
-        session_.run([&](geometry::Model& model) {
-            const std::size_t end = std::min(from + kSamplesPerWork, refs.size());
-            for (std::size_t i = from; i < end; ++i) {
+    const std::vector<std::size_t> begin = chunks_of(refs);
+    const int chunks = refs.empty() ? 0 : static_cast<int>(begin.size()) - 1;
+    std::vector<std::size_t> solved(begin.size(), 0);
+    for (int from = 0; from < chunks; from += kChunksPerWork) {
+        session_.run_parallel(std::min(kChunksPerWork, chunks - from), [&](geometry::Answerer& answerer, int k) {
+            const auto chunk = static_cast<std::size_t>(from + k);
+            NewtonSolver solver(*this, answerer);
+            std::size_t count = 0;
+            for (std::size_t i = begin[chunk]; i < begin[chunk + 1]; ++i) {
                 if (i % kBetweenChecks == 0) {
                     check_cancelled(progress_);
                 }
-                solved += solve_by_newton(model, refs[i], inserted) ? 1 : 0;
+                count += solver.solve(refs[i], inserted) ? 1 : 0;
             }
+            solved[chunk] = count;
         });
     }
-    return solved;
+    return std::accumulate(solved.begin(), solved.end(), std::size_t{0});
 }
 
 std::size_t FaceSampler::solve_all() {
@@ -298,14 +390,18 @@ std::size_t FaceSampler::solve_all() {
         const auto row = static_cast<std::size_t>(k);
         const int axis = k / rays;
         const LayeredDepthImage& image = set_[axis];
+        std::size_t count = 0;  // and the list: each thread has its own while it works
+        std::vector<SampleRef> left;
         for (int u = 0; u < rays; ++u) {
             const auto ray = static_cast<std::uint32_t>(k % rays * rays + u);
             for (std::uint32_t i = image.begin[ray]; i < image.begin[ray + 1]; ++i) {
-                solved[row] += solve_or_leave({axis, ray, i}, false, others[row]) ? 1 : 0;
+                count += solve_or_leave({axis, ray, i}, false, left) ? 1 : 0;
             }
         }
+        solved[row] = count;
+        others[row] = std::move(left);
     });
-    return std::accumulate(solved.begin(), solved.end(), solve_on_engine(others, false));
+    return std::accumulate(solved.begin(), solved.end(), solve_by_newton(others, false));
 }
 
 std::size_t FaceSampler::solve_inserted(const std::vector<SampleRef>& refs) {
@@ -314,7 +410,7 @@ std::size_t FaceSampler::solve_inserted(const std::vector<SampleRef>& refs) {
     for (const SampleRef& ref : refs) {
         solved += solve_or_leave(ref, true, others[0]) ? 1 : 0;
     }
-    return solved + solve_on_engine(others, true);
+    return solved + solve_by_newton(others, true);
 }
 
 std::size_t FaceSampler::sample_count() const {
@@ -329,13 +425,13 @@ void FaceSampler::run(FaceSampleCounts& counts) {
     read_surfaces();
     start_normals();
     std::size_t on_mesh = sample_count() - solve_all();
-    std::array<std::size_t, 3> passed{};
-    parallel_for(3, [&](int axis) { passed[axis] = restore_order(set_[axis]); });
+    for (LayeredDepthImage& image : set_) {
+        counts.passed += restore_order(image);
+    }
     const std::vector<SampleRef> inserted = make_consistent(set_, grid_, counts.nodes, progress_);
     on_mesh += inserted.size() - solve_inserted(inserted);
     counts.on_mesh += on_mesh;
     counts.on_faces += sample_count() - std::min(on_mesh, sample_count());
-    counts.passed += passed[0] + passed[1] + passed[2];
 }
 
 }  // namespace

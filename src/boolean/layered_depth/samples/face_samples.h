@@ -31,9 +31,9 @@ struct FaceSampleCounts {
 /// The triangles say which faces a ray meets and in which order (rasterise: consistent at edges, seams, vertices and
 /// poles without a tolerance); the point is that of the ray and the face's whole surface which the solid enters or
 /// leaves as the triangle does, the one nearest to the triangle. Planes, cylinders, cones, spheres and tori are met by
-/// closed forms, in parallel; other surfaces by Newton's method on the engine's thread, from the parameters of the
-/// triangle's corners. A point farther from the triangle's plane than the mesh may deviate is refused, and the sample
-/// stays on the triangle. Then the rays are made consistent once more (restore_order, make_consistent).
+/// closed forms, other surfaces by Newton's method from the parameters of the triangle's corners, all in parallel. A
+/// point farther from the triangle's plane than the mesh may deviate is refused, and the sample stays on the triangle.
+/// Then the rays are made consistent once more (restore_order, make_consistent).
 /// @param origin of the frame of the operands in that of the model, mm
 /// @throws Cancelled
 void sample_faces(LayeredDepthSet& set, const OperandSet& pair, const SampleGrid& grid, const Vec3& origin,

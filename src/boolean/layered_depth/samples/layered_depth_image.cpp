@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
+
 namespace mq::boolean {
 
 namespace {
@@ -68,6 +70,34 @@ OperandSet::OperandSet(const std::vector<const mesh::TriangleMesh*>& operands,
     }
     first_point.push_back(static_cast<std::int32_t>(points.size()));
     first_triangle.push_back(static_cast<std::int32_t>(triangles.size()));
+}
+
+LayeredDepthImage joined(std::vector<LayeredDepthImage>& bands) {
+    std::vector<std::size_t> first_ray{0}, first_sample{0};
+    for (const LayeredDepthImage& band : bands) {
+        first_ray.push_back(first_ray.back() + band.begin.size() - 1);
+        first_sample.push_back(first_sample.back() + band.depth.size());
+    }
+    LayeredDepthImage result;
+    result.begin.resize(first_ray.back() + 1);
+    result.begin.back() = static_cast<std::uint32_t>(first_sample.back());
+    result.depth.resize(first_sample.back());
+    result.code.resize(first_sample.back());
+    const bool with_normals =
+        std::any_of(bands.begin(), bands.end(), [](const LayeredDepthImage& band) { return !band.normal.empty(); });
+    result.normal.resize(with_normals ? first_sample.back() : 0);
+    parallel_for(static_cast<int>(bands.size()), [&](int k) {
+        LayeredDepthImage& band = bands[static_cast<std::size_t>(k)];
+        const auto at = static_cast<std::ptrdiff_t>(first_sample[static_cast<std::size_t>(k)]);
+        std::transform(band.begin.begin(), band.begin.end() - 1,
+                       result.begin.begin() + static_cast<std::ptrdiff_t>(first_ray[static_cast<std::size_t>(k)]),
+                       [at](std::uint32_t i) { return i + static_cast<std::uint32_t>(at); });
+        std::copy(band.depth.begin(), band.depth.end(), result.depth.begin() + at);
+        std::copy(band.code.begin(), band.code.end(), result.code.begin() + at);
+        std::copy(band.normal.begin(), band.normal.end(), result.normal.begin() + (with_normals ? at : 0));
+        band = {};
+    });
+    return result;
 }
 
 int OperandSet::operand_of(std::int32_t triangle) const {

@@ -86,6 +86,9 @@ struct LayeredDepthImage {
     std::int32_t triangle(std::uint32_t i) const { return code[i] < 0 ? ~code[i] : code[i]; }
 };
 
+/// One image of images of consecutive rays, in parallel; these are emptied.
+LayeredDepthImage joined(std::vector<LayeredDepthImage>& bands);
+
 /// The x-, y- and z-LDI of one solid.
 using LayeredDepthSet = std::array<LayeredDepthImage, 3>;
 

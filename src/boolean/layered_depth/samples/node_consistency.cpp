@@ -29,6 +29,18 @@ int interval(double depth) {
     return static_cast<int>(std::ceil(depth)) - 1;
 }
 
+/// Rows of rays that one thread copies at a time.
+constexpr int kRowsAtATime = 32;
+
+std::size_t band_count(int rays) {
+    return static_cast<std::size_t>((rays + kRowsAtATime - 1) / kRowsAtATime);
+}
+
+/// The index of the first ray of a band; that of the end, where there are no more bands.
+std::uint32_t first_ray_of(int band, int rays) {
+    return static_cast<std::uint32_t>(std::min(band * kRowsAtATime, rays)) * static_cast<std::uint32_t>(rays);
+}
+
 class NodeConsistency {
   public:
     NodeConsistency(LayeredDepthSet& set, const SampleGrid& grid, ConsistencyCounts& counts, const Progress* progress)
@@ -58,7 +70,9 @@ class NodeConsistency {
     void find_turns();
     std::optional<RaySample> donor(int axis, std::uint32_t ray, int from) const;
     std::optional<std::vector<RaySample>> rebuilt(const RayKey& key, const std::vector<int>& turned) const;
-    void replace(std::map<RayKey, std::vector<RaySample>>& changed, std::vector<SampleRef>& inserted);
+    void replace(const std::map<RayKey, std::vector<RaySample>>& changed, std::vector<SampleRef>& inserted);
+    LayeredDepthImage replaced(int axis, int band, const std::map<RayKey, std::vector<RaySample>>& changed,
+                               std::vector<SampleRef>& inserted) const;
 
     LayeredDepthSet& set_;
     int rays_;
@@ -172,11 +186,19 @@ bool NodeConsistency::truth(const GridNode& node) const {
 }
 
 void NodeConsistency::find_turns() {
-    for (const GridNode& node : nodes_) {
+    std::vector<std::uint8_t> wrong(nodes_.size(), 0);  // for each node the axes whose rays are to turn, as bits
+    for_chunks(static_cast<int>(nodes_.size()), [&](int k) {
+        const GridNode& node = nodes_[static_cast<std::size_t>(k)];
         const bool in = truth(node);
         for (int axis = 0; axis < 3; ++axis) {
-            if (inside(axis, node) != in) {
-                turns_[{axis, ray_of(axis, node)}].push_back(node[axis]);
+            const unsigned bit = inside(axis, node) != in ? 1U << axis : 0U;
+            wrong[static_cast<std::size_t>(k)] |= static_cast<std::uint8_t>(bit);
+        }
+    });
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if ((wrong[k] >> axis & 1U) != 0) {
+                turns_[{axis, ray_of(axis, nodes_[k])}].push_back(nodes_[k][axis]);
             }
         }
     }
@@ -283,42 +305,59 @@ std::optional<std::vector<RaySample>> NodeConsistency::rebuilt(const RayKey& key
 }
 
 /// Puts the rebuilt rays in the place of the old ones.
-void NodeConsistency::replace(std::map<RayKey, std::vector<RaySample>>& changed, std::vector<SampleRef>& inserted) {
+void NodeConsistency::replace(const std::map<RayKey, std::vector<RaySample>>& changed,
+                              std::vector<SampleRef>& inserted) {
     for (int axis = 0; axis < 3; ++axis) {
-        auto next = changed.lower_bound({axis, 0});
-        if (next == changed.end() || next->first.first != axis) {
+        const auto first = changed.lower_bound({axis, 0});
+        if (first == changed.end() || first->first.first != axis) {
             continue;
         }
-        const LayeredDepthImage old = std::move(set_[axis]);
-        LayeredDepthImage image;
-        image.begin.reserve(old.begin.size());
-        image.begin.push_back(0);
-        image.depth.reserve(old.depth.size());
-        image.code.reserve(old.depth.size());
-        image.normal.reserve(old.depth.size());
-        for (std::uint32_t ray = 0; ray + 1 < old.begin.size(); ++ray) {
-            if (next != changed.end() && next->first == RayKey(axis, ray)) {
-                for (std::size_t i = 0; i < next->second.size(); ++i) {
-                    const RaySample& s = next->second[i];
-                    if (s.turn == 0) {
-                        inserted.push_back({axis, ray, static_cast<std::uint32_t>(image.depth.size())});
-                    }
-                    image.depth.push_back(s.depth);
-                    image.code.push_back(i % 2 == 0 ? s.triangle : ~s.triangle);
-                    image.normal.push_back(s.normal);
-                }
-                ++next;
-            } else {
-                for (std::uint32_t i = old.begin[ray]; i < old.begin[ray + 1]; ++i) {
-                    image.depth.push_back(old.depth[i]);
-                    image.code.push_back(old.code[i]);
-                    image.normal.push_back(old.normal[i]);
-                }
+        std::vector<LayeredDepthImage> bands(band_count(rays_));
+        std::vector<std::vector<SampleRef>> inserted_in(bands.size());
+        parallel_for(static_cast<int>(bands.size()), [&](int band) {
+            const auto k = static_cast<std::size_t>(band);
+            bands[k] = replaced(axis, band, changed, inserted_in[k]);
+        });
+        std::uint32_t before = 0;  // samples of the bands before
+        for (std::size_t k = 0; k < bands.size(); ++k) {
+            for (SampleRef& ref : inserted_in[k]) {
+                inserted.push_back({ref.axis, ref.ray, ref.index + before});
             }
-            image.begin.push_back(static_cast<std::uint32_t>(image.depth.size()));
+            before += static_cast<std::uint32_t>(bands[k].depth.size());
         }
-        set_[axis] = std::move(image);
+        set_[axis] = joined(bands);
     }
+}
+
+/// The rays of a band with those that were rebuilt; inserted samples have their indices in the band.
+LayeredDepthImage NodeConsistency::replaced(int axis, int band, const std::map<RayKey, std::vector<RaySample>>& changed,
+                                            std::vector<SampleRef>& inserted) const {
+    const LayeredDepthImage& old = set_[axis];
+    const std::uint32_t first = first_ray_of(band, rays_), end = first_ray_of(band + 1, rays_);
+    LayeredDepthImage image;
+    image.begin.push_back(0);
+    auto next = changed.lower_bound({axis, first});
+    for (std::uint32_t ray = first; ray < end; ++ray) {
+        if (next != changed.end() && next->first == RayKey(axis, ray)) {
+            for (std::size_t i = 0; i < next->second.size(); ++i) {
+                const RaySample& s = next->second[i];
+                if (s.turn == 0) {
+                    inserted.push_back({axis, ray, static_cast<std::uint32_t>(image.depth.size())});
+                }
+                image.depth.push_back(s.depth);
+                image.code.push_back(i % 2 == 0 ? s.triangle : ~s.triangle);
+                image.normal.push_back(s.normal);
+            }
+            ++next;
+        } else {
+            const std::uint32_t from = old.begin[ray], to = old.begin[ray + 1];
+            image.depth.insert(image.depth.end(), old.depth.begin() + from, old.depth.begin() + to);
+            image.code.insert(image.code.end(), old.code.begin() + from, old.code.begin() + to);
+            image.normal.insert(image.normal.end(), old.normal.begin() + from, old.normal.begin() + to);
+        }
+        image.begin.push_back(static_cast<std::uint32_t>(image.depth.size()));
+    }
+    return image;
 }
 
 std::vector<SampleRef> NodeConsistency::run() {
@@ -326,10 +365,16 @@ std::vector<SampleRef> NodeConsistency::run() {
     spread();
     find_turns();
     std::map<RayKey, std::vector<RaySample>> changed;
-    for (const auto& [key, nodes] : turns_) {
+    const std::vector<std::pair<RayKey, std::vector<int>>> turns(turns_.begin(), turns_.end());
+    std::vector<std::optional<std::vector<RaySample>>> rays(turns.size());
+    for_chunks(static_cast<int>(turns.size()), [&](int k) {
         check_cancelled(progress_);
-        if (std::optional<std::vector<RaySample>> samples = rebuilt(key, nodes)) {
-            changed.emplace(key, std::move(*samples));
+        const auto& [key, nodes] = turns[static_cast<std::size_t>(k)];
+        rays[static_cast<std::size_t>(k)] = rebuilt(key, nodes);
+    });
+    for (std::size_t k = 0; k < turns.size(); ++k) {
+        if (rays[k]) {
+            changed.emplace(turns[k].first, std::move(*rays[k]));
         }
     }
     std::size_t before = 0, after = 0;
@@ -354,16 +399,15 @@ bool only_touches(OrderedSamples::const_iterator at, OrderedSamples::const_itera
     return std::get<1>(*at) < 0 && at + 1 != end && std::get<1>(at[1]) >= 0 && std::get<0>(at[1]) == std::get<0>(*at);
 }
 
-}  // namespace
-
-std::size_t restore_order(LayeredDepthImage& image) {
+/// Some consecutive rays in ascending order.
+LayeredDepthImage in_order(const LayeredDepthImage& image, std::size_t first_ray, std::size_t end_ray) {
+    LayeredDepthImage result;
+    result.begin.push_back(0);
     std::vector<std::uint32_t> kept;
     OrderedSamples samples;
-    std::uint32_t written = 0, first = 0;
-    for (std::size_t ray = 0; ray + 1 < image.begin.size(); ++ray) {
-        const std::uint32_t end = image.begin[ray + 1];
+    for (std::size_t ray = first_ray; ray < end_ray; ++ray) {
         kept.clear();
-        for (std::uint32_t i = first; i < end; ++i) {
+        for (std::uint32_t i = image.begin[ray]; i < image.begin[ray + 1]; ++i) {
             const bool passed = !kept.empty() && image.depth[kept.back()] > image.depth[i] &&
                                 (image.code[kept.back()] < 0) != (image.code[i] < 0);
             if (passed) {
@@ -388,20 +432,29 @@ std::size_t restore_order(LayeredDepthImage& image) {
                 index += std::get<1>(samples[i++]) < 0 ? -1 : 1;
             }
         }
-        image.begin[ray] = written;
         for (const auto& [depth, code, normal] : samples) {
-            image.depth[written] = depth;
-            image.code[written] = code;
-            image.normal[written++] = normal;
+            result.depth.push_back(depth);
+            result.code.push_back(code);
+            result.normal.push_back(normal);
         }
-        first = end;
+        result.begin.push_back(static_cast<std::uint32_t>(result.depth.size()));
     }
-    const std::size_t vanished = image.depth.size() - written;
-    image.begin.back() = written;
-    image.depth.resize(written);
-    image.code.resize(written);
-    image.normal.resize(written);
-    return vanished;
+    return result;
+}
+
+}  // namespace
+
+std::size_t restore_order(LayeredDepthImage& image) {
+    const std::size_t before = image.depth.size(), rays = image.begin.size() - 1;
+    // Rays that one thread puts in order at a time.
+    constexpr std::size_t kRays = std::size_t{1} << 14;
+    std::vector<LayeredDepthImage> bands((rays + kRays - 1) / kRays);
+    parallel_for(static_cast<int>(bands.size()), [&](int k) {
+        const std::size_t first = static_cast<std::size_t>(k) * kRays;
+        bands[static_cast<std::size_t>(k)] = in_order(image, first, std::min(first + kRays, rays));
+    });
+    image = joined(bands);
+    return before - image.depth.size();
 }
 
 std::vector<SampleRef> make_consistent(LayeredDepthSet& set, const SampleGrid& grid, ConsistencyCounts& counts,

@@ -21,6 +21,9 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/parts.h"
+#include "geometry/session.h"
 #include "geometry/shapes.h"
 
 namespace mq::geometry {
@@ -466,6 +469,45 @@ TEST(ShapeModel, BoundsThePartAndNotItsDisplay) {
     EXPECT_EQ(before.high, after.high);
     EXPECT_NEAR(before.largest_side(), 20.0, 1e-3);
     EXPECT_GE(before.largest_side(), 20.0);
+}
+
+/// Several threads answer for one shape, each with evaluators of its own.
+TEST(ShapeModel, AnswersInSeveralThreadsAreThoseOfOne) {
+    Engine engine;
+    std::shared_ptr<Model> model;
+    engine.run([&] { model = make_shape_model(stored("blade")); });
+    std::vector<Query> queries;
+    for (int face = 0; face < static_cast<int>(model->topology().faces.size()); ++face) {
+        for (int k = 0; k < 40; ++k) {
+            queries.push_back(Query::face_nearest_global(face, Vec3(0.1 * k, 0.37 * (k % 7), 0.21 * (k % 5))));
+        }
+    }
+    const Engine::Answers one = engine.ask(model, queries);
+    Session session(engine, model);
+    for (const int threads : {1, 2, 3}) {
+        const ThreadLimit limit(threads);
+        Engine::Answers several(queries.size());
+        std::vector<Answerer*> by(queries.size(), nullptr);
+        session.run_parallel(static_cast<int>(queries.size()), [&](Answerer& answerer, int k) {
+            several[static_cast<std::size_t>(k)] = answerer.answer(queries[static_cast<std::size_t>(k)]);
+            by[static_cast<std::size_t>(k)] = &answerer;
+        });
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            EXPECT_EQ(several[i].status, one[i].status);
+            EXPECT_EQ(several[i].point, one[i].point);
+            EXPECT_EQ(several[i].normal, one[i].normal);
+            EXPECT_EQ(several[i].u, one[i].u);
+        }
+        std::sort(by.begin(), by.end());
+        EXPECT_LE(std::unique(by.begin(), by.end()) - by.begin(), threads);
+    }
+    EXPECT_THROW(session.run_parallel(8,
+                                      [](Answerer&, int k) {
+                                          if (k == 3) {
+                                              throw Cancelled("here");
+                                          }
+                                      }),
+                 Cancelled);
 }
 
 }  // namespace

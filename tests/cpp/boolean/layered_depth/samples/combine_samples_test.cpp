@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/parallel.h"
+#include "boolean/closed_solids.h"
+#include "boolean/layered_depth/samples/sample_clustering.h"
 
 namespace mq::boolean {
 namespace {
@@ -117,6 +120,64 @@ TEST(Combine, OpenOperandIsNamed) {
     } catch (const InvalidInput& error) {
         EXPECT_NE(std::string(error.what()).find("operand B is not closed"), std::string::npos) << error.what();
     }
+}
+
+/// Bands are dropped once they are combined; how high they are changes nothing, nor does the number of threads.
+TEST(Combine, MeshesInBandsOfAnyHeight) {
+    const mesh::TriangleMesh ball = solids::sphere(Vec3(0.1, 0.2, 0.3), 1.0, 24, 0.2);
+    const mesh::TriangleMesh block =
+        solids::box(Vec3(0.2, -0.4, -3.0), Vec3(0.9, 0.8, 0.7));  // reaches out of the grid
+    const mesh::TriangleMesh other = solids::sphere(Vec3(0.6, 0.2, 0.3), 0.7, 30);
+    const OperandSet set({&ball, &block, &other});
+    Box box;
+    box.add(Vec3(-1.0, -0.9, -0.8));
+    box.add(Vec3(1.3, 1.3, 1.4));
+    const SampleGrid grid(box, 65);
+    CombineOptions options;
+    options.expression = Expression::chain(Operation::Difference, 3);
+    options.thinnest = 1e-5;
+    std::vector<LayeredDepthSet> images;
+    for (int k = 0; k < 3; ++k) {
+        images.push_back(rasterise(set, k, grid, nullptr));
+    }
+    const CombinedSet whole = combine(set, images, grid, options, nullptr);
+    const std::vector<std::uint32_t> samples = count_samples(set, images);
+    for (const int rows : {1, 7, 32, 1000}) {
+        for (const int threads : {1, 2, 3}) {
+            SCOPED_TRACE(std::to_string(rows) + " rows, " + std::to_string(threads) + " threads");
+            const ThreadLimit limit(threads);
+            SampleCounts counts(set.triangles.size());
+            const CombinedSet banded = combine_meshes(set, grid, options, counts, nullptr, rows);
+            EXPECT_EQ(std::vector<std::uint32_t>(counts.begin(), counts.end()), samples);
+            for (int axis = 0; axis < 3; ++axis) {
+                EXPECT_GT(banded[axis].depth.size(), 1000U);
+                EXPECT_EQ(banded[axis].begin, whole[axis].begin);
+                EXPECT_EQ(banded[axis].depth, whole[axis].depth);
+                EXPECT_EQ(banded[axis].source, whole[axis].source);
+            }
+        }
+    }
+}
+
+TEST(Combine, ARayThatDoesNotBalanceIsNamedInABandToo) {
+    mesh::TriangleMesh open = solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    const mesh::TriangleMesh ball = solids::sphere(Vec3(0.5, 0.5, 0.5), 0.6, 12);
+    open.triangles.pop_back();
+    const OperandSet set({&ball, &open});
+    Box box;
+    box.add(Vec3(0, 0, 0));
+    box.add(Vec3(1, 1, 1));
+    SampleCounts counts(set.triangles.size());
+    const auto message = [&](int rows) {
+        try {
+            combine_meshes(set, SampleGrid(box, 33), CombineOptions(), counts, nullptr, rows);
+            return std::string();
+        } catch (const InvalidInput& error) {
+            return std::string(error.what());
+        }
+    };
+    EXPECT_NE(message(4).find("operand B is not closed"), std::string::npos);
+    EXPECT_EQ(message(4), message(1000));
 }
 
 TEST(Combine, ANodeOnASampleLiesBehindIt) {
