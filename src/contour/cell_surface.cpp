@@ -15,12 +15,13 @@ namespace {
 using Corners = std::array<Vec3, 4>;
 using Face = std::array<Vec3, 3>;
 
-bool is_sharp(const Crossing& a, const Crossing& b) {
+/// Whether the surface is bent between two crossings more than a fan can follow.
+bool is_bent(const Crossing& a, const Crossing& b) {
     return a.source >= 0 && b.source >= 0 && a.normal.dot(b.normal) < ContourTuning::kSharpCosine;
 }
 
 bool is_feature(const Crossing& a, const Crossing& b) {
-    return is_sharp(a, b) || a.patch != b.patch;
+    return is_bent(a, b) || a.patch != b.patch;
 }
 
 /// Barycentric coordinates of a point in a tetrahedron.
@@ -90,7 +91,7 @@ class CellBuilder {
                 result.face_points[slot] = face_point(k);
             }
         }
-        result.apex = result.is_sharp ? sharp_apex() : middle_of_border(result);
+        result.apex = result.is_sharp ? sharp_apex() : middle_of_face_points(result);
         if (level_set_ != nullptr) {
             result.apex = projected(result.apex, *level_set_, at(0).source, [&](const Vec3& p, const Level& level) {
                 return kept_inside(p - level.value * level.gradient, middle(), cell_.corners);
@@ -101,6 +102,12 @@ class CellBuilder {
 
   private:
     int count() const { return cell_.polygon.count; }
+    /// Whether there is an edge between two crossings: normals turn more than on a ball of the least radius.
+    bool is_sharp(const Crossing& a, const Crossing& b) const {
+        constexpr double kMore = 1.05;  // for rounding errors, and chords instead of arcs
+        return is_bent(a, b) && (level_set_ == nullptr || level_set_->least_radius() * (a.normal - b.normal).norm() >
+                                                              kMore * (a.point - b.point).norm());
+    }
     const Crossing& at(int k) const {
         return crossings_[static_cast<std::size_t>(cell_.crossings[static_cast<std::size_t>(k % count())])];
     }
@@ -119,8 +126,8 @@ class CellBuilder {
         }
         return kept_inside(planes.least(middle(), ContourTuning::kFlatShare), middle(), cell_.corners);
     }
-    /// The middle of the points where the border between patches enters and leaves.
-    Vec3 middle_of_border(const CellSurface& surface) const {
+    /// The middle of the points on faces, as where the border between patches enters and leaves.
+    Vec3 middle_of_face_points(const CellSurface& surface) const {
         Vec3 sum = Vec3::Zero();
         double points = 0.0;
         for (std::size_t k = 0; k < 4; ++k) {
@@ -141,10 +148,14 @@ class CellBuilder {
         const Crossing& a = in_order ? at(k) : at(k + 1);
         const Crossing& b = in_order ? at(k + 1) : at(k);
         const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]).normalized();
-        Vec3 point = is_sharp(a, b) || level_set_ == nullptr ? meeting(a, b, normal) : border(a, b);
-        if (!is_on(point, face, normal)) {
-            point = 0.5 * (a.point + b.point);
+        const Vec3 half = 0.5 * (a.point + b.point);
+        Vec3 point = half;
+        if (is_sharp(a, b)) {
+            point = meeting(a, b, normal);
+        } else if (a.patch != b.patch && level_set_ != nullptr) {
+            point = border(a, b);
         }
+        point = is_on(point, face, normal) ? point : half;
         if (level_set_ == nullptr) {
             return point;
         }

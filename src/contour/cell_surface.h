@@ -23,11 +23,11 @@ struct CellSurface {
 
 /// The surface of a cell: extended marching cubes (Kobbelt, Botsch, Schwanecke and Seidel 2001) on a tetrahedron.
 ///
-/// Where normals meet at an edge the vertex lies where the quadric of their planes has its least value (Garland and
-/// Heckbert 1997), and on a face of such a cell where the two lines meet that the planes cut from it. Where only
-/// patches meet they lie on the border. The surface is the cone from the vertex over the polygon of crossings and
-/// points on faces, which goes once around the cell's border. The vertex is inside of the cell, which is convex, so the
-/// cone does not cross itself.
+/// Where normals meet at an edge (they turn more than a level set that is smooth would let them) the vertex lies where
+/// the quadric of their planes has its least value (Garland and Heckbert 1997), and on a face of such a cell where the
+/// two lines meet that the planes cut from it. Where only patches meet they lie on the border, and elsewhere in the
+/// middle. The surface is the cone from the vertex over the polygon of crossings and points on faces, which goes once
+/// around the cell's border. The vertex is inside of the cell, which is convex, so the cone does not cross itself.
 /// @param level_set  on whose zero set vertices are moved, which finds the borders of patches; null: there is none
 CellSurface cell_surface(const CrossedCell& cell, const std::vector<Crossing>& crossings, const LevelSet* level_set);
 

@@ -13,7 +13,7 @@ namespace mq::contour {
 struct Crossing {
     Vec3 point = Vec3::Zero();     ///< on the edge, not at its ends
     Vec3 on_input = Vec3::Zero();  ///< a point of the plane that the surface has there
-    Vec3 normal = Vec3::Zero();    ///< of that plane, outward, of length 1; zero where it closes a gap
+    Vec3 normal = Vec3::Zero();    ///< that plane's, outward, of length 1; zero where it closes a gap
     std::int32_t source = -1;      ///< the input's triangle to which it belongs; -1 where it closes a gap
     std::int32_t patch = -1;       ///< cells where patches meet have the border between them as an edge
 };

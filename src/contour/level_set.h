@@ -10,7 +10,7 @@ namespace mq::contour {
 /// What a level set is at a point.
 struct Level {
     double value = 0.0;            ///< mm: below 0 within, above it outside
-    Vec3 gradient = Vec3::Zero();  ///< of length 1
+    Vec3 gradient = Vec3::Zero();  ///< its length is 1
     std::int32_t source = -1;      ///< the input's triangle that decides
 };
 
@@ -26,6 +26,8 @@ class LevelSet {
     virtual Level at(const Vec3& point, std::int32_t guess) const = 0;
     /// The patch of a source.
     virtual std::int32_t patch(std::int32_t source) const = 0;
+    /// mm: the zero set is nowhere bent outward more than a ball of this radius.
+    virtual double least_radius() const = 0;
     /// mm: values as small count as 0.
     virtual double resolution() const = 0;
 };

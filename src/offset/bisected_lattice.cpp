@@ -44,7 +44,7 @@ BisectedLattice::BisectedLattice(const Box& box, double side, double finest) : f
     }
 }
 
-/// Of edges as long the one with the lower nodes counts as longer.
+/// Among edges as long the one with the lower nodes counts as longer.
 std::array<std::int32_t, 2> BisectedLattice::longest_edge(const Cell& cell) const {
     constexpr double kSame = 1e-9;  // relative difference of lengths that count as equal
     std::array<std::int32_t, 2> longest{-1, -1};

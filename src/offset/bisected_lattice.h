@@ -51,7 +51,7 @@ class BisectedLattice {
 
     double finest_;
     std::vector<Vec3> nodes_;
-    std::vector<std::vector<std::int32_t>> cells_at_;  ///< of each node, those that are not divided
+    std::vector<std::vector<std::int32_t>> cells_at_;  ///< by node: those that are not divided
     std::vector<Cell> cells_;
     std::vector<char> divided_;
 };

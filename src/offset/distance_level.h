@@ -15,8 +15,8 @@ namespace mq::offset {
 /// The surface from which an offset is made. It must outlive what uses it.
 struct OffsetSurface {
     std::vector<Vec3> points;
-    std::vector<mesh::Triangle> triangles;  ///< of a solid: closed and oriented outward
-    std::vector<std::int32_t> patch;        ///< of each triangle
+    std::vector<mesh::Triangle> triangles;  ///< closed and oriented outward where it is a solid
+    std::vector<std::int32_t> patch;        ///< by triangle
     bool is_solid = true;                   ///< otherwise both sides count
 };
 
@@ -33,6 +33,7 @@ class DistanceLevel : public contour::LevelSet {
 
     contour::Level at(const Vec3& point, std::int32_t guess) const override;
     std::int32_t patch(std::int32_t source) const override { return surface_.patch[static_cast<std::size_t>(source)]; }
+    double least_radius() const override { return distance_; }
     double resolution() const override { return resolution_; }
 
     double distance() const { return distance_; }

@@ -374,8 +374,8 @@ class Refinement {
     const Progress& progress_;
     std::size_t known_cells_ = 0;
     double bound_ = 0.0;
-    std::vector<Level> levels_;     ///< of the nodes
-    KeyMap<std::int32_t> numbers_;  ///< of crossings, by edge
+    std::vector<Level> levels_;     ///< by node
+    KeyMap<std::int32_t> numbers_;  ///< numbers of crossings, by edge
     std::vector<Crossing> crossings_;
     std::vector<std::int32_t> renumbered_;
 };

@@ -12,7 +12,7 @@ namespace mq::offset {
 /// A point of the lattice beside the contour.
 struct LatticeNode {
     Vec3 place = Vec3::Zero();
-    double value = 0.0;  ///< of the level set
+    double value = 0.0;  ///< what the level set is there
 };
 
 /// The cells whose contour is an offset, and how well.
@@ -22,7 +22,7 @@ struct RefinedCells {
     /// farther than the distance and this is within it.
     double bound = 0.0;
     std::vector<LatticeNode> nodes;  ///< corners of the crossed cells
-    std::size_t cells = 0;           ///< of the whole lattice
+    std::size_t cells = 0;           ///< how many the whole lattice has
 };
 
 /// Divides cells around the zero set of a distance until the contour of each is proven within a slack of it: both sides

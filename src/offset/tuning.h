@@ -10,7 +10,7 @@ struct OffsetTuning {
     /// Fraction of the tolerance within which the contour is proven.
     MESHQUALITY_TUNED(double, kSlack, 0.6);
     /// Fraction of the tolerance that its simplification may use.
-    MESHQUALITY_TUNED(double, kSimplification, 0.3);
+    MESHQUALITY_TUNED(double, kSimplification, 0.6);
     /// Fraction of the tolerance below which a distance counts as the one asked for.
     MESHQUALITY_TUNED(double, kResolution, 0.01);
     /// Length of the edges of the finest cells, as a fraction of the tolerance: no point of such a cell is farther than
