@@ -41,7 +41,7 @@ struct OffsetResult {
 /// @param solid  closed, oriented outward, without self-intersections: what boolean() gives. Where it has CAD faces,
 /// the
 ///     borders between them are kept.
-/// @throws InvalidInput for an option out of range, and where the tolerance is too small for the size
+/// @throws InvalidInput for an option out of range, and where the cells would not fit into memory
 /// @throws TopologyError where the result cannot be held in single precision
 /// @throws Cancelled
 OffsetResult offset(const mesh::TriangleMesh& solid, const OffsetOptions& options, Progress& progress);

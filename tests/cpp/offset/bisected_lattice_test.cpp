@@ -8,8 +8,6 @@
 #include <map>
 #include <random>
 
-#include "base/error.h"
-
 namespace mq::offset {
 namespace {
 
@@ -104,19 +102,40 @@ TEST(BisectedLattice, StaysConformingWhereItIsDivided) {
     EXPECT_LE(shapes.size(), 3U);
 }
 
-TEST(BisectedLattice, TheFinestCellsAreNotDivided) {
-    BisectedLattice lattice(unit_box(), 1.0, 1.0);
-    for (int round = 0; round < 3; ++round) {
-        const std::size_t count = lattice.cell_count();
-        for (std::size_t k = 0; k < count; ++k) {
-            if (lattice.is_divisible(lattice.cell(k))) {
-                lattice.divide(k);
-            }
+TEST(BisectedLattice, CellsAreDivisibleDownToTheFinest) {
+    constexpr double kFinest = 0.6;
+    BisectedLattice lattice(unit_box(), 1.0, kFinest);
+    for (std::size_t k = 0; k < lattice.cell_count(); ++k) {
+        if (lattice.is_divisible(lattice.cell(k))) {
+            lattice.divide(k);
         }
     }
-    EXPECT_EQ(lattice.cell_count() % 6, 0U);
-    EXPECT_FALSE(lattice.is_divisible(lattice.cell(0)));
-    EXPECT_THROW(BisectedLattice(unit_box(), 1.0, 1e-9), InvalidInput);
+    conforming_volume(lattice);
+    for (std::size_t k = 0; k < lattice.cell_count(); ++k) {
+        const auto c = lattice.corners(lattice.cell(k));
+        double longest = 0.0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                longest = std::max(longest, (c[i] - c[j]).norm());
+            }
+        }
+        EXPECT_EQ(lattice.is_divided(k), longest > kFinest);
+    }
+}
+
+TEST(BisectedLattice, AnEdgeIsDividedAnywhere) {
+    BisectedLattice lattice(unit_box(), 1.0, 0.1);
+    const double all = conforming_volume(lattice);
+    const std::size_t nodes = lattice.node_count();
+    const BisectedLattice::Cell cell = lattice.cell(7);
+    const Vec3 place = 0.8 * lattice.at(cell.nodes[0]) + 0.2 * lattice.at(cell.nodes[3]);
+    lattice.divide_edge(cell.nodes[0], cell.nodes[3], place);
+    EXPECT_EQ(lattice.node_count(), nodes + 1);
+    EXPECT_EQ(lattice.at(static_cast<std::int32_t>(nodes)), place);
+    EXPECT_TRUE(lattice.is_divided(7));
+    EXPECT_NEAR(conforming_volume(lattice), all, 1e-9);
+    lattice.divide_edge(cell.nodes[0], cell.nodes[3], place);  // there is no such edge any more
+    EXPECT_EQ(lattice.node_count(), nodes + 1);
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ TEST(Offset, AGapOfTwiceTheDistanceCloses) {
 TEST(Offset, RandomUnionsOfBoxesAndBallsAreSoundAndWithinTheTolerance) {
     std::mt19937 random(7);
     const auto number = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
-    constexpr int kRounds = 12;
+    constexpr int kRounds = 6;
     for (int round = 0; round < kRounds; ++round) {
         std::vector<TriangleMesh> bodies;
         for (int i = 0; i < 3; ++i) {
