@@ -147,7 +147,7 @@ class EdgeCollapse {
     }
     /// Planes through a border that stand on the surface, so that it does not wander along it.
     void keep_border(std::int32_t a, std::int32_t b) {
-        constexpr double kWeight = 1.0 / 16.0;  // four times the distance
+        const double weight = std::pow(limits_.distance / limits_.border, 2.0);
         const std::array<std::int32_t, 2> two = sides(a, b);
         const Vec3 along = surface_.points[b] - surface_.points[a];
         // A block ends at edges of one triangle, which are fixed.
@@ -157,8 +157,8 @@ class EdgeCollapse {
         for (const std::int32_t t : two) {
             const Vec3 across = along.cross(planes_[t]);
             if (across.squaredNorm() > 0.0) {
-                quadrics_[a].add_plane(surface_.points[a], across.normalized(), kWeight);
-                quadrics_[b].add_plane(surface_.points[a], across.normalized(), kWeight);
+                quadrics_[a].add_plane(surface_.points[a], across.normalized(), weight);
+                quadrics_[b].add_plane(surface_.points[a], across.normalized(), weight);
             }
         }
     }

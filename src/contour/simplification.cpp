@@ -40,6 +40,7 @@ class Blocks {
         parallel_for(static_cast<int>(blocks_.size()), [&](int k) {
             Block& block = blocks_[static_cast<std::size_t>(k)];
             block.limits.distance = limits.distance;
+            block.limits.border = limits.border;
             block.limits.longest = limits.longest;
             block.limits.may_be = limits.may_be;
             fill(block);
@@ -173,6 +174,7 @@ void simplify(Contour& surface, const std::vector<Crossing>& crossings, const Si
               const Progress& progress) {
     CollapseLimits limits;
     limits.distance = how.distance;
+    limits.border = how.border;
     limits.longest = how.longest;
     limits.may_be = how.may_be;
     // The second time most of what was between blocks is in one.

@@ -13,6 +13,7 @@ namespace mq::contour {
 /// How far a contour is simplified.
 struct Simplification {
     double distance = 0.0;                                     ///< as CollapseLimits::distance, mm
+    double border = 0.0;                                       ///< as CollapseLimits::border, mm
     double longest = std::numeric_limits<double>::infinity();  ///< as CollapseLimits::longest, mm
     double block = 0.0;  ///< side of the blocks that are simplified at once, mm: far more than triangles are long
     MayBe may_be;
@@ -20,7 +21,7 @@ struct Simplification {
 
 /// Collapses edges of a contour as long as the planes that its triangles stand for are within a distance
 /// (collapse_edges). Where these are the input's, edges that the lattice has cut off become sharp again. Borders
-/// between patches stay within four times the distance, and do not vanish.
+/// between patches stay within a distance of their own, and do not vanish.
 ///
 /// First in blocks of space at once: each holds the triangles that are in it with all of their corners, and changes
 /// nothing outside of itself, so that blocks do not meet. Triangles between blocks are fixed meanwhile. Then all that

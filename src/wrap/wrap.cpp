@@ -40,6 +40,7 @@ std::vector<std::int32_t> patches_of(const contour::Contour& surface, const mesh
 contour::Simplification simplification(double spacing) {
     contour::Simplification limits;
     limits.distance = WrapTuning::kSimplification * spacing;
+    limits.border = WrapTuning::kBorder * spacing;
     limits.longest = WrapTuning::kLongest * spacing;
     limits.block = WrapTuning::kBlock * spacing;
     return limits;
