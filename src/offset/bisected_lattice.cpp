@@ -15,7 +15,7 @@ BisectedLattice::BisectedLattice(const Box& box, double side, double finest) : f
     std::array<std::uint64_t, 3> cubes{};
     for (int i = 0; i < 3; ++i) {
         // The lattice lies at no round place, so that faces of parts seldom lie in its planes.
-        origin[i] = box.low[i] - OffsetTuning::kShift * (1.0 + 0.37 * i) * side;
+        origin[i] = box.low[i] - ContouredOffsetTuning::kShift * (1.0 + 0.37 * i) * side;
         cubes[static_cast<std::size_t>(i)] = static_cast<std::uint64_t>(std::ceil((box.high[i] - origin[i]) / side));
     }
     KeyMap<std::int32_t> numbers;

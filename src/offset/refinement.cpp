@@ -34,7 +34,7 @@ class Refinement {
           proof_(level_set, slack),
           slack_(slack),
           finest_(finest),
-          lattice_(box, box.largest_side() / OffsetTuning::kCubes, finest),
+          lattice_(box, box.largest_side() / ContouredOffsetTuning::kCubes, finest),
           progress_(progress) {}
 
     RefinedCells run() {
@@ -52,7 +52,7 @@ class Refinement {
                     divide(fresh[k], verdicts[k]);
                 }
             }
-            if (static_cast<double>(lattice_.cell_count()) > OffsetTuning::kMostCells) {
+            if (static_cast<double>(lattice_.cell_count()) > ContouredOffsetTuning::kMostCells) {
                 throw InvalidInput(
                     "the offset takes more memory than there may be: choose a larger tolerance, or offset bodies one "
                     "by one");
@@ -101,7 +101,7 @@ class Refinement {
         }
         const double slope = from.gradient.dot(way) - to.gradient.dot(way);
         const double share = slope == 0.0 ? 0.0 : (to.value - to.gradient.dot(way) - from.value) / slope;
-        constexpr double kEnds = OffsetTuning::kTipEnds;
+        constexpr double kEnds = ContouredOffsetTuning::kTipEnds;
         if (share < kEnds || share > 1.0 - kEnds) {
             return;
         }

@@ -52,7 +52,8 @@ bool SideProof::is_farther_from_all(const Tetrahedron& cell, const Ball& ball, d
                 lowest = std::min(lowest, away.dot(corner - ball.middle));
             }
             // A division is cheaper than asking all triangles that are near to a large cell.
-            holds = distance > 0.0 && distance + lowest / distance >= least && ++asked <= OffsetTuning::kMostAsked;
+            holds =
+                distance > 0.0 && distance + lowest / distance >= least && ++asked <= ContouredOffsetTuning::kMostAsked;
         });
     return holds;
 }
@@ -73,7 +74,7 @@ bool SideProof::holds(const Tetrahedron& cell, bool outside, std::int32_t guess,
     if (outside ? is_outside(cell, ball, level) : is_within(cell, ball, level)) {
         return true;
     }
-    if (divisions == OffsetTuning::kDivisions) {
+    if (divisions == ContouredOffsetTuning::kDivisions) {
         return false;
     }
     std::array<std::size_t, 2> longest{0, 1};

@@ -6,7 +6,7 @@
 namespace mq::offset {
 
 /// The constants of offsets. What each does at half and at double its value was not measured yet.
-struct OffsetTuning {
+struct ContouredOffsetTuning {
     /// Fraction of the tolerance within which the contour is proven.
     MESHQUALITY_TUNED(double, kSlack, 0.6);
     /// Fraction of the tolerance that its simplification may use.

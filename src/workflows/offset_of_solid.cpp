@@ -8,11 +8,16 @@
 #include <string>
 #include <utility>
 
+#include "base/error.h"
 #include "base/stopwatch.h"
+#include "offset/contoured_offset.h"
 
 namespace mq::workflows {
 
 namespace {
+
+/// Pairs that cross for each triangle of a raw offset from which on trimming takes longer than contouring.
+constexpr double kMostCrossings = 0.5;
 
 std::string empty_offset(double distance) {
     std::array<char, 120> text;
@@ -21,8 +26,9 @@ std::string empty_offset(double distance) {
     return text.data();
 }
 
-BooleanSurface reported(offset::OffsetResult&& found, const BooleanSurface& solid, const offset::OffsetOptions& options,
-                        const WorkBefore& before, const Stopwatch& watch, Progress& progress) {
+BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& solid,
+                        const boolean::OffsetOptions& options, const WorkBefore& before, const Stopwatch& watch,
+                        Progress& progress) {
     BooleanSurface result;
     result.mesh = std::move(found.mesh);
     if (!solid.mesh.triangle_face.empty()) {
@@ -35,6 +41,7 @@ BooleanSurface reported(offset::OffsetResult&& found, const BooleanSurface& soli
     figures.error_bound = found.error_bound;
     figures.tolerance_asked = options.tolerance;
     figures.reconstructed = result.mesh.triangles.size();
+    figures.crossing_pairs = found.crossing_pairs;
     figures.self_intersections = 0;
     figures.seconds = std::move(found.seconds);
     complete_report(result, before, empty_offset(options.distance), progress);
@@ -43,18 +50,48 @@ BooleanSurface reported(offset::OffsetResult&& found, const BooleanSurface& soli
     return result;
 }
 
+/// The raw offset, trimmed, where few of its triangles cross: it has the fewest triangles then, and is fast. Else the
+/// contour of the distance, which takes longer, but no longer for features smaller than the distance.
+template <typename Trimmed, typename Contoured>
+boolean::OffsetResult first_within(boolean::OffsetOptions options, const Trimmed& trimmed, const Contoured& contoured) {
+    boolean::OffsetResult result;
+    try {
+        options.most_crossings = kMostCrossings;
+        result = trimmed(options);
+        if (result.error_bound <= options.tolerance) {
+            return result;
+        }
+    } catch (const TopologyError&) {
+        // What the contour says of the same surface counts.
+    }
+    StageTimes before = std::move(result.seconds);
+    result = contoured(options);
+    before.insert(before.end(), result.seconds.begin(), result.seconds.end());
+    result.seconds = std::move(before);
+    return result;
+}
+
 }  // namespace
 
-BooleanSurface offset_of_solid(const BooleanSurface& solid, const offset::OffsetOptions& options,
+BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::OffsetOptions& options,
                                const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
-    return reported(offset::offset(solid.mesh, options, progress), solid, options, before, watch, progress);
+    boolean::OffsetResult found = first_within(
+        options, [&](const boolean::OffsetOptions& how) { return boolean::offset(solid.mesh, how, progress); },
+        [&](const boolean::OffsetOptions& how) { return offset::contoured_offset(solid.mesh, how, progress); });
+    return reported(std::move(found), solid, options, before, watch, progress);
 }
 
 BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,
-                               const offset::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
+                               const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
-    return reported(offset::thicken(solid.mesh, left_out, options, progress), solid, options, before, watch, progress);
+    boolean::OffsetResult found = first_within(
+        options,
+        [&](const boolean::OffsetOptions& how) { return boolean::thicken(solid.mesh, left_out, how, progress); },
+        [&](const boolean::OffsetOptions& how) {
+            return offset::contoured_walls(solid.mesh, left_out, how, progress);
+        });
+    return reported(std::move(found), solid, options, before, watch, progress);
 }
 
 }  // namespace mq::workflows

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "offset/offset.h"
+#include "boolean/offset/offset.h"
 #include "workflows/boolean_of_operands.h"
 
 namespace mq::workflows {
@@ -14,7 +14,7 @@ namespace mq::workflows {
 /// @param solid  what boolean_of_operands gives; each triangle of the result is on the CAD face of the one from which
 ///     it is offset, where those are known (name_faces)
 /// @throws as offset::offset
-BooleanSurface offset_of_solid(const BooleanSurface& solid, const offset::OffsetOptions& options,
+BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::OffsetOptions& options,
                                const WorkBefore& before, Progress& progress);
 
 /// All that is within a distance of some triangles of a solid (offset::thicken) with its report and CAD faces
@@ -22,6 +22,6 @@ BooleanSurface offset_of_solid(const BooleanSurface& solid, const offset::Offset
 /// @param left_out  for each triangle of the solid
 /// @throws as offset::thicken
 BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,
-                               const offset::OffsetOptions& options, const WorkBefore& before, Progress& progress);
+                               const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress);
 
 }  // namespace mq::workflows

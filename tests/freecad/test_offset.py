@@ -102,6 +102,18 @@ class Offsets(unittest.TestCase):
         self.assert_sound(result, 0.02)
         self.assertAlmostEqual(result.report.volume, 7.0**3, delta=2.0)
 
+    def test_features_smaller_than_the_distance(self):
+        # The raw offset of each pin crosses those of all pins near it: the contour of the distance takes its place.
+        plate = Part.makeBox(12, 12, 2)
+        pins = [Part.makeCylinder(0.2, 0.6, Vector(1.0 + x, 1.0 + y, 2)) for x in range(11) for y in range(11)]
+        comb = plate.fuse(pins)
+        result = mq.offset(comb, 1.0, tolerance=0.02)
+        self.assertIn("dividing cells", result.report.seconds)
+        self.assert_sound(result, 0.02)
+        self.assertLessEqual(abs(distances_from(comb, result) - 1.0).max(), 0.02)
+        assert_on_faces(self, comb, result, lambda i: np.full(len(i), 1.0), 0.02)
+        self.assertNotIn("dividing cells", mq.offset(plate, 1.0, tolerance=0.02).report.seconds)
+
     def test_faces_are_those_of_the_shape(self):
         result = mq.offset(Part.makeBox(10, 10, 10), 1.0, tolerance=0.05)
         self.assertEqual(set(result.triangle_face), set(range(6)))

@@ -35,6 +35,7 @@ STAGES = {
         ["boolean/near_coincidence"],
         ["boolean/extraction"],
         ["boolean/rounding"],
+        ["boolean/offset"],
         ["boolean/layered_depth/samples"],
         ["boolean/layered_depth/reconstruction"],
         ["boolean/layered_depth"],

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "base/progress.h"
@@ -10,7 +9,7 @@
 #include "mesh/intersection/triangle_distance.h"
 #include "mesh/triangle_mesh.h"
 
-namespace mq::offset {
+namespace mq::boolean {
 
 /// A surface with the tree of its triangles, for questions of distance. Both lists must outlive it.
 struct SearchedSurface {
@@ -30,6 +29,10 @@ struct ProvenBound {
     Vec3 where = Vec3::Zero();
 };
 
+/// Whether all points of a triangle are nearer to a surface than a distance, as far as a proof of a few divisions
+/// shows.
+bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double distance);
+
 /// A bound for |d - distance| over all points of some triangles, where d is a point's distance from a surface.
 ///
 /// Over a triangle the distance from one triangle of the surface is convex, so that its corners bound it from above;
@@ -42,4 +45,11 @@ ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const
 std::vector<std::int32_t> triangles_beyond(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                            double distance, double most, double fineness, const Progress& progress);
 
-}  // namespace mq::offset
+/// A bound for the distances from `result` of those points of some triangles that may lie on the exact offset: which
+/// are at least `least` (mm) in front of a surface, and do not come nearer to another side of it before they are moved
+/// on by `gap` (mm) along the triangle's normal. Distances up to `enough` are taken as that.
+ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, const SearchedSurface& surface,
+                                     double least, double gap, const SearchedSurface& result, double enough,
+                                     const Progress& progress);
+
+}  // namespace mq::boolean

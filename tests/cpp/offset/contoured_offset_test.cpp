@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "offset/offset.h"
+#include "offset/contoured_offset.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +16,7 @@ namespace mq::offset {
 namespace {
 
 using boolean::BooleanOptions;
+using boolean::OffsetResult;
 using boolean::Operation;
 using mesh::Triangle;
 using mesh::TriangleMesh;
@@ -37,14 +38,14 @@ TriangleMesh united(const std::vector<const TriangleMesh*>& bodies, Operation op
 
 OffsetResult sound_offset(const TriangleMesh& solid, double distance, double tolerance) {
     Progress progress;
-    OffsetResult result = offset(solid, {distance, tolerance, 0}, progress);
+    OffsetResult result = contoured_offset(solid, {distance, tolerance, 0}, progress);
     EXPECT_TRUE(mesh::verify(result.mesh.vertices, result.mesh.triangles).passed());
     EXPECT_LE(result.error_bound, tolerance);
     EXPECT_EQ(result.triangle_source.size(), result.mesh.triangles.size());
     return result;
 }
 
-TEST(Offset, ABoxGrowsRoundEdgesAndShrinksToABox) {
+TEST(ContouredOffset, ABoxGrowsRoundEdgesAndShrinksToABox) {
     const TriangleMesh box = boolean::solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
     const double grown = 1000 + 1200 + 30 * M_PI * 4 + 4.0 / 3.0 * M_PI * 8;
     EXPECT_NEAR(volume(sound_offset(box, 2.0, 0.02).mesh) / grown, 1.0, 2e-3);
@@ -53,7 +54,7 @@ TEST(Offset, ABoxGrowsRoundEdgesAndShrinksToABox) {
     EXPECT_NEAR(volume(shrunk.mesh), 216.0, 0.1);
 }
 
-TEST(Offset, ABallGrowsAndShrinksToBalls) {
+TEST(ContouredOffset, ABallGrowsAndShrinksToBalls) {
     const TriangleMesh ball = boolean::solids::sphere(Vec3(1, 2, 3), 5.0, 40);
     for (const double distance : {0.5, -0.5}) {
         // The ball's facets are up to 0.02 within it.
@@ -63,7 +64,7 @@ TEST(Offset, ABallGrowsAndShrinksToBalls) {
     }
 }
 
-TEST(Offset, TheBordersBetweenFacesAreKept) {
+TEST(ContouredOffset, TheBordersBetweenFacesAreKept) {
     TriangleMesh box = boolean::solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
     for (const Triangle& t : box.triangles) {
         const Vec3 middle = (box.vertices[t[0]] + box.vertices[t[1]] + box.vertices[t[2]]) / 3.0;
@@ -81,13 +82,13 @@ TEST(Offset, TheBordersBetweenFacesAreKept) {
     EXPECT_NEAR(top, 100.0 + 4 * 10 * M_PI / 2 + 4 * M_PI / 2, 2.0);
 }
 
-TEST(Offset, NothingIsLeftOfWhatIsThinnerThanTwiceTheDistance) {
+TEST(ContouredOffset, NothingIsLeftOfWhatIsThinnerThanTwiceTheDistance) {
     const TriangleMesh plate = boolean::solids::box(Vec3(0, 0, 0), Vec3(20, 20, 2));
     EXPECT_TRUE(sound_offset(plate, -1.1, 0.02).mesh.triangles.empty());
     EXPECT_FALSE(sound_offset(plate, -0.9, 0.02).mesh.triangles.empty());
 }
 
-TEST(Offset, ARingOfWhichTheHoleClosesIsFilled) {
+TEST(ContouredOffset, ARingOfWhichTheHoleClosesIsFilled) {
     // Around a point on the axis the ball meets the ring in a ring.
     const TriangleMesh outer = boolean::solids::box(Vec3(0, 0, 0), Vec3(10, 10, 4));
     const TriangleMesh hole = boolean::solids::box(Vec3(4, 4, -1), Vec3(6, 6, 5));
@@ -99,14 +100,14 @@ TEST(Offset, ARingOfWhichTheHoleClosesIsFilled) {
     EXPECT_GT(volume(closed), volume(solid) - 2.0 * 4.0 * 1.2);
 }
 
-TEST(Offset, AGapOfTwiceTheDistanceCloses) {
+TEST(ContouredOffset, AGapOfTwiceTheDistanceCloses) {
     const TriangleMesh left = boolean::solids::box(Vec3(0, 0, 0), Vec3(4, 10, 10));
     const TriangleMesh right = boolean::solids::box(Vec3(6, 0, 0), Vec3(10, 10, 10));
     const TriangleMesh foot = boolean::solids::box(Vec3(0, 0, -2), Vec3(10, 10, 1));
     sound_offset(united({&left, &right, &foot}), 1.0, 0.02);
 }
 
-TEST(Offset, RandomUnionsOfBoxesAndBallsAreSoundAndWithinTheTolerance) {
+TEST(ContouredOffset, RandomUnionsOfBoxesAndBallsAreSoundAndWithinTheTolerance) {
     std::mt19937 random(7);
     const auto number = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
     constexpr int kRounds = 6;
@@ -126,40 +127,40 @@ TEST(Offset, RandomUnionsOfBoxesAndBallsAreSoundAndWithinTheTolerance) {
     }
 }
 
-TEST(Offset, TheSameForAnyNumberOfThreads) {
+TEST(ContouredOffset, TheSameForAnyNumberOfThreads) {
     const TriangleMesh a = boolean::solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
     const TriangleMesh b = boolean::solids::sphere(Vec3(10, 10, 10), 4.0, 12);
     const TriangleMesh solid = united({&a, &b}, Operation::Difference);
     Progress progress;
-    const OffsetResult one = offset(solid, {0.7, 0.02, 1}, progress);
-    const OffsetResult five = offset(solid, {0.7, 0.02, 5}, progress);
+    const OffsetResult one = contoured_offset(solid, {0.7, 0.02, 1}, progress);
+    const OffsetResult five = contoured_offset(solid, {0.7, 0.02, 5}, progress);
     EXPECT_EQ(one.mesh.vertices, five.mesh.vertices);
     EXPECT_EQ(one.mesh.triangles, five.mesh.triangles);
     EXPECT_EQ(one.error_bound, five.error_bound);
 }
 
-TEST(Thicken, WallsOfABoxWithoutItsTop) {
+TEST(ContouredWalls, WallsOfABoxWithoutItsTop) {
     const TriangleMesh box = boolean::solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
     std::vector<char> open;
     for (const Triangle& t : box.triangles) {
         open.push_back(std::all_of(t.begin(), t.end(), [](int v) { return v >= 4; }) ? 1 : 0);
     }
     Progress progress;
-    const OffsetResult walls = thicken(box, open, {1.0, 0.02, 0}, progress);
+    const OffsetResult walls = contoured_walls(box, open, {1.0, 0.02, 0}, progress);
     EXPECT_LE(walls.error_bound, 0.02);
     EXPECT_NEAR(volume(united({&box, &walls.mesh}, Operation::Intersection)), 1000.0 - 8 * 8 * 9, 0.5);
 }
 
-TEST(Offset, OptionsAreChecked) {
+TEST(ContouredOffset, OptionsAreChecked) {
     const TriangleMesh box = boolean::solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
     Progress progress;
-    EXPECT_THROW(offset(box, {0.0, 0.1, 0}, progress), InvalidInput);
-    EXPECT_THROW(offset(box, {1.0, 0.0, 0}, progress), InvalidInput);
-    EXPECT_THROW(offset(box, {1.0, 2.0, 0}, progress), InvalidInput);
-    EXPECT_THROW(offset(box, {std::nan(""), 0.1, 0}, progress), InvalidInput);
-    EXPECT_THROW(thicken(box, std::vector<char>(12, 1), {1.0, 0.1, 0}, progress), InvalidInput);
+    EXPECT_THROW(contoured_offset(box, {0.0, 0.1, 0}, progress), InvalidInput);
+    EXPECT_THROW(contoured_offset(box, {1.0, 0.0, 0}, progress), InvalidInput);
+    EXPECT_THROW(contoured_offset(box, {1.0, 2.0, 0}, progress), InvalidInput);
+    EXPECT_THROW(contoured_offset(box, {std::nan(""), 0.1, 0}, progress), InvalidInput);
+    EXPECT_THROW(contoured_walls(box, std::vector<char>(12, 1), {1.0, 0.1, 0}, progress), InvalidInput);
     progress.cancel();
-    EXPECT_THROW(offset(box, {0.1, 0.01, 0}, progress), Cancelled);
+    EXPECT_THROW(contoured_offset(box, {0.1, 0.01, 0}, progress), Cancelled);
 }
 
 }  // namespace

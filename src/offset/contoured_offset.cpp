@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "offset/offset.h"
+#include "offset/contoured_offset.h"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,10 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "boolean/offset/offset_error.h"
 #include "contour/contour.h"
 #include "contour/simplification.h"
 #include "mesh/intersection/self_intersection.h"
-#include "offset/distance_bound.h"
 #include "offset/distance_level.h"
 #include "offset/refinement.h"
 #include "offset/tuning.h"
@@ -34,26 +34,25 @@ OffsetSurface surface_of(const mesh::TriangleMesh& mesh, const std::vector<std::
 }
 
 /// One offset: it holds the state that the stages share.
-class OffsetPipeline {
+class ContouredOffset {
   public:
     /// @param chosen  the triangles of the surface, by their numbers in the mesh
     /// @param inward  what is left of the space before the surface is wanted
-    OffsetPipeline(OffsetSurface surface, std::vector<std::int32_t> chosen, bool inward, const OffsetOptions& options,
-                   Progress& progress)
+    ContouredOffset(OffsetSurface surface, std::vector<std::int32_t> chosen, bool inward,
+                    const boolean::OffsetOptions& options, Progress& progress)
         : surface_(std::move(surface)),
           chosen_(std::move(chosen)),
           inward_(inward),
           distance_(std::abs(options.distance)),
           tolerance_(options.tolerance),
-          level_set_(surface_, distance_, OffsetTuning::kResolution * tolerance_),
+          level_set_(surface_, distance_, ContouredOffsetTuning::kResolution * tolerance_),
           searched_(surface_.points, surface_.triangles),
           progress_(progress) {}
 
-    OffsetResult run(const Vec3& origin) {
+    boolean::OffsetResult run(const Vec3& origin) {
         stages_.start("dividing cells", 0.0, 0.6);
-        const RefinedCells cells =
-            refine(level_set_, box(), OffsetTuning::kSlack * tolerance_, OffsetTuning::kFinest * tolerance_, progress_);
-        result_.cells = cells.cells;
+        const RefinedCells cells = refine(level_set_, box(), ContouredOffsetTuning::kSlack * tolerance_,
+                                          ContouredOffsetTuning::kFinest * tolerance_, progress_);
         stages_.start("contouring", 0.6, 0.65);
         const contour::Contour whole = contour::contour(cells.crossed, &level_set_, progress_);
         simplify(whole, cells);
@@ -76,16 +75,16 @@ class OffsetPipeline {
     /// everywhere in the last round.
     void simplify(const contour::Contour& whole, const RefinedCells& cells) {
         contour::Simplification how;
-        how.distance = OffsetTuning::kSimplification * tolerance_;
-        how.block = level_set_.tree().box().largest_side() / OffsetTuning::kBlocks;
+        how.distance = ContouredOffsetTuning::kSimplification * tolerance_;
+        how.block = level_set_.tree().box().largest_side() / ContouredOffsetTuning::kBlocks;
         how.may_be = [this](const std::array<Vec3, 3>& c) { return is_free(c) && is_near(c); };
-        for (int round = 1; round <= OffsetTuning::kRounds; ++round) {
+        for (int round = 1; round <= ContouredOffsetTuning::kRounds; ++round) {
             stages_.start("simplifying", 0.65, 0.8);
             surface_found_ = whole;
             for (Vec3& p : surface_found_.points) {
                 p = to_single(p);
             }
-            if (round < OffsetTuning::kRounds) {
+            if (round < ContouredOffsetTuning::kRounds) {
                 contour::simplify(surface_found_, cells.crossed.crossings, how, progress_);
             }
             stages_.start("proving the distance", 0.8, 0.95);
@@ -116,7 +115,7 @@ class OffsetPipeline {
         const auto near = [&](const Vec3& p) {
             const contour::Level level = level_set_.at(p, guess);
             guess = level.source;
-            return std::abs(level.value) <= OffsetTuning::kNear * tolerance_;
+            return std::abs(level.value) <= ContouredOffsetTuning::kNear * tolerance_;
         };
         bool holds = near((c[0] + c[1] + c[2]) / 3.0);
         for (int i = 0; holds && i <= parts; ++i) {
@@ -126,8 +125,8 @@ class OffsetPipeline {
         }
         return holds;
     }
-    std::vector<Corners> triangles_found() const {
-        std::vector<Corners> triangles;
+    std::vector<boolean::Corners> triangles_found() const {
+        std::vector<boolean::Corners> triangles;
         for (const mesh::Triangle& t : surface_found_.triangles) {
             const auto& v = surface_found_.points;
             triangles.push_back({v[static_cast<std::size_t>(t[0])], v[static_cast<std::size_t>(t[1])],
@@ -136,8 +135,8 @@ class OffsetPipeline {
         return triangles;
     }
     double deviation() const {
-        const double fineness = OffsetTuning::kFineness * tolerance_;
-        return deviation_from_distance(triangles_found(), searched_, distance_, fineness, progress_).bound;
+        const double fineness = ContouredOffsetTuning::kFineness * tolerance_;
+        return boolean::deviation_from_distance(triangles_found(), searched_, distance_, fineness, progress_).bound;
     }
     /// How far from the offset the nodes are that lie on the wrong side of the surface found, by their numbers; 0: on
     /// the right side.
@@ -162,8 +161,8 @@ class OffsetPipeline {
     /// Boxes around what is not within the tolerance.
     std::vector<Box> faults_of(const std::vector<LatticeNode>& nodes) const {
         std::vector<Box> result;
-        const std::vector<Corners> triangles = triangles_found();
-        const double fineness = OffsetTuning::kFineness * tolerance_;
+        const std::vector<boolean::Corners> triangles = triangles_found();
+        const double fineness = ContouredOffsetTuning::kFineness * tolerance_;
         const auto add = [&](const Box& box) {
             result.push_back(box);
             result.back().low.array() -= tolerance_;
@@ -216,28 +215,18 @@ class OffsetPipeline {
     const double distance_;  ///< mm
     const double tolerance_;
     const DistanceLevel level_set_;
-    const SearchedSurface searched_;
+    const boolean::SearchedSurface searched_;
     Progress& progress_;
     std::vector<Box> kept_;  ///< where the contour is not simplified
     contour::Contour surface_found_;
-    OffsetResult result_;
+    boolean::OffsetResult result_;
     StageWatch stages_{progress_, result_.seconds};
 };
 
 }  // namespace
 
-void OffsetOptions::validate() const {
-    if (!std::isfinite(distance) || distance == 0.0) {
-        throw InvalidInput("the distance is " + std::to_string(distance) + " mm: it must be a length other than 0");
-    }
-    if (!std::isfinite(tolerance) || !(tolerance > 0.0) || tolerance > std::abs(distance)) {
-        throw InvalidInput("tolerance is " + std::to_string(tolerance) +
-                           " mm: it must be a positive length, at most the distance of " +
-                           std::to_string(std::abs(distance)) + " mm");
-    }
-}
-
-OffsetResult offset(const mesh::TriangleMesh& solid, const OffsetOptions& options, Progress& progress) {
+boolean::OffsetResult contoured_offset(const mesh::TriangleMesh& solid, const boolean::OffsetOptions& options,
+                                       Progress& progress) {
     options.validate();
     const ThreadLimit threads(options.threads);
     std::vector<std::int32_t> all(solid.triangles.size());
@@ -249,11 +238,11 @@ OffsetResult offset(const mesh::TriangleMesh& solid, const OffsetOptions& option
             std::swap(t[1], t[2]);
         }
     }
-    return OffsetPipeline(std::move(surface), std::move(all), inward, options, progress).run(solid.origin);
+    return ContouredOffset(std::move(surface), std::move(all), inward, options, progress).run(solid.origin);
 }
 
-OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>& left_out, const OffsetOptions& options,
-                     Progress& progress) {
+boolean::OffsetResult contoured_walls(const mesh::TriangleMesh& surface, const std::vector<char>& left_out,
+                                      const boolean::OffsetOptions& options, Progress& progress) {
     options.validate();
     if (options.distance < 0.0) {
         throw InvalidInput("the distance is " + std::to_string(options.distance) + " mm: it must be above 0");
@@ -270,7 +259,7 @@ OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>&
     }
     OffsetSurface sheet = surface_of(surface, chosen);
     sheet.is_solid = false;
-    return OffsetPipeline(std::move(sheet), std::move(chosen), false, options, progress).run(surface.origin);
+    return ContouredOffset(std::move(sheet), std::move(chosen), false, options, progress).run(surface.origin);
 }
 
 }  // namespace mq::offset

@@ -3,18 +3,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "mesh/triangle_mesh.h"
 
-namespace mq::offset {
+namespace mq::boolean {
 
 struct OffsetOptions {
     double distance = 0.0;   ///< mm; of a solid: outward where positive, inward where negative
     double tolerance = 0.0;  ///< mm: the largest distance between the result and the exact one, in both directions
     int threads = 0;         ///< as BooleanOptions::threads
+    /// Pairs of triangles that cross, at most, for each one of the raw offset: dividing more takes longer than to begin
+    /// anew by another method.
+    double most_crossings = std::numeric_limits<double>::infinity();
 
     /// @throws InvalidInput naming the option
     void validate() const;
@@ -23,26 +27,24 @@ struct OffsetOptions {
 /// A closed surface at a distance from another one, and its counts.
 struct OffsetResult {
     mesh::TriangleMesh mesh;
-    /// The input's triangle from which each triangle is offset; at rounded edges and vertices that of the lowest CAD
-    /// face there.
+    /// The input's triangle from which each triangle, or the strip along its edge, is offset.
     std::vector<std::int32_t> triangle_source;
-    /// mm, proven: no point of the result is farther than this from the exact distance, no point nearer to the surface
-    /// than the distance less this is left out, and none farther than the distance and this is taken in.
+    /// mm, proven: no point of the result is farther than this from the exact distance, and none of the exact offset
+    /// farther from the result, but for gaps between offsets thinner than twice the tolerance, which may close.
     double error_bound = 0.0;
-    std::size_t cells = 0;  ///< tetrahedra of the lattice
+    std::size_t raw_triangles = 0;  ///< triangles before it was trimmed
+    std::size_t crossing_pairs = 0;
     StageTimes seconds;
 };
 
 /// The boundary of all points within a distance of a solid, or of those of its points that are farther than that from
 /// its surface: sharp edges are rounded on the outer side and kept on the inner one, as the exact offset has them.
 ///
-/// The contour of the distance (contour) in a lattice that is divided until both sides of it are proven (refine), with
-/// edges collapsed as far as the tolerance allows (simplify).
-/// @param solid  closed, oriented outward, without self-intersections: what boolean() gives. Where it has CAD faces,
-/// the
-///     borders between them are kept.
-/// @throws InvalidInput for an option out of range, and where the cells would not fit into memory
-/// @throws TopologyError where the result cannot be held in single precision
+/// The raw offset of the surface is divided along its self-intersections (arrange), those of its cells are taken that
+/// lie within the distance (settle_dilation), and their boundary is rounded (snap_round).
+/// @param solid  closed, oriented outward, without self-intersections: what boolean() gives
+/// @throws InvalidInput for an option out of range
+/// @throws TopologyError where the result cannot be held in single precision, and where more triangles cross than may
 /// @throws Cancelled
 OffsetResult offset(const mesh::TriangleMesh& solid, const OffsetOptions& options, Progress& progress);
 
@@ -52,4 +54,4 @@ OffsetResult offset(const mesh::TriangleMesh& solid, const OffsetOptions& option
 OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>& left_out, const OffsetOptions& options,
                      Progress& progress);
 
-}  // namespace mq::offset
+}  // namespace mq::boolean

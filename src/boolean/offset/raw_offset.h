@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/vec.h"
+#include "boolean/offset/offset_error.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::boolean {
+
+/// A surface without border, by its half-edges. Sides of a sheet may share their vertices: only `twins` tells which
+/// triangles are neighbours.
+struct ClosedSurface {
+    std::vector<Vec3> points;
+    std::vector<mesh::Triangle> triangles;
+    std::vector<std::int32_t> twins;   ///< see mesh::edge_twins: all corners have one
+    std::vector<std::int32_t> source;  ///< the triangle of the input that each one is
+};
+
+struct RawOffsetOptions {
+    double distance = 0.0;   ///< mm, above 0: to the side to which the triangles' normals point
+    double tolerance = 0.0;  ///< mm: the raw offset is no farther than this from points at the distance
+    const SearchedSurface* searched = nullptr;  ///< the surface
+    /// mm: how far the offset of a sheet goes on beyond its border, so that what cuts the sheet there meets no
+    /// vertices.
+    double extension = 0.0;
+};
+
+/// The surface that a ball's centre may lie on while the ball touches a surface from its front: all points p + d u, for
+/// points p of the surface and directions u between the normals there. It holds the boundary of all that is within the
+/// distance d, and crosses itself where that boundary has sharp edges and where parts of the surface are near to each
+/// other (the raw offset of Farouki 1985; the convolution of Guibas, Ramshaw and Stolfi 1983).
+///
+/// Each triangle gives one, moved along the directions at its corners. Triangles around a vertex have one direction as
+/// far as their normals allow by the tolerance, so that a smooth surface keeps its connectivity. Where directions
+/// differ, an arc joins them; strips of triangles between two arcs round the edges off, caps on spheres the vertices.
+struct RawOffset {
+    std::vector<Vec3> vertices;  ///< single-precision numbers
+    std::vector<mesh::Triangle> triangles;
+    std::vector<std::int32_t> source;  ///< ClosedSurface::source of a triangle from which each one is offset
+};
+
+RawOffset raw_offset(const ClosedSurface& surface, const RawOffsetOptions& options);
+
+}  // namespace mq::boolean

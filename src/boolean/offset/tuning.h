@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/tuning.h"
+
+namespace mq::boolean {
+
+/// The constants that divide the tolerance of an offset. What each does at half and at double its value was not
+/// measured yet.
+struct OffsetTuning {
+    /// Error of the raw offset, as a fraction of the tolerance, at first ...
+    MESHQUALITY_TUNED(double, kRawShare, 0.35);
+    /// ... which is multiplied by this where the result misses the tolerance, ...
+    MESHQUALITY_TUNED(double, kRefinement, 0.4);
+    /// ... in this many rounds at most.
+    MESHQUALITY_TUNED(int, kRounds, 4);
+    /// The distance is larger by this fraction of the tolerance, so that gaps of just twice the distance close, where
+    /// their sides would else touch.
+    MESHQUALITY_TUNED(double, kOvershoot, 1.0 / 64.0);
+    /// Points that are nearer to the surface than the distance by more than this fraction of the tolerance are within
+    /// the offset.
+    MESHQUALITY_TUNED(double, kDeepShare, 0.6);
+    /// Fraction of the tolerance that rounding to single precision may use.
+    MESHQUALITY_TUNED(double, kRoundingShare, 0.2);
+    /// Fraction of the tolerance by which the offset of a sheet goes on beyond its border.
+    MESHQUALITY_TUNED(double, kExtension, 0.25);
+    /// How far at most a vertex is moved sideways from where a triangle's normal leads, as a fraction of the edges
+    /// there: what is nearest to it is then in the ring of its triangles.
+    MESHQUALITY_TUNED(double, kLargestShift, 1.0);
+    /// Fraction of the tolerance to which distances are determined.
+    MESHQUALITY_TUNED(double, kFineness, 0.02);
+};
+
+}  // namespace mq::boolean
