@@ -76,6 +76,7 @@ class ContouredOffset {
     void simplify(const contour::Contour& whole, const RefinedCells& cells) {
         contour::Simplification how;
         how.distance = ContouredOffsetTuning::kSimplification * tolerance_;
+        how.border = how.distance;
         how.block = level_set_.tree().box().largest_side() / ContouredOffsetTuning::kBlocks;
         how.may_be = [this](const std::array<Vec3, 3>& c) { return is_free(c) && is_near(c); };
         for (int round = 1; round <= ContouredOffsetTuning::kRounds; ++round) {

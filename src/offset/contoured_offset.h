@@ -15,9 +15,8 @@ namespace mq::offset {
 ///
 /// The contour of the distance (contour) in a lattice that is divided until both sides of it are proven (refine), with
 /// edges collapsed as far as the tolerance allows (simplify).
-/// @param solid  closed, oriented outward, without self-intersections: what boolean() gives. Where it has CAD faces,
-/// the
-///     borders between them are kept.
+/// @param solid  closed, oriented outward, without self-intersections: what boolean() gives. Borders between
+///     its CAD faces are kept.
 /// @throws InvalidInput for an option out of range, and where the cells would not fit into memory
 /// @throws TopologyError where the result cannot be held in single precision
 /// @throws Cancelled
