@@ -200,9 +200,17 @@ class ContouredOffset {
         result_.mesh.origin = origin;
         result_.mesh.vertices = std::move(surface_found_.points);
         result_.mesh.triangles = std::move(surface_found_.triangles);
-        for (const std::int32_t source : surface_found_.source) {
-            result_.triangle_source.push_back(chosen_[static_cast<std::size_t>(source)]);
-        }
+        // Simplification may have moved borders between faces across the middle of a triangle.
+        result_.triangle_source.resize(result_.mesh.triangles.size());
+        for_chunks(static_cast<int>(result_.mesh.triangles.size()), [&](int t) {
+            const auto slot = static_cast<std::size_t>(t);
+            Vec3 middle = Vec3::Zero();
+            for (const std::int32_t v : result_.mesh.triangles[slot]) {
+                middle += result_.mesh.vertices[static_cast<std::size_t>(v)] / 3.0;
+            }
+            const std::int32_t source = level_set_.at(middle, surface_found_.source[slot]).source;
+            result_.triangle_source[slot] = chosen_[static_cast<std::size_t>(source)];
+        });
         if (inward_) {
             for (mesh::Triangle& t : result_.mesh.triangles) {
                 std::swap(t[1], t[2]);
