@@ -104,8 +104,8 @@ class Offsets(unittest.TestCase):
 
     def test_features_smaller_than_the_distance(self):
         # The raw offset of each pin crosses those of all pins near it: the contour of the distance takes its place.
-        plate = Part.makeBox(12, 12, 2)
-        pins = [Part.makeCylinder(0.2, 0.6, Vector(1.0 + x, 1.0 + y, 2)) for x in range(11) for y in range(11)]
+        plate = Part.makeBox(6, 6, 2)
+        pins = [Part.makeCylinder(0.2, 0.6, Vector(1.0 + x, 1.0 + y, 2)) for x in range(5) for y in range(5)]
         comb = plate.fuse(pins)
         result = mq.offset(comb, 1.0, tolerance=0.02)
         self.assertIn("dividing cells", result.report.seconds)
