@@ -2866,6 +2866,18 @@
         <source>the largest side is more than {count} times the tolerance of {length}: give a larger tolerance</source>
         <translation>Die längste Seite ist mehr als das {count}-Fache der Toleranz von {length}: eine größere Toleranz angeben</translation>
     </message>
+    <message>
+        <source>checking for intersections</source>
+        <translation>auf Überschneidungen prüfen</translation>
+    </message>
+    <message>
+        <source>dividing space into cells</source>
+        <translation>den Raum in Zellen teilen</translation>
+    </message>
+    <message>
+        <source>proving the distance</source>
+        <translation>den Abstand beweisen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

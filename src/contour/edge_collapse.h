@@ -17,7 +17,7 @@ using MayBe = std::function<bool(const std::array<Vec3, 3>&)>;
 /// What a collapse of edges must keep.
 struct CollapseLimits {
     double distance = 0.0;  ///< from vertices to the planes that their triangles stand for, mm
-    double border = 0.0;    ///< from vertices to borders between patches, mm
+    double border = std::numeric_limits<double>::infinity();   ///< from vertices to borders between patches, mm
     double longest = std::numeric_limits<double>::infinity();  ///< length of edges of triangles that are moved, mm
     /// Triangles that stay as they are, with their vertices; empty: there are none.
     std::vector<char> fixed;

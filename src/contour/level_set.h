@@ -14,7 +14,8 @@ struct Level {
     std::int32_t source = -1;      ///< the input's triangle that decides
 };
 
-/// A function of space of which a surface is where it is 0. It changes by at most the distance of two points.
+/// A function of space of which a surface is where it is 0. Its values at two points differ by at most
+/// the distance of these.
 class LevelSet {
   public:
     LevelSet() = default;

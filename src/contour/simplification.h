@@ -13,7 +13,7 @@ namespace mq::contour {
 /// How far a contour is simplified.
 struct Simplification {
     double distance = 0.0;                                     ///< as CollapseLimits::distance, mm
-    double border = 0.0;                                       ///< as CollapseLimits::border, mm
+    double border = std::numeric_limits<double>::infinity();   ///< as CollapseLimits::border, mm
     double longest = std::numeric_limits<double>::infinity();  ///< as CollapseLimits::longest, mm
     double block = 0.0;  ///< side of the blocks that are simplified at once, mm: far more than triangles are long
     MayBe may_be;

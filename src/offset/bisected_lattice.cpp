@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "base/key_set.h"
 #include "offset/tuning.h"
@@ -46,7 +45,7 @@ BisectedLattice::BisectedLattice(const Box& box, double side, double finest) : f
 
 /// Among edges as long the one with the lower nodes counts as longer.
 std::array<std::int32_t, 2> BisectedLattice::longest_edge(const Cell& cell) const {
-    constexpr double kSame = 1e-9;  // relative difference of lengths that count as equal
+    constexpr double kSame = 1e-9;  // relative difference of squared lengths that count as equal
     std::array<std::int32_t, 2> longest{-1, -1};
     double most = -1.0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -81,7 +80,7 @@ std::vector<std::size_t> BisectedLattice::cells_around(std::int32_t a, std::int3
 
 void BisectedLattice::divide(std::size_t first) {
     // A cell waits until its longest edge is that of all cells around it. Each one that waits for another one has a
-    // shorter edge than that, so this ends.
+    // shorter edge than that, or as long a one within rounding errors, and none waits twice: so this ends.
     std::vector<std::size_t> waiting{first};
     while (!waiting.empty()) {
         const std::size_t last = waiting.back();

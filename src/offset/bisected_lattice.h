@@ -13,7 +13,7 @@ namespace mq::offset {
 /// Tetrahedra that fill a box and are divided where they are to be smaller, without hanging nodes: the Kuhn
 /// triangulation of cubes, bisected at longest edges (Rivara 1991, Local modification of meshes for adaptive and/or
 /// multigrid finite-element methods), which for these is Maubach's bisection with three shapes of cells. An edge can
-/// also be divided anywhere.
+/// also be divided anywhere, after which there are other shapes.
 class BisectedLattice {
   public:
     struct Cell {

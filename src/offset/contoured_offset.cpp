@@ -77,7 +77,7 @@ class ContouredOffset {
         contour::Simplification how;
         how.distance = ContouredOffsetTuning::kSimplification * tolerance_;
         how.border = how.distance;
-        how.block = level_set_.tree().box().largest_side() / ContouredOffsetTuning::kBlocks;
+        how.block = box().largest_side() / ContouredOffsetTuning::kBlocks;
         how.may_be = [this](const std::array<Vec3, 3>& c) { return is_free(c) && is_near(c); };
         for (int round = 1; round <= ContouredOffsetTuning::kRounds; ++round) {
             stages_.start("simplifying", 0.65, 0.8);
@@ -105,8 +105,9 @@ class ContouredOffset {
         }
         return std::none_of(kept_.begin(), kept_.end(), [&](const Box& kept) { return kept.meets(box); });
     }
-    /// Whether points of a triangle are at the distance within a fraction of the tolerance. These are as near to each
-    /// other as a chord of the ball of that radius is long whose arc is by the tolerance away from it.
+    /// Whether points of a triangle are at the distance within a fraction of the tolerance. In triangles of up to 16
+    /// times that, they are as near to each other as the chord of a ball of this distance whose arc is one tolerance
+    /// high.
     bool is_near(const std::array<Vec3, 3>& c) const {
         constexpr double kMost = 16.0;
         const double longest = std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
@@ -237,6 +238,11 @@ class ContouredOffset {
 boolean::OffsetResult contoured_offset(const mesh::TriangleMesh& solid, const boolean::OffsetOptions& options,
                                        Progress& progress) {
     options.validate();
+    if (solid.triangles.empty()) {
+        boolean::OffsetResult nothing;
+        nothing.mesh.origin = solid.origin;
+        return nothing;
+    }
     const ThreadLimit threads(options.threads);
     std::vector<std::int32_t> all(solid.triangles.size());
     std::iota(all.begin(), all.end(), 0);
@@ -255,6 +261,10 @@ boolean::OffsetResult contoured_walls(const mesh::TriangleMesh& surface, const s
     options.validate();
     if (options.distance < 0.0) {
         throw InvalidInput("the distance is " + std::to_string(options.distance) + " mm: it must be above 0");
+    }
+    if (left_out.size() != surface.triangles.size()) {
+        throw InvalidInput("left_out has " + std::to_string(left_out.size()) + " entries for " +
+                           std::to_string(surface.triangles.size()) + " triangles: give one for each");
     }
     const ThreadLimit threads(options.threads);
     std::vector<std::int32_t> chosen;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "base/error.h"
@@ -21,7 +22,6 @@ namespace mq::offset {
 
 namespace {
 
-using contour::CellPolygon;
 using contour::CellSurface;
 using contour::CrossedCell;
 using contour::Crossing;
@@ -124,15 +124,17 @@ class Refinement {
             lattice_.divide(cell);
             return;
         }
-        // Any point of the cell may lie on the offset, or on its contour.
+        // Any point of the cell may lie on its contour: each node bounds how far that is from the offset.
         const Tetrahedron corners = lattice_.corners(lattice_.cell(cell));
+        double least = std::numeric_limits<double>::infinity();
         for (const std::int32_t node : lattice_.cell(cell).nodes) {
             double reach = 0.0;
             for (const Vec3& corner : corners) {
                 reach = std::max(reach, (corner - lattice_.at(node)).norm());
             }
-            bound_ = std::max(bound_, std::abs(value(node)) + reach);
+            least = std::min(least, std::abs(value(node)) + reach);
         }
+        bound_ = std::max(bound_, least);
     }
 
     void measure_nodes() {
@@ -287,14 +289,14 @@ class Refinement {
         return true;
     }
     bool cone_holds(const Vec3& apex, const std::array<Vec3, 3>& base, bool outside, std::int32_t guess) const {
-        // A fan has its tip on some of the faces.
-        constexpr double kFlat = 1e-9;
+        // A fan has its tip on some of the faces; what is flatter than this is near enough to tetrahedra beside it.
+        const double flat = 1e-6 * slack_;
         const double height = (base[0] - apex).cross(base[1] - apex).dot(base[2] - apex);
         double longest = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
             longest = std::max({longest, (base[k] - apex).norm(), (base[k] - base[(k + 1) % 3]).norm()});
         }
-        return std::abs(height) <= kFlat * longest * longest * longest ||
+        return std::abs(height) <= flat * longest * longest ||
                proof_.holds({apex, base[0], base[1], base[2]}, outside, guess);
     }
     /// @param face  its corners, first the one that is alone on its side
@@ -337,8 +339,7 @@ class Refinement {
             if (lattice_.is_divided(k)) {
                 continue;
             }
-            ++result.cells;
-            CrossedCell cell = crossed(lattice_.cell(k));
+            const CrossedCell cell = crossed(lattice_.cell(k));
             if (cell.polygon.count == 0) {
                 continue;
             }
@@ -348,21 +349,30 @@ class Refinement {
                     result.nodes.push_back({lattice_.at(node), value(node)});
                 }
             }
-            keep_used(cell, result.crossed);
             result.crossed.cells.push_back(cell);
         }
+        keep_used_crossings(result.crossed);
         return result;
     }
-    /// Edges that were divided have crossings that no cell uses any more.
-    void keep_used(CrossedCell& cell, contour::CrossedCells& result) {
-        renumbered_.resize(crossings_.size(), -1);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(cell.polygon.count); ++k) {
-            std::int32_t& number = renumbered_[static_cast<std::size_t>(cell.crossings[k])];
-            if (number < 0) {
-                number = static_cast<std::int32_t>(result.crossings.size());
-                result.crossings.push_back(crossings_[static_cast<std::size_t>(cell.crossings[k])]);
+    /// Edges that were divided have crossings that no cell uses any more. The others keep their order, on which points
+    /// on faces depend.
+    void keep_used_crossings(contour::CrossedCells& result) const {
+        std::vector<std::int32_t> number(crossings_.size(), -1);
+        for (const CrossedCell& cell : result.cells) {
+            for (std::size_t k = 0; k < static_cast<std::size_t>(cell.polygon.count); ++k) {
+                number[static_cast<std::size_t>(cell.crossings[k])] = 0;
             }
-            cell.crossings[k] = number;
+        }
+        for (std::size_t k = 0; k < crossings_.size(); ++k) {
+            if (number[k] == 0) {
+                number[k] = static_cast<std::int32_t>(result.crossings.size());
+                result.crossings.push_back(crossings_[k]);
+            }
+        }
+        for (CrossedCell& cell : result.cells) {
+            for (std::size_t k = 0; k < static_cast<std::size_t>(cell.polygon.count); ++k) {
+                cell.crossings[k] = number[static_cast<std::size_t>(cell.crossings[k])];
+            }
         }
     }
 
@@ -377,7 +387,6 @@ class Refinement {
     std::vector<Level> levels_;     ///< by node
     KeyMap<std::int32_t> numbers_;  ///< numbers of crossings, by edge
     std::vector<Crossing> crossings_;
-    std::vector<std::int32_t> renumbered_;
 };
 
 }  // namespace

@@ -12,22 +12,22 @@ namespace mq::offset {
 /// A point of the lattice beside the contour.
 struct LatticeNode {
     Vec3 place = Vec3::Zero();
-    double value = 0.0;  ///< what the level set is there
+    double value = 0.0;  ///< what the level set is there, mm
 };
 
-/// The cells whose contour is an offset, and how well.
+/// The cells whose contour is an offset, and how near it is to that.
 struct RefinedCells {
     contour::CrossedCells crossed;
     /// mm, proven: no point nearer to the surface than the distance less this is outside of the contour, and none
     /// farther than the distance and this is within it.
     double bound = 0.0;
     std::vector<LatticeNode> nodes;  ///< corners of the crossed cells
-    std::size_t cells = 0;           ///< how many the whole lattice has
 };
 
 /// Divides cells around the zero set of a distance until the contour of each is proven within a slack of it: both sides
-/// of the contour are tetrahedra with its vertex, of which SideProof tells; so are cells that nothing crosses. Cells
-/// too small to be divided end that, and count by their size.
+/// of the contour are tetrahedra with its vertex, and SideProof shows on which side they are. It also shows that
+/// nothing is missed in cells without a contour. A cell of which no edge is longer than `finest` is not divided; its
+/// contour is within |value| and its diameter of the offset, which is in the bound.
 /// @param slack  mm
 /// @param finest  length of the edges of the finest cells, mm
 /// @param box  in which the contour lies

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -50,25 +51,38 @@ BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& sol
     return result;
 }
 
-/// The raw offset, trimmed, where few of its triangles cross: it has the fewest triangles then, and is fast. Else the
-/// contour of the distance, which takes longer, but no longer for features smaller than the distance.
+/// The raw offset, trimmed, where few of its triangles cross. Else the contour of the distance, which takes longer in
+/// general, but not for features smaller than the distance. Where both miss the tolerance, or the contour fails, the
+/// one with the smaller bound.
 template <typename Trimmed, typename Contoured>
 boolean::OffsetResult first_within(boolean::OffsetOptions options, const Trimmed& trimmed, const Contoured& contoured) {
-    boolean::OffsetResult result;
+    const Stopwatch watch;
+    options.most_crossings = kMostCrossings;
+    std::optional<boolean::OffsetResult> first;
     try {
-        options.most_crossings = kMostCrossings;
-        result = trimmed(options);
-        if (result.error_bound <= options.tolerance) {
-            return result;
+        first = trimmed(options);
+        if (first->error_bound <= options.tolerance) {
+            return std::move(*first);
         }
     } catch (const TopologyError&) {
         // What the contour says of the same surface counts.
     }
-    StageTimes before = std::move(result.seconds);
-    result = contoured(options);
-    before.insert(before.end(), result.seconds.begin(), result.seconds.end());
-    result.seconds = std::move(before);
-    return result;
+    StageTimes seconds = first ? first->seconds : StageTimes{{"trimming the raw offset", watch.wall()}};
+    boolean::OffsetResult second;
+    try {
+        second = contoured(options);
+    } catch (const Error&) {
+        if (!first) {
+            throw;
+        }
+        return std::move(*first);  // its bound says that it misses the tolerance
+    }
+    seconds.insert(seconds.end(), second.seconds.begin(), second.seconds.end());
+    if (first && first->error_bound <= second.error_bound) {
+        second = std::move(*first);
+    }
+    second.seconds = std::move(seconds);
+    return second;
 }
 
 }  // namespace

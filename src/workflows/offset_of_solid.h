@@ -10,17 +10,18 @@
 
 namespace mq::workflows {
 
-/// The offset of a solid (offset::offset) with its report.
+/// The offset of a solid with its report: boolean::offset, and where too many triangles of the raw offset cross for
+/// that, or where it fails or misses the tolerance, offset::contoured_offset (its report has no crossing pairs).
 /// @param solid  what boolean_of_operands gives; each triangle of the result is on the CAD face of the one from which
 ///     it is offset, where those are known (name_faces)
-/// @throws as offset::offset
+/// @throws as offset::contoured_offset
 BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::OffsetOptions& options,
                                const WorkBefore& before, Progress& progress);
 
-/// All that is within a distance of some triangles of a solid (offset::thicken) with its report and CAD faces
-/// likewise.
+/// All that is within a distance of some triangles of a solid (boolean::thicken, offset::contoured_walls) with its
+/// report and CAD faces likewise.
 /// @param left_out  for each triangle of the solid
-/// @throws as offset::thicken
+/// @throws as offset::contoured_walls
 BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,
                                const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress);
 

@@ -34,7 +34,7 @@ class Phrases(unittest.TestCase):
     def test_every_stage_of_the_core_has_words(self):
         stages = set()
         for path in (ROOT / "src").rglob("*.[ch]*"):
-            stages |= set(re.findall(r'stage\("([^"]+)"', path.read_text(encoding="utf-8")))
+            stages |= set(re.findall(r'(?:stage|start)\("([^"]+)"', path.read_text(encoding="utf-8")))
         operands = (ROOT / "Mod/MeshQuality/core/operands.py").read_text(encoding="utf-8")
         stages |= set(re.findall(r'_stage\("([^"]+)"\)', operands))
         self.assertGreater(len(stages), 20)

@@ -100,16 +100,19 @@ def _tessellated(face, distance):
     face = face.copy()  # the triangulation that the document shows stays
     wanted = _COARSEST * distance
     now = _arrays(face, wanted)
-    deviation = 0.0
+    deviation = None
     for _ in range(_ROUNDS):
         coarse, wanted = now, wanted / _FINER
         now = _arrays(face, wanted)
-        if not (len(coarse[1]) and len(now[1])):
-            break
-        deviation = _deviation(face, coarse, now)
-        if deviation <= distance:
-            return *coarse, deviation
-    return *now, deviation  # that of the coarser one
+        if not len(now[1]):
+            now = coarse
+        elif len(coarse[1]):
+            deviation = _deviation(face, coarse, now)
+            if deviation <= distance:
+                return *coarse, deviation
+    if deviation is None:  # there was one only
+        deviation = _deviation(face, now, now) if len(now[1]) else 0.0
+    return *now, deviation  # otherwise that of the coarser one
 
 
 def _arrays(face, distance):

@@ -28,7 +28,8 @@ class OffsetMesh(BooleanMesh, metaclass=Public):
     triangle_source  of a hollowed solid: (0, triangle of its united mesh) of those on its outside that are whole, (1, ...) of
                      those of the hollow, (-1, -1) of those cut at openings; of an offset (-1, -1)
     report           BooleanReport. error_bound, mm, is proven: no point of the result is farther than this from the exact
-                     one, and none of the exact one farther from the result, the distance of the mesh from the shape included
+                     one, and none of the exact one farther from the result, the distance of the mesh from the shape included.
+                     Where features are smaller than the distance, the second is known at the nodes of a lattice only
     """
 
     __slots__ = ()

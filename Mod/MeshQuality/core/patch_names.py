@@ -37,7 +37,8 @@ def suggested_for(members, by):
     """The same of all sources of a mesh, members of source_faces, by the names that faces have there. By labels, each of
     several that is no container is one.
     """
-    found, refused = {}, None
+    found, refused = {}, InvalidInput(phrases.Text(phrases.NO_PATCHES[by], name=", ".join(
+        convert.label_of(member.source) for member in members)))
     for member in members:
         try:
             patches = _of_one_of_several(member) if by == "labels" and member.prefix else suggested_patches(member.source, by)

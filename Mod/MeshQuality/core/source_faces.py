@@ -104,12 +104,22 @@ def own_names(labels, counts):
     """The names of the patches that all faces are, each by itself, of sources with these numbers of faces; None: a mesh.
     They have letters, digits, - and _ only.
     """
-    plain = ["".join(c if c.isalnum() or c in "-_" else "_" for c in label) for label in labels]
-    unique = [name if plain.count(name) == 1 else f"{name}_{i + 1}" for i, name in enumerate(plain)]
     if len(labels) == 1 and counts[0] is not None:
         return tuple(f"Face{k + 1}" for k in range(counts[0]))
-    return tuple(own for name, count in zip(unique, counts)
-                 for own in ([name] if count is None else [f"{name}_Face{k + 1}" for k in range(count)]))
+    plain = ["".join(c if c.isascii() and c.isalnum() or c in "-_" else "_" for c in label) for label in labels]
+    names, taken = [], set()
+    for i, (name, count) in enumerate(zip(plain, counts)):
+        unique, number = name if plain.count(name) == 1 else f"{name}_{i + 1}", i + 1
+        while (own := _of_one(unique, count)) and not taken.isdisjoint(own):
+            number += 1
+            unique = f"{name}_{number}"
+        taken.update(own)
+        names += own
+    return tuple(names)
+
+
+def _of_one(name, count):
+    return [name] if count is None else [f"{name}_Face{k + 1}" for k in range(count)]
 
 
 def _face_count(source):

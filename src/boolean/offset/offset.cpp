@@ -70,6 +70,7 @@ ClosedSurface both_sides(const mesh::TriangleMesh& surface, const std::vector<ch
     return result;
 }
 
+/// The raw offset has more crossings than are to be divided.
 struct TooManyCrossings : TopologyError {
     using TopologyError::TopologyError;
 };
@@ -102,7 +103,10 @@ class OffsetPipeline {
                     best = result_;
                 }
             } catch (const TooManyCrossings&) {
-                throw;  // a finer one has no fewer
+                if (std::isfinite(best.error_bound)) {
+                    break;
+                }
+                throw;  // a finer one has about as many for each triangle
             } catch (const TopologyError& error) {
                 failure = error.what();  // a finer raw offset has fewer sheets that nearly coincide
             }
@@ -213,11 +217,11 @@ class OffsetPipeline {
             twin[static_cast<std::size_t>(t.triangle)] = 1;
         }
         const double most = most_crossings_ * static_cast<double>(all.size());
-        const std::size_t limit = most < 1e15 ? static_cast<std::size_t>(most) : mesh::kAllPairs;
+        const std::size_t limit = most < 1e15 ? static_cast<std::size_t>(most) + 1 : mesh::kAllPairs;
         const std::vector<mesh::ContactPair> found =
             mesh::self_intersections(soup_.vertices, soup_.triangles, limit, &progress_);
-        if (found.size() == limit) {
-            throw TooManyCrossings("the raw offset has more than " + std::to_string(limit) +
+        if (limit != mesh::kAllPairs && found.size() == limit) {
+            throw TooManyCrossings("the raw offset has more than " + std::to_string(limit - 1) +
                                    " pairs of triangles that cross: choose another distance");
         }
         Pairs crossing;
@@ -294,6 +298,9 @@ class OffsetPipeline {
 }  // namespace
 
 void OffsetOptions::validate() const {
+    if (!(most_crossings >= 0.0)) {
+        throw InvalidInput("most_crossings is " + std::to_string(most_crossings) + ": it must be 0 or more");
+    }
     if (!std::isfinite(distance) || distance == 0.0) {
         throw InvalidInput("the distance is " + std::to_string(distance) + " mm: it must be a length other than 0");
     }

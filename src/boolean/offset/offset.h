@@ -31,8 +31,9 @@ struct OffsetResult {
     std::vector<std::int32_t> triangle_source;
     /// mm, proven: no point of the result is farther than this from the exact distance, and none of the exact offset
     /// farther from the result, but for gaps between offsets thinner than twice the tolerance, which may close.
+    /// Of a contour the last is so at the nodes of its lattice (see RefinedCells).
     double error_bound = 0.0;
-    std::size_t raw_triangles = 0;  ///< triangles before it was trimmed
+    std::size_t raw_triangles = 0;  ///< triangles before it was trimmed; 0 of a contour, as the pairs are
     std::size_t crossing_pairs = 0;
     StageTimes seconds;
 };
