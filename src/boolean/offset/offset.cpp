@@ -216,7 +216,7 @@ class OffsetPipeline {
         for (const CoincidentTriangle& t : twins) {
             twin[static_cast<std::size_t>(t.triangle)] = 1;
         }
-        const double most = most_crossings_ * static_cast<double>(all.size());
+        const double most = OffsetTuning::kFewCrossings + most_crossings_ * static_cast<double>(all.size());
         const std::size_t limit = most < 1e15 ? static_cast<std::size_t>(most) + 1 : mesh::kAllPairs;
         const std::vector<mesh::ContactPair> found =
             mesh::self_intersections(soup_.vertices, soup_.triangles, limit, &progress_);

@@ -27,6 +27,8 @@ struct OffsetTuning {
     /// How far at most a vertex is moved sideways from where a triangle's normal leads, as a fraction of the edges
     /// there: what is nearest to it is then in the ring of its triangles.
     MESHQUALITY_TUNED(double, kLargestShift, 1.0);
+    /// Pairs of triangles that cross and are divided in any case: that takes about a second.
+    MESHQUALITY_TUNED(double, kFewCrossings, 2e4);
     /// Fraction of the tolerance to which distances are determined.
     MESHQUALITY_TUNED(double, kFineness, 0.02);
 };
