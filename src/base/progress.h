@@ -14,8 +14,8 @@ namespace mq {
 /// back. Stages are string literals, so that a reader on another thread never sees a string being changed.
 class Progress {
   public:
-    /// Worker: starts stage `name` (a string literal), which covers the fractions [from, to] of the whole; where less is
-    /// left, as in a second attempt, it covers that.
+    /// Worker: starts stage `name` (a string literal), which covers the fractions [from, to] of the whole; where less
+    /// is left, as in a second attempt, it covers that.
     void stage(const char* name, double from, double to) {
         name_.store(name, std::memory_order_release);
         from_.store(from, std::memory_order_relaxed);
