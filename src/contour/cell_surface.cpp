@@ -52,10 +52,10 @@ Vec3 kept_inside(const Vec3& point, const Vec3& middle, const Corners& corners) 
 template <typename Step>
 Vec3 projected(Vec3 point, const LevelSet& level_set, std::int32_t guess, const Step& step) {
     constexpr int kSteps = 3;
-    Level level = level_set.at(point, guess);
+    LevelSample level = level_set.at(point, guess);
     for (int i = 0; i < kSteps && std::abs(level.value) > level_set.resolution(); ++i) {
         const Vec3 next = step(point, level);
-        const Level there = level_set.at(next, level.source);
+        const LevelSample there = level_set.at(next, level.source);
         if (std::abs(there.value) >= std::abs(level.value)) {
             break;
         }
@@ -93,9 +93,10 @@ class CellBuilder {
         }
         result.apex = result.is_sharp ? sharp_apex() : middle_of_face_points(result);
         if (level_set_ != nullptr) {
-            result.apex = projected(result.apex, *level_set_, at(0).source, [&](const Vec3& p, const Level& level) {
-                return kept_inside(p - level.value * level.gradient, middle(), cell_.corners);
-            });
+            result.apex =
+                projected(result.apex, *level_set_, at(0).source, [&](const Vec3& p, const LevelSample& level) {
+                    return kept_inside(p - level.value * level.gradient, middle(), cell_.corners);
+                });
         }
         return result;
     }
@@ -159,7 +160,7 @@ class CellBuilder {
         if (level_set_ == nullptr) {
             return point;
         }
-        return projected(point, *level_set_, a.source, [&](const Vec3& p, const Level& level) {
+        return projected(point, *level_set_, a.source, [&](const Vec3& p, const LevelSample& level) {
             const Vec3 along = level.gradient - normal * normal.dot(level.gradient);
             const Vec3 next = p - along * (level.value / std::max(along.squaredNorm(), 1e-2));
             return is_on(next, face, normal) ? next : p;

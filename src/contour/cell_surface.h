@@ -23,7 +23,7 @@ struct CellSurface {
 
 /// The surface of a cell: extended marching cubes (Kobbelt, Botsch, Schwanecke and Seidel 2001) on a tetrahedron.
 ///
-/// Where normals meet at an edge (they turn more than a level set that is smooth would let them) the vertex lies where
+/// Where normals meet at an edge (they turn more than on a ball of the level set's least radius) the vertex lies where
 /// the quadric of their planes has its least value (Garland and Heckbert 1997), and on a face of such a cell where the
 /// two lines meet that the planes cut from it. Where only patches meet they lie on the border, and elsewhere in the
 /// middle. The surface is the cone from the vertex over the polygon of crossings and points on faces, which goes once

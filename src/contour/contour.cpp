@@ -21,12 +21,15 @@ class ContourBuilder {
             result_.points.push_back(crossing.point);
         }
         for (std::size_t k = 0; k < surfaces.size(); ++k) {
-            stands_for_itself_ = has_level_set_ && !surfaces[k].is_sharp;
+            uses_own_plane_ = has_level_set_ && !surfaces[k].is_sharp;
             if (surfaces[k].is_cone) {
                 add_cone(cells_.cells[k], surfaces[k]);
             } else {
                 add_fan(cells_.cells[k], surfaces[k].first);
             }
+        }
+        for (Vec3& p : result_.points) {
+            p = to_single(p);
         }
         return std::move(result_);
     }
@@ -41,7 +44,7 @@ class ContourBuilder {
         result_.triangles.push_back(triangle);
         result_.source.push_back(plane < 0 ? -1 : at(plane).source);
         result_.patch.push_back(plane < 0 ? -1 : at(plane).patch);
-        result_.plane.push_back(stands_for_itself_ ? -1 : plane);
+        result_.plane.push_back(uses_own_plane_ ? -1 : plane);
     }
 
     void add_fan(const CrossedCell& cell, int first) {
@@ -85,7 +88,7 @@ class ContourBuilder {
 
     const CrossedCells& cells_;
     const bool has_level_set_;
-    bool stands_for_itself_ = false;
+    bool uses_own_plane_ = false;
     KeyMap<std::int32_t> on_face_;
     Contour result_;
 };

@@ -13,7 +13,7 @@ namespace mq::contour {
 
 /// A surface between nodes outside and others.
 struct Contour {
-    std::vector<Vec3> points;
+    std::vector<Vec3> points;               ///< single-precision numbers
     std::vector<mesh::Triangle> triangles;  ///< counter-clockwise seen from outside
     std::vector<std::int32_t> source;       ///< the input's triangle to which each one belongs; -1: it closes a gap
     std::vector<std::int32_t> patch;        ///< those of the crossings, until others are given
@@ -23,7 +23,7 @@ struct Contour {
 };
 
 /// The contour of all cells (cell_surface). Cells share points on their faces, so all of it is closed, 2-manifold and
-/// free of self-intersections.
+/// free of self-intersections, before its points are rounded to single precision.
 /// @param level_set  as of cell_surface
 /// @throws Cancelled
 Contour contour(const CrossedCells& cells, const LevelSet* level_set, const Progress& progress);

@@ -242,7 +242,7 @@ class EdgeCollapse {
             const bool leaves = k == 0 ? held[0] == 2 && places[0] != places[1] : held[k - 1] < held[2 - k];
             edge.place = places[k];
             if (!leaves && both.at(edge.place) <= most_ && keeps_shape(edge) && keeps_apart(edge) &&
-                keeps_where(edge)) {
+                is_accepted(edge)) {
                 return true;
             }
         }
@@ -323,9 +323,9 @@ class EdgeCollapse {
         return true;
     }
     /// Whether all moved triangles may be there.
-    bool keeps_where(const Candidate& edge) const {
-        return !limits_.may_be || all_of_moved(edge, [&](std::int32_t, const std::array<Vec3, 3>& moved) {
-            return limits_.may_be(moved);
+    bool is_accepted(const Candidate& edge) const {
+        return !limits_.accepts || all_of_moved(edge, [&](std::int32_t, const std::array<Vec3, 3>& moved) {
+            return limits_.accepts(moved);
         });
     }
     /// The corners of a triangle with the ends at the new place.

@@ -12,7 +12,7 @@
 namespace mq::contour {
 
 /// Whether a triangle may be where its corners are.
-using MayBe = std::function<bool(const std::array<Vec3, 3>&)>;
+using TriangleFilter = std::function<bool(const std::array<Vec3, 3>&)>;
 
 /// What a collapse of edges must keep.
 struct CollapseLimits {
@@ -22,7 +22,7 @@ struct CollapseLimits {
     /// Triangles that stay as they are, with their vertices; empty: there are none.
     std::vector<char> fixed;
     /// Asked of triangles that are moved; empty: all may. Called by several threads.
-    MayBe may_be;
+    TriangleFilter accepts;
     /// Where all others are, before and after.
     Box within{Vec3::Constant(-1e300), Vec3::Constant(1e300)};
 };

@@ -8,7 +8,7 @@
 namespace mq::contour {
 
 /// What a level set is at a point.
-struct Level {
+struct LevelSample {
     double value = 0.0;            ///< mm: below 0 within, above it outside
     Vec3 gradient = Vec3::Zero();  ///< its length is 1
     std::int32_t source = -1;      ///< the input's triangle that decides
@@ -24,7 +24,7 @@ class LevelSet {
     virtual ~LevelSet() = default;
 
     /// @param guess  a triangle near the one that decides makes it faster; -1: none is known
-    virtual Level at(const Vec3& point, std::int32_t guess) const = 0;
+    virtual LevelSample at(const Vec3& point, std::int32_t guess) const = 0;
     /// The patch of a source.
     virtual std::int32_t patch(std::int32_t source) const = 0;
     /// mm: the zero set is nowhere bent outward more than a ball of this radius.

@@ -39,10 +39,9 @@ class Blocks {
     void simplify(const std::vector<Crossing>& crossings, const CollapseLimits& limits, const Progress& progress) {
         parallel_for(static_cast<int>(blocks_.size()), [&](int k) {
             Block& block = blocks_[static_cast<std::size_t>(k)];
-            block.limits.distance = limits.distance;
-            block.limits.border = limits.border;
-            block.limits.longest = limits.longest;
-            block.limits.may_be = limits.may_be;
+            const Box within = block.limits.within;
+            block.limits = limits;
+            block.limits.within = within;
             fill(block);
             collapse_edges(block.surface, crossings, block.limits, progress);
         });
@@ -170,16 +169,11 @@ class Blocks {
 
 }  // namespace
 
-void simplify(Contour& surface, const std::vector<Crossing>& crossings, const Simplification& how,
+void simplify(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits, double block,
               const Progress& progress) {
-    CollapseLimits limits;
-    limits.distance = how.distance;
-    limits.border = how.border;
-    limits.longest = how.longest;
-    limits.may_be = how.may_be;
     // The second time most of what was between blocks is in one.
     for (const double shift : {0.0, 0.5}) {
-        Blocks(surface, how.block, shift).simplify(crossings, limits, progress);
+        Blocks(surface, block, shift).simplify(crossings, limits, progress);
     }
     collapse_edges(surface, crossings, limits, progress);
 }

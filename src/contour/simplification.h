@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "base/progress.h"
@@ -10,15 +9,6 @@
 
 namespace mq::contour {
 
-/// How far a contour is simplified.
-struct Simplification {
-    double distance = 0.0;                                     ///< as CollapseLimits::distance, mm
-    double border = std::numeric_limits<double>::infinity();   ///< as CollapseLimits::border, mm
-    double longest = std::numeric_limits<double>::infinity();  ///< as CollapseLimits::longest, mm
-    double block = 0.0;  ///< side of the blocks that are simplified at once, mm: far more than triangles are long
-    MayBe may_be;
-};
-
 /// Collapses edges of a contour as long as the planes that its triangles stand for are within a distance
 /// (collapse_edges). Where these are the input's, edges that the lattice has cut off become sharp again. Borders
 /// between patches stay within a distance of their own, and do not vanish.
@@ -26,9 +16,10 @@ struct Simplification {
 /// First in blocks of space at once: each holds the triangles that are in it with all of their corners, and changes
 /// nothing outside of itself, so that blocks do not meet. Triangles between blocks are fixed meanwhile. Then all that
 /// is left together. The result is the same for any number of threads.
-/// @param surface  its points are single-precision numbers
+/// @param limits  without fixed triangles and `within`
+/// @param block  side of the blocks, mm: far more than triangles are long
 /// @throws Cancelled
-void simplify(Contour& surface, const std::vector<Crossing>& crossings, const Simplification& how,
+void simplify(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits, double block,
               const Progress& progress);
 
 }  // namespace mq::contour

@@ -15,8 +15,8 @@
 #include "contour/contour.h"
 #include "contour/simplification.h"
 #include "mesh/intersection/self_intersection.h"
-#include "offset/distance_level.h"
-#include "offset/refinement.h"
+#include "offset/distance_level_set.h"
+#include "offset/lattice_refinement.h"
 #include "offset/tuning.h"
 
 namespace mq::offset {
@@ -46,7 +46,6 @@ class ContouredOffset {
           distance_(std::abs(options.distance)),
           tolerance_(options.tolerance),
           level_set_(surface_, distance_, ContouredOffsetTuning::kResolution * tolerance_),
-          searched_(surface_.points, surface_.triangles),
           progress_(progress) {}
 
     boolean::OffsetResult run(const Vec3& origin) {
@@ -74,28 +73,30 @@ class ContouredOffset {
     /// Simplifies the contour. Where that leaves the tolerance, the contour stays as it is the next time, and
     /// everywhere in the last round.
     void simplify(const contour::Contour& whole, const RefinedCells& cells) {
-        contour::Simplification how;
-        how.distance = ContouredOffsetTuning::kSimplification * tolerance_;
-        how.border = how.distance;
-        how.block = box().largest_side() / ContouredOffsetTuning::kBlocks;
-        how.may_be = [this](const std::array<Vec3, 3>& c) { return is_free(c) && is_near(c); };
+        contour::CollapseLimits limits;
+        limits.distance = ContouredOffsetTuning::kSimplification * tolerance_;
+        limits.border = limits.distance;
+        limits.accepts = [this](const std::array<Vec3, 3>& c) { return is_free(c) && is_near(c); };
+        const double block = box().largest_side() / ContouredOffsetTuning::kBlocks;
+        std::vector<double> wrong;
         for (int round = 1; round <= ContouredOffsetTuning::kRounds; ++round) {
             stages_.start("simplifying", 0.65, 0.8);
-            surface_found_ = whole;
-            for (Vec3& p : surface_found_.points) {
-                p = to_single(p);
-            }
+            contour_ = whole;
             if (round < ContouredOffsetTuning::kRounds) {
-                contour::simplify(surface_found_, cells.crossed.crossings, how, progress_);
+                contour::simplify(contour_, cells.crossed.crossings, limits, block, progress_);
             }
             stages_.start("proving the distance", 0.8, 0.95);
-            const std::vector<Box> faults = faults_of(cells.nodes);
+            wrong = misclassified(cells.nodes);
+            const std::vector<Box> faults = faults_of(cells.nodes, wrong);
             if (faults.empty()) {
                 break;
             }
             kept_.insert(kept_.end(), faults.begin(), faults.end());
         }
-        result_.error_bound = std::max({cells.bound, deviation(), largest_missed(cells.nodes)});
+        result_.error_bound = std::max(cells.bound, deviation());
+        for (const double distance : wrong) {
+            result_.error_bound = std::max(result_.error_bound, distance);
+        }
     }
     /// Whether a triangle is apart from all places where the contour stays as it is.
     bool is_free(const std::array<Vec3, 3>& c) const {
@@ -115,7 +116,7 @@ class ContouredOffset {
         const int parts = static_cast<int>(std::clamp(std::ceil(longest / chord), 2.0, kMost));
         std::int32_t guess = -1;
         const auto near = [&](const Vec3& p) {
-            const contour::Level level = level_set_.at(p, guess);
+            const contour::LevelSample level = level_set_.at(p, guess);
             guess = level.source;
             return std::abs(level.value) <= ContouredOffsetTuning::kNear * tolerance_;
         };
@@ -129,8 +130,8 @@ class ContouredOffset {
     }
     std::vector<boolean::Corners> triangles_found() const {
         std::vector<boolean::Corners> triangles;
-        for (const mesh::Triangle& t : surface_found_.triangles) {
-            const auto& v = surface_found_.points;
+        for (const mesh::Triangle& t : contour_.triangles) {
+            const auto& v = contour_.points;
             triangles.push_back({v[static_cast<std::size_t>(t[0])], v[static_cast<std::size_t>(t[1])],
                                  v[static_cast<std::size_t>(t[2])]});
         }
@@ -138,17 +139,19 @@ class ContouredOffset {
     }
     double deviation() const {
         const double fineness = ContouredOffsetTuning::kFineness * tolerance_;
-        return boolean::deviation_from_distance(triangles_found(), searched_, distance_, fineness, progress_).bound;
+        return boolean::deviation_from_distance(triangles_found(), level_set_.searched(), distance_, fineness,
+                                                progress_)
+            .bound;
     }
-    /// How far from the offset the nodes are that lie on the wrong side of the surface found, by their numbers; 0: on
+    /// How far from the offset the nodes are that lie on the wrong side of the contour, by their numbers; 0: on
     /// the right side.
-    std::vector<double> missed(const std::vector<LatticeNode>& nodes) const {
+    std::vector<double> misclassified(const std::vector<LatticeNode>& nodes) const {
         std::vector<double> result(nodes.size());
-        if (surface_found_.triangles.empty()) {
+        if (contour_.triangles.empty()) {
             return result;
         }
-        const OffsetSurface found{surface_found_.points, surface_found_.triangles, surface_found_.patch, true};
-        const DistanceLevel side(found, 0.0, 0.0);
+        const OffsetSurface found{contour_.points, contour_.triangles, contour_.patch, true};
+        const DistanceLevelSet side(found, 0.0, 0.0);
         for_chunks(static_cast<int>(nodes.size()), [&](int k) {
             const LatticeNode& node = nodes[static_cast<std::size_t>(k)];
             const bool is_outside = side.at(node.place, -1).value >= 0.0;
@@ -156,12 +159,9 @@ class ContouredOffset {
         });
         return result;
     }
-    double largest_missed(const std::vector<LatticeNode>& nodes) const {
-        const std::vector<double> all = missed(nodes);
-        return all.empty() ? 0.0 : *std::max_element(all.begin(), all.end());
-    }
-    /// Boxes around what is not within the tolerance.
-    std::vector<Box> faults_of(const std::vector<LatticeNode>& nodes) const {
+    /// Boxes around triangles and nodes that are not within the tolerance.
+    /// @param wrong  as misclassified gives it
+    std::vector<Box> faults_of(const std::vector<LatticeNode>& nodes, const std::vector<double>& wrong) const {
         std::vector<Box> result;
         const std::vector<boolean::Corners> triangles = triangles_found();
         const double fineness = ContouredOffsetTuning::kFineness * tolerance_;
@@ -171,14 +171,13 @@ class ContouredOffset {
             result.back().high.array() += tolerance_;
         };
         for (const std::int32_t t :
-             triangles_beyond(triangles, searched_, distance_, tolerance_, fineness, progress_)) {
+             triangles_beyond(triangles, level_set_.searched(), distance_, tolerance_, fineness, progress_)) {
             Box box;
             for (const Vec3& p : triangles[static_cast<std::size_t>(t)]) {
                 box.add(p);
             }
             add(box);
         }
-        const std::vector<double> wrong = missed(nodes);
         for (std::size_t k = 0; k < nodes.size(); ++k) {
             if (wrong[k] > tolerance_) {
                 Box box;
@@ -192,15 +191,14 @@ class ContouredOffset {
 
     void finish(const Vec3& origin) {
         const std::size_t crossing =
-            mesh::self_intersections(surface_found_.points, surface_found_.triangles, mesh::kAllPairs, &progress_)
-                .size();
+            mesh::self_intersections(contour_.points, contour_.triangles, mesh::kAllPairs, &progress_).size();
         if (crossing > 0) {
             throw TopologyError("the offset cannot be held in single precision: " + std::to_string(crossing) +
                                 " pairs of triangles cross there; choose a larger tolerance, or another distance");
         }
         result_.mesh.origin = origin;
-        result_.mesh.vertices = std::move(surface_found_.points);
-        result_.mesh.triangles = std::move(surface_found_.triangles);
+        result_.mesh.vertices = std::move(contour_.points);
+        result_.mesh.triangles = std::move(contour_.triangles);
         // Simplification may have moved borders between faces across the middle of a triangle.
         result_.triangle_source.resize(result_.mesh.triangles.size());
         for_chunks(static_cast<int>(result_.mesh.triangles.size()), [&](int t) {
@@ -209,7 +207,7 @@ class ContouredOffset {
             for (const std::int32_t v : result_.mesh.triangles[slot]) {
                 middle += result_.mesh.vertices[static_cast<std::size_t>(v)] / 3.0;
             }
-            const std::int32_t source = level_set_.at(middle, surface_found_.source[slot]).source;
+            const std::int32_t source = level_set_.at(middle, contour_.source[slot]).source;
             result_.triangle_source[slot] = chosen_[static_cast<std::size_t>(source)];
         });
         if (inward_) {
@@ -224,11 +222,10 @@ class ContouredOffset {
     const bool inward_;
     const double distance_;  ///< mm
     const double tolerance_;
-    const DistanceLevel level_set_;
-    const boolean::SearchedSurface searched_;
+    const DistanceLevelSet level_set_;
     Progress& progress_;
     std::vector<Box> kept_;  ///< where the contour is not simplified
-    contour::Contour surface_found_;
+    contour::Contour contour_;
     boolean::OffsetResult result_;
     StageWatch stages_{progress_, result_.seconds};
 };

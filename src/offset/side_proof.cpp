@@ -9,7 +9,7 @@
 
 namespace mq::offset {
 
-bool SideProof::is_within(const Tetrahedron& cell, const Ball& ball, const contour::Level& level) const {
+bool SideProof::is_within(const Tetrahedron& cell, const Ball& ball, const contour::LevelSample& level) const {
     if (level.value + ball.radius <= slack_) {
         return true;
     }
@@ -19,7 +19,7 @@ bool SideProof::is_within(const Tetrahedron& cell, const Ball& ball, const conto
     });
 }
 
-bool SideProof::is_outside(const Tetrahedron& cell, const Ball& ball, const contour::Level& level) const {
+bool SideProof::is_outside(const Tetrahedron& cell, const Ball& ball, const contour::LevelSample& level) const {
     if (level.value - ball.radius >= -slack_) {
         return true;
     }
@@ -58,16 +58,16 @@ bool SideProof::is_farther_from_all(const Tetrahedron& cell, const Ball& ball, d
     return holds;
 }
 
-bool SideProof::holds(const Tetrahedron& cell, bool outside, std::int32_t guess) const {
-    return holds(cell, outside, guess, 0);
+bool SideProof::proves(const Tetrahedron& cell, bool outside, std::int32_t guess) const {
+    return proves(cell, outside, guess, 0);
 }
 
-bool SideProof::holds(const Tetrahedron& cell, bool outside, std::int32_t guess, int divisions) const {
+bool SideProof::proves(const Tetrahedron& cell, bool outside, std::int32_t guess, int divisions) const {
     Ball ball{0.25 * (cell[0] + cell[1] + cell[2] + cell[3]), 0.0};
     for (const Vec3& corner : cell) {
         ball.radius = std::max(ball.radius, (corner - ball.middle).norm());
     }
-    const contour::Level level = level_set_.at(ball.middle, guess);
+    const contour::LevelSample level = level_set_.at(ball.middle, guess);
     if (outside ? level.value < -slack_ : level.value > slack_) {
         return false;
     }
@@ -89,7 +89,7 @@ bool SideProof::holds(const Tetrahedron& cell, bool outside, std::int32_t guess,
     return std::all_of(longest.begin(), longest.end(), [&](std::size_t end) {
         Tetrahedron half = cell;
         half[end] = middle;
-        return holds(half, outside, level.source, divisions + 1);
+        return proves(half, outside, level.source, divisions + 1);
     });
 }
 

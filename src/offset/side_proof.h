@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "base/vec.h"
-#include "offset/distance_level.h"
+#include "offset/distance_level_set.h"
 
 namespace mq::offset {
 
@@ -20,22 +20,22 @@ using Tetrahedron = std::array<Vec3, 4>;
 class SideProof {
   public:
     /// @param slack  mm
-    SideProof(const DistanceLevel& level_set, double slack) : level_set_(level_set), slack_(slack) {}
+    SideProof(const DistanceLevelSet& level_set, double slack) : level_set_(level_set), slack_(slack) {}
 
     /// Whether it is proven that no point is farther out than the slack (outside: farther in).
-    bool holds(const Tetrahedron& cell, bool outside, std::int32_t guess) const;
+    bool proves(const Tetrahedron& cell, bool outside, std::int32_t guess) const;
 
   private:
     struct Ball {
         Vec3 middle;
         double radius;
     };
-    bool is_within(const Tetrahedron& cell, const Ball& ball, const contour::Level& level) const;
-    bool is_outside(const Tetrahedron& cell, const Ball& ball, const contour::Level& level) const;
+    bool is_within(const Tetrahedron& cell, const Ball& ball, const contour::LevelSample& level) const;
+    bool is_outside(const Tetrahedron& cell, const Ball& ball, const contour::LevelSample& level) const;
     bool is_farther_from_all(const Tetrahedron& cell, const Ball& ball, double least) const;
-    bool holds(const Tetrahedron& cell, bool outside, std::int32_t guess, int divisions) const;
+    bool proves(const Tetrahedron& cell, bool outside, std::int32_t guess, int divisions) const;
 
-    const DistanceLevel& level_set_;
+    const DistanceLevelSet& level_set_;
     const double slack_;
 };
 

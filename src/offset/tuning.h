@@ -22,12 +22,12 @@ struct ContouredOffsetTuning {
     MESHQUALITY_TUNED(double, kShift, 0.0317);
     /// Where the other side reaches across an edge, that is divided at least this fraction of its length from both
     /// ends.
-    MESHQUALITY_TUNED(double, kTipEnds, 0.1);
+    MESHQUALITY_TUNED(double, kFeatureEnds, 0.1);
     /// How often a cell is halved in a proof, before the cell itself is divided.
     MESHQUALITY_TUNED(int, kDivisions, 6);
     /// Triangles of which a proof asks before it divides.
     MESHQUALITY_TUNED(int, kMostAsked, 64);
-    /// Cells that fit into memory: about 150 bytes for each.
+    /// Cells of the lattice, divided ones too, at most: about 150 bytes for each, besides those that are crossed.
     MESHQUALITY_TUNED(double, kMostCells, 2e7);
     /// Rounds of simplification, the last of which leaves the contour as it is.
     MESHQUALITY_TUNED(int, kRounds, 4);

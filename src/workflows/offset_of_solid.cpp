@@ -11,14 +11,12 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "boolean/offset/tuning.h"
 #include "offset/contoured_offset.h"
 
 namespace mq::workflows {
 
 namespace {
-
-/// Pairs that cross for each triangle of a raw offset from which on trimming takes longer than contouring.
-constexpr double kMostCrossings = 0.5;
 
 std::string empty_offset(double distance) {
     std::array<char, 120> text;
@@ -57,7 +55,7 @@ BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& sol
 template <typename Trimmed, typename Contoured>
 boolean::OffsetResult first_within(boolean::OffsetOptions options, const Trimmed& trimmed, const Contoured& contoured) {
     const Stopwatch watch;
-    options.most_crossings = kMostCrossings;
+    options.most_crossings = boolean::OffsetTuning::kMostCrossings;
     std::optional<boolean::OffsetResult> first;
     try {
         first = trimmed(options);

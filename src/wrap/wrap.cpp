@@ -37,12 +37,11 @@ std::vector<std::int32_t> patches_of(const contour::Contour& surface, const mesh
     return patch;
 }
 
-contour::Simplification simplification(double spacing) {
-    contour::Simplification limits;
+contour::CollapseLimits limits_for(double spacing) {
+    contour::CollapseLimits limits;
     limits.distance = WrapTuning::kSimplification * spacing;
     limits.border = WrapTuning::kBorder * spacing;
     limits.longest = WrapTuning::kLongest * spacing;
-    limits.block = WrapTuning::kBlock * spacing;
     return limits;
 }
 
@@ -85,10 +84,8 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
 
     watch.start("simplifying", 0.5, 0.9);
     between.patch = patches_of(between, input);
-    for (Vec3& p : between.points) {
-        p = to_single(p);
-    }
-    contour::simplify(between, cells.crossings, simplification(options.spacing), progress);
+    contour::simplify(between, cells.crossings, limits_for(options.spacing), WrapTuning::kBlock * options.spacing,
+                      progress);
     result.mesh.origin = input.origin;
     result.mesh.vertices = std::move(between.points);
     result.mesh.triangles = std::move(between.triangles);

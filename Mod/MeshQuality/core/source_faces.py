@@ -7,6 +7,7 @@ from .. import phrases
 from ..errors import InvalidInput
 from ..phrases import Text
 from . import convert, frames
+from .patch_names import plain_name
 from .patches import Division, division_for, division_of, index_in
 
 GAPS = "gaps"  # the patch of triangles that close gaps between sources
@@ -102,11 +103,11 @@ class FacesOfSeveral:
 
 def own_names(labels, counts):
     """The names of the patches that all faces are, each by itself, of sources with these numbers of faces; None: a mesh.
-    They have letters, digits, - and _ only.
+    They are names that all formats can hold (plain_name).
     """
     if len(labels) == 1 and counts[0] is not None:
         return tuple(f"Face{k + 1}" for k in range(counts[0]))
-    plain = ["".join(c if c.isascii() and c.isalnum() or c in "-_" else "_" for c in label) for label in labels]
+    plain = [plain_name(label) for label in labels]
     names, taken = [], set()
     for i, (name, count) in enumerate(zip(plain, counts)):
         unique, number = name if plain.count(name) == 1 else f"{name}_{i + 1}", i + 1

@@ -18,6 +18,16 @@ Box unit_box() {
     return box;
 }
 
+double longest_edge(const std::array<Vec3, 4>& c) {
+    double longest = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            longest = std::max(longest, (c[i] - c[j]).norm());
+        }
+    }
+    return longest;
+}
+
 double volume(const std::array<Vec3, 4>& c) {
     return std::abs((c[1] - c[0]).cross(c[2] - c[0]).dot(c[3] - c[0])) / 6.0;
 }
@@ -91,12 +101,7 @@ TEST(BisectedLattice, StaysConformingWhereItIsDivided) {
     std::map<long, int> shapes;
     for (std::size_t k = 0; k < lattice.cell_count(); ++k) {
         const auto c = lattice.corners(lattice.cell(k));
-        double longest = 0.0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            for (std::size_t j = 0; j < i; ++j) {
-                longest = std::max(longest, (c[i] - c[j]).norm());
-            }
-        }
+        const double longest = longest_edge(c);
         ++shapes[std::lround(1e6 * volume(c) / (longest * longest * longest))];
     }
     EXPECT_LE(shapes.size(), 3U);
@@ -113,12 +118,7 @@ TEST(BisectedLattice, CellsAreDivisibleDownToTheFinest) {
     conforming_volume(lattice);
     for (std::size_t k = 0; k < lattice.cell_count(); ++k) {
         const auto c = lattice.corners(lattice.cell(k));
-        double longest = 0.0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            for (std::size_t j = 0; j < i; ++j) {
-                longest = std::max(longest, (c[i] - c[j]).norm());
-            }
-        }
+        const double longest = longest_edge(c);
         EXPECT_EQ(lattice.is_divided(k), longest > kFinest);
     }
 }

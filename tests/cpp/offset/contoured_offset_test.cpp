@@ -8,41 +8,22 @@
 #include <random>
 
 #include "base/error.h"
-#include "boolean/boolean.h"
 #include "boolean/closed_solids.h"
-#include "mesh/quality/surface_verification.h"
+#include "boolean/offset_checks.h"
 
 namespace mq::offset {
 namespace {
 
-using boolean::BooleanOptions;
 using boolean::OffsetResult;
 using boolean::Operation;
+using boolean::offsets::united;
+using boolean::offsets::volume;
 using mesh::Triangle;
 using mesh::TriangleMesh;
 
-double volume(const TriangleMesh& mesh) {
-    double sum = 0.0;
-    for (const Triangle& t : mesh.triangles) {
-        sum += mesh.vertices[static_cast<std::size_t>(t[0])].dot(
-            mesh.vertices[static_cast<std::size_t>(t[1])].cross(mesh.vertices[static_cast<std::size_t>(t[2])]));
-    }
-    return sum / 6.0;
-}
-
-TriangleMesh united(const std::vector<const TriangleMesh*>& bodies, Operation operation = Operation::Union) {
-    BooleanOptions options;
-    options.tolerance = 1e-3;
-    return boolean::boolean(bodies, operation, options).mesh;
-}
-
 OffsetResult sound_offset(const TriangleMesh& solid, double distance, double tolerance) {
     Progress progress;
-    OffsetResult result = contoured_offset(solid, {distance, tolerance, 0}, progress);
-    EXPECT_TRUE(mesh::verify(result.mesh.vertices, result.mesh.triangles).passed());
-    EXPECT_LE(result.error_bound, tolerance);
-    EXPECT_EQ(result.triangle_source.size(), result.mesh.triangles.size());
-    return result;
+    return boolean::offsets::sound(contoured_offset(solid, {distance, tolerance, 0}, progress), tolerance);
 }
 
 TEST(ContouredOffset, ABoxGrowsRoundEdgesAndShrinksToABox) {

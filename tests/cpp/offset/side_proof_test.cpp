@@ -14,7 +14,7 @@ TEST(SideProof, WhatItProvesHolds) {
     const mesh::TriangleMesh ball = boolean::solids::sphere(Vec3(0, 0, 0), 5.0, 16);
     const OffsetSurface surface{ball.vertices, ball.triangles, std::vector<std::int32_t>(ball.triangles.size(), 0),
                                 true};
-    const DistanceLevel level_set(surface, 1.0, 1e-6);
+    const DistanceLevelSet level_set(surface, 1.0, 1e-6);
     constexpr double kSlack = 0.05;
     const SideProof proof(level_set, kSlack);
     std::mt19937 random(3);
@@ -40,13 +40,13 @@ TEST(SideProof, WhatItProvesHolds) {
             lowest = std::min(lowest, level_set.at(p, -1).value);
             highest = std::max(highest, level_set.at(p, -1).value);
         }
-        if (proof.holds(cell, false, -1)) {
+        if (proof.proves(cell, false, -1)) {
             EXPECT_LE(highest, kSlack);
             ++proven;
         } else {
             missed += highest < -kSlack ? 1 : 0;
         }
-        if (proof.holds(cell, true, -1)) {
+        if (proof.proves(cell, true, -1)) {
             EXPECT_GE(lowest, -kSlack);
             ++proven;
         } else {
@@ -60,10 +60,10 @@ TEST(SideProof, WhatItProvesHolds) {
 TEST(SideProof, AThinSheetInACellIsFound) {
     // All corners are farther than 1 from the sheet, which goes through the cell.
     const OffsetSurface sheet{{Vec3(-0.01, -0.01, 0), Vec3(0.01, -0.01, 0), Vec3(0, 0.01, 0)}, {{0, 1, 2}}, {0}, false};
-    const DistanceLevel level_set(sheet, 1.0, 1e-6);
+    const DistanceLevelSet level_set(sheet, 1.0, 1e-6);
     const SideProof proof(level_set, 0.1);
     const Tetrahedron cell{Vec3(-3, -3, -3), Vec3(3, 3, -3), Vec3(3, -3, 3), Vec3(-3, 3, 3)};
-    EXPECT_FALSE(proof.holds(cell, true, -1));
+    EXPECT_FALSE(proof.proves(cell, true, -1));
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "base/error.h"
-#include "boolean/boolean.h"
 #include "boolean/closed_solids.h"
+#include "boolean/offset_checks.h"
 #include "mesh/quality/surface_verification.h"
 
 namespace mq::boolean {
@@ -18,29 +18,12 @@ namespace {
 
 using mesh::Triangle;
 using mesh::TriangleMesh;
-
-double volume(const TriangleMesh& mesh) {
-    double sum = 0.0;
-    for (const Triangle& t : mesh.triangles) {
-        sum += mesh.vertices[static_cast<std::size_t>(t[0])].dot(
-            mesh.vertices[static_cast<std::size_t>(t[1])].cross(mesh.vertices[static_cast<std::size_t>(t[2])]));
-    }
-    return sum / 6.0;
-}
-
-TriangleMesh united(const std::vector<const TriangleMesh*>& bodies, Operation operation = Operation::Union) {
-    BooleanOptions options;
-    options.tolerance = 1e-3;
-    return boolean(bodies, operation, options).mesh;
-}
+using offsets::united;
+using offsets::volume;
 
 OffsetResult sound_offset(const TriangleMesh& solid, double distance, double tolerance) {
     Progress progress;
-    OffsetResult result = offset(solid, {distance, tolerance, 0}, progress);
-    EXPECT_TRUE(mesh::verify(result.mesh.vertices, result.mesh.triangles).passed());
-    EXPECT_LE(result.error_bound, tolerance);
-    EXPECT_EQ(result.triangle_source.size(), result.mesh.triangles.size());
-    return result;
+    return offsets::sound(offset(solid, {distance, tolerance, 0}, progress), tolerance);
 }
 
 TEST(Offset, ABoxGrowsRoundEdgesAndShrinksToABox) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "offset/distance_level.h"
+#include "offset/distance_level_set.h"
 
 #include <array>
 #include <cmath>
@@ -8,11 +8,11 @@
 
 namespace mq::offset {
 
-DistanceLevel::DistanceLevel(const OffsetSurface& surface, double distance, double resolution)
+DistanceLevelSet::DistanceLevelSet(const OffsetSurface& surface, double distance, double resolution)
     : surface_(surface),
       distance_(distance),
       resolution_(resolution),
-      tree_(surface.points, surface.triangles),
+      searched_(surface.points, surface.triangles),
       faces_(surface.triangles.size()),
       vertices_(surface.points.size()) {
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -36,7 +36,7 @@ DistanceLevel::DistanceLevel(const OffsetSurface& surface, double distance, doub
 
 /// The triangle of the lowest patch stands for a feature, so that what is offset from it is not divided by rounding
 /// errors.
-void DistanceLevel::add(Feature& feature, std::int32_t triangle, double weight) const {
+void DistanceLevelSet::add(Feature& feature, std::int32_t triangle, double weight) const {
     feature.normal += weight * faces_[static_cast<std::size_t>(triangle)].normal;
     if (feature.triangle < 0 ||
         std::make_tuple(patch(triangle), triangle) < std::make_tuple(patch(feature.triangle), feature.triangle)) {
@@ -44,7 +44,7 @@ void DistanceLevel::add(Feature& feature, std::int32_t triangle, double weight) 
     }
 }
 
-Vec3 DistanceLevel::nearest(const Vec3& point, std::int32_t triangle) const {
+Vec3 DistanceLevelSet::nearest(const Vec3& point, std::int32_t triangle) const {
     const mesh::Triangle& c = surface_.triangles[static_cast<std::size_t>(triangle)];
     return mesh::nearest_on_triangle(point, surface_.points[static_cast<std::size_t>(c[0])],
                                      surface_.points[static_cast<std::size_t>(c[1])],
@@ -52,7 +52,7 @@ Vec3 DistanceLevel::nearest(const Vec3& point, std::int32_t triangle) const {
 }
 
 /// The face, edge or vertex of a triangle on which a point of it lies.
-const DistanceLevel::Feature& DistanceLevel::feature_at(std::int32_t triangle, const Vec3& point) const {
+const DistanceLevelSet::Feature& DistanceLevelSet::feature_at(std::int32_t triangle, const Vec3& point) const {
     constexpr double kOnEdge = 1e-9;  // barycentric coordinate
     const mesh::Triangle& c = surface_.triangles[static_cast<std::size_t>(triangle)];
     const auto corner = [&](std::size_t k) -> const Vec3& {
@@ -77,12 +77,12 @@ const DistanceLevel::Feature& DistanceLevel::feature_at(std::int32_t triangle, c
     return faces_[static_cast<std::size_t>(triangle)];
 }
 
-contour::Level DistanceLevel::at(const Vec3& point, std::int32_t guess) const {
-    const mesh::ClosestPoint closest = guess >= 0 ? tree_.nearest_from(point, guess) : tree_.nearest(point);
+contour::LevelSample DistanceLevelSet::at(const Vec3& point, std::int32_t guess) const {
+    const mesh::ClosestPoint closest = guess >= 0 ? tree().nearest_from(point, guess) : tree().nearest(point);
     const Feature& feature = feature_at(closest.triangle, closest.point);
     const Vec3 away = point - closest.point;
     const double sign = surface_.is_solid && away.dot(feature.normal) < 0.0 ? -1.0 : 1.0;
-    contour::Level level;
+    contour::LevelSample level;
     level.value = sign * closest.distance - distance_;
     level.gradient = closest.distance > 0.0 ? Vec3(sign / closest.distance * away) : Vec3(feature.normal.normalized());
     level.source = feature.triangle;

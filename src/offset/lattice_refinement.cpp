@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "offset/refinement.h"
+#include "offset/lattice_refinement.h"
 
 #include <algorithm>
 #include <array>
@@ -25,11 +25,11 @@ namespace {
 using contour::CellSurface;
 using contour::CrossedCell;
 using contour::Crossing;
-using contour::Level;
+using contour::LevelSample;
 
 class Refinement {
   public:
-    Refinement(const DistanceLevel& level_set, const Box& box, double slack, double finest, const Progress& progress)
+    Refinement(const DistanceLevelSet& level_set, const Box& box, double slack, double finest, const Progress& progress)
         : level_set_(level_set),
           proof_(level_set, slack),
           slack_(slack),
@@ -48,14 +48,14 @@ class Refinement {
                 verdicts[slot] = verdict_on(lattice_.cell(fresh[slot]));
             });
             for (std::size_t k = 0; k < fresh.size(); ++k) {
-                if (!verdicts[k].keeps_slack) {
+                if (!verdicts[k].is_within_slack) {
                     divide(fresh[k], verdicts[k]);
                 }
             }
             if (static_cast<double>(lattice_.cell_count()) > ContouredOffsetTuning::kMostCells) {
-                throw InvalidInput(
-                    "the offset takes more memory than there may be: choose a larger tolerance, or offset bodies one "
-                    "by one");
+                throw InvalidInput("the offset needs more than " +
+                                   std::to_string(static_cast<long>(ContouredOffsetTuning::kMostCells)) +
+                                   " cells: choose a larger tolerance, or offset bodies one by one");
             }
         }
         return collected();
@@ -76,32 +76,32 @@ class Refinement {
     }
     /// What is to be done with a cell: nothing, or to divide it, at an edge where that is known.
     struct Verdict {
-        bool keeps_slack = true;
+        bool is_within_slack = true;
         std::array<std::int32_t, 2> edge{-1, -1};
         Vec3 place = Vec3::Zero();
     };
     Verdict verdict_on(const Cell& cell) const {
         Verdict result;
-        result.keeps_slack = keeps_slack(cell);
-        for (std::size_t i = 0; i < 4 && !result.keeps_slack; ++i) {
+        result.is_within_slack = is_within_slack(cell);
+        for (std::size_t i = 0; i < 4 && !result.is_within_slack; ++i) {
             for (std::size_t j = 0; j < i && result.edge[0] < 0; ++j) {
-                find_tip(std::min(cell.nodes[i], cell.nodes[j]), std::max(cell.nodes[i], cell.nodes[j]), result);
+                find_feature(std::min(cell.nodes[i], cell.nodes[j]), std::max(cell.nodes[i], cell.nodes[j]), result);
             }
         }
         return result;
     }
     /// Whether the other side reaches across an edge between two nodes on one side, where the planes at both ends meet.
     /// A node there makes an edge of the offset pass through faces once.
-    void find_tip(std::int32_t a, std::int32_t b, Verdict& result) const {
-        const Level& from = levels_[static_cast<std::size_t>(a)];
-        const Level& to = levels_[static_cast<std::size_t>(b)];
+    void find_feature(std::int32_t a, std::int32_t b, Verdict& result) const {
+        const LevelSample& from = levels_[static_cast<std::size_t>(a)];
+        const LevelSample& to = levels_[static_cast<std::size_t>(b)];
         const Vec3 way = lattice_.at(b) - lattice_.at(a);
         if (is_outside(a) != is_outside(b) || way.norm() <= finest_) {
             return;
         }
         const double slope = from.gradient.dot(way) - to.gradient.dot(way);
         const double share = slope == 0.0 ? 0.0 : (to.value - to.gradient.dot(way) - from.value) / slope;
-        constexpr double kEnds = ContouredOffsetTuning::kTipEnds;
+        constexpr double kEnds = ContouredOffsetTuning::kFeatureEnds;
         if (share < kEnds || share > 1.0 - kEnds) {
             return;
         }
@@ -186,7 +186,7 @@ class Refinement {
         double above = value(outer);
         double share = 0.5;
         int last = 0;
-        Level level = levels_[static_cast<std::size_t>(inner)];
+        LevelSample level = levels_[static_cast<std::size_t>(inner)];
         for (int i = 0; i < kMostSteps; ++i) {
             share = i < kFalsi ? (low * above - high * below) / (above - below) : 0.5 * (low + high);
             level = level_set_.at(from + share * way, level.source);
@@ -228,11 +228,11 @@ class Refinement {
         return result;
     }
 
-    bool keeps_slack(const Cell& cell) const {
+    bool is_within_slack(const Cell& cell) const {
         const CrossedCell here = crossed(cell);
         if (here.polygon.count == 0) {
-            const Level& level = levels_[static_cast<std::size_t>(cell.nodes[0])];
-            return proof_.holds(here.corners, level.value >= 0.0, level.source);
+            const LevelSample& level = levels_[static_cast<std::size_t>(cell.nodes[0])];
+            return proof_.proves(here.corners, level.value >= 0.0, level.source);
         }
         const CellSurface surface = contour::cell_surface(here, crossings_, &level_set_);
         return is_near(here, surface) && are_sides_proven(cell, here, surface);
@@ -297,7 +297,7 @@ class Refinement {
             longest = std::max({longest, (base[k] - apex).norm(), (base[k] - base[(k + 1) % 3]).norm()});
         }
         return std::abs(height) <= flat * longest * longest ||
-               proof_.holds({apex, base[0], base[1], base[2]}, outside, guess);
+               proof_.proves({apex, base[0], base[1], base[2]}, outside, guess);
     }
     /// @param face  its corners, first the one that is alone on its side
     bool divided_face_holds(const Cell& cell, const CrossedCell& here, const CellSurface& surface,
@@ -376,7 +376,7 @@ class Refinement {
         }
     }
 
-    const DistanceLevel& level_set_;
+    const DistanceLevelSet& level_set_;
     const SideProof proof_;
     const double slack_;
     const double finest_;
@@ -384,14 +384,14 @@ class Refinement {
     const Progress& progress_;
     std::size_t known_cells_ = 0;
     double bound_ = 0.0;
-    std::vector<Level> levels_;     ///< by node
-    KeyMap<std::int32_t> numbers_;  ///< numbers of crossings, by edge
+    std::vector<LevelSample> levels_;  ///< by node
+    KeyMap<std::int32_t> numbers_;     ///< numbers of crossings, by edge
     std::vector<Crossing> crossings_;
 };
 
 }  // namespace
 
-RefinedCells refine(const DistanceLevel& level_set, const Box& box, double slack, double finest,
+RefinedCells refine(const DistanceLevelSet& level_set, const Box& box, double slack, double finest,
                     const Progress& progress) {
     return Refinement(level_set, box, slack, finest, progress).run();
 }

@@ -6,6 +6,7 @@
 
 #include "base/key_set.h"
 #include "base/vec.h"
+#include "boolean/offset/offset_error.h"
 #include "contour/level_set.h"
 #include "mesh/intersection/aabb_tree.h"
 #include "mesh/triangle_mesh.h"
@@ -26,18 +27,19 @@ struct OffsetSurface {
 /// The side of a point is that of the pseudonormal of what is nearest to it: of a face its normal, of an edge the sum
 /// of both, of a vertex the sum weighted by angles (Baerentzen and Aanaes 2005, Signed distance computation using the
 /// angle weighted pseudonormal, section 3).
-class DistanceLevel : public contour::LevelSet {
+class DistanceLevelSet : public contour::LevelSet {
   public:
     /// @param resolution  see LevelSet
-    DistanceLevel(const OffsetSurface& surface, double distance, double resolution);
+    DistanceLevelSet(const OffsetSurface& surface, double distance, double resolution);
 
-    contour::Level at(const Vec3& point, std::int32_t guess) const override;
+    contour::LevelSample at(const Vec3& point, std::int32_t guess) const override;
     std::int32_t patch(std::int32_t source) const override { return surface_.patch[static_cast<std::size_t>(source)]; }
     double least_radius() const override { return distance_; }
     double resolution() const override { return resolution_; }
 
     double distance() const { return distance_; }
-    const mesh::AabbTree& tree() const { return tree_; }
+    const boolean::SearchedSurface& searched() const { return searched_; }
+    const mesh::AabbTree& tree() const { return searched_.tree; }
     /// The point of a triangle nearest to another point.
     Vec3 nearest(const Vec3& point, std::int32_t triangle) const;
 
@@ -53,7 +55,7 @@ class DistanceLevel : public contour::LevelSet {
     const OffsetSurface& surface_;
     const double distance_;
     const double resolution_;
-    const mesh::AabbTree tree_;
+    const boolean::SearchedSurface searched_;
     std::vector<Feature> faces_;
     std::vector<Feature> vertices_;
     KeyMap<Feature> edges_;

@@ -5,7 +5,7 @@
 
 #include "base/progress.h"
 #include "contour/crossing.h"
-#include "offset/distance_level.h"
+#include "offset/distance_level_set.h"
 
 namespace mq::offset {
 
@@ -33,7 +33,7 @@ struct RefinedCells {
 /// @param box  in which the contour lies
 /// @throws InvalidInput where there would be more cells than fit into memory
 /// @throws Cancelled
-RefinedCells refine(const DistanceLevel& level_set, const Box& box, double slack, double finest,
+RefinedCells refine(const DistanceLevelSet& level_set, const Box& box, double slack, double finest,
                     const Progress& progress);
 
 }  // namespace mq::offset
