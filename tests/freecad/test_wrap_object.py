@@ -3,6 +3,7 @@
 
 import os
 import tempfile
+import unittest
 
 import FreeCAD
 import helpers
@@ -13,6 +14,7 @@ import Part
 import MeshQuality as mq
 from MeshQuality import wrap_options
 from MeshQuality.core.patch_names import suggested_for
+from MeshQuality.core.source_faces import own_names
 from MeshQuality.features.export import flat_maker_of
 
 GAP, TOLERANCE = 2.0, 1.0
@@ -264,6 +266,16 @@ class SaveAndReload(WrapTest):
         self.document.getObject("Cube").Height = 5
         self.document.recompute()
         self.assertAlmostEqual(again.Volume.Value, 1500 + 50 * WIDTH, delta=20.0)
+
+
+class OwnNames(unittest.TestCase):
+    def test_labels_that_look_alike(self):
+        for labels, counts in ((("Box", "Box", "Box_1"), (2, 1, 1)), (("Box", "Box_Face1"), (1, None)),
+                               (("Bö", "B_", "B²"), (1, 1, None))):
+            names = own_names(labels, counts)
+            self.assertEqual(len(names), sum(1 if count is None else count for count in counts))
+            self.assertEqual(len(set(names)), len(names), names)
+            self.assertRegex(" ".join(names), r"^[A-Za-z0-9_ ]+$")
 
 
 class Patches(WrapTest):
