@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Algorithm M on parts like those of Aftosmis 1999, section 4: triangles, and how far the angle goes.
 
-    /usr/bin/python3 benchmarks/paper_parts.py
+    /usr/bin/python3 benchmarks/papers aftosmis-parts
 
 The paper's own CAD files are not public. tests/parts models parts after its figures, with other
 sizes and features, so the paper's numbers of triangles are there for the order of magnitude only.
