@@ -11,7 +11,6 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "boolean/offset/tuning.h"
 #include "offset/contoured_offset.h"
 
 namespace mq::workflows {
@@ -53,9 +52,9 @@ BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& sol
 /// general, but not for features smaller than the distance. Where both miss the tolerance, or the contour fails, the
 /// one with the smaller bound.
 template <typename Trimmed, typename Contoured>
-boolean::OffsetResult first_within(boolean::OffsetOptions options, const Trimmed& trimmed, const Contoured& contoured) {
+boolean::OffsetResult first_within(const boolean::OffsetOptions& options, const Trimmed& trimmed,
+                                   const Contoured& contoured) {
     const Stopwatch watch;
-    options.most_crossings = boolean::OffsetTuning::kMostCrossings;
     std::optional<boolean::OffsetResult> first;
     try {
         first = trimmed(options);

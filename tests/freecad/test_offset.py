@@ -103,16 +103,24 @@ class Offsets(unittest.TestCase):
         self.assertAlmostEqual(result.report.volume, 7.0**3, delta=2.0)
 
     def test_features_smaller_than_the_distance(self):
-        # The raw offset of each pin crosses those of all pins near it: the contour of the distance takes its place.
+        # The raw offset of each pin crosses those of all pins near it.
         plate = Part.makeBox(6, 6, 2)
         pins = [Part.makeCylinder(0.2, 0.6, Vector(1.0 + x, 1.0 + y, 2)) for x in range(5) for y in range(5)]
         comb = plate.fuse(pins)
         result = mq.offset(comb, 1.0, tolerance=0.02)
-        self.assertIn("dividing cells", result.report.seconds)
         self.assert_sound(result, 0.02)
         self.assertLessEqual(abs(distances_from(comb, result) - 1.0).max(), 0.02)
         assert_on_faces(self, comb, result, lambda i: np.full(len(i), 1.0), 0.02)
-        self.assertNotIn("dividing cells", mq.offset(plate, 1.0, tolerance=0.02).report.seconds)
+        self.assertNotIn("dividing cells", result.report.seconds)
+
+    def test_where_the_raw_offset_cannot_be_trimmed(self):
+        # Behind the apex each triangle of the raw offset crosses all others: the contour of the distance takes its place.
+        cone = Part.makeCone(5, 0, 10)
+        result = mq.offset(cone, -1.0, tolerance=0.02)
+        self.assertIn("dividing cells", result.report.seconds)
+        self.assert_sound(result, 0.02)
+        self.assertLessEqual(abs(distances_from(cone, result) - 1.0).max(), 0.02)
+        assert_on_faces(self, cone, result, lambda i: np.full(len(i), 1.0), 0.02)
 
     def test_faces_are_those_of_the_shape(self):
         result = mq.offset(Part.makeBox(10, 10, 10), 1.0, tolerance=0.05)

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -84,7 +85,6 @@ class OffsetPipeline {
           distance_(std::abs(options.distance) + OffsetTuning::kOvershoot * options.tolerance),
           asked_(std::abs(options.distance)),
           tolerance_(options.tolerance),
-          most_crossings_(options.most_crossings),
           progress_(progress) {
         result_.mesh.origin = origin;
     }
@@ -216,21 +216,35 @@ class OffsetPipeline {
         for (const CoincidentTriangle& t : twins) {
             twin[static_cast<std::size_t>(t.triangle)] = 1;
         }
-        const double most = OffsetTuning::kFewCrossings + most_crossings_ * static_cast<double>(all.size());
-        const std::size_t limit = most < 1e15 ? static_cast<std::size_t>(most) + 1 : mesh::kAllPairs;
+        // The sum of squares is least where all triangles have as many.
+        const double count = static_cast<double>(all.size());
+        const double most = std::max(OffsetTuning::kLeastDivisions, OffsetTuning::kDivisions * count);
+        const auto most_pairs = static_cast<std::size_t>(0.5 * std::sqrt(count * most)) + 1;
         const std::vector<mesh::ContactPair> found =
-            mesh::self_intersections(soup_.vertices, soup_.triangles, limit, &progress_);
-        if (limit != mesh::kAllPairs && found.size() == limit) {
-            throw TooManyCrossings("the raw offset has more than " + std::to_string(limit - 1) +
-                                   " pairs of triangles that cross: choose another distance");
-        }
+            mesh::self_intersections(soup_.vertices, soup_.triangles, most_pairs, &progress_);
         Pairs crossing;
         for (const mesh::ContactPair& pair : found) {
             if (twin[static_cast<std::size_t>(pair.a)] == 0 && twin[static_cast<std::size_t>(pair.b)] == 0) {
                 crossing.push_back({pair.a, pair.b});
             }
         }
+        if (found.size() == most_pairs || divisions(crossing, all.size()) > most) {
+            throw TooManyCrossings(
+                "at least " + std::to_string(crossing.size()) +
+                " pairs of triangles of the raw offset cross, too many to divide them: choose another "
+                "distance, or a larger tolerance");
+        }
         return {std::move(crossing), std::move(twins)};
+    }
+
+    /// How many pairs of crossings the triangles have: what dividing them takes grows as that.
+    static double divisions(const Pairs& crossing, std::size_t triangles) {
+        std::vector<double> counts(triangles);
+        for (const auto& [a, b] : crossing) {
+            ++counts[static_cast<std::size_t>(a)];
+            ++counts[static_cast<std::size_t>(b)];
+        }
+        return std::inner_product(counts.begin(), counts.end(), counts.begin(), 0.0);
     }
 
     void finish(Extraction& extraction) {
@@ -287,7 +301,6 @@ class OffsetPipeline {
     const double distance_;  ///< distance of the raw offset, mm
     const double asked_;     ///< the distance asked for, mm
     const double tolerance_;
-    const double most_crossings_;
     Progress& progress_;
     OffsetResult result_;
     Soup soup_;
@@ -298,9 +311,6 @@ class OffsetPipeline {
 }  // namespace
 
 void OffsetOptions::validate() const {
-    if (!(most_crossings >= 0.0)) {
-        throw InvalidInput("most_crossings is " + std::to_string(most_crossings) + ": it must be 0 or more");
-    }
     if (!std::isfinite(distance) || distance == 0.0) {
         throw InvalidInput("the distance is " + std::to_string(distance) + " mm: it must be a length other than 0");
     }

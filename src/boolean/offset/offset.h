@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "base/progress.h"
@@ -16,10 +15,6 @@ struct OffsetOptions {
     double distance = 0.0;   ///< mm; of a solid: outward where positive, inward where negative
     double tolerance = 0.0;  ///< mm: the largest distance between the result and the exact one, in both directions
     int threads = 0;         ///< as BooleanOptions::threads
-    /// Pairs of triangles that cross, at most, for each triangle of the raw offset, besides 20,000: dividing more takes
-    /// longer than to begin anew by another method.
-    double most_crossings = std::numeric_limits<double>::infinity();
-
     /// @throws InvalidInput naming the option
     void validate() const;
 };
