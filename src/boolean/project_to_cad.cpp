@@ -8,6 +8,7 @@
 
 #include "boolean/tuning.h"
 #include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/triangle_distance.h"
 #include "mesh/quality/surface_verification.h"
 
 namespace mq::boolean {

@@ -8,6 +8,7 @@
 
 #include "base/angle.h"
 #include "improve/tuning.h"
+#include "mesh/intersection/triangle_distance.h"
 #include "mesh/quality/triangle_quality.h"
 
 namespace mq::improve {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "improve/editable_mesh.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 
 namespace mq::improve {
 
@@ -32,8 +32,8 @@ class ReferenceSurface {
   private:
     const mesh::TriangleMesh& given_;
     std::vector<Triangle> sharp_;  // each edge as a triangle without area
-    mesh::AabbTree tree_;
-    mesh::AabbTree curves_;
+    mesh::NearestTree tree_;
+    mesh::NearestTree curves_;
     // The last result, as queries are mostly near the one before. It makes searches faster, and does not change their
     // results.
     mutable std::int32_t last_ = 0;

@@ -11,7 +11,7 @@
 #include "base/parallel.h"
 #include "inspection/ray_crossings.h"
 #include "mesh/corner_table.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 #include "mesh/intersection/triangle_distance.h"
 
 namespace mq::inspection {
@@ -28,7 +28,7 @@ using NearestByFaces = std::map<FacePair, NearestPlaces>;
 
 struct Body {
     const mesh::TriangleMesh* mesh = nullptr;
-    std::unique_ptr<mesh::AabbTree> tree;
+    std::unique_ptr<mesh::NearestTree> tree;
     std::vector<Vec3> starts;  ///< a vertex of each component
 
     Corners corners(std::int32_t triangle) const {
@@ -43,7 +43,7 @@ struct Body {
 Body body_of(const mesh::TriangleMesh& mesh) {
     Body body;
     body.mesh = &mesh;
-    body.tree = std::make_unique<mesh::AabbTree>(mesh.vertices, mesh.triangles);
+    body.tree = std::make_unique<mesh::NearestTree>(mesh.vertices, mesh.triangles);
     const mesh::Components components = mesh::components(mesh::edge_twins(mesh.triangles, mesh.vertices.size()));
     std::int32_t known = 0;
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {

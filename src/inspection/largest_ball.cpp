@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/intersection/triangle_distance.h"
+
 namespace mq::inspection {
 
 namespace {
@@ -46,7 +48,7 @@ void FreeBalls::add(const Vec3& center, double radius) {
     next_ = (next_ + 1) % balls_.size();
 }
 
-LargestBall largest_ball(const mesh::AabbTree& tree, const Vec3& point, const Vec3& direction, double allowance,
+LargestBall largest_ball(const mesh::NearestTree& tree, const Vec3& point, const Vec3& direction, double allowance,
                          double ahead, std::int32_t triangle_ahead, FreeBalls& known) {
     LargestBall ball;
     const Box box = tree.box();
@@ -85,7 +87,7 @@ LargestBall largest_ball(const mesh::AabbTree& tree, const Vec3& point, const Ve
     return ball;
 }
 
-OppositeContact opposite_contact(const mesh::AabbTree& tree, const std::vector<Vec3>& vertices,
+OppositeContact opposite_contact(const mesh::NearestTree& tree, const std::vector<Vec3>& vertices,
                                  const std::vector<mesh::Triangle>& triangles, const LargestBall& ball,
                                  const Vec3& direction, double angle) {
     const double reach = (1.0 + kLargestGap) * ball.radius;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::inspection {
@@ -47,7 +47,7 @@ class FreeBalls {
 /// @param ahead  the distance along the ray to the surface, and the triangle there; infinite and -1 where it meets
 ///     nothing. Twice the size of the surface then bounds the search: larger balls are infinite.
 /// @param known  free balls of this surface; those found are added
-LargestBall largest_ball(const mesh::AabbTree& tree, const Vec3& point, const Vec3& direction, double allowance,
+LargestBall largest_ball(const mesh::NearestTree& tree, const Vec3& point, const Vec3& direction, double allowance,
                          double ahead, std::int32_t triangle_ahead, FreeBalls& known);
 
 /// Where a ball touches the other side of a wall.
@@ -58,7 +58,7 @@ struct OppositeContact {
 
 /// The nearest of the triangles that the ball touches, within a fiftieth of its radius, opposite to the point where it
 /// starts: seen from the centre within `angle` (radians) of `direction`. The one that limits the ball if that is one.
-OppositeContact opposite_contact(const mesh::AabbTree& tree, const std::vector<Vec3>& vertices,
+OppositeContact opposite_contact(const mesh::NearestTree& tree, const std::vector<Vec3>& vertices,
                                  const std::vector<mesh::Triangle>& triangles, const LargestBall& ball,
                                  const Vec3& direction, double angle);
 

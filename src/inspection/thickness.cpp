@@ -13,7 +13,7 @@
 #include "inspection/largest_ball.h"
 #include "inspection/ray_crossings.h"
 #include "inspection/surface_normals.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 
 namespace mq::inspection {
 
@@ -60,7 +60,7 @@ class Gauge {
         Box all;
         for (const std::vector<std::int32_t>& triangles : members) {
             check_cancelled(progress);
-            trees_.push_back(std::make_unique<mesh::AabbTree>(mesh.vertices, mesh.triangles, triangles));
+            trees_.push_back(std::make_unique<mesh::NearestTree>(mesh.vertices, mesh.triangles, triangles));
             all.add(trees_.back()->box());
         }
         spacing_ = options.spacing > 0.0 ? options.spacing : all.largest_side() / kPointsAcross;
@@ -103,7 +103,7 @@ class Gauge {
             return;
         }
         const Vec3 direction = outside_ ? normal : Vec3(-normal);
-        const mesh::AabbTree& tree = *trees_[static_cast<std::size_t>(body_.empty() ? 0 : body_[triangle])];
+        const mesh::NearestTree& tree = *trees_[static_cast<std::size_t>(body_.empty() ? 0 : body_[triangle])];
         const std::vector<Crossing> crossings =
             crossings_of(tree, mesh_.vertices, mesh_.triangles, point, direction, triangle);
         int winding = winding_at_start(crossings);
@@ -135,7 +135,7 @@ class Gauge {
     const mesh::TriangleMesh& mesh_;
     const std::vector<std::int32_t>& body_;
     SurfaceNormals normals_;
-    std::vector<std::unique_ptr<mesh::AabbTree>> trees_;
+    std::vector<std::unique_ptr<mesh::NearestTree>> trees_;
     bool outside_;
     double corner_angle_;
     double spacing_ = 0.0;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <tuple>
 
+#include "mesh/intersection/triangle_distance.h"
+
 namespace mq::offset {
 
 DistanceLevelSet::DistanceLevelSet(const OffsetSurface& surface, double distance, double resolution)

@@ -8,7 +8,7 @@
 #include "base/vec.h"
 #include "boolean/offset/offset_error.h"
 #include "contour/level_set.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::offset {
@@ -39,7 +39,7 @@ class DistanceLevelSet : public contour::LevelSet {
 
     double distance() const { return distance_; }
     const boolean::SearchedSurface& searched() const { return searched_; }
-    const mesh::AabbTree& tree() const { return searched_.tree; }
+    const mesh::NearestTree& tree() const { return searched_.tree; }
     /// The point of a triangle nearest to another point.
     Vec3 nearest(const Vec3& point, std::int32_t triangle) const;
 

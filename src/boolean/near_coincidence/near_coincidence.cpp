@@ -12,7 +12,7 @@
 #include "base/predicates.h"
 #include "boolean/near_coincidence/tuning.h"
 #include "boolean/near_coincidence/vertex_offset.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 
 namespace mq::boolean {
 
@@ -57,7 +57,7 @@ std::vector<std::vector<std::int32_t>> vertices_of_parallel_pairs(const Soup& so
 
 /// The distance from the earlier operand below which most vertices of later ones stay where they nearly coincide; 0
 /// when they do not within `farthest`.
-double usual_distance(const Soup& soup, const mesh::AabbTree& tree, std::vector<std::int32_t> vertices,
+double usual_distance(const Soup& soup, const mesh::NearestTree& tree, std::vector<std::int32_t> vertices,
                       double farthest) {
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -160,7 +160,7 @@ bool separable(const Soup& soup, double tolerance, const std::vector<mesh::Conta
     const auto vertices = vertices_of_parallel_pairs(soup, crossing);
     for (std::size_t earlier = 0; earlier < vertices.size(); ++earlier) {
         if (!vertices[earlier].empty()) {
-            const mesh::AabbTree tree(soup.vertices, soup.triangles, triangles[earlier]);
+            const mesh::NearestTree tree(soup.vertices, soup.triangles, triangles[earlier]);
             if (usual_distance(soup, tree, vertices[earlier], tolerance / (2.0 * NearCoincidenceTuning::kOffsetStep)) >
                 0.0) {
                 return true;
@@ -183,7 +183,7 @@ NearCoincidence separate(Soup& soup, const Expression& expression, double tolera
         if (near_vertices.empty()) {
             continue;
         }
-        const mesh::AabbTree tree(soup.vertices, soup.triangles, triangles[static_cast<std::size_t>(earlier)]);
+        const mesh::NearestTree tree(soup.vertices, soup.triangles, triangles[static_cast<std::size_t>(earlier)]);
         const double step =
             NearCoincidenceTuning::kOffsetStep *
             usual_distance(soup, tree, near_vertices, tolerance / (2.0 * NearCoincidenceTuning::kOffsetStep));

@@ -4,7 +4,7 @@
 #include "base/progress.h"
 #include "boolean/arrangement/arrangement.h"
 #include "boolean/arrangement/cells.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 
 namespace mq::boolean {
 
@@ -25,7 +25,7 @@ struct DilationOptions {
 /// tolerance, the cells on both of its sides are within. The others are bounded by points at the distance, where
 /// winding numbers tell.
 /// @param tree  of the surface
-void settle_dilation(const Arrangement& arrangement, const mesh::AabbTree& tree, const DilationOptions& options,
+void settle_dilation(const Arrangement& arrangement, const mesh::NearestTree& tree, const DilationOptions& options,
                      Cells& cells, const Progress& progress);
 
 }  // namespace mq::boolean

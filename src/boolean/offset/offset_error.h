@@ -5,7 +5,7 @@
 
 #include "base/progress.h"
 #include "base/vec.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 #include "mesh/intersection/triangle_distance.h"
 #include "mesh/triangle_mesh.h"
 
@@ -18,7 +18,7 @@ struct SearchedSurface {
 
     const std::vector<Vec3>& points;
     const std::vector<mesh::Triangle>& triangles;
-    const mesh::AabbTree tree;
+    const mesh::NearestTree tree;
 };
 
 using mesh::Corners;

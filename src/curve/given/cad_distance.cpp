@@ -13,7 +13,8 @@
 #include "curve/bezier/bernstein.h"
 #include "curve/bezier/node_orders.h"
 #include "geometry/session.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
+#include "mesh/intersection/triangle_distance.h"
 
 namespace mq::curve {
 
@@ -171,7 +172,7 @@ class CurvedTriangles {
     std::vector<std::array<double, 2>> places_;  ///< parameters of the points of one triangle
     std::vector<Vec3> points_;
     std::vector<mesh::Triangle> flat_;
-    std::optional<mesh::AabbTree> tree_;
+    std::optional<mesh::NearestTree> tree_;
 };
 
 /// Samples of one face or edge.

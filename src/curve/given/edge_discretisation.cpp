@@ -11,7 +11,7 @@
 #include "base/disjoint_sets.h"
 #include "curve/given/artefact_vertices.h"
 #include "geometry/closed_edge.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 
 namespace mq::curve {
 
@@ -405,7 +405,7 @@ class Finder {
     const SurfaceGraph& graph_;
     std::vector<std::size_t> part_of_;  // by mesh vertex: the connected mesh
     std::vector<mesh::Triangle> triangles_;
-    std::optional<mesh::AabbTree> tree_;
+    std::optional<mesh::NearestTree> tree_;
     std::vector<char> artefacts_;         // by CAD vertex: whether the mesh needs none there
     std::vector<Candidates> candidates_;  // by CAD vertex
     std::vector<Rim> rims_;               // by CAD edge

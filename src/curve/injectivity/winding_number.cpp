@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "curve/bezier/bernstein.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/triangle_distance.h"
 
 namespace mq::curve {
 

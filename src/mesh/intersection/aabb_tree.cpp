@@ -45,39 +45,6 @@ constexpr std::uint32_t kCells = 1024;  ///< cells along a side of the Morton gr
 
 }  // namespace
 
-Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 ab = b - a;
-    const Vec3 ac = c - a;
-    const double d1 = ab.dot(p - a);
-    const double d2 = ac.dot(p - a);
-    if (d1 <= 0.0 && d2 <= 0.0) {
-        return a;
-    }
-    const double d3 = ab.dot(p - b);
-    const double d4 = ac.dot(p - b);
-    if (d3 >= 0.0 && d4 <= d3) {
-        return b;
-    }
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
-        return a + d1 / (d1 - d3) * ab;
-    }
-    const double d5 = ab.dot(p - c);
-    const double d6 = ac.dot(p - c);
-    if (d6 >= 0.0 && d5 <= d6) {
-        return c;
-    }
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
-        return a + d2 / (d2 - d6) * ac;
-    }
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0.0 && d4 >= d3 && d5 >= d6) {
-        return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-    }
-    return a + vb / (va + vb + vc) * ab + vc / (va + vb + vc) * ac;
-}
-
 void AabbTree::Bounds::add(const Bounds& o) {
     for (int i = 0; i < 3; ++i) {
         low[i] = std::min(low[i], o.low[i]);
@@ -104,7 +71,7 @@ AabbTree::Bounds AabbTree::bounds_of(std::int32_t triangle) const {
 }
 
 AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack)
-    : vertices_(&vertices), triangles_(&triangles), slack_(slack), items_(triangles.size()) {
+    : vertices_(&vertices), triangles_(&triangles), items_(triangles.size()), slack_(slack) {
     for (std::size_t i = 0; i < items_.size(); ++i) {
         items_[i].triangle = static_cast<std::int32_t>(i);
     }
@@ -113,7 +80,7 @@ AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle
 
 AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                    const std::vector<std::int32_t>& subset, double slack)
-    : vertices_(&vertices), triangles_(&triangles), slack_(slack), items_(subset.size()) {
+    : vertices_(&vertices), triangles_(&triangles), items_(subset.size()), slack_(slack) {
     for (std::size_t i = 0; i < items_.size(); ++i) {
         items_[i].triangle = subset[i];
     }
@@ -308,95 +275,6 @@ std::vector<AabbTree::Task> AabbTree::own_pair_tasks(std::size_t count) const {
             next.push_back({task.a, b.first + 1});
         }
     });
-}
-
-/// visit(i) for the triangles of the leaves whose boxes are within a bound, which visits may lower, the nearer half of
-/// each node first. A visit that returns false ends it.
-template <typename Visit>
-void AabbTree::for_each_near(const Vec3& p, const double& bound_squared, Visit&& visit) const {
-    // Squared distance of a box, rounded down.
-    const auto distance = [&p](const Bounds& bounds) {
-        double sum = 0.0;
-        for (int i = 0; i < 3; ++i) {
-            const double gap = std::max(0.0, std::max(double(bounds.low[i]) - p[i], p[i] - double(bounds.high[i])));
-            sum += gap * gap;
-        }
-        return sum * (1.0 - 8.0 * std::numeric_limits<double>::epsilon());
-    };
-    struct Entry {
-        double distance;
-        std::int32_t node;
-    };
-    std::array<Entry, kDeepest> stack;
-    std::size_t height = 0;
-    if (!nodes_.empty()) {
-        stack[height++] = {distance(nodes_[0].bounds), 0};
-    }
-    while (height > 0) {
-        const Entry top = stack[--height];
-        if (top.distance > bound_squared) {
-            continue;
-        }
-        const Node& node = nodes_[top.node];
-        if (node.count == 0) {
-            Entry near{distance(nodes_[node.first].bounds), node.first};
-            Entry far{distance(nodes_[node.first + 1].bounds), node.first + 1};
-            if (far.distance < near.distance) {
-                std::swap(near, far);
-            }
-            if (far.distance <= bound_squared) {
-                stack[height++] = far;
-            }
-            stack[height++] = near;
-            continue;
-        }
-        for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-            if (distance(items_[i].bounds) <= bound_squared && !visit(items_[i].triangle)) {
-                return;
-            }
-        }
-    }
-}
-
-void AabbTree::search(const Vec3& p, ClosestPoint& best, double best_squared) const {
-    for_each_near(p, best_squared, [&](std::int32_t triangle) {
-        const Vec3 q = nearest_on(triangle, p);
-        const double squared = (q - p).squaredNorm();
-        const bool lower = best.triangle < 0 || triangle < best.triangle;
-        if (squared < best_squared || (squared == best_squared && lower)) {
-            best_squared = squared;
-            best = {triangle, q, std::sqrt(squared)};
-        }
-        return true;
-    });
-}
-
-ClosestPoint AabbTree::nearest(const Vec3& p, double bound) const {
-    ClosestPoint best;
-    search(p, best, bound * bound);
-    return best;
-}
-
-ClosestPoint AabbTree::nearest_from(const Vec3& p, std::int32_t guess) const {
-    const Vec3 q = nearest_on(guess, p);
-    const double squared = (q - p).squaredNorm();
-    ClosestPoint best{guess, q, std::sqrt(squared)};
-    search(p, best, squared);
-    return best;
-}
-
-std::int32_t AabbTree::any_within(const Vec3& p, double distance, std::int32_t guess) const {
-    const auto is_within = [&](std::int32_t triangle) { return (nearest_on(triangle, p) - p).norm() <= distance; };
-    if (is_within(guess)) {
-        return guess;
-    }
-    std::int32_t found = -1;
-    const double bound_squared = distance * distance * (1.0 + 8.0 * std::numeric_limits<double>::epsilon());
-    for_each_near(p, bound_squared, [&](std::int32_t triangle) {
-        found = is_within(triangle) ? triangle : -1;
-        return found < 0;
-    });
-    return found;
 }
 
 }  // namespace mq::mesh

@@ -13,16 +13,6 @@
 
 namespace mq::mesh {
 
-/// The point of a set of triangles nearest to a given point.
-struct ClosestPoint {
-    std::int32_t triangle = -1;  ///< -1: none within the bound
-    Vec3 point = Vec3::Zero();
-    double distance = std::numeric_limits<double>::infinity();  ///< distance, mm
-};
-
-/// The point of the triangle (a, b, c) nearest to p (Ericson, Real-Time Collision Detection, section 5.1.5).
-Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
-
 /// A hierarchy of bounding boxes over triangles (Lauterbach et al. 2009: Morton order, split at the highest bit that
 /// differs). Built in O(n); about 0.1 s for a million triangles.
 ///
@@ -84,14 +74,6 @@ class AabbTree {
         for_each_on_ray(origin, direction, std::numeric_limits<double>::infinity(), visit);
     }
 
-    /// The triangle nearest to p among those at most `bound` away (mm); among equally near ones the one with the lowest
-    /// index.
-    ClosestPoint nearest(const Vec3& p, double bound = std::numeric_limits<double>::infinity()) const;
-    /// The same without a bound; the nearer the triangle `guess` is to p, the faster.
-    ClosestPoint nearest_from(const Vec3& p, std::int32_t guess) const;
-    /// Some triangle at most `distance` away (mm), -1: none; `guess`, a triangle of the tree, if it is near enough.
-    std::int32_t any_within(const Vec3& p, double distance, std::int32_t guess) const;
-
     // ---- values of nodes, for sums over triangles of which far ones are taken together ----
 
     std::size_t node_count() const { return nodes_.size(); }
@@ -105,7 +87,7 @@ class AabbTree {
     template <typename Divide, typename Visit>
     void for_each_divided(Divide&& divide, Visit&& visit) const;
 
-  private:
+  protected:
     /// Nodes on the stack while the tree is descended: one for each level, of which there are at most 30 for the bits
     /// of the Morton codes, and 32 for the halvings of triangles with the same code.
     static constexpr std::size_t kDeepest = 64;
@@ -135,9 +117,16 @@ class AabbTree {
         std::int32_t first;
         std::int32_t count;
     };
+    static Bounds outward(const Box& box);
+
+    const std::vector<Vec3>* vertices_;
+    const std::vector<Triangle>* triangles_;
+    std::vector<Item> items_;
+    std::vector<Node> nodes_;
+
+  private:
     class Ray;
 
-    static Bounds outward(const Box& box);
     Bounds bounds_of(std::int32_t triangle) const;
     void build();
     void sort_items();
@@ -165,21 +154,10 @@ class AabbTree {
             return true;
         }
     }
-    Vec3 nearest_on(std::int32_t triangle, const Vec3& p) const {
-        const Triangle& t = (*triangles_)[triangle];
-        return nearest_on_triangle(p, (*vertices_)[t[0]], (*vertices_)[t[1]], (*vertices_)[t[2]]);
-    }
-    template <typename Visit>
-    void for_each_near(const Vec3& p, const double& bound_squared, Visit&& visit) const;
-    void search(const Vec3& p, ClosestPoint& best, double best_squared) const;
     template <typename Meets, typename Visit>
     void descend(const Meets& meets, Visit& visit) const;
 
-    const std::vector<Vec3>* vertices_;
-    const std::vector<Triangle>* triangles_;
     double slack_ = 0.0;
-    std::vector<Item> items_;
-    std::vector<Node> nodes_;
     /// The common group of all triangles of a node, else -1; empty without groups.
     std::vector<std::int32_t> node_group_;
 };

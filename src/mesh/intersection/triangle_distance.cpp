@@ -6,9 +6,41 @@
 #include <limits>
 
 #include "base/predicates.h"
-#include "mesh/intersection/aabb_tree.h"
 
 namespace mq::mesh {
+
+Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    const double d1 = ab.dot(p - a);
+    const double d2 = ac.dot(p - a);
+    if (d1 <= 0.0 && d2 <= 0.0) {
+        return a;
+    }
+    const double d3 = ab.dot(p - b);
+    const double d4 = ac.dot(p - b);
+    if (d3 >= 0.0 && d4 <= d3) {
+        return b;
+    }
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+        return a + d1 / (d1 - d3) * ab;
+    }
+    const double d5 = ab.dot(p - c);
+    const double d6 = ac.dot(p - c);
+    if (d6 >= 0.0 && d5 <= d6) {
+        return c;
+    }
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+        return a + d2 / (d2 - d6) * ac;
+    }
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0.0 && d4 >= d3 && d5 >= d6) {
+        return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    }
+    return a + vb / (va + vb + vc) * ab + vc / (va + vb + vc) * ac;
+}
 
 namespace {
 

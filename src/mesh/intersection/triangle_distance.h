@@ -7,6 +7,9 @@
 
 namespace mq::mesh {
 
+/// The point of the triangle (a, b, c) nearest to p (Ericson, Real-Time Collision Detection, section 5.1.5).
+Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// The nearest points of two triangles.
 struct TriangleDistance {
     double distance = 0.0;  ///< mm; 0 where they meet

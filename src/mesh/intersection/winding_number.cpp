@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/segment_distance.h"
+#include "mesh/intersection/triangle_distance.h"
 
 namespace mq::mesh {
 

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 
 namespace mq::mesh {
 
@@ -20,7 +20,7 @@ struct Part {
     SurfaceDistance distance;
     double area = 0.0;
 
-    void add(const TriangleMesh& from, const Triangle& t, const AabbTree& to) {
+    void add(const TriangleMesh& from, const Triangle& t, const NearestTree& to) {
         const Vec3& a = from.vertices[static_cast<std::size_t>(t[0])];
         const Vec3& b = from.vertices[static_cast<std::size_t>(t[1])];
         const Vec3& c = from.vertices[static_cast<std::size_t>(t[2])];
@@ -43,7 +43,7 @@ SurfaceDistance surface_distance(const TriangleMesh& from, const TriangleMesh& t
     if (from.triangles.empty() != to.triangles.empty()) {
         throw InvalidInput("one of the two meshes has no triangles: there is no distance between them");
     }
-    const AabbTree tree(to.vertices, to.triangles);
+    const NearestTree tree(to.vertices, to.triangles);
     std::vector<Part> parts((from.triangles.size() + kBlock - 1) / kBlock);
     parallel_for(static_cast<int>(parts.size()), [&](int k) {
         progress.check();

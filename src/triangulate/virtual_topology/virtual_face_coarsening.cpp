@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/angle.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/triangle_distance.h"
 #include "triangulate/operators/cavity_replacement.h"
 #include "triangulate/virtual_topology/tuning.h"
 #include "triangulate/work_mesh/triangle_measures.h"

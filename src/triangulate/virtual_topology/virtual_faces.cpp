@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/angle.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/triangle_distance.h"
 
 namespace mq::triangulate {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::wrap {
@@ -32,7 +32,7 @@ class InputSurface {
 
     const std::vector<Vec3>& points;
     const std::vector<mesh::Triangle>& triangles;
-    const mesh::AabbTree tree;
+    const mesh::NearestTree tree;
 };
 
 }  // namespace mq::wrap

@@ -66,7 +66,7 @@ WrapDistance wrap_distance(const mesh::TriangleMesh& wrap, const std::vector<std
     const Farthest to_input = farthest_of(
         wrap.vertices, wrap.triangles, spacing, [&](std::size_t t) { return source[t] >= 0; },
         [&](const Vec3& p, double) { return input.tree.nearest(p).distance; }, progress);
-    const mesh::AabbTree tree(wrap.vertices, wrap.triangles);
+    const mesh::NearestTree tree(wrap.vertices, wrap.triangles);
     // Any direction does: which triangles the ray crosses is decided exactly.
     const Vec3 direction = Vec3(0.48, 0.6, 0.64);
     const Farthest from_input = farthest_of(

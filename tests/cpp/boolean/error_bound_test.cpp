@@ -6,7 +6,8 @@
 
 #include "boolean/boolean.h"
 #include "boolean/random_meshes.h"
-#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
+#include "mesh/intersection/triangle_distance.h"
 
 /// The stated error bound against the distance of surfaces, measured in both directions.
 namespace mq::boolean {
@@ -36,7 +37,7 @@ double height(const TriangleMesh& mesh, std::size_t t) {
 }
 
 /// Whether the surface has a point with the opposite normal nearer to a point than `reach`.
-bool comes_back(const TriangleMesh& mesh, const mesh::AabbTree& tree, const Vec3& p, const Vec3& n, double reach) {
+bool comes_back(const TriangleMesh& mesh, const mesh::NearestTree& tree, const Vec3& p, const Vec3& n, double reach) {
     // Largest cosine between normals that are opposite.
     constexpr double kOpposite = -0.5;
     const Vec3 around = Vec3::Constant(reach);
@@ -54,7 +55,7 @@ bool comes_back(const TriangleMesh& mesh, const mesh::AabbTree& tree, const Vec3
 
 /// Whether a ball less than `reach` thick that touches the surface in a point, before or behind it, meets the surface
 /// elsewhere: the tip of a sliver, or the neighbourhood of a sharp edge.
-bool in_a_tip(const mesh::AabbTree& tree, const Vec3& p, const Vec3& n, double reach) {
+bool in_a_tip(const mesh::NearestTree& tree, const Vec3& p, const Vec3& n, double reach) {
     constexpr double kMet = 0.9;  // neighbours whose normals differ by up to 25 degrees do not count
     // Radius of the smallest ball, as a fraction of `reach`.
     constexpr double kSmallest = 1.0 / 64.0;
@@ -77,8 +78,8 @@ struct Distance {
 /// are as near to the other surface as they are.
 Distance distance(const TriangleMesh& from, const TriangleMesh& to, double sliver, double needle) {
     Distance result;
-    const mesh::AabbTree own(from.vertices, from.triangles);
-    const mesh::AabbTree other(to.vertices, to.triangles);
+    const mesh::NearestTree own(from.vertices, from.triangles);
+    const mesh::NearestTree other(to.vertices, to.triangles);
     for (std::size_t t = 0; t < from.triangles.size(); ++t) {
         if (height(from, t) < needle) {
             continue;

@@ -16,7 +16,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 TEST(LargestBall, TouchesTheOtherSideOfAPlate) {
     const mesh::TriangleMesh mesh = solids::box(Vec3(0, 0, 0), Vec3(20, 20, 3));
-    const mesh::AabbTree tree(mesh.vertices, mesh.triangles);
+    const mesh::NearestTree tree(mesh.vertices, mesh.triangles);
     FreeBalls known;
     const LargestBall ball = largest_ball(tree, Vec3(9, 10, 0), Vec3(0, 0, 1), 0.0, 3.0, 2, known);
     EXPECT_DOUBLE_EQ(ball.radius, 1.5);
@@ -25,7 +25,7 @@ TEST(LargestBall, TouchesTheOtherSideOfAPlate) {
 
 TEST(LargestBall, ShrinksToTheNearerSideAtACorner) {
     const mesh::TriangleMesh mesh = solids::box(Vec3(0, 0, 0), Vec3(20, 20, 3));
-    const mesh::AabbTree tree(mesh.vertices, mesh.triangles);
+    const mesh::NearestTree tree(mesh.vertices, mesh.triangles);
     FreeBalls known;
     const LargestBall ball = largest_ball(tree, Vec3(0.4, 10, 0), Vec3(0, 0, 1), 0.0, 3.0, 2, known);
     EXPECT_NEAR(ball.radius, 0.4, 1e-9);
@@ -35,7 +35,7 @@ TEST(LargestBall, ShrinksToTheNearerSideAtACorner) {
 
 TEST(LargestBall, IsInfiniteOutsideOfAConvexSolid) {
     const mesh::TriangleMesh mesh = solids::box(Vec3(0, 0, 0), Vec3(20, 20, 3));
-    const mesh::AabbTree tree(mesh.vertices, mesh.triangles);
+    const mesh::NearestTree tree(mesh.vertices, mesh.triangles);
     FreeBalls known;
     const LargestBall ball = largest_ball(tree, Vec3(9, 10, 0), Vec3(0, 0, -1), 0.0, kInfinite, -1, known);
     EXPECT_EQ(ball.radius, kInfinite);
@@ -45,7 +45,7 @@ TEST(LargestBall, IsInfiniteOutsideOfAConvexSolid) {
 TEST(LargestBall, FitsAndIsTheLargest) {
     mesh::TriangleMesh mesh = solids::sphere(5.0, 3);
     solids::add(mesh, solids::sphere(1.0, 3, Vec3(1.5, 0.5, 0.2)), true);
-    const mesh::AabbTree tree(mesh.vertices, mesh.triangles);
+    const mesh::NearestTree tree(mesh.vertices, mesh.triangles);
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;
     for (int i = 0; i < 200; ++i) {

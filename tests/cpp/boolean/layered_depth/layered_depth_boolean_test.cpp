@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <limits>
+#include <vector>
 
 #include "base/error.h"
 #include "boolean/closed_solids.h"
 #include "boolean/input/operand_repair.h"
+#include "mesh/intersection/nearest_tree.h"
 #include "mesh/intersection/winding_number.h"
 #include "mesh/quality/mesh_report.h"
 
@@ -321,16 +324,20 @@ TEST(Uniform, ManyOperandsAreThoseTwoAtATime) {
         const mesh::WindingNumber by_all(all.mesh.vertices, all.mesh.triangles);
         const mesh::WindingNumber by_two(folded.vertices, folded.triangles);
         std::vector<mesh::WindingNumber> solids;
+        std::deque<mesh::NearestTree> surfaces;
         for (const mesh::TriangleMesh& ball : balls) {
             solids.emplace_back(ball.vertices, ball.triangles);
+            surfaces.emplace_back(ball.vertices, ball.triangles);
         }
         int compared = 0, inside = 0;
         for (int k = 0; k < 2000; ++k) {
             const Vec3 p = 2.0 * Vec3(coordinate(), coordinate(), coordinate());
             bool near = false;
             std::vector<std::int32_t> winding;
+            for (const mesh::NearestTree& surface : surfaces) {
+                near = near || surface.nearest(p, 0.05).triangle >= 0;
+            }
             for (const mesh::WindingNumber& solid : solids) {
-                near = near || solid.tree().nearest(p, 0.05).triangle >= 0;
                 winding.push_back(solid.at(p) > 0.5 ? 1 : 0);
             }
             if (near) {

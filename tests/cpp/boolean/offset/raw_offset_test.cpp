@@ -29,7 +29,7 @@ TEST(RawOffset, IsClosedAndAtTheDistance) {
     for (const std::int32_t twin : mesh::edge_twins(raw.triangles, raw.vertices.size())) {
         EXPECT_GE(twin, 0);
     }
-    const mesh::AabbTree tree(box.vertices, box.triangles);
+    const mesh::NearestTree tree(box.vertices, box.triangles);
     for (const Vec3& p : raw.vertices) {
         const double distance = tree.nearest(p).distance;
         EXPECT_TRUE(std::abs(distance - 1.5) < 1e-5 || distance == 0.0);  // its own places are there, unused

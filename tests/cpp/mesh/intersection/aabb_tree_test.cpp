@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "mesh/intersection/aabb_tree.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,9 @@
 #include <random>
 #include <set>
 #include <utility>
+
+#include "mesh/intersection/nearest_tree.h"
+#include "mesh/intersection/triangle_distance.h"
 
 namespace mq::mesh {
 namespace {
@@ -226,7 +227,7 @@ TEST(AabbTree, ARayPassesByWhatItDoesNotMeet) {
 TEST_P(TriangleTreeTest, NearestPointIsTheNearest) {
     const Soup soup(GetParam(), 250, 10);
     const Soup queries(GetParam(), 60, 11);
-    const AabbTree tree(soup.vertices, soup.triangles);
+    const NearestTree tree(soup.vertices, soup.triangles);
     for (const Vec3& p : queries.vertices) {
         ClosestPoint expected;
         for (std::int32_t i = 0; i < 250; ++i) {
@@ -249,7 +250,7 @@ TEST_P(TriangleTreeTest, NearestPointIsTheNearest) {
 TEST_P(TriangleTreeTest, AGuessChangesNoAnswer) {
     const Soup soup(GetParam(), 250, 20);
     const Soup queries(GetParam(), 60, 21);
-    const AabbTree tree(soup.vertices, soup.triangles);
+    const NearestTree tree(soup.vertices, soup.triangles);
     std::int32_t guess = 0;
     for (const Vec3& p : queries.vertices) {
         guess = (guess + 97) % 250;
@@ -272,7 +273,7 @@ TEST_P(TriangleTreeTest, AGuessChangesNoAnswer) {
     }
 }
 
-TEST(AabbTree, NearestOnATriangleIsNearerThanItsSamples) {
+TEST(NearestTree, NearestOnATriangleIsNearerThanItsSamples) {
     std::mt19937_64 random(12);
     std::uniform_real_distribution<double> real(-1.0, 1.0);
     const auto point = [&] { return Vec3(real(random), real(random), real(random)); };
@@ -305,12 +306,16 @@ TEST_P(TriangleTreeTest, ASubsetIsATreeOfItsOwn) {
     tree.for_each_in_box(tree.box(), [&](std::int32_t i) { found.push_back(i); });
     std::sort(found.begin(), found.end());
     EXPECT_EQ(found, odd);
+    const NearestTree near(soup.vertices, soup.triangles, odd);
+    for (const Vec3& p : soup.vertices) {
+        EXPECT_EQ(near.nearest(p).triangle % 2, 1);
+    }
 }
 
 TEST(AabbTree, NothingIsFoundInAnEmptyTree) {
     const std::vector<Vec3> vertices;
     const std::vector<Triangle> triangles;
-    const AabbTree tree(vertices, triangles);
+    const NearestTree tree(vertices, triangles);
     const auto fail = [](auto...) { ADD_FAILURE(); };
     EXPECT_TRUE(tree.box().empty());
     EXPECT_TRUE(tree.own_pair_tasks(4).empty());
@@ -328,7 +333,7 @@ TEST(AabbTree, MissesNothingBeyondSinglePrecision) {
         for (Vec3& p : soup.vertices) {
             p *= size;
         }
-        const AabbTree tree(soup.vertices, soup.triangles);
+        const NearestTree tree(soup.vertices, soup.triangles);
         std::set<Pair> found;
         tree.for_each_own_pair([&](std::int32_t i, std::int32_t j) { found.emplace(std::min(i, j), std::max(i, j)); });
         for (std::int32_t i = 0; i < 60; ++i) {
