@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures 3 to 5 and 8 of Ruiz et al.: Star step by step, and samples joined in (u, v) and in space.
+"""Figures 1 to 8 of Ruiz et al.: samples of edges and faces, Star step by step, samples joined in (u, v) and in space.
 
     /usr/bin/python3 benchmarks/papers ruiz-figures [--out-dir docs/pictures]
 
@@ -8,9 +8,14 @@ Figures 3 to 5 need every proposed vertex, also those that are rejected. They ar
 for word, in Python and asking FreeCAD's faces. Their number of vertices stands beside that of the core's Star, which asks in
 batches. The face is a wavy Bezier face of 10 by 10 mm, tests/parts/sampled.py.
 
-Figure 8 is that face with parameters that run 900 times as fast at one end as at the other. Its samples are joined three times: by
+Figures 1 and 2 are the border of that face with parameters that run 900 times as fast at one end as at the other: the core's samples,
+and points at even parameters. Figure 6 has the samples of Sprinkle and of Star, figure 7 a triangle whose circumscribing ball is
+empty and one whose ball is not.
+
+Figure 8 is the face with those parameters. Its samples are joined three times: by
 the Delaunay triangulation of their (u, v), which is the paper's figure 8a; by the core's parametric way, which flips the edges of
-that triangulation as they lie in space; and by fronts in space, figure 8b.
+that triangulation as they lie in space; and by fronts in space, figure 8b. Empty: triangles
+with no vertex within the ball around their circumcentre.
 """
 
 import sys
@@ -142,6 +147,62 @@ def delaunay_in_parameters(face, mesh):
     return Delaunay(places).simplices
 
 
+def balls(vertices, triangles):
+    """Circumcentres and radii of triangles in space."""
+    a, b, c = (vertices[triangles[:, k]] for k in range(3))
+    normal = np.cross(b - a, c - a)
+    squares = (normal**2).sum(axis=1)[:, None]
+    offset = (((c - a)**2).sum(axis=1)[:, None] * np.cross(normal, b - a) + ((b - a)**2).sum(axis=1)[:, None] * np.cross(c - a, normal))
+    offset = offset / (2.0 * squares)
+    return a + offset, np.linalg.norm(offset, axis=1)
+
+
+def invaders(vertices, triangles):
+    """How many vertices lie in the ball of each triangle."""
+    centres, radii = balls(vertices, triangles)
+    return np.array([(np.linalg.norm(vertices - centre, axis=1) < radius * (1.0 - 1e-6)).sum() for centre, radius in zip(centres, radii)])
+
+
+def draw_ball(axis, vertices, triangles, chosen, colour):
+    (centre,), (radius,) = balls(vertices, triangles[[chosen]])
+    a, b, c = vertices[triangles[chosen]]
+    x = (b - a) / np.linalg.norm(b - a)
+    y = np.cross(np.cross(b - a, c - a), x)
+    y = y / np.linalg.norm(y)
+    turns = np.linspace(0.0, 2.0 * np.pi, 60)[:, None]
+    axis.plot(*(centre + radius * (np.cos(turns) * x + np.sin(turns) * y))[:, :2].T, color=colour, linewidth=1.2)
+    axis.fill(*np.array([a, b, c])[:, :2].T, facecolor=colour, alpha=0.4)
+    near = np.linalg.norm(vertices - centre, axis=1) < radius * (1.0 - 1e-6)
+    axis.plot(*vertices[near][:, :2].T, "o", color=colour, markersize=4)
+
+
+def draw_samples(warped, sprinkled, star, joined, path):
+    """Figures 1 and 2, 6a, 6b and 7 from above; joined: (vertices, triangles) in space and in (u, v)."""
+    figure, axes = small_pictures.panels(1, 4, 3.4, 3.8)
+    even = np.array([edge.valueAt(edge.FirstParameter + s * (edge.LastParameter - edge.FirstParameter))
+                     for edge in warped.Edges for s in np.linspace(0.0, 1.0, 14)])
+    axes[0].plot(*even[:, :2].T, "x", color="#c22", markersize=6)
+    axes[0].plot(*border_of(star)[:, :2].T, "s", color="black", markersize=3)
+    axes[0].set_title("1, 2: iso-metric, and even parameters (crosses)", fontsize=9)
+    for axis, mesh, title in ((axes[1], sprinkled, "6a: Sprinkle"), (axes[2], star, "6b: Star")):
+        axis.plot(*mesh.vertices[:, :2].T, ".", color="#1c6fb5", markersize=4)
+        axis.plot(*border_of(mesh)[:, :2].T, "s", color="black", markersize=3)
+        axis.set_title(f"{title}, {len(mesh.vertices)} samples", fontsize=9)
+    (vertices, good), (_, bad) = joined
+    axes[3].plot(*vertices[:, :2].T, ".", color="#888888", markersize=3)
+    middle = np.array([5.0, 5.0])
+    inside = invaders(vertices, good) == 0
+    draw_ball(axes[3], vertices, good, np.flatnonzero(inside)[np.linalg.norm(
+        vertices[good][inside].mean(axis=1)[:, :2] - [7.0, 5.0], axis=1).argmin()], "#1c6fb5")
+    invaded = np.flatnonzero((invaders(vertices, bad) > 2) & (balls(vertices, bad)[1] < 2.0))
+    draw_ball(axes[3], vertices, bad, invaded[np.linalg.norm(
+        vertices[bad[invaded]].mean(axis=1)[:, :2] - middle, axis=1).argmin()], "#c22")
+    axes[3].set_title("7: an empty ball, and one that is invaded", fontsize=9)
+    for axis in axes:
+        axis.set_aspect("equal")
+    small_pictures.save(figure, path)
+
+
 def draw_connectivity(panels, path):
     """panels: (title, vertices, triangles)."""
     import render
@@ -161,9 +222,10 @@ def row(name, vertices, triangles):
 
     angles = render.smallest_angles(vertices, triangles)
     found = {"joined": name, "triangles": len(triangles), "min_angle": float(angles.min()),
-             "mean_min_angle": float(angles.mean()), "below_30": float((angles < 30).mean())}
+             "mean_min_angle": float(angles.mean()), "below_30": float((angles < 30).mean()),
+             "empty": float((invaders(vertices, triangles) == 0).mean())}
     print(f"{name:<32} {found['triangles']:9,} {found['min_angle']:8.1f} {found['mean_min_angle']:6.1f} "
-          f"{100 * found['below_30']:6.1f}", flush=True)
+          f"{100 * found['below_30']:6.1f} {100 * found['empty']:7.1f}", flush=True)
     return found
 
 
@@ -185,11 +247,14 @@ def work(arguments):
     warped = parts.warped_face(WARP, WARP).Faces[0]
     space = mq.triangulate(warped, **options)
     flipped = mq.triangulate(warped, connectivity="parametric", **options)
-    panels = [("8a: Delaunay in (u, v)", space.vertices, delaunay_in_parameters(warped, space)),
+    in_parameters = delaunay_in_parameters(warped, space)
+    draw_samples(warped, mq.triangulate(warped, **{**options, "method": "sprinkle"}), space,
+                 ((space.vertices, space.triangles), (space.vertices, in_parameters)), folder / "ruiz_samples.png")
+    panels = [("8a: Delaunay in (u, v)", space.vertices, in_parameters),
               ("(u, v), then flipped in space", flipped.vertices, flipped.triangles),
               ("8b: pseudo-Delaunay in space", space.vertices, space.triangles)]
     draw_connectivity(panels, folder / "ruiz_connectivity.png")
-    print(f"{'samples joined':<32} {'triangles':>9} {'smallest':>8} {'mean':>6} {'<30 %':>6}")
+    print(f"{'samples joined':<32} {'triangles':>9} {'smallest':>8} {'mean':>6} {'<30 %':>6} {'empty %':>7}")
     return {"star": {"paper": len(star.samples), "core": len(mesh.vertices)}, "rows": [row(*panel) for panel in panels]}
 
 
