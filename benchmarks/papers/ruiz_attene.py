@@ -1,19 +1,21 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Claims (i) to (iii) of Ruiz et al. against triangulating first and improving then: angles where fronts meet, holes, curvature.
+"""Claims (i) to (iii) of Ruiz et al. against umbrellas, and against triangulating first and improving then.
 
     /usr/bin/python3 benchmarks/papers ruiz-attene
 
-What stands for the other way: OpenCASCADE's incremental mesher triangulates each face in its parameters, with the linear deflection at
-which about as many triangles come out as Star makes (angular deflection 0.5); mq.improve then swaps edges, moves, inserts and
-removes vertices, with Star's chord height as tolerance. It sees no CAD. Attene's umbrellas themselves are not built. For claim
+Umbrellas are made as the paper describes them (umbrellas.py), with Star's samples of the border and its spacing. The paper has no
+rule for fronts that meet, and Attene's own is not built. The other way: OpenCASCADE's incremental mesher triangulates each face in
+its parameters, with the linear deflection at which about as many triangles come out as Star makes (angular deflection 0.5);
+mq.improve then swaps edges, moves, inserts and removes vertices, with Star's chord height as tolerance. It sees no CAD. For claim
 (iii) the fan of triangles that a regular polygon of n sides spreads is measured at the place of highest curvature, its sides about
 r(K) long, as that claim describes it.
 
-Meshes of Star and Sprinkle are raw. Where fronts meet: triangles whose centre is about as far from a second part of the face's border,
-more than 60 degrees apart as seen from there, as from the nearest one (within half a mean edge). Curved: the tenth with the
-highest curvature at the centre. A mesh has its holes where its Euler characteristic is the face's. Deviation: largest of the
-centres from the face. Seconds are those of the processor.
+Meshes of Star and Sprinkle are raw. Where fronts meet: triangles whose centre is about as far from a second part of the face's
+border, more than 60 degrees apart as seen from there, as from the nearest one (within half a mean edge). Curved: the tenth with the
+highest curvature at the centre. A mesh has its holes where its Euler characteristic is the face's. Area: of all triangles, against
+the face's. Tripled: edges with more than two triangles. Deviation: largest of the centres from the face. Seconds are those of the
+processor.
 """
 
 import sys
@@ -137,8 +139,11 @@ class Judge:
         sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
         curvatures, distances = np.array([self.curvature(centre) for centre in centres]).T
         curved = curvatures >= np.quantile(curvatures, 0.9)
-        edges = np.unique(np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1), axis=0)
+        edges, uses = np.unique(np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1),
+                                axis=0, return_counts=True)
+        areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
         found = {"way": name, "triangles": len(triangles), "seconds": seconds, "deviation": float(distances.max()),
+                 "area": float(areas.sum() / self.face.Area), "tripled": int((uses > 2).sum()),
                  "holes": int(len(np.unique(triangles)) - len(edges) + len(triangles)) == self.euler}
         meet = self.where_fronts_meet(centres, sides.mean() / 2)
         for where, chosen in (("all", np.ones(len(angles), bool)), ("meet", meet),
@@ -171,7 +176,27 @@ def text(found):
         return f"{values[0]:5.1f} {100 * values[1]:5.1f}" if values else "    -     -"
 
     return f"{found['way']:<22} {found['triangles']:7,} {found['min_angle']:8.1f} {pair(found['all'])}  {pair(found['meet'])}  " \
-           f"{pair(found['curved'])}  {'yes' if found['holes'] else 'NO':<5} {found['deviation']:9.4f} {found['seconds']:6.2f}"
+           f"{pair(found['curved'])}  {'yes' if found['holes'] else 'NO':<5} {100 * found['area']:6.1f} {found['tripled']:7} {found['deviation']:9.4f} {found['seconds']:6.2f}"
+
+
+def umbrellas_of(judge):
+    """The mesh (V, F) of umbrellas from the place that is farthest from the border, as large as Star's triangles there."""
+    import MeshQuality as mq
+    import umbrellas
+
+    star = mq.triangulate(judge.face, method="star", refine_samples=False, chord_height_relative=CHORD_HEIGHT)
+    vertices, triangles = star.vertices + star.origin, star.triangles
+    sums, counts = np.zeros(len(vertices)), np.zeros(len(vertices))
+    for k in range(3):
+        lengths = np.linalg.norm(vertices[triangles[:, k]] - vertices[triangles[:, (k + 1) % 3]], axis=1)
+        for ends in (triangles[:, k], triangles[:, (k + 1) % 3]):
+            np.add.at(sums, ends, lengths)
+            np.add.at(counts, ends, 1.0)
+    spacing = sums / np.maximum(counts, 1.0)
+    centres = vertices[triangles].mean(axis=1)
+    start = centres[np.argmax([np.linalg.norm(judge.border - centre, axis=1).min() for centre in centres])]
+    return umbrellas.Umbrellas(judge.face, vertices[star.vertex_entity[:, 0] < 2], start,
+                               lambda point: spacing[np.linalg.norm(vertices - point, axis=1).argmin()]).mesh()
 
 
 def compare(judge):
@@ -181,6 +206,9 @@ def compare(judge):
         start = time.process_time()
         mesh = sampled(face, method)
         rows.append(judge.row(method, mesh, time.process_time() - start))
+    start = time.process_time()
+    mesh = umbrellas_of(judge)
+    rows.append(judge.row("umbrellas, in Python", mesh, time.process_time() - start))
     first, better, seconds = triangulated_and_improved(face, rows[0]["triangles"])
     rows.append(judge.row("triangulated", first, seconds[0]))
     rows.append(judge.row("triangulated, improved", better, seconds[1]))
@@ -205,9 +233,9 @@ def work(arguments):
     found = {}
     for name, (face, euler) in faces().items():
         judge = Judge(face, euler)
-        print(f"\n{name:<22} {'':7} {'':8} {'all':>11}  {'fronts meet':>11}  {'curved':>11}  {'holes':<5} {'deviation':>9}")
+        print(f"\n{name:<22} {'':7} {'':8} {'all':>11}  {'fronts meet':>11}  {'curved':>11}  {'holes':<5} {'area':>6} {'':>7} {'deviation':>9}")
         print(f"{'':<22} {'number':>7} {'smallest':>8} {' mean  <30 %':>11}  {' mean  <30 %':>11}  {' mean  <30 %':>11}  "
-              f"{'kept':<5} {'mm':>9} {'CPU s':>6}")
+              f"{'kept':<5} {'%':>6} {'tripled':>7} {'mm':>9} {'CPU s':>6}")
         found[name] = {"rows": compare(judge)}
         for row in found[name]["rows"]:
             print(text(row), flush=True)
