@@ -12,7 +12,6 @@ least lower bound of min J / max J. Seconds are those of the processor; Gmsh's a
 """
 
 import json
-import os
 import subprocess
 import sys
 import tempfile
@@ -92,16 +91,11 @@ def ours(shape, order, folder):
                   "repairs": {name: number for name, number in report.repairs.items() if number}}
 
 
-def system_environment():
-    """Without FreeCAD's own folders for modules."""
-    return {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "PYTHONHOME", inside_freecad.VARIABLE)}
-
-
 def gmsh(shape, arguments, folder, count):
     shape.exportBrep(str(folder / "model.brep"))
     done = subprocess.run([arguments.python, str(ROOT / "benchmarks" / "curve_gmsh.py"), str(folder / "model.brep"), str(folder),
                            str(arguments.order), str(SECONDS), str(count)],
-                          capture_output=True, text=True, env=system_environment())
+                          capture_output=True, text=True, env=inside_freecad.system_environment())
     if done.returncode != 0 or not done.stdout.strip():
         return {"failed": (done.stderr.strip().splitlines() or ["it crashed"])[-1]}
     said = json.loads(done.stdout.strip().splitlines()[-1])
@@ -171,7 +165,7 @@ def text(name, by, row):
 
 def work(arguments):
     sys.path.append(str(ROOT / "tools"))
-    has_gmsh = subprocess.run([arguments.python, "-c", "import gmsh"], capture_output=True, env=system_environment()).returncode == 0
+    has_gmsh = inside_freecad.has_module(arguments.python, "gmsh")
     if not has_gmsh:
         print(f"Gmsh is skipped: {arguments.python} has no module gmsh (package python3-gmsh)")
     meshes, found = {}, {}

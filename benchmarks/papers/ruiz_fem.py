@@ -12,7 +12,6 @@ elements lose the maximum principle. Gmsh (frontal Delaunay, sizes from curvatur
 """
 
 import json
-import os
 import subprocess
 import sys
 import tempfile
@@ -73,11 +72,10 @@ def by_gmsh(shape, python, folder):
 
     model, off = folder / "model.brep", folder / "mesh.off"
     shape.exportBrep(str(model))
-    environment = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "PYTHONHOME", inside_freecad.VARIABLE)}
 
     def make(elements):
         done = subprocess.run([python, str(ROOT / "benchmarks" / "quality_gmsh.py"), str(model), str(off), str(FRONTAL), str(elements)],
-                              capture_output=True, text=True, env=environment, check=True)
+                              capture_output=True, text=True, env=inside_freecad.system_environment(), check=True)
         said = json.loads(done.stdout.strip().splitlines()[-1])
         if said["empty_faces"]:
             print(f"Gmsh left {said['empty_faces']} faces without triangles")
@@ -173,16 +171,11 @@ def meshes(shape, arguments, folder):
         yield "Gmsh", alike(by_gmsh(shape, arguments.python, folder), 30.0, wanted, 2.0)
 
 
-def has_gmsh(python):
-    environment = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "PYTHONHOME")}
-    return subprocess.run([python, "-c", "import gmsh"], capture_output=True, env=environment).returncode == 0
-
-
 def work(arguments):
     sys.path.append(str(ROOT / "tools"))
     import parts
 
-    arguments.gmsh = has_gmsh(arguments.python)
+    arguments.gmsh = inside_freecad.has_module(arguments.python, "gmsh")
     if not arguments.gmsh:
         print(f"Gmsh is skipped: {arguments.python} has no module gmsh (package python3-gmsh)")
     found = {}
