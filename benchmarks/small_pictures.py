@@ -2,6 +2,7 @@
 """Pictures by Matplotlib that stay small in the repository: PNG files of a few dozen colours."""
 
 import io
+from pathlib import Path
 
 COLOURS = 64
 
@@ -20,11 +21,12 @@ def panels(rows, columns, width, height, dpi=80):
 
 
 def save(figure, path):
-    """Writes a PNG file."""
+    """Writes a PNG file, with its folder."""
     from PIL import Image
 
     stream = io.BytesIO()
     figure.savefig(stream, format="png")
     picture = Image.open(stream).convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
     picture.save(path, optimize=True)
     print(f"written: {path}", flush=True)

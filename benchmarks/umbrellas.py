@@ -81,7 +81,10 @@ class Umbrellas:
                 self.connect(p, a, b)
 
     def gaps(self, p, angle_of):
-        """(angle, width, first and last neighbour) of each sector around a vertex without triangles; all of it: (0, 2 pi, None, None)."""
+        """(angle, width, first and last neighbour) of each sector without triangles around a vertex, counter-clockwise.
+
+        Without any triangle it is one sector of 2 pi without neighbours.
+        """
         spokes = []
         for triangle in self.at_vertex[p]:
             k = triangle.index(p)
