@@ -18,7 +18,6 @@ prints JSON, both are judged by that, and Gmsh's columns are filled.
 
 import fnmatch
 import json
-import os
 import subprocess
 import tempfile
 import time
@@ -78,7 +77,7 @@ def gmsh(arguments, folder, count):
     done = subprocess.run([arguments.python, str(GMSH), str(folder / "model.brep"), str(folder),
                            str(arguments.order), str(arguments.limit),
                            str(count if arguments.alike else 0)],
-                          capture_output=True, text=True, env=system_environment())
+                          capture_output=True, text=True, env=inside_freecad.system_environment())
     lines = done.stdout.strip().splitlines()
     if done.returncode != 0 or not lines:
         return {"failed": (done.stderr.strip().splitlines() or ["it crashed"])[-1]}
@@ -93,12 +92,6 @@ def gmsh(arguments, folder, count):
         row["rms"] = row["rms"] / plain["dev_rms"] if plain else None
         row["moved"] = moved(folder)
     return row
-
-
-def system_environment():
-    """Without FreeCAD's own folders for modules."""
-    return {k: v for k, v in os.environ.items()
-            if k not in ("PYTHONPATH", "PYTHONHOME", inside_freecad.VARIABLE)}
 
 
 def judge(program, folder, name):
@@ -188,16 +181,10 @@ def sums(rows):
     return result
 
 
-def has_gmsh(python):
-    done = subprocess.run([python, "-c", "import gmsh"], capture_output=True,
-                          env=system_environment())
-    return done.returncode == 0
-
-
 def work(arguments):
     import curve_models
 
-    with_gmsh = has_gmsh(arguments.python)
+    with_gmsh = inside_freecad.has_module(arguments.python, "gmsh")
     if not with_gmsh:
         print(f"Gmsh is skipped: {arguments.python} has no module gmsh (package python3-gmsh)")
     heading = "  tets  inv fold moved  minI    rms"

@@ -26,6 +26,16 @@ def data_folder():
     return Path(os.environ.get("MESHQUALITY_DATA", default)).resolve()
 
 
+def system_environment():
+    """Variables for other Pythons: without FreeCAD's own folders for modules."""
+    return {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONHOME", VARIABLE)}
+
+
+def has_module(python, name):
+    """Whether that Python has a module, as the peers of benchmarks need one."""
+    return subprocess.run([python, "-c", f"import {name}"], capture_output=True, env=system_environment()).returncode == 0
+
+
 def command_line(text):
     """A parser of the command line that shows this text as it stands."""
     return argparse.ArgumentParser(description=text,

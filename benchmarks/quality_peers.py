@@ -24,7 +24,6 @@ bytes of memory per triangle, those of the peak above what FreeCAD had before.
 
 import json
 import math
-import os
 import statistics
 import subprocess
 import tempfile
@@ -111,12 +110,9 @@ class Model:
 
 def run(command, limit):
     """What a program prints; raises subprocess.SubprocessError."""
-    # Without FreeCAD's own folders for modules.
-    environment = {name: value for name, value in os.environ.items()
-                   if name not in ("PYTHONPATH", "PYTHONHOME", inside_freecad.VARIABLE)}
     return subprocess.run(command, capture_output=True, text=True, timeout=limit, check=True,
                           stdin=subprocess.DEVNULL,
-                          env={**environment, "OMP_NUM_THREADS": "1"}).stdout
+                          env={**inside_freecad.system_environment(), "OMP_NUM_THREADS": "1"}).stdout
 
 
 class Ours:
