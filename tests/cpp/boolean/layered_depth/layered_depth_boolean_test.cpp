@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "boolean/closed_solids.h"
 #include "boolean/input/operand_repair.h"
+#include "boolean/random_meshes.h"
 #include "mesh/intersection/winding_number.h"
 #include "mesh/quality/mesh_report.h"
 
@@ -214,6 +215,26 @@ TEST(Uniform, NoTriangleIsFilledWithItsBack) {
         for (const Operation operation : kOperations) {
             SCOPED_TRACE(std::to_string(seed) + " " + name(operation));
             expect_sound(layered_depth_boolean(coarse, rough, operation, at_resolution(33), nullptr), coarse, rough);
+        }
+    }
+}
+
+/// Where edges were halved, the middle of an edge and its ends are in line: no corner may move onto such a middle.
+TEST(Uniform, CollapsesOfBorderVerticesLeaveNoTriangleWithoutArea) {
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        mesh::TriangleMesh halved = solids::sphere(Vec3(0, 0, 0), 1.0, 6, 0.2, seed);
+        for (Vec3& p : halved.vertices) {
+            p = (1024.0 * p).array().round() / 1024.0;  // so that the middles are exact
+        }
+        for (int level = 0; level < 3; ++level) {
+            fuzz::subdivide(halved);
+        }
+        const mesh::TriangleMesh ball = solids::sphere(Vec3(0.4, 0.1, -0.2), 0.8, 9);
+        for (const Operation operation : kOperations) {
+            SCOPED_TRACE(std::to_string(seed) + " " + name(operation));
+            const UniformResult r = layered_depth_boolean(halved, ball, operation, at_resolution(33), nullptr);
+            expect_sound(r, halved, ball);
+            EXPECT_EQ(mesh::measure(r.mesh).degenerate_triangles, 0U);
         }
     }
 }
