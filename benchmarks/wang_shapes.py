@@ -19,6 +19,7 @@ import time
 
 import inside_freecad
 import numpy as np
+from metro import even_points
 
 HEAD = (f"{'pair':<24} {'rays':>5} {'from':<8} {'triangles':>9} {'mean %':>9} {'99 % in':>9} {'largest %':>9} {'r %':>7} {'s':>6} "
         f"{'CPU s':>6} {'MB':>5} {'faults':>6}")
@@ -130,17 +131,6 @@ def exact(operands, operation):
     for other in others:
         first = {"difference": first.cut, "union": first.fuse, "intersection": first.common}[operation](other)
     return first
-
-
-def even_points(corners, most, rng, corners_only=None):
-    """Points that lie evenly on the area of triangles (T, 3, 3); of those that are marked only corners."""
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-    chosen = rng.choice(len(corners), most, p=area / area.sum())
-    shares = rng.dirichlet((1.0, 1.0, 1.0), most)
-    if corners_only is not None:
-        marked = corners_only[chosen]
-        shares[marked] = np.eye(3)[rng.integers(3, size=marked.sum())]
-    return np.einsum("ij,ijk->ik", shares, corners[chosen])
 
 
 def corners_of(mesh):

@@ -381,6 +381,9 @@ BOOLEAN = (
            rare=True, choice_titles=("exact where possible", "exact intersection", "sampling (Wang 2010)"),
            help="Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang "
                 "2010), also operands that are open; default takes uniform where there is no exact result"),
+    Option("full", bool, False, group="Boolean", title="Reconstruct everything", rare=True,
+           help="Make the whole surface anew from the samples, so that no triangle of the operands stays; only with method "
+                "uniform"),
 )
 
 

@@ -246,6 +246,7 @@ CORE_ERRORS = {
     "many_triangles": "a deviation of {length} takes more than {count} triangles: ask for a larger one",
     "many_rays": "tolerance is {length}: method 'uniform' reaches {length2} with the most rays that it can use; ask for "
                  "more than that, or use method 'exact'",
+    "full_by_sampling": "full is for method 'uniform' only: other methods sample nothing; choose that method, or leave full off",
     "no_such_entity": "a local size is given for {name}, but the shape has {count} {name2}",
     "volume_order": "order is {count}: it goes from 1 to {count2} for volumes",
     "filling_without_end": "filling the surface with tetrahedra did not come to an end: its triangles do not fit each "
@@ -388,6 +389,8 @@ _SHOWN = {
         "many_rays":
             "A tolerance of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger "
             "tolerance or exact intersection as the method",
+        "full_by_sampling":
+            "Only sampling can reconstruct everything. Choose sampling as the method, or turn \"Reconstruct everything\" off",
         "no_such_entity":
             "A local size is given for {name}, but the shape has only {count} of these",
         "volume_order":

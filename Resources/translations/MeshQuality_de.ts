@@ -627,6 +627,10 @@
         <source>What the faces of the sources were like when the patches were last right: their kinds, areas and centres</source>
         <translation>Wie die Flächen der Quellen waren, als die Patches zuletzt stimmten: Arten, Inhalte und Mittelpunkte</translation>
     </message>
+    <message>
+        <source>Make the whole surface anew from the samples, so that no triangle of the operands stays; only with method uniform</source>
+        <translation>Bildet die ganze Oberfläche neu aus den Abtastpunkten, so dass kein Dreieck der Körper bleibt; nur beim Abtasten</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2877,6 +2881,18 @@
     <message>
         <source>proving the distance</source>
         <translation>den Abstand beweisen</translation>
+    </message>
+    <message>
+        <source>Make the whole surface anew from the samples, so that no triangle of the operands stays; only with method uniform</source>
+        <translation>Bildet die ganze Oberfläche neu aus den Abtastpunkten, so dass kein Dreieck der Körper bleibt; nur beim Abtasten</translation>
+    </message>
+    <message>
+        <source>Only sampling can reconstruct everything. Choose sampling as the method, or turn &quot;Reconstruct everything&quot; off</source>
+        <translation>Nur beim Abtasten kann alles neu gebildet werden. Wählen Sie Abtasten als Verfahren, oder schalten Sie „Alles neu bilden“ aus</translation>
+    </message>
+    <message>
+        <source>Reconstruct everything</source>
+        <translation>Alles neu bilden</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,9 @@ struct BooleanOptions {
     /// Threads that work at a time; 0: one for each core, or as many as MESHQUALITY_THREADS says. The result is the
     /// same for any number.
     int threads = 0;
+    /// Whether the method "uniform" reconstructs the whole surface from its samples (Wang 2010, Table III); other
+    /// methods have no samples.
+    bool full = false;
 
     /// The tolerance in mm: as it was requested, else that of the resolution for operands whose box has this longest
     /// side.

@@ -132,6 +132,8 @@ void bind_boolean_report(py::module_& m) {
                       "made on the faces of shapes and put onto their surfaces")
         .def_readonly("unfitted_vertices", &BooleanReport::unfitted_vertices,
                       "left on the meshes of the shapes: the surfaces are too far, or a fault would result")
+        .def_readonly("holes_filled", &BooleanReport::holes_filled,
+                      "that stitching left in the reconstructed surface (method 'uniform')")
         .def_readonly("samples", &BooleanReport::samples, "of the operands along rays (method 'uniform')")
         .def_readonly("face_samples", &BooleanReport::face_samples, "those with depth and normal of a CAD face")
         .def("__repr__",
@@ -268,6 +270,7 @@ void bind_boolean(py::module_& m) {
         .def_readwrite("tolerance", &BooleanOptions::tolerance)
         .def_readwrite("resolution", &BooleanOptions::resolution)
         .def_readwrite("threads", &BooleanOptions::threads)
+        .def_readwrite("full", &BooleanOptions::full)
         .def("tolerance_for", &BooleanOptions::tolerance_for, py::arg("size"),
              "The tolerance in mm for operands whose box has this longest side: that which was requested, else that of "
              "the resolution.");

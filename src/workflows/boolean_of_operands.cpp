@@ -12,6 +12,7 @@
 #include "boolean/input/operand_repair.h"
 #include "boolean/layered_depth/layered_depth_boolean.h"
 #include "boolean/project_to_cad.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/shape_model.h"
 #include "mesh/quality/surface_verification.h"
 #include "workflows/operand_frame.h"
@@ -103,6 +104,7 @@ void take(BooleanSurface& surface, UniformResult&& result) {
     std::copy_if(result.repaired.begin(), result.repaired.end(), std::back_inserter(figures.repaired),
                  [](const std::string& sentence) { return !sentence.empty(); });
     figures.samples = result.samples;
+    figures.holes_filled = result.holes_filled;
     figures.face_samples = result.cad.on_faces;
     figures.fitted_vertices = result.fitted;
     figures.unfitted_vertices = result.unfitted;
@@ -150,6 +152,7 @@ void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const std::
                  Progress& progress) {
     boolean::UniformOptions uniform;
     uniform.resolution = options.resolution;
+    uniform.full = options.full;
     double tolerance = options.tolerance;
     if (tolerance > 0.0) {
         uniform.resolution = boolean::uniform_resolution(frame.size(), tolerance);
@@ -299,6 +302,9 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
                                    const Expression& expression, const BooleanOptions& options, BooleanMethod method,
                                    const WorkBefore& before, Progress& progress) {
     options.validate();
+    if (options.full && method != BooleanMethod::Uniform) {
+        throw InvalidInput(Message::of(phrases::kFullBySampling, {}));
+    }
     const ThreadLimit threads(options.threads);
     const Stopwatch watch_all;
     std::vector<FramedOperand> framed;

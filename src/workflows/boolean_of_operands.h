@@ -63,6 +63,7 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
 /// raised.
 /// @param engine  answers for the shapes; the method Uniform samples their faces, and takes only which of them a ray
 ///     meets from their meshes
+/// @throws InvalidInput for the option `full` with another method than Uniform
 /// @throws as boolean::boolean and boolean::layered_depth_boolean; of the method Default the error of the exact one,
 ///     with that of the uniform one where this could not be made either.
 BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,

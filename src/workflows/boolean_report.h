@@ -23,6 +23,7 @@ struct BooleanReport : mesh::MeshReport {
     std::size_t separated_vertices = 0;  ///< vertices of surfaces that nearly coincided
     std::size_t fitted_vertices = 0;     ///< vertices put onto the surfaces of the shapes that were operands
     std::size_t unfitted_vertices = 0;   ///< vertices left on the meshes of these shapes
+    std::size_t holes_filled = 0;        ///< holes that stitching left in the reconstructed surface (method Uniform)
     std::size_t samples = 0;             ///< samples of the operands along rays (method Uniform)
     std::size_t face_samples = 0;        ///< those with depth and normal of a CAD face
     /// Share of the result's surface where an open operand has no triangle: it is a guess by the winding number, to

@@ -33,7 +33,7 @@ class BooleanMesh(SurfaceMesh):
 
 
 def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=None,
-            method="default", threads=0):
+            method="default", threads=0, full=False):
     """Joins, intersects or subtracts closed meshes and shapes.
 
     a, b        operands: Mesh.Mesh, SurfaceMesh, arrays (V, F), Part.Shape, or document objects
@@ -48,6 +48,8 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
                 along rays (Wang 2010), open ones by their winding number; "default": exact, and uniform where
                 the operands have no exact result, which report.method and a note tell
     threads     that work at a time; 0: one for each core. The result is the same for any number
+    full        True: method "uniform" makes the whole surface anew from the samples, so that no triangle of an
+                operand stays (Wang 2010, Table III). Other methods refuse it
 
     Shapes are meshed first, within half the tolerance; a sixteenth for method "uniform", whose rays
     meet the CAD faces themselves. Operands with small faults (holes,
@@ -65,7 +67,7 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
         raise InvalidInput("a second operand is needed: give a and b, or a list of operands")
     values = options.check(options.BOOLEAN, {
         "operation": operation, "resolution": resolution, "tolerance": tolerance,
-        "method": method,
+        "method": method, "full": full,
     })
     values["threads"] = options.THREADS.checked(threads)
     options.require_callable(progress)
@@ -82,6 +84,7 @@ def run(operands, values, progress=None):
     core_options.resolution = values["resolution"]
     core_options.tolerance = values["tolerance"] or 0.0
     core_options.threads = values.get("threads", 0)
+    core_options.full = values["full"]
     meshing = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHING), _DEVIATION[values["method"]])
     before.seconds, before.notes = operands.seconds, operands.notes
     before.cpu_seconds = operands.cpu_seconds

@@ -384,9 +384,11 @@ void LayeredDepthBoolean::make_manifold() {
     for (std::size_t k = 0; k < place.size(); ++k) {
         surface_.triangles[place[k]] = active[k];
     }
+    const std::size_t first_reconstructed = surface_.triangles.size();
     surface_.triangles.insert(surface_.triangles.end(), active.begin() + static_cast<std::ptrdiff_t>(place.size()),
                               active.end());
     surface_.source.resize(surface_.triangles.size(), -1);
+    const std::size_t first_filling = surface_.triangles.size();
     const std::vector<std::vector<std::int32_t>> holes = find_holes(active, candidate);
     EdgeSet edges;
     if (!holes.empty()) {
@@ -397,6 +399,15 @@ void LayeredDepthBoolean::make_manifold() {
     for (const std::vector<std::int32_t>& hole : holes) {
         fill(hole, edges);
         check_cancelled(progress_);
+    }
+    candidate.resize(surface_.points.size(), 1);
+    for (const std::size_t k : drop_flat_pairs(surface_.triangles, surface_.source, candidate)) {
+        if (k >= first_filling) {  // the back of a triangle without a neighbour, around which the hole was
+            --result_.hole_triangles;
+            --result_.holes_filled;
+        } else if (k >= first_reconstructed) {
+            --result_.reconstructed;
+        }
     }
     separate_nodes(surface_.points, surface_.triangles, surface_.source, originals, first_copy,
                    ReconstructionTuning::kParting * grid_.spacing());
@@ -480,7 +491,8 @@ UniformResult LayeredDepthBoolean::run() {
     sample_result();
     count_combined();
     stage("membership", 0.5, 0.6, [&] {
-        fate_ = classify(pair_, sample_count_, region_, combined_);
+        fate_ = options_.full ? std::vector<Retention>(pair_.triangles.size(), Retention::Removed)
+                              : classify(pair_, sample_count_, region_, combined_);
         surface_ = retained_surface(pair_, fate_);
     });
     stage("octree", 0.6, 0.75, [&] { octree_ = build_octree(pair_, grid_, combined_, fate_, surface_, progress_); });

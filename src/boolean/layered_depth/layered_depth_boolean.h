@@ -27,6 +27,9 @@ struct UniformOptions {
     /// Whether inside is where the normal index is 1 or more, so that only the outer surface of an operand that
     /// intersects itself counts. Otherwise inside is after an odd number of crossings.
     bool normal_index = true;
+    /// Whether the whole surface is reconstructed from the samples, as in the paper's Table III; no triangle of an
+    /// operand stays.
+    bool full = false;
 };
 
 /// The result of a Boolean by layered depth images, and its counts.

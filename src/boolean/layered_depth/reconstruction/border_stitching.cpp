@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/predicates.h"
+
 namespace mq::boolean {
 
 namespace {
@@ -43,6 +45,7 @@ class Stitcher {
     std::vector<std::int32_t>& fan(std::int32_t point) { return fans_[fan_of_[point]]; }
     std::vector<std::int32_t> nodes_in(std::size_t leaf) const;
     void merge_nodes(std::size_t leaf);
+    bool would_flatten(std::int32_t keep, std::int32_t gone);
     bool collapse(std::int32_t keep, std::int32_t gone);
     void directed_edges(std::int32_t point, std::int32_t except, std::vector<std::int32_t>& out);
     bool move(std::int32_t point, const Vec3& to);
@@ -199,8 +202,22 @@ void Stitcher::directed_edges(std::int32_t point, std::int32_t except, std::vect
     std::sort(out.begin(), out.end());
 }
 
+/// Whether a triangle around a vertex would lose its area if the vertex moved onto another one; those that have both
+/// vanish.
+bool Stitcher::would_flatten(std::int32_t keep, std::int32_t gone) {
+    const std::vector<std::int32_t>& around = fan(gone);
+    return std::any_of(around.begin(), around.end(), [&](std::int32_t k) {
+        mesh::Triangle t = surface_.triangles[k];
+        if (std::find(t.begin(), t.end(), keep) != t.end()) {
+            return false;
+        }
+        std::replace(t.begin(), t.end(), gone, keep);
+        return collinear(surface_.points[t[0]], surface_.points[t[1]], surface_.points[t[2]]);
+    });
+}
+
 /// Merges two border vertices; the triangles that have both vanish. Refused where two triangles would run an edge in
-/// the same direction.
+/// the same direction, or where one would lose its area.
 bool Stitcher::collapse(std::int32_t keep, std::int32_t gone) {
     directed_edges(keep, gone, around_keep_);
     directed_edges(gone, keep, around_gone_);
@@ -208,6 +225,9 @@ bool Stitcher::collapse(std::int32_t keep, std::int32_t gone) {
         if (std::binary_search(around_keep_.begin(), around_keep_.end(), edge)) {
             return false;
         }
+    }
+    if (would_flatten(keep, gone)) {
+        return false;
     }
     for (const std::int32_t k : fan(gone)) {
         mesh::Triangle& t = surface_.triangles[k];

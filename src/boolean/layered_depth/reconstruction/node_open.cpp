@@ -2,6 +2,7 @@
 #include "boolean/layered_depth/reconstruction/node_open.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "boolean/layered_depth/reconstruction/border_stitching.h"
 #include "boolean/layered_depth/reconstruction/directed_edge_set.h"
@@ -180,6 +181,39 @@ std::vector<std::vector<std::int32_t>> find_holes(const std::vector<mesh::Triang
         }
     }
     return holes;
+}
+
+std::vector<std::size_t> drop_flat_pairs(std::vector<mesh::Triangle>& triangles, std::vector<std::int32_t>& source,
+                                         const std::vector<std::uint8_t>& candidate) {
+    std::vector<std::pair<mesh::Triangle, std::size_t>> found;
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+        mesh::Triangle corners = triangles[k];
+        if (std::all_of(corners.begin(), corners.end(), [&](std::int32_t p) { return candidate[p] != 0; })) {
+            std::sort(corners.begin(), corners.end());
+            found.emplace_back(corners, k);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<std::size_t> dropped;
+    for (std::size_t i = 1; i < found.size(); ++i) {
+        if (found[i].first == found[i - 1].first) {
+            dropped.insert(dropped.end(), {found[i - 1].second, found[i].second});
+        }
+    }
+    std::sort(dropped.begin(), dropped.end());
+    std::size_t kept = 0;
+    auto next = dropped.begin();
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+        if (next != dropped.end() && *next == k) {
+            ++next;
+            continue;
+        }
+        source[kept] = source[k];
+        triangles[kept++] = triangles[k];
+    }
+    triangles.resize(kept);
+    source.resize(kept);
+    return dropped;
 }
 
 }  // namespace mq::boolean

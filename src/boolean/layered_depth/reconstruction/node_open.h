@@ -31,4 +31,12 @@ void separate_nodes(std::vector<Vec3>& points, const std::vector<mesh::Triangle>
 std::vector<std::vector<std::int32_t>> find_holes(const std::vector<mesh::Triangle>& triangles,
                                                   const std::vector<std::uint8_t>& candidate);
 
+/// Takes out pairs of triangles with the same corners, back to back: closed pieces without volume. Contouring makes
+/// some in cells that thin walls pass, and filling the hole around a triangle without a neighbour makes its back.
+/// @param triangles  no directed edge may be used twice; only those with all corners in `candidate` are looked at
+/// @param source     shortened like the triangles
+/// @return the places that they had, ascending
+std::vector<std::size_t> drop_flat_pairs(std::vector<mesh::Triangle>& triangles, std::vector<std::int32_t>& source,
+                                         const std::vector<std::uint8_t>& candidate);
+
 }  // namespace mq::boolean

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "boolean/closed_solids.h"
 #include "boolean/input/operand_repair.h"
+#include "boolean/random_meshes.h"
 #include "mesh/intersection/nearest_tree.h"
 #include "mesh/intersection/winding_number.h"
 #include "mesh/quality/mesh_report.h"
@@ -37,6 +38,7 @@ void expect_sound(const UniformResult& r, const mesh::TriangleMesh& a, const mes
     EXPECT_EQ(report.nonmanifold_edges, 0U);
     EXPECT_EQ(report.misoriented_edges, 0U);
     EXPECT_EQ(report.pinched_vertices, 0U);
+    EXPECT_EQ(report.duplicate_triangles, 0U);
     ASSERT_EQ(r.triangle_source.size(), r.mesh.triangles.size());
     const std::array<const mesh::TriangleMesh*, 2> operands{&a, &b};
     std::size_t retained = 0;
@@ -205,6 +207,68 @@ TEST(Uniform, RoughSolidsStayTwoManifold) {
             layered_depth_boolean(a, b, kOperations[round % 4], at_resolution(round % 3 == 0 ? 33 : 65), nullptr);
         expect_sound(r, a, b);
     }
+}
+
+/// Beside triangles far larger than r a reconstructed triangle may end up without a neighbour; its back would fill the
+/// hole around it.
+TEST(Uniform, NoTriangleIsFilledWithItsBack) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
+        const mesh::TriangleMesh coarse = solids::sphere(Vec3(0, 0, 0), 1.0, 3 + static_cast<int>(seed), 0.3, seed);
+        const mesh::TriangleMesh rough = solids::sphere(Vec3(0.3, 0.1, -0.2), 0.9, 60, 0.3, seed + 100);
+        for (const Operation operation : kOperations) {
+            SCOPED_TRACE(std::to_string(seed) + " " + name(operation));
+            expect_sound(layered_depth_boolean(coarse, rough, operation, at_resolution(33), nullptr), coarse, rough);
+        }
+    }
+}
+
+/// Where edges were halved, the middle of an edge and its ends are in line: no corner may move onto such a middle.
+TEST(Uniform, CollapsesOfBorderVerticesLeaveNoTriangleWithoutArea) {
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        mesh::TriangleMesh halved = solids::sphere(Vec3(0, 0, 0), 1.0, 6, 0.2, seed);
+        for (Vec3& p : halved.vertices) {
+            p = (1024.0 * p).array().round() / 1024.0;  // so that the middles are exact
+        }
+        for (int level = 0; level < 3; ++level) {
+            fuzz::subdivide(halved);
+        }
+        const mesh::TriangleMesh ball = solids::sphere(Vec3(0.4, 0.1, -0.2), 0.8, 9);
+        for (const Operation operation : kOperations) {
+            SCOPED_TRACE(std::to_string(seed) + " " + name(operation));
+            const UniformResult r = layered_depth_boolean(halved, ball, operation, at_resolution(33), nullptr);
+            expect_sound(r, halved, ball);
+            EXPECT_EQ(mesh::measure(r.mesh).degenerate_triangles, 0U);
+        }
+    }
+}
+
+/// Table III of the paper: M_D is empty.
+TEST(Uniform, FullReconstructionKeepsNoTriangle) {
+    const mesh::TriangleMesh a = solids::sphere(Vec3(0, 0, 0), 1.0, 64);
+    const mesh::TriangleMesh b = solids::sphere(Vec3(0.7, 0.4, 0.2), 1.0, 64);
+    for (const Operation operation : kOperations) {
+        SCOPED_TRACE(name(operation));
+        UniformOptions options = at_resolution(65);
+        const UniformResult partial = layered_depth_boolean(a, b, operation, options, nullptr);
+        options.full = true;
+        const UniformResult full = layered_depth_boolean(a, b, operation, options, nullptr);
+        expect_sound(full, a, b);
+        EXPECT_GT(partial.retained, 0U);
+        EXPECT_EQ(full.retained, 0U);
+        EXPECT_EQ(full.changed, 0U);
+        EXPECT_EQ(full.boundary_cells, 0U);
+        EXPECT_GT(full.reconstructed, partial.reconstructed);
+        EXPECT_EQ(full.samples, partial.samples);
+        EXPECT_NEAR(volume(full.mesh), volume(partial.mesh), 0.01 * volume(partial.mesh));
+        EXPECT_DOUBLE_EQ(full.error_bound, std::sqrt(3.0) * full.spacing);
+    }
+    // Where nothing meets, all triangles would stay.
+    UniformOptions options = at_resolution(65);
+    options.full = true;
+    const UniformResult alone = layered_depth_boolean(a, mesh::TriangleMesh(), Operation::Union, options, nullptr);
+    expect_sound(alone, a, b);
+    EXPECT_EQ(alone.retained, 0U);
+    EXPECT_NEAR(volume(alone.mesh), volume(a), 0.01);
 }
 
 TEST(Uniform, TheSameEveryTime) {

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
 #include "boolean/closed_solids.h"
 #include "boolean/layered_depth/samples/rasterise.h"
 
@@ -112,6 +117,72 @@ TEST(Rasterise, OperandsBeyondTheGridKeepTheBalance) {
         const OperandSet pair(ball, mesh::TriangleMesh());
         EXPECT_GT(expect_balance(rasterise(pair, 0, grid, nullptr), grid), 1000U) << radius;
     }
+}
+
+/// Positions of all samples of a set.
+std::vector<Vec3> positions(const LayeredDepthSet& set, const SampleGrid& grid) {
+    std::vector<Vec3> found;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (std::size_t ray = 0; ray + 1 < set[axis].begin.size(); ++ray) {
+            for (std::uint32_t i = set[axis].begin[ray]; i < set[axis].begin[ray + 1]; ++i) {
+                Vec3 g;
+                g[axis] = set[axis].depth[i];
+                g[(axis + 1) % 3] = static_cast<double>(ray % grid.rays());
+                g[(axis + 2) % 3] = static_cast<double>(ray / grid.rays());
+                found.push_back(grid.to_space(g));
+            }
+        }
+    }
+    return found;
+}
+
+/// The largest distance of points of a surface (corners and middles of its triangles) from the nearest sample, in units
+/// of r.
+double covering(const mesh::TriangleMesh& mesh, int resolution) {
+    const OperandSet pair(mesh, mesh::TriangleMesh());
+    const SampleGrid grid(box_of(pair), resolution);
+    const std::vector<Vec3> samples = positions(rasterise(pair, 0, grid, nullptr), grid);
+    double largest = 0.0;
+    const auto look_at = [&](const Vec3& p) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Vec3& sample : samples) {
+            nearest = std::min(nearest, (sample - p).squaredNorm());
+        }
+        largest = std::max(largest, std::sqrt(nearest) / grid.spacing());
+    };
+    for (const mesh::Triangle& t : mesh.triangles) {
+        look_at(mesh.vertices[t[0]]);
+        look_at((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0);
+    }
+    return largest;
+}
+
+/// The lemma of section IV-A: every point of the surface has a sample within sqrt(3) r.
+TEST(Rasterise, SamplesCoverSolidsThatAreThickerThanTheSpacing) {
+    for (const int resolution : {33, 65}) {
+        SCOPED_TRACE(resolution);
+        EXPECT_LE(covering(solids::sphere(Vec3(0.3, 0.2, 0.1), 1.0, 24), resolution), std::sqrt(3.0));
+        EXPECT_LE(covering(solids::sphere(Vec3(0.3, 0.2, 0.1), 1.0, 12, 0.2), resolution), std::sqrt(3.0));
+        EXPECT_LE(covering(solids::box(Vec3(0, 0, 0), Vec3(1.0, 0.6, 0.33)), resolution), std::sqrt(3.0));
+    }
+}
+
+/// Its proof takes a surface that passes the edges of a cell. The tip of a needle thinner than r passes none: there the
+/// lemma does not hold, and neither does the bound of a result.
+TEST(Rasterise, SamplesDoNotCoverNeedlesThinnerThanTheSpacing) {
+    mesh::TriangleMesh spiked = solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    const auto tip = static_cast<std::int32_t>(spiked.vertices.size());
+    spiked.vertices.push_back(Vec3(1.5, 0.515, 0.515));
+    // The needle is a pyramid that begins inside of the box.
+    for (const Vec3& p : {Vec3(0.9, 0.51, 0.51), Vec3(0.9, 0.52, 0.51), Vec3(0.9, 0.51, 0.52)}) {
+        spiked.vertices.push_back(p);
+    }
+    const std::int32_t a = tip + 1, b = tip + 2, c = tip + 3;
+    spiked.triangles.insert(spiked.triangles.end(), {{a, c, b}, {tip, a, b}, {tip, b, c}, {tip, c, a}});
+    const double at_33 = covering(spiked, 33), at_513 = covering(spiked, 513);
+    EXPECT_GT(at_33, 4.0 * std::sqrt(3.0));
+    // Finer rays leave a shorter tip uncovered.
+    EXPECT_LT(at_513 / 512, at_33 / 32);
 }
 
 TEST(Rasterise, StopsWhenCancelled) {
