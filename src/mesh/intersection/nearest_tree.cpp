@@ -57,7 +57,7 @@ NearestTree::NearestTree(const std::vector<Vec3>& vertices, const std::vector<Tr
 std::int32_t NearestTree::add(std::int32_t binary) {
     struct Entry {
         const Bounds* bounds;
-        std::int32_t node;  // of the binary tree, or ~item
+        std::int32_t node;  // its index in the binary tree, or ~item
     };
     std::vector<Entry> entries{{&nodes_[binary].bounds, binary}};
     // What an entry has below it: two nodes, or the items of a leaf.
