@@ -135,6 +135,7 @@ void bind_triangulate(py::module_& m) {
         .def_readwrite("sew", &TriangulateOptions::sew)
         .def_readwrite("imprint", &TriangulateOptions::imprint)
         .def_readwrite("polish", &TriangulateOptions::polish)
+        .def_readwrite("record_angles", &TriangulateOptions::record_angles)
         .def_readwrite("seed", &TriangulateOptions::seed);
     def_named(options, "insertion", &TriangulateOptions::insertion, kInsertions);
     def_named(options, "keep_edges", &TriangulateOptions::keep_edges, kKeepEdges);

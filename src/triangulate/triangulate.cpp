@@ -143,7 +143,12 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
     const Sizing sizing = sizing_of(options, chord, work.session.topology());
     work.progress.stage("refining angles", first_share(options), sizing.any() ? middle : 0.8);
     AngleRefinement refiner(work, segments, options.min_angle, options.insertion, chord);
+    if (options.record_angles) {
+        work.angle_history.start();
+        work.angle_history.record(work);
+    }
     refiner.run();
+    work.angle_history.stop();
     clock.end("angles");
     ChordRefinement chords(work, segments, findings.chords, sizing);
     const auto refine_chords = [&] {
@@ -369,6 +374,7 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     Result result;
     result.report = final_report(work, findings, out, options, task.chord);
     result.mesh = std::move(out.mesh);
+    result.angle_history = work.angle_history.entries();
     result.report.reused_faces = recall != nullptr ? count(recall->kept(surface), topology) : 0;
     add_note(result.report, released);
     report_first(first, topology, options, result.report);

@@ -8,6 +8,7 @@ import numpy as np
 import parts
 
 import MeshQuality as mq
+from MeshQuality.compat import extension
 
 MIN_ANGLE = 25.0
 PARTS = ("die", "wing_main", "flap")
@@ -98,3 +99,34 @@ class PaperParts(unittest.TestCase):
         for name in PARTS:
             self.assertLessEqual(len(self.meshes[name, "off-centre"].triangles),
                                  len(self.meshes[name, "circumcentre"].triangles), name)
+
+
+class History(unittest.TestCase):
+    """The smallest angle while Algorithm M runs, as in figure 7."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.surfaces = {}
+        for record in (False, True):
+            options = extension().TriangulateOptions()
+            options.insertion = "paper"
+            options.record_angles = record
+            cls.surfaces[record] = extension().triangulate(parts.ALL["die"](), options)
+        cls.counts, cls.angles = cls.surfaces[True].angle_history
+
+    def test_the_mesh_is_the_same(self):
+        plain, recorded = self.surfaces[False], self.surfaces[True]
+        self.assertEqual(recorded.vertices.tobytes(), plain.vertices.tobytes())
+        self.assertEqual(recorded.triangles.tobytes(), plain.triangles.tobytes())
+        self.assertEqual(len(plain.angle_history[0]), 0)
+
+    def test_ends_at_the_mesh(self):
+        report = self.surfaces[True].report
+        self.assertEqual(self.counts[-1], report.triangles)
+        self.assertAlmostEqual(self.angles[-1], report.min_angle, places=9)
+
+    def test_rises_with_spikes_downward(self):
+        self.assertLess(self.angles[0], 10.0)
+        self.assertGreaterEqual(self.angles[-1], MIN_ANGLE)
+        self.assertTrue((np.diff(self.angles) < 0.0).any())
+        self.assertTrue((np.diff(self.counts) >= 0).all(), "a vertex that is inserted adds triangles")

@@ -37,7 +37,7 @@ void add_options(const TriangulateOptions& o, Fingerprint& key) {
     for (const int choice :
          {static_cast<int>(o.insertion), static_cast<int>(o.keep_edges), static_cast<int>(o.allow_missing_faces),
           static_cast<int>(o.sew), static_cast<int>(o.imprint), static_cast<int>(o.method),
-          static_cast<int>(o.connectivity), static_cast<int>(o.polish)}) {
+          static_cast<int>(o.connectivity), static_cast<int>(o.polish), static_cast<int>(o.record_angles)}) {
         add_to(key, choice);
     }
     add_to(key, static_cast<std::uint64_t>(o.budget()));

@@ -53,6 +53,7 @@ struct TriangulateOptions {
     bool sew = true;                   ///< join faces without a shell where their borders lie together
     bool imprint = false;              ///< the same triangles on both sides where solids touch
     Method method = Method::Refine;
+    bool record_angles = false;  ///< fill Result::angle_history
 
     // For the sampling methods only:
     Connectivity connectivity = Connectivity::PseudoDelaunay;
