@@ -306,6 +306,20 @@ void bind_report(py::module_& m) {
     bind_course(report);
 }
 
+void bind_mesh_functions(py::module_& m) {
+    m.def(
+        "triangle_shapes", &triangle_shapes, py::arg("surface"),
+        "float64 (T,) each: the smallest angle of each triangle in degrees, its longest edge / shortest edge, and its "
+        "distortion: 1 for 60 degrees everywhere.");
+    m.def("clustered", &clustered, py::arg("corners"), py::arg("wanted"),
+          "(float32 (n, 3, 3), int32 (T,)): about `wanted` triangles that look like float32 (T, 3, 3) from afar, and "
+          "which "
+          "of them stands for each of those, or -1.");
+    m.def("surface_from_arrays", &surface_from_arrays, py::arg("vertices"), py::arg("triangles"),
+          py::arg("triangle_face") = py::array_t<std::int32_t>(0), py::arg("measured") = true,
+          "A Surface of arrays (V, 3) and (T, 3).");
+}
+
 }  // namespace
 
 void bind_mesh(py::module_& m) {
@@ -359,17 +373,7 @@ void bind_mesh(py::module_& m) {
             }
             return py::bytes(bms);
         });
-    m.def(
-        "triangle_shapes", &triangle_shapes, py::arg("surface"),
-        "float64 (T,) each: the smallest angle of each triangle in degrees, its longest edge / shortest edge, and its "
-        "distortion: 1 for 60 degrees everywhere.");
-    m.def("clustered", &clustered, py::arg("corners"), py::arg("wanted"),
-          "(float32 (n, 3, 3), int32 (T,)): about `wanted` triangles that look like float32 (T, 3, 3) from afar, and "
-          "which "
-          "of them stands for each of those, or -1.");
-    m.def("surface_from_arrays", &surface_from_arrays, py::arg("vertices"), py::arg("triangles"),
-          py::arg("triangle_face") = py::array_t<std::int32_t>(0), py::arg("measured") = true,
-          "A Surface of arrays (V, 3) and (T, 3).");
+    bind_mesh_functions(m);
 }
 
 }  // namespace mq::python

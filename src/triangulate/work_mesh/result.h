@@ -13,7 +13,7 @@ namespace mq::triangulate {
 struct Result {
     mesh::TriangleMesh mesh;
     mesh::MeshReport report;
-    /// The state before Algorithm M begins and after each vertex that it inserts, until it ends for the first time;
+    /// The state before Algorithm M begins, after each vertex that it inserts, and when it ends for the first time;
     /// empty unless TriangulateOptions::record_angles.
     std::vector<AngleHistory::Entry> angle_history;
 };
