@@ -4,8 +4,10 @@
 
     /usr/bin/python3 benchmarks/papers aftosmis-evolution [--angle 30]
 
-The core records the smallest angle of all triangles that are not exempt after each vertex that it inserts. A bound of
-25 degrees, read from the curve, is where it passes 25 degrees for the first time.
+The core records the smallest angle of all triangles that are not exempt after each vertex that it inserts. "one by one" is
+the paper's order: the triangle with the smallest angle first, one after the other. "rounds" is what users get: as many
+triangles from the head of the queue as make a batch of queries. A bound of 25 degrees, read from a curve, is where it
+passes 25 degrees for the first time.
 """
 
 from pathlib import Path
@@ -15,6 +17,8 @@ import inside_freecad
 PAPER = {"die": 2606, "wing_main": 20846, "flap": 15334}
 PAPER_ANGLE = 25.0
 RULES = {"circumcentre": "paper", "off-centre": "off-centre"}  # by their names in the core
+ORDERS = {"one by one": 1, "rounds": 0}  # sites in a round
+COLOURS = {"circumcentre": "#c2452d", "off-centre": "#3667a6"}
 TINY = 0.01  # degrees; smaller falls are not counted
 
 
@@ -25,7 +29,7 @@ def parser():
     return result
 
 
-def history(shape, angle, rule):
+def history(shape, angle, rule, order):
     """(numbers of triangles, smallest angles) and the mesh in the core's memory."""
     from MeshQuality.compat import extension
 
@@ -33,6 +37,7 @@ def history(shape, angle, rule):
     options = core.TriangulateOptions()
     options.min_angle = angle
     options.insertion = RULES[rule]
+    options.sites_in_round = ORDERS[order]
     options.record_angles = True
     surface = core.triangulate(shape, options)
     return (*surface.angle_history, surface)
@@ -52,44 +57,43 @@ def row(triangles, angles):
 
 
 def draw(curves, angle, path):
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+    """A row of panels for each rule, in the paper's order."""
+    from papers import _pictures
 
-    figure = Figure(figsize=(12.0, 3.6), dpi=80, layout="tight")
-    FigureCanvasAgg(figure)
-    for axes, name in zip(figure.subplots(1, len(PAPER)), PAPER):
-        for rule, colour in (("circumcentre", "#c2452d"), ("off-centre", "#3667a6")):
-            triangles, angles, found = curves[name, rule]
-            label = f"{rule}: {found['at_25']:,} at 25" if found["at_25"] else rule
-            axes.plot(triangles, angles, color=colour, linewidth=0.6, label=label)
+    figure, panels = _pictures.figure_of([[f"{name}, {rule}" for name in PAPER] for rule in RULES], (12.0, 6.0))
+    for title, axes in panels.items():
+        name, _, rule = title.partition(", ")
+        triangles, angles, found = curves[name, rule, "one by one"]
+        axes.plot(triangles, angles, color=COLOURS[rule], linewidth=0.5)
         axes.axhline(PAPER_ANGLE, color="0.4", linewidth=0.8, linestyle="--")
         axes.set_ylim(0.0, angle + 1.0)
         axes.set_xlim(left=0.0)
-        axes.set_title(f"{name} (the paper's part: {PAPER[name]:,} at 25)", fontsize=9)
+        axes.set_title(f"{title}: 25 degrees first at {found['at_25']:,}", fontsize=9)
         axes.set_xlabel("triangles", fontsize=8)
         axes.set_ylabel("smallest angle, degrees", fontsize=8)
         axes.tick_params(labelsize=7)
-        axes.legend(fontsize=8, loc="lower right")
-    figure.savefig(path)
-    print(f"written: {path}", flush=True)
+    _pictures.save(figure, path)
 
 
 def work(arguments):
     import parts
 
-    print(f"{'part':<10} {'rule':<13} {'initial':>8} {'at 25':>8} {'at end':>8} {'smallest':>9} "
+    print(f"{'part':<10} {'rule':<13} {'order':<11} {'bound':>6} {'initial':>8} {'at 25':>8} {'at end':>8} {'smallest':>9} "
           f"{'insertions':>11} {'rises':>6} {'falls':>6} {'largest fall':>13}")
     curves, rows = {}, []
     for name in PAPER:
         shape = parts.ALL[name]()
         for rule in RULES:
-            triangles, angles, surface = history(shape, arguments.angle, rule)
-            found = {"part": name, "rule": rule, "exempt": len(surface.report.exempt), **row(triangles, angles)}
-            curves[name, rule] = (triangles, angles, found)
-            rows.append(found)
-            print(f"{name:<10} {rule:<13} {found['first']:8,} {found['at_25'] or 0:8,} {found['last']:8,} "
-                  f"{found['smallest_at_last']:9.3f} {found['insertions']:11,} {found['rises']:6,} {found['falls']:6,} "
-                  f"{found['largest_fall']:13.2f}", flush=True)
+            for order in ORDERS:
+                for bound in (PAPER_ANGLE, arguments.angle):
+                    triangles, angles, surface = history(shape, bound, rule, order)
+                    found = {"part": name, "rule": rule, "order": order, "bound": bound,
+                             "exempt": len(surface.report.exempt), **row(triangles, angles)}
+                    curves[name, rule, order] = (triangles, angles, found)  # of the larger bound, at last
+                    rows.append(found)
+                    print(f"{name:<10} {rule:<13} {order:<11} {bound:6.0f} {found['first']:8,} {found['at_25'] or 0:8,} "
+                          f"{found['last']:8,} {found['smallest_at_last']:9.3f} {found['insertions']:11,} "
+                          f"{found['rises']:6,} {found['falls']:6,} {found['largest_fall']:13.2f}", flush=True)
     draw(curves, arguments.angle, Path(arguments.out_dir) / "aftosmis_evolution.png")
     return {"rows": rows}
 
