@@ -627,6 +627,10 @@
         <source>What the faces of the sources were like when the patches were last right: their kinds, areas and centres</source>
         <translation>Wie die Flächen der Quellen waren, als die Patches zuletzt stimmten: Arten, Inhalte und Mittelpunkte</translation>
     </message>
+    <message>
+        <source>How curves and surfaces are evaluated: fast by formulas and polynomial pieces, native by OpenCASCADE alone, which takes longer</source>
+        <translation>Wie Kurven und Flächen ausgewertet werden: fast durch Formeln und Polynomstücke, native nur durch OpenCASCADE, was länger dauert</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2877,6 +2881,22 @@
     <message>
         <source>proving the distance</source>
         <translation>den Abstand beweisen</translation>
+    </message>
+    <message>
+        <source>Evaluation</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>How curves and surfaces are evaluated: fast by formulas and polynomial pieces, native by OpenCASCADE alone, which takes longer</source>
+        <translation>Wie Kurven und Flächen ausgewertet werden: fast durch Formeln und Polynomstücke, native nur durch OpenCASCADE, was länger dauert</translation>
+    </message>
+    <message>
+        <source>by OpenCASCADE alone</source>
+        <translation>nur durch OpenCASCADE</translation>
+    </message>
+    <message>
+        <source>fast</source>
+        <translation>schnell</translation>
     </message>
 </context>
 <context>

@@ -157,13 +157,17 @@ class Comparisons(unittest.TestCase):
     def test_native_evaluation(self):
         for name in ("flap", "die"):
             shape = parts.ALL[name]()
-            ours, native = (core_surface(shape, evaluation=evaluation, chord_height_relative=1e-3)
+            ours, native = (mq.triangulate(shape, evaluation=evaluation, chord_height_relative=1e-3)
                             for evaluation in ("fast", "native"))
             self.check(shape, native)
             self.assertLessEqual(native.report.max_chord_height, native.report.chord_height_asked)
             self.assertEqual(len(native.report.exempt), len(ours.report.exempt))
             self.assertAlmostEqual(native.report.volume / ours.report.volume, 1.0, delta=5e-3)
 
-    def test_unknown_evaluation(self):
-        with self.assertRaisesRegex(mq.InvalidInput, "evaluation is 'other'.*'fast', 'native'"):
-            core_surface(parts.ALL["die"](), evaluation="other")
+    def test_the_cache_tells_evaluations_apart(self):
+        shape, cache = parts.ALL["flap"](), mq.MeshCache()
+        ours = mq.triangulate(shape, chord_height="none", cache=cache)
+        native = mq.triangulate(shape, chord_height="none", cache=cache, evaluation="native")
+        self.assertEqual((ours.report.reused_faces, native.report.reused_faces), (0, 0))
+        self.assertEqual(native.vertices.tobytes(),
+                         mq.triangulate(shape, chord_height="none", evaluation="native").vertices.tobytes())

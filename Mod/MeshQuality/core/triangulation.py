@@ -16,7 +16,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True,
-                imprint=False, patches=None, patch_rest=None):
+                imprint=False, evaluation="fast", patches=None, patch_rest=None):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -45,6 +45,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
     imprint                solids that share an area get the same triangles on both sides; see report.contacts
+    evaluation             "fast": curves and surfaces by formulas and polynomial pieces; "native": by OpenCASCADE
+                           alone, as in Aftosmis 1999. Bounds are the same, vertices differ in their last digits
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
                            the faces' parameters ("parametric")
@@ -68,6 +70,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "connectivity": connectivity, "refine_samples": refine_samples, "seed": seed,
         "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth_rate": growth_rate,
         "keep_edges": keep_edges, "feature_angle": feature_angle, "sew": sew, "imprint": imprint,
+        "evaluation": evaluation,
     })
     options.require_callable(progress)
     return _meshed(shape, values, progress, cache, division_for(shape, patches, patch_rest))
