@@ -108,7 +108,7 @@ std::shared_ptr<triangulate::Result> straight_of(const CurvedMesh& mesh) {
     if (mesh.straight.triangles.empty()) {
         return nullptr;
     }
-    return std::make_shared<triangulate::Result>(triangulate::Result{mesh.straight, mesh.report.straight, {}});
+    return std::make_shared<triangulate::Result>(triangulate::Result{mesh.straight, mesh.report.straight});
 }
 
 void write(const CurvedMesh& mesh, const std::string& path, const std::string& format, const Names& names,

@@ -15,7 +15,7 @@ struct Result {
     mesh::MeshReport report;
     /// The state before Algorithm M begins, after each vertex that it inserts, and when it ends for the first time;
     /// empty unless TriangulateOptions::record_angles.
-    std::vector<AngleHistory::Entry> angle_history;
+    std::vector<AngleHistory::Entry> angle_history{};
 };
 
 }  // namespace mq::triangulate
