@@ -17,6 +17,7 @@ METHODS = ("refine", "star", "sprinkle")
 CONNECTIVITIES = ("pseudo-delaunay", "parametric")
 INSERTIONS = ("off-centre", "circumcentre")
 KEPT_EDGES = ("all", "feature")
+EVALUATIONS = ("fast", "native")
 OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
 BOOLEAN_METHODS = ("default", "exact", "uniform")
 
@@ -312,6 +313,10 @@ TRIANGULATE = (
            help="Join faces that belong to no shell, as those of most IGES files, where their borders lie "
                 "together; the report says how far apart they were"),
     _imprint("Mesh"),
+    Option("evaluation", str, "fast", choices=EVALUATIONS, title="Evaluation", rare=True,
+           choice_titles=("fast", "by OpenCASCADE alone"),
+           help="How curves and surfaces are evaluated: fast by formulas and polynomial pieces, native by "
+                "OpenCASCADE alone, which takes longer"),
     Option("connectivity", str, "pseudo-delaunay", choices=CONNECTIVITIES, group="Sampling",
            title="Connect samples", rare=True, only_with=_SAMPLED,
            choice_titles=("in space", "in face parameters"),

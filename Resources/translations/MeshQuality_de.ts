@@ -631,6 +631,10 @@
         <source>Make the whole surface anew from the samples, so that no triangle of the operands stays; only with method uniform</source>
         <translation>Bildet die ganze Oberfläche neu aus den Abtastpunkten, so dass kein Dreieck der Körper bleibt; nur beim Abtasten</translation>
     </message>
+    <message>
+        <source>How curves and surfaces are evaluated: fast by formulas and polynomial pieces, native by OpenCASCADE alone, which takes longer</source>
+        <translation>Wie Kurven und Flächen ausgewertet werden: fast durch Formeln und Polynomstücke, native nur durch OpenCASCADE, was länger dauert</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2893,6 +2897,22 @@
     <message>
         <source>Reconstruct everything</source>
         <translation>Alles neu bilden</translation>
+    </message>
+    <message>
+        <source>Evaluation</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>How curves and surfaces are evaluated: fast by formulas and polynomial pieces, native by OpenCASCADE alone, which takes longer</source>
+        <translation>Wie Kurven und Flächen ausgewertet werden: fast durch Formeln und Polynomstücke, native nur durch OpenCASCADE, was länger dauert</translation>
+    </message>
+    <message>
+        <source>by OpenCASCADE alone</source>
+        <translation>nur durch OpenCASCADE</translation>
+    </message>
+    <message>
+        <source>fast</source>
+        <translation>schnell</translation>
     </message>
 </context>
 <context>

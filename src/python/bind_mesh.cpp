@@ -104,6 +104,18 @@ py::tuple triangle_shapes(const Surface& surface) {
     return py::make_tuple(angles, aspects, distortions);
 }
 
+/// (int64 (n,), float64 (n,)): numbers of triangles, and the smallest angle with each in degrees.
+py::tuple angle_history(const Surface& surface) {
+    const auto count = static_cast<py::ssize_t>(surface.angle_history.size());
+    py::array_t<std::int64_t> triangles(count);
+    py::array_t<double> angles(count);
+    for (py::ssize_t i = 0; i < count; ++i) {
+        triangles.mutable_at(i) = static_cast<std::int64_t>(surface.angle_history[i].triangles);
+        angles.mutable_at(i) = surface.angle_history[i].min_angle;
+    }
+    return py::make_tuple(triangles, angles);
+}
+
 /// (float32 (n, 3, 3), int32 (T,)): the coarse triangles, and for each fine triangle the coarse one that represents it,
 /// or -1.
 py::tuple clustered(const py::array_t<float, py::array::c_style | py::array::forcecast>& corners, std::size_t wanted) {
@@ -204,6 +216,10 @@ void bind_measures(ReportClass& report) {
         .def_readonly("max_angle", &MeshReport::max_angle, "largest angle of all triangles")
         .def_readonly("mean_min_angle", &MeshReport::mean_min_angle, "mean of the triangles' smallest angles")
         .def_readonly("max_aspect", &MeshReport::max_aspect, "longest edge / shortest edge of one triangle")
+        .def_readonly("max_stretching", &MeshReport::max_stretching,
+                      "largest ratio of the longest edges of two triangles with a common edge: how fast the size "
+                      "changes; 0 for a mesh without such")
+        .def_readonly("max_degree", &MeshReport::max_degree, "largest number of edges at a vertex")
         .def_readonly("angle_histogram", &MeshReport::angle_histogram,
                       "smallest angle of each triangle, 60 bins of one degree")
         .def_readonly("area", &MeshReport::area, "mm^2")
@@ -290,6 +306,20 @@ void bind_report(py::module_& m) {
     bind_course(report);
 }
 
+void bind_mesh_functions(py::module_& m) {
+    m.def(
+        "triangle_shapes", &triangle_shapes, py::arg("surface"),
+        "float64 (T,) each: the smallest angle of each triangle in degrees, its longest edge / shortest edge, and its "
+        "distortion: 1 for 60 degrees everywhere.");
+    m.def("clustered", &clustered, py::arg("corners"), py::arg("wanted"),
+          "(float32 (n, 3, 3), int32 (T,)): about `wanted` triangles that look like float32 (T, 3, 3) from afar, and "
+          "which "
+          "of them stands for each of those, or -1.");
+    m.def("surface_from_arrays", &surface_from_arrays, py::arg("vertices"), py::arg("triangles"),
+          py::arg("triangle_face") = py::array_t<std::int32_t>(0), py::arg("measured") = true,
+          "A Surface of arrays (V, 3) and (T, 3).");
+}
+
 }  // namespace
 
 void bind_mesh(py::module_& m) {
@@ -329,6 +359,9 @@ void bind_mesh(py::module_& m) {
                                })
         .def_property_readonly("origin", [](const Surface& self) { return point(self.mesh.origin); })
         .def_readonly("report", &Surface::report)
+        .def_property_readonly("angle_history", &angle_history,
+                               "(int64 (n,), float64 (n,)): numbers of triangles, and the smallest angle with each in "
+                               "degrees, while Algorithm M ran; of TriangulateOptions.record_angles")
         .def("write", &write_surface, py::arg("path"), py::arg("format"), py::arg("names"), py::arg("colours"),
              py::arg("patch"), py::arg("given"), py::arg("scale"), py::arg("ascii"),
              "Writes the mesh in a format of src/mesh/io; `patch` has the number of each triangle's patch in `names`.")
@@ -340,17 +373,7 @@ void bind_mesh(py::module_& m) {
             }
             return py::bytes(bms);
         });
-    m.def(
-        "triangle_shapes", &triangle_shapes, py::arg("surface"),
-        "float64 (T,) each: the smallest angle of each triangle in degrees, its longest edge / shortest edge, and its "
-        "distortion: 1 for 60 degrees everywhere.");
-    m.def("clustered", &clustered, py::arg("corners"), py::arg("wanted"),
-          "(float32 (n, 3, 3), int32 (T,)): about `wanted` triangles that look like float32 (T, 3, 3) from afar, and "
-          "which "
-          "of them stands for each of those, or -1.");
-    m.def("surface_from_arrays", &surface_from_arrays, py::arg("vertices"), py::arg("triangles"),
-          py::arg("triangle_face") = py::array_t<std::int32_t>(0), py::arg("measured") = true,
-          "A Surface of arrays (V, 3) and (T, 3).");
+    bind_mesh_functions(m);
 }
 
 }  // namespace mq::python

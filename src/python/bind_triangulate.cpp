@@ -68,6 +68,9 @@ const Names<triangulate::Method> kMethods{{triangulate::Method::Refine, "refine"
 const Names<triangulate::Connectivity> kConnectivities{{triangulate::Connectivity::PseudoDelaunay, "pseudo-delaunay"},
                                                        {triangulate::Connectivity::Parametric, "parametric"}};
 
+const Names<geometry::Evaluation> kEvaluations{{geometry::Evaluation::Fast, "fast"},
+                                               {geometry::Evaluation::Native, "native"}};
+
 /// Reads and writes an enumeration by its names.
 template <typename Value>
 void def_named(py::class_<TriangulateOptions>& options, const char* name, Value TriangulateOptions::*member,
@@ -135,10 +138,13 @@ void bind_triangulate(py::module_& m) {
         .def_readwrite("sew", &TriangulateOptions::sew)
         .def_readwrite("imprint", &TriangulateOptions::imprint)
         .def_readwrite("polish", &TriangulateOptions::polish)
+        .def_readwrite("sites_in_round", &TriangulateOptions::sites_in_round)
+        .def_readwrite("record_angles", &TriangulateOptions::record_angles)
         .def_readwrite("seed", &TriangulateOptions::seed);
     def_named(options, "insertion", &TriangulateOptions::insertion, kInsertions);
     def_named(options, "keep_edges", &TriangulateOptions::keep_edges, kKeepEdges);
     def_named(options, "method", &TriangulateOptions::method, kMethods);
+    def_named(options, "evaluation", &TriangulateOptions::evaluation, kEvaluations);
     def_named(options, "connectivity", &TriangulateOptions::connectivity, kConnectivities);
     using triangulate::MeshCache;
     py::class_<MeshCache, std::shared_ptr<MeshCache>>(m, "MeshCache",

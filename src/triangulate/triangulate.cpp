@@ -130,6 +130,17 @@ void refine_where_faces_cross(Workspace& work, IntersectionRefinement& crossings
     }
 }
 
+// The first run of Algorithm M.
+void refine_angles(Workspace& work, AngleRefinement& refiner, const TriangulateOptions& options) {
+    if (options.record_angles) {
+        work.angle_history.start();
+    }
+    work.angle_history.record(work);
+    refiner.run();
+    work.angle_history.record(work);  // triangles may have been exempted since the last vertex
+    work.angle_history.stop();
+}
+
 // @return what was done about smooth edges, for the report
 std::string refine(Workspace& work, MeasurementCache& findings, const TriangulateOptions& options, double chord,
                    StageMeshes& clock) {
@@ -142,8 +153,8 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
     const double middle = first_share(options) + 0.34 * (0.9 - first_share(options));
     const Sizing sizing = sizing_of(options, chord, work.session.topology());
     work.progress.stage("refining angles", first_share(options), sizing.any() ? middle : 0.8);
-    AngleRefinement refiner(work, segments, options.min_angle, options.insertion, chord);
-    refiner.run();
+    AngleRefinement refiner(work, segments, options.min_angle, options.insertion, chord, options.sites_in_round);
+    refine_angles(work, refiner, options);
     clock.end("angles");
     ChordRefinement chords(work, segments, findings.chords, sizing);
     const auto refine_chords = [&] {
@@ -369,6 +380,7 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     Result result;
     result.report = final_report(work, findings, out, options, task.chord);
     result.mesh = std::move(out.mesh);
+    result.angle_history = work.angle_history.entries();
     result.report.reused_faces = recall != nullptr ? count(recall->kept(surface), topology) : 0;
     add_note(result.report, released);
     report_first(first, topology, options, result.report);

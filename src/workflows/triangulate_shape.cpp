@@ -58,7 +58,9 @@ Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
     progress.stage("reading the shape", 0.0, 0.0);
     const geometry::VirtualTopology join{[&](const Box& box) { return options.detail_of(box); }, options.sew,
                                          options.imprint};
-    engine.run([&] { model = geometry::make_shape_model(shape, &progress, geometry::Creases::Cut, join); }, &progress);
+    engine.run(
+        [&] { model = geometry::make_shape_model(shape, &progress, geometry::Creases::Cut, join, options.evaluation); },
+        &progress);
     const double reading = watch_all.wall();
     Result result = triangulate::triangulate(engine, model, options, &progress, cache);
     result.report.seconds.insert(result.report.seconds.begin(), {"read the shape", reading});

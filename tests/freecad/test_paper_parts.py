@@ -8,6 +8,7 @@ import numpy as np
 import parts
 
 import MeshQuality as mq
+from MeshQuality.compat import extension
 
 MIN_ANGLE = 25.0
 PARTS = ("die", "wing_main", "flap")
@@ -98,3 +99,75 @@ class PaperParts(unittest.TestCase):
         for name in PARTS:
             self.assertLessEqual(len(self.meshes[name, "off-centre"].triangles),
                                  len(self.meshes[name, "circumcentre"].triangles), name)
+
+
+def core_surface(shape, **values):
+    """A mesh of the core by options that only comparisons with the paper need."""
+    options = extension().TriangulateOptions()
+    for name, value in values.items():
+        setattr(options, name, value)
+    return extension().triangulate(shape, options)
+
+
+class History(unittest.TestCase):
+    """The smallest angle while Algorithm M runs, as in figure 7."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.surfaces = {record: core_surface(parts.ALL["die"](), insertion="paper", record_angles=record)
+                        for record in (False, True)}
+        cls.counts, cls.angles = cls.surfaces[True].angle_history
+
+    def test_the_mesh_is_the_same(self):
+        plain, recorded = self.surfaces[False], self.surfaces[True]
+        self.assertEqual(recorded.vertices.tobytes(), plain.vertices.tobytes())
+        self.assertEqual(recorded.triangles.tobytes(), plain.triangles.tobytes())
+        self.assertEqual(len(plain.angle_history[0]), 0)
+
+    def test_ends_at_the_mesh(self):
+        report = self.surfaces[True].report
+        self.assertEqual(self.counts[-1], report.triangles)
+        self.assertAlmostEqual(self.angles[-1], report.min_angle, places=9)
+
+    def test_rises_with_spikes_downward(self):
+        self.assertLess(self.angles[0], 10.0)
+        self.assertGreaterEqual(self.angles[-1], MIN_ANGLE)
+        self.assertTrue((np.diff(self.angles) < 0.0).any())
+        self.assertTrue((np.diff(self.counts) >= 0).all(), "a vertex that is inserted adds triangles")
+
+
+class Comparisons(unittest.TestCase):
+    """The paper's order and the modeler's own evaluation keep the same promises."""
+
+    def check(self, shape, surface):
+        report = surface.report
+        self.assertTrue(report.closed and report.oriented and report.manifold and report.complete, str(report))
+        self.assertGreaterEqual(report.min_angle_unexempted, MIN_ANGLE)
+        self.assertEqual(report.euler, 2)
+        self.assertLess(abs(report.volume / shape.Volume - 1.0), 0.05)
+
+    def test_one_vertex_after_the_other(self):
+        shape = parts.ALL["die"]()
+        surface = core_surface(shape, insertion="paper", sites_in_round=1, record_angles=True)
+        self.check(shape, surface)
+        angles = surface.angle_history[1]
+        above = np.flatnonzero(angles >= MIN_ANGLE)
+        self.assertGreaterEqual(above[0], len(angles) - 2, "it goes on although all angles are large enough")
+
+    def test_native_evaluation(self):
+        for name in ("flap", "die"):
+            shape = parts.ALL[name]()
+            ours, native = (mq.triangulate(shape, evaluation=evaluation, chord_height_relative=1e-3)
+                            for evaluation in ("fast", "native"))
+            self.check(shape, native)
+            self.assertLessEqual(native.report.max_chord_height, native.report.chord_height_asked)
+            self.assertEqual(len(native.report.exempt), len(ours.report.exempt))
+            self.assertAlmostEqual(native.report.volume / ours.report.volume, 1.0, delta=5e-3)
+
+    def test_the_cache_tells_evaluations_apart(self):
+        shape, cache = parts.ALL["flap"](), mq.MeshCache()
+        ours = mq.triangulate(shape, chord_height="none", cache=cache)
+        native = mq.triangulate(shape, chord_height="none", cache=cache, evaluation="native")
+        self.assertEqual((ours.report.reused_faces, native.report.reused_faces), (0, 0))
+        self.assertEqual(native.vertices.tobytes(),
+                         mq.triangulate(shape, chord_height="none", evaluation="native").vertices.tobytes())

@@ -433,6 +433,7 @@ class Options(unittest.TestCase):
     def test_insertion(self):
         self.refused("insertion", "'foo'", "off-centre, circumcentre", insertion="foo")
         self.refused("insertion", "None", insertion=None)
+        self.refused("evaluation", "'own'", "fast, native", evaluation="own")
         shape = Part.makeTorus(10, 3)
         default, chosen, paper = (
             mq.triangulate(shape, **options) for options in

@@ -11,12 +11,11 @@ from .surface_mesh import SurfaceMesh
 
 
 @options.takes_aliases(options.TRIANGULATE, memory="cache")
-def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None,
-                max_edge=None, min_edge=None, method="refine", max_triangles=None,
-                progress=None, insertion="off-centre", allow_missing_faces=False,
+def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None, max_edge=None, min_edge=None,
+                method="refine", max_triangles=None, progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True,
-                imprint=False, patches=None, patch_rest=None):
+                imprint=False, evaluation="fast", patches=None, patch_rest=None):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -45,6 +44,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
     imprint                solids that share an area get the same triangles on both sides; see report.contacts
+    evaluation             of curves and surfaces: "fast" by formulas and polynomial pieces; "native" by OpenCASCADE alone
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
                            the faces' parameters ("parametric")
@@ -61,13 +61,12 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
     """
     values = options.check(options.TRIANGULATE, {
-        "min_angle": min_angle, "chord_height": chord_height,
-        "chord_height_relative": chord_height_relative, "max_edge": max_edge,
-        "min_edge": min_edge, "method": method, "insertion": insertion,
-        "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces,
-        "connectivity": connectivity, "refine_samples": refine_samples, "seed": seed,
-        "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth_rate": growth_rate,
-        "keep_edges": keep_edges, "feature_angle": feature_angle, "sew": sew, "imprint": imprint,
+        "min_angle": min_angle, "chord_height": chord_height, "chord_height_relative": chord_height_relative,
+        "max_edge": max_edge, "min_edge": min_edge, "method": method, "insertion": insertion,
+        "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces, "connectivity": connectivity,
+        "refine_samples": refine_samples, "seed": seed, "local_sizes": local_sizes,
+        "edges_per_circle": edges_per_circle, "growth_rate": growth_rate, "keep_edges": keep_edges,
+        "feature_angle": feature_angle, "sew": sew, "imprint": imprint, "evaluation": evaluation,
     })
     options.require_callable(progress)
     return _meshed(shape, values, progress, cache, division_for(shape, patches, patch_rest))

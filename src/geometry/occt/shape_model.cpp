@@ -59,7 +59,8 @@ Box box_of(const TopoDS_Shape& shape) {
 /// at a time: what they share is only read.
 class ShapeAnswerer final : public Answerer {
   public:
-    ShapeAnswerer(const ShapeMap& live, const Topology& topology) : live_(live), topology_(topology) {}
+    ShapeAnswerer(const ShapeMap& live, const Topology& topology, Evaluation evaluation)
+        : live_(live), topology_(topology), evaluation_(evaluation) {}
     Answer answer(const Query& query) noexcept override;
     FaceEvaluator& face(int index);
     /// Drops the evaluators of entities that have changed.
@@ -79,6 +80,7 @@ class ShapeAnswerer final : public Answerer {
 
     const ShapeMap& live_;
     const Topology& topology_;
+    Evaluation evaluation_;
     std::vector<std::unique_ptr<EdgeEvaluator>> edges_;
     std::vector<std::unique_ptr<FaceEvaluator>> faces_;
     std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers_;
@@ -86,7 +88,8 @@ class ShapeAnswerer final : public Answerer {
 
 class ShapeModel final : public Model {
   public:
-    ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join, const Progress* progress);
+    ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join, Evaluation evaluation,
+               const Progress* progress);
     Answer answer(const Query& query) noexcept override { return first_.answer(query); }
     Answerer* answerer(int thread) override;
     std::optional<ElementarySurface> elementary_surface(int index) override { return first_.face(index).elementary(); }
@@ -99,7 +102,8 @@ class ShapeModel final : public Model {
 
     ShapeMap live_;
     GeometryFingerprint definitions_;
-    ShapeAnswerer first_{live_, topology_};
+    Evaluation evaluation_;
+    ShapeAnswerer first_;
     std::vector<std::unique_ptr<ShapeAnswerer>> further_;
 };
 
@@ -113,9 +117,9 @@ Item& reached(std::vector<Item>& list, int index) {
     return list[i];
 }
 
-ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join,
+ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join, Evaluation evaluation,
                        const Progress* progress)
-    : definitions_(shape) {
+    : definitions_(shape), evaluation_(evaluation), first_(live_, topology_, evaluation) {
     place_ = definitions_.place();
     std::vector<std::string> failures;
     read_topology(shape, creases, join, failures, progress);
@@ -168,7 +172,7 @@ Answerer* ShapeModel::answerer(int thread) {
     }
     std::unique_ptr<ShapeAnswerer>& further = reached(further_, thread - 1);
     if (!further) {
-        further = std::make_unique<ShapeAnswerer>(live_, topology_);
+        further = std::make_unique<ShapeAnswerer>(live_, topology_, evaluation_);
     }
     return further.get();
 }
@@ -192,7 +196,7 @@ EdgeEvaluator& ShapeAnswerer::edge(int index) {
     const auto i = static_cast<std::size_t>(index);
     std::unique_ptr<EdgeEvaluator>& evaluator = reached(edges_, index);
     if (!evaluator) {
-        evaluator = std::make_unique<EdgeEvaluator>(live_.edges[i], topology_.edges[i]);
+        evaluator = std::make_unique<EdgeEvaluator>(live_.edges[i], topology_.edges[i], evaluation_);
     }
     return *evaluator;
 }
@@ -201,7 +205,7 @@ FaceEvaluator& ShapeAnswerer::face(int index) {
     const auto i = static_cast<std::size_t>(index);
     std::unique_ptr<FaceEvaluator>& evaluator = reached(faces_, index);
     if (!evaluator) {
-        evaluator = std::make_unique<FaceEvaluator>(live_.faces[i], topology_.faces[i]);
+        evaluator = std::make_unique<FaceEvaluator>(live_.faces[i], topology_.faces[i], evaluation_);
     }
     return *evaluator;
 }
@@ -344,12 +348,12 @@ Answer ShapeAnswerer::volume_contains(int index, const Vec3& point) {
 }  // namespace
 
 std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress, Creases creases,
-                                        const VirtualTopology& join) {
+                                        const VirtualTopology& join, Evaluation evaluation) {
     if (shape.IsNull()) {
         throw InvalidInput("The shape is null. Recompute the object, or select one that has a shape.");
     }
     try {
-        auto model = std::make_shared<ShapeModel>(shape, creases, join, progress);
+        auto model = std::make_shared<ShapeModel>(shape, creases, join, evaluation, progress);
         if (model->topology().faces.empty()) {
             throw InvalidInput(std::string("The shape is a ") + TopAbs::ShapeTypeToString(shape.ShapeType()) +
                                " without faces. Select a part that has at least one face.");

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/progress.h"
+#include "geometry/evaluation.h"
 #include "geometry/model.h"
 
 class TopoDS_Shape;
@@ -34,7 +35,8 @@ struct VirtualTopology {
 /// @throws GeometryError for a face without a surface, naming the face.
 /// @throws Cancelled when `progress` says so.
 std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress = nullptr,
-                                        Creases creases = Creases::Keep, const VirtualTopology& join = {});
+                                        Creases creases = Creases::Keep, const VirtualTopology& join = {},
+                                        Evaluation evaluation = Evaluation::Fast);
 
 /// The version of OpenCASCADE used in this build, "7.6.3".
 const char* occt_version();

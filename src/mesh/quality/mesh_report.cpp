@@ -90,6 +90,26 @@ void measure_fans(const TriangleMesh& mesh, std::size_t edges, Sets& fans, Sets&
     report.euler = used - static_cast<long>(edges) + faces;
 }
 
+/// By triangle.
+std::vector<double> squared_longest_edges(const TriangleMesh& mesh) {
+    std::vector<double> longest;
+    longest.reserve(mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3& a = mesh.vertices[t[0]];
+        const Vec3& b = mesh.vertices[t[1]];
+        const Vec3& c = mesh.vertices[t[2]];
+        longest.push_back(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+    }
+    return longest;
+}
+
+/// Largest ratio of the longest edges of triangles that share an edge, squared.
+double squared_stretching(const std::vector<double>& longest, const std::uint32_t* first, const std::uint32_t* last) {
+    const auto [least, most] = std::minmax_element(
+        first, last, [&](std::uint32_t a, std::uint32_t b) { return longest[a / 3] < longest[b / 3]; });
+    return longest[*most / 3] / longest[*least / 3];
+}
+
 void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
     CancelPace pace(progress);
     const EdgeTable table(mesh.triangles, mesh.vertices.size());
@@ -97,9 +117,13 @@ void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progre
     Sets fans(3 * mesh.triangles.size());
     Sets bodies(mesh.triangles.size());
     std::vector<std::int32_t> opposite;
+    std::vector<std::size_t> degrees(mesh.vertices.size(), 0);
+    const std::vector<double> longest = squared_longest_edges(mesh);
+    double stretching = 0.0;
     std::size_t edges = 0;
     table.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
         ++edges;
+        report.max_degree = std::max({report.max_degree, ++degrees[low], ++degrees[high]});
         pace.step();
         const auto count = last - first;
         if (count == 1) {
@@ -108,6 +132,7 @@ void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progre
         }
         const auto forward =
             std::count_if(first, last, [&](std::uint32_t c) { return mesh.triangles[c / 3][c % 3] == low; });
+        stretching = std::max(stretching, squared_stretching(longest, first, last));
         report.nonmanifold_edges += count > 2;
         report.misoriented_edges += count != 2 || forward != 1;
         report.duplicate_triangles += duplicates_at(mesh, high, first, last, opposite);
@@ -116,6 +141,7 @@ void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progre
         }
         unite_fans(mesh, low, first, last, fans);
     });
+    report.max_stretching = std::sqrt(stretching);
     check_cancelled(progress);
     measure_fans(mesh, edges, fans, bodies, report);
 }
@@ -236,7 +262,11 @@ std::string to_text(const MeshReport& r) {
                      counted(r.exempt.size(), "triangle").c_str(), r.min_angle_unexempted);
     }
     text += exemptions_text(r);
-    text += line("aspect       at most %.3f (longest to shortest edge)", r.max_aspect);
+    text += line(
+        "aspect       at most %.3f (longest to shortest edge); stretching at most %.3f (longest edges of "
+        "neighbours)",
+        r.max_aspect, r.max_stretching);
+    text += line("degree       at most %s at a vertex", counted(r.max_degree, "edge").c_str());
     if (r.max_chord_height >= 0.0) {
         text += distance_text(r);
         if (r.max_chord_triangle >= 0) {

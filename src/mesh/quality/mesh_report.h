@@ -44,8 +44,11 @@ struct MeshReport {
     long euler = 0;  ///< V - E + F
     double min_angle = 0.0;
     double max_angle = 0.0;
-    double mean_min_angle = 0.0;                    ///< mean over the triangles of their smallest angle
-    double max_aspect = 0.0;                        ///< longest edge / shortest edge of one triangle
+    double mean_min_angle = 0.0;  ///< mean over the triangles of their smallest angle
+    double max_aspect = 0.0;      ///< longest edge / shortest edge of one triangle
+    /// Largest ratio of the longest edges of two triangles with a common edge: how fast the size changes.
+    double max_stretching = 0.0;
+    std::size_t max_degree = 0;                     ///< largest number of edges at a vertex
     std::array<std::size_t, 60> angle_histogram{};  ///< smallest angle of each triangle, one bin a degree
     double area = 0.0;
     double volume = 0.0;  ///< signed volume, mm^3; for closed meshes only

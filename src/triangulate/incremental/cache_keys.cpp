@@ -37,11 +37,13 @@ void add_options(const TriangulateOptions& o, Fingerprint& key) {
     for (const int choice :
          {static_cast<int>(o.insertion), static_cast<int>(o.keep_edges), static_cast<int>(o.allow_missing_faces),
           static_cast<int>(o.sew), static_cast<int>(o.imprint), static_cast<int>(o.method),
-          static_cast<int>(o.connectivity), static_cast<int>(o.polish)}) {
+          static_cast<int>(o.connectivity), static_cast<int>(o.polish), static_cast<int>(o.record_angles),
+          static_cast<int>(o.evaluation)}) {
         add_to(key, choice);
     }
     add_to(key, static_cast<std::uint64_t>(o.budget()));
     add_to(key, o.seed);
+    add_to(key, static_cast<std::uint64_t>(o.sites_in_round));
     for (const LocalSize& size : o.local_sizes) {
         add_to(key, size.dimension);
         add_to(key, size.index);

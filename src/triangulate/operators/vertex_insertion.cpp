@@ -246,6 +246,7 @@ std::optional<Cause> insert_vertex(Workspace& work, int triangle, const SurfaceP
         work.maxmin.swap(g, touched);
     }
     work.maxmin.restore_around(before, touched);
+    work.angle_history.record(work);
     return std::nullopt;
 }
 

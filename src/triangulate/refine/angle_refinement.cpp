@@ -14,12 +14,13 @@
 namespace mq::triangulate {
 
 AngleRefinement::AngleRefinement(Workspace& work, SegmentSplitter& segments, double min_angle_degrees,
-                                 Insertion insertion, double chord_height)
+                                 Insertion insertion, double chord_height, std::size_t sites_in_round)
     : work_(work),
       segments_(segments),
       bound_(min_angle_degrees * kDegree),
       surely_enough_(sine_squared_above(bound_)),
       insertion_(insertion),
+      sites_in_round_(sites_in_round),
       apex_rings_(work, segments, bound_, chord_height),
       turned_(work.settled),
       looked_at_(work.settled) {}
@@ -151,8 +152,10 @@ bool AngleRefinement::refine_round() {
 std::vector<AngleRefinement::Job> AngleRefinement::take_jobs() {
     std::vector<Job> jobs;
     jobs.swap(again_);
-    const std::size_t most = std::clamp<std::size_t>(queue_.size() / RefinementTuning::kSharesOfQueue,
-                                                     RefinementTuning::kMinSites, RefinementTuning::kMaxSites);
+    const std::size_t most = sites_in_round_ > 0
+                                 ? sites_in_round_
+                                 : std::clamp<std::size_t>(queue_.size() / RefinementTuning::kSharesOfQueue,
+                                                           RefinementTuning::kMinSites, RefinementTuning::kMaxSites);
     while (!queue_.empty() && jobs.size() < most) {
         const QueuedTriangle bad = queue_.top();
         queue_.pop();

@@ -24,9 +24,10 @@ namespace mq::triangulate {
 /// has room for a bounded number of vertices; for small input angles, see SegmentSplitter::may_split.
 class AngleRefinement {
   public:
-    /// `chord_height` (mm, 0: none): chord tolerance of the refinement that follows, see ApexRings.
+    /// `chord_height` (mm, 0: none): chord tolerance of the refinement that follows, see ApexRings. `sites_in_round`:
+    /// see TriangulateOptions.
     AngleRefinement(Workspace& work, SegmentSplitter& segments, double min_angle_degrees, Insertion insertion,
-                    double chord_height = 0.0);
+                    double chord_height = 0.0, std::size_t sites_in_round = 0);
 
     void run();  ///< without a bound on angles it does nothing
 
@@ -79,6 +80,7 @@ class AngleRefinement {
     double bound_;          // radians
     double surely_enough_;  // squared sine that surely exceeds the bound
     Insertion insertion_;
+    std::size_t sites_in_round_;
     ApexRings apex_rings_;
     std::priority_queue<QueuedTriangle> queue_;
     std::map<int, int> sharpened_;  // by vertex: number of times the chords at a small input angle were halved

@@ -344,6 +344,7 @@ void SegmentSplitter::insert(int segment, double t, const Vec3& point, const Ans
         }
     }
     work_.maxmin.restore_around(before, touched);
+    work_.angle_history.record(work_);
 }
 
 }  // namespace mq::triangulate

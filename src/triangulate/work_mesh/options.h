@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "geometry/evaluation.h"
 #include "triangulate/work_mesh/size_bounds.h"
 
 namespace mq::triangulate {
@@ -53,6 +54,12 @@ struct TriangulateOptions {
     bool sew = true;                   ///< join faces without a shell where their borders lie together
     bool imprint = false;              ///< the same triangles on both sides where solids touch
     Method method = Method::Refine;
+
+    // For comparisons with Aftosmis 1999:
+    geometry::Evaluation evaluation = geometry::Evaluation::Fast;  ///< Native: OpenCASCADE alone
+    std::size_t sites_in_round =
+        0;                       ///< new vertices in a round of Algorithm M; 1: one after the other; 0: by the queue
+    bool record_angles = false;  ///< fill Result::angle_history
 
     // For the sampling methods only:
     Connectivity connectivity = Connectivity::PseudoDelaunay;

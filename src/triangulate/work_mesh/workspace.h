@@ -15,6 +15,7 @@
 #include "geometry/cad_samples.h"
 #include "geometry/session.h"
 #include "mesh/quality/exempt_reason.h"
+#include "triangulate/work_mesh/angle_history.h"
 #include "triangulate/work_mesh/classified_mesh.h"
 #include "triangulate/work_mesh/element_marks.h"
 #include "triangulate/work_mesh/maxmin_swaps.h"
@@ -63,6 +64,7 @@ struct Workspace {
     double unseen = 0.0;              ///< mm: normals that turn within a smaller length need not be resolved
     std::size_t left_by_mending = 0;  ///< triangles below the bound when the attempts of mending were used up
     bool refused = false;             ///< whether the budget has refused triangles
+    AngleHistory angle_history{};
 
     std::size_t triangles() const { return static_cast<std::size_t>(mesh.used_triangle_count()); }
     /// Whether the budget has room for that number of further triangles. To be asked before any are added: the first

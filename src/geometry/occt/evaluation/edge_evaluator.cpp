@@ -21,7 +21,8 @@ constexpr double kLengthAccuracy = 1e-9;
 
 }  // namespace
 
-EdgeEvaluator::EdgeEvaluator(const TopoDS_Edge& shape, const Edge& data) : data_(data), t0_(data.t0), t1_(data.t1) {
+EdgeEvaluator::EdgeEvaluator(const TopoDS_Edge& shape, const Edge& data, Evaluation evaluation)
+    : native_(evaluation == Evaluation::Native), data_(data), t0_(data.t0), t1_(data.t1) {
     slack_ = 1e-9 * std::max({std::abs(t0_), std::abs(t1_), t1_ - t0_});
     TopLoc_Location location;
     double first = 0.0;
@@ -33,11 +34,13 @@ EdgeEvaluator::EdgeEvaluator(const TopoDS_Edge& shape, const Edge& data) : data_
         curve_ = new GeomAdaptor_Curve(curve, t0_, t1_);
         location_ = location.Transformation();
         located_ = !location.IsIdentity();
-        if (curve_->GetType() == GeomAbs_BSplineCurve && t0_ < t1_) {
+        if (!native_ && curve_->GetType() == GeomAbs_BSplineCurve && t0_ < t1_) {
             arcs_.emplace(curve_->BSpline(), t0_, t1_);
         }
     }
-    if (curve_->GetType() == GeomAbs_Line) {
+    if (native_) {
+        kind_ = Kind::Other;
+    } else if (curve_->GetType() == GeomAbs_Line) {
         kind_ = Kind::Line;
     } else if (curve_->GetType() == GeomAbs_Circle) {
         kind_ = Kind::Circle;
@@ -151,6 +154,9 @@ double EdgeEvaluator::smooth_arc(double from, double to) const {
 
 /// Arc length from `from` to `to`, mm; negative when `to` comes first.
 double EdgeEvaluator::arc(double from, double to) const {
+    if (native_) {
+        return native_arc(from, to);
+    }
     if (kind_ != Kind::Other) {
         return speed(from) * (to - from);
     }
@@ -203,6 +209,9 @@ Answer EdgeEvaluator::middle(double from, double to) const {
     double t = 0.5 * (low + high);
     if (kind_ != Kind::Other) {
         return at_parameter(t);
+    }
+    if (native_) {
+        return at_parameter(native_middle(low, high));
     }
     const double whole = arc(low, high);
     double rest = 0.5 * whole - arc(low, t);

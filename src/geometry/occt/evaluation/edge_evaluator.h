@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/evaluation.h"
 #include "geometry/occt/evaluation/spline_curve_pieces.h"
 #include "geometry/query.h"
 #include "geometry/topology.h"
@@ -16,7 +17,7 @@ namespace mq::geometry {
 /// Answers for one edge. The curve is evaluated in its own coordinates; points are transformed by the edge's location.
 class EdgeEvaluator {
   public:
-    EdgeEvaluator(const TopoDS_Edge& shape, const Edge& data);
+    EdgeEvaluator(const TopoDS_Edge& shape, const Edge& data, Evaluation evaluation = Evaluation::Fast);
 
     Answer point(double t) const;
     Answer middle(double from, double to) const;
@@ -44,10 +45,14 @@ class EdgeEvaluator {
     double gauss(double from, double to) const;
     double crossing(const Vec3& start, double low, double high, double distance) const;
     bool newton(const Vec3& point, double low, double high, double& t) const;
+    double native_arc(double from, double to) const;
+    double native_middle(double low, double high) const;
+    std::optional<double> native_nearest(const Vec3& point, double guess, double low, double high) const;
     double nearest_sampled(const Vec3& point, double low, double high) const;
     double nearest_on_circle(const Vec3& point, double guess, double low, double high) const;
 
     Handle(Adaptor3d_Curve) curve_;
+    bool native_;  ///< whether OpenCASCADE evaluates, projects and measures lengths
     mutable std::optional<SplineCurvePieces> arcs_;
     gp_Trsf location_;
     bool located_ = false;

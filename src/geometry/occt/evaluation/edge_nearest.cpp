@@ -120,7 +120,10 @@ Answer EdgeEvaluator::nearest(const Vec3& point, double guess, double low, doubl
         local = to_vec(to_pnt(point).Transformed(location_.Inverted()));
     }
     double t = std::clamp(guess, a, b);
-    if (kind_ == Kind::Line) {
+    const std::optional<double> found = native_ ? native_nearest(local, t, a, b) : std::nullopt;
+    if (found) {
+        t = *found;
+    } else if (kind_ == Kind::Line) {
         const gp_Lin line = curve_->Line();
         t = std::clamp(gp_Vec(line.Location(), to_pnt(local)).Dot(gp_Vec(line.Direction())), a, b);
     } else if (kind_ == Kind::Circle) {

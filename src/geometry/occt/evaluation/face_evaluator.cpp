@@ -35,8 +35,12 @@ ElementarySurface with_frame(ElementarySurface::Kind kind, const gp_Ax3& frame) 
 
 }  // namespace
 
-FaceEvaluator::FaceEvaluator(const TopoDS_Face& shape, const Face& data)
-    : shape_(shape), sign_(data.reversed ? -1.0 : 1.0), tolerance_(data.tolerance), period_(data.period) {
+FaceEvaluator::FaceEvaluator(const TopoDS_Face& shape, const Face& data, Evaluation evaluation)
+    : shape_(shape),
+      native_(evaluation == Evaluation::Native),
+      sign_(data.reversed ? -1.0 : 1.0),
+      tolerance_(data.tolerance),
+      period_(data.period) {
     TopLoc_Location location;
     surface_.Load(BRep_Tool::Surface(shape, location));
     location_ = location.Transformation();
@@ -45,7 +49,7 @@ FaceEvaluator::FaceEvaluator(const TopoDS_Face& shape, const Face& data)
     mirrored_ = located_ && mirrors(location_);
     set_bounds(data);
     set_search_box();
-    if (surface_.GetType() == GeomAbs_BSplineSurface) {
+    if (!native_ && surface_.GetType() == GeomAbs_BSplineSurface) {
         patches_.emplace(surface_.BSpline());
         patched_ = patches_->inside();
         for (std::size_t i = 0; i < 2; ++i) {  // on the bounds the adaptor evaluates the side on which the face lies

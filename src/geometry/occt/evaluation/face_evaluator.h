@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/elementary/surface.h"
+#include "geometry/evaluation.h"
 #include "geometry/occt/evaluation/spline_surface_pieces.h"
 #include "geometry/query.h"
 #include "geometry/topology.h"
@@ -23,7 +24,7 @@ class FaceEvaluator {
   public:
     /// @param shape is reoriented to FORWARD
     /// @param data is the same face in the topology
-    FaceEvaluator(const TopoDS_Face& shape, const Face& data);
+    FaceEvaluator(const TopoDS_Face& shape, const Face& data, Evaluation evaluation = Evaluation::Fast);
 
     Answer point(double u, double v) const;
     Answer derivatives(double u, double v) const;
@@ -81,6 +82,7 @@ class FaceEvaluator {
     bool collapsed(const SurfacePoint& s) const;
     bool is_local_minimum(const Vec3& p, const Projection& projection, const ParameterBox& box) const;
     Projection search(const Vec3& p, const ParameterBox& box);
+    std::optional<Projection> native_nearest(const Vec3& p, const Vec2& guess) const;
     Projection pattern_search(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
     void sample();
     Vec2 offset_from_pole(const Vec3& p, const Vec2& pole) const;
@@ -91,6 +93,7 @@ class FaceEvaluator {
 
     TopoDS_Face shape_;
     GeomAdaptor_Surface surface_;
+    bool native_;  ///< whether OpenCASCADE evaluates and projects
     mutable std::optional<SplineSurfacePieces> patches_;
     gp_Trsf location_;
     gp_Trsf inverse_;

@@ -350,7 +350,11 @@ Answer FaceEvaluator::nearest(const Vec3& point, double u, double v) {
     const Vec3 p = local(point);
     const Vec2 guess(u, v);
     answer.status = Status::NotFound;
-    if (elementary_) {
+    if (native_) {
+        if (const auto projection = native_nearest(p, guess)) {
+            return answer_at(point, *projection, guess);
+        }
+    } else if (elementary_) {
         const auto uv = elementary_->nearest(p, elementary_box(guess), guess);
         return uv ? answer_at(point, {*uv, 0.0, true, first(uv->x(), uv->y())}, guess) : answer;
     }
@@ -414,7 +418,7 @@ Answer FaceEvaluator::nearest_global(const Vec3& point) {
     answer.status = Status::NotFound;
     const Vec3 p = local(point);
     const Vec2 middle(0.5 * (trimmed_.low[0] + trimmed_.high[0]), 0.5 * (trimmed_.low[1] + trimmed_.high[1]));
-    if (elementary_) {
+    if (elementary_ && !native_) {
         const auto uv = elementary_->nearest(p, trimmed_, middle);
         return uv ? answer_at(point, {*uv, 0.0, true, first(uv->x(), uv->y())}, *uv) : answer;
     }

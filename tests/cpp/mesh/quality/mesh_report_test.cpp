@@ -34,6 +34,27 @@ TEST(Report, TetrahedronIsCleanAndMeasuredRight) {
     EXPECT_EQ(r.max_chord_height, -1.0);
 }
 
+TEST(Report, StretchingAndDegreeAreThoseOfTheWorstNeighbours) {
+    MeshReport r = measure(tetrahedron());
+    EXPECT_NEAR(r.max_stretching, 1.0, 1e-12);  // all four have an edge of length sqrt(2) as their longest
+    EXPECT_EQ(r.max_degree, 3u);
+
+    TriangleMesh fan;  // around the origin, its rim at distance 1 but for one vertex at 3
+    fan.vertices.push_back(Vec3::Zero());
+    for (int k = 0; k < 6; ++k) {
+        fan.vertices.push_back((k == 2 ? 3.0 : 1.0) * Vec3(std::cos(k * M_PI / 3.0), std::sin(k * M_PI / 3.0), 0.0));
+        fan.triangles.push_back({0, k + 1, (k + 1) % 6 + 1});
+    }
+    r = measure(fan);
+    EXPECT_NEAR(r.max_stretching, 3.0, 1e-12);
+    EXPECT_EQ(r.max_degree, 6u);
+
+    fan.triangles.resize(1);
+    r = measure(fan);
+    EXPECT_EQ(r.max_stretching, 0.0);
+    EXPECT_EQ(r.max_degree, 2u);
+}
+
 TEST(Report, TorusHasEulerNumberZeroAndVolumeOfEitherSign) {
     TriangleMesh mesh = torus(200);
     MeshReport r = measure(mesh);
