@@ -128,7 +128,7 @@ def run(wrapped, values, progress=None, dry=()):
         raise InvalidInput(phrases.Text(phrases.HALF_OF_GAP, length=f"{tolerance:g} mm", length2=f"{gap:g} mm"))
     core_options, before = module.BooleanOptions(), module.WorkBefore()
     core_options.tolerance = tolerance
-    meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION, any_angles=True)
+    meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION, any_faces=True)
     before.seconds, before.notes, before.cpu_seconds = operands.seconds, operands.notes, operands.cpu_seconds
     before.tolerance = tolerance
     before.error_bound = operands.deviation

@@ -401,7 +401,7 @@ void LayeredDepthBoolean::make_manifold() {
         check_cancelled(progress_);
     }
     candidate.resize(surface_.points.size(), 1);
-    for (const std::size_t k : drop_flat_pairs(surface_.triangles, surface_.source, candidate)) {
+    for (const std::size_t k : drop_opposite_duplicates(surface_.triangles, surface_.source, candidate)) {
         if (k >= first_filling) {  // the back of a triangle without a neighbour, around which the hole was
             --result_.hole_triangles;
             --result_.holes_filled;

@@ -216,7 +216,7 @@ class OffsetPipeline {
         for (const CoincidentTriangle& t : twins) {
             twin[static_cast<std::size_t>(t.triangle)] = 1;
         }
-        // The sum of squares is least where all triangles have as many.
+        // The sum of squares is least where all triangles cross equally many.
         const double count = static_cast<double>(all.size());
         const double most = std::max(OffsetTuning::kLeastDivisions, OffsetTuning::kDivisions * count);
         const auto most_pairs = static_cast<std::size_t>(0.5 * std::sqrt(count * most)) + 1;
@@ -237,7 +237,7 @@ class OffsetPipeline {
         return {std::move(crossing), std::move(twins)};
     }
 
-    /// How many pairs of crossings the triangles have: what dividing them takes grows as that.
+    /// Sum of the squares of how many others each triangle crosses: what dividing them takes grows as that.
     static double divisions(const Pairs& crossing, std::size_t triangles) {
         std::vector<double> counts(triangles);
         for (const auto& [a, b] : crossing) {

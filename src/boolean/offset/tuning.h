@@ -27,10 +27,11 @@ struct OffsetTuning {
     /// How far at most a vertex is moved sideways from where a triangle's normal leads, as a fraction of the edges
     /// there: what is nearest to it is then in the ring of its triangles.
     MESHQUALITY_TUNED(double, kLargestShift, 1.0);
-    /// Pairs of crossings of each triangle, summed up, for each triangle of a raw offset, from which on it is not
-    /// trimmed: 0.5 to 3 us of the processor for each, where a contour takes about 300 us for each triangle.
+    /// Squares of the numbers of crossings of each triangle, summed up, at most, for each triangle of a raw offset.
+    /// Dividing takes 0.5 to 3 us of the processor for each. So it takes at most a tenth of what a contour takes, about
+    /// 300 us for each triangle, as it may be in vain: trimming may still miss the tolerance.
     MESHQUALITY_TUNED(double, kDivisions, 10.0);
-    /// Those that take a few seconds, which are divided in any case.
+    /// As many take at most a few seconds and are divided in any case.
     MESHQUALITY_TUNED(double, kLeastDivisions, 1.5e6);
     /// Fraction of the tolerance to which distances are determined.
     MESHQUALITY_TUNED(double, kFineness, 0.02);

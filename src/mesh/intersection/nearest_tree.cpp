@@ -9,7 +9,8 @@
 
 namespace mq::mesh {
 
-/// A point in single precision, rounded both ways, so that the distances of boxes are never too large.
+/// A point in single precision, rounded both ways, so that the distances of boxes are never too large (but for those
+/// whose squares are below the smallest number of single precision, 1e-38 mm^2).
 class NearestTree::Point {
   public:
     explicit Point(const Vec3& p) {
@@ -30,7 +31,7 @@ class NearestTree::Point {
             const Lanes gap = (node.low[i] - high_[i]).max(low_[i] - node.high[i]).max(0.0F);
             sum += gap * gap;
         }
-        return (sum * kLess).min(std::numeric_limits<float>::max());
+        return sum.min(std::numeric_limits<float>::max()) * kLess;
     }
 
   private:
@@ -40,16 +41,19 @@ class NearestTree::Point {
 
 NearestTree::NearestTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles)
     : AabbTree(vertices, triangles) {
-    if (size() > 0) {
-        add(0);
-    }
+    build();
 }
 
 NearestTree::NearestTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                          const std::vector<std::int32_t>& subset)
     : AabbTree(vertices, triangles, subset) {
+    build();
+}
+
+void NearestTree::build() {
     if (size() > 0) {
         add(0);
+        wide_.shrink_to_fit();
     }
 }
 

@@ -50,6 +50,7 @@ class NearestTree : public AabbTree {
     };
     class Point;
 
+    void build();
     std::int32_t add(std::int32_t binary);
     Vec3 nearest_on(std::int32_t triangle, const Vec3& p) const;
     void search(const Vec3& p, ClosestPoint& best, double best_squared) const;

@@ -158,7 +158,7 @@ void NodeStates::bar_edges(std::size_t block) {
 
 void NodeStates::move(const Node& node, const Vec3& place) {
     find(node)->moved = true;
-    moved_[Lattice::key(node)] = place;
+    moved_.insert_or_assign(Lattice::key(node), place);
 }
 
 void NodeStates::move_back(const Node& node) {

@@ -183,8 +183,9 @@ std::vector<std::vector<std::int32_t>> find_holes(const std::vector<mesh::Triang
     return holes;
 }
 
-std::vector<std::size_t> drop_flat_pairs(std::vector<mesh::Triangle>& triangles, std::vector<std::int32_t>& source,
-                                         const std::vector<std::uint8_t>& candidate) {
+std::vector<std::size_t> drop_opposite_duplicates(std::vector<mesh::Triangle>& triangles,
+                                                  std::vector<std::int32_t>& source,
+                                                  const std::vector<std::uint8_t>& candidate) {
     std::vector<std::pair<mesh::Triangle, std::size_t>> found;
     for (std::size_t k = 0; k < triangles.size(); ++k) {
         mesh::Triangle corners = triangles[k];

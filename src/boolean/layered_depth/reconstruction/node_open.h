@@ -36,7 +36,8 @@ std::vector<std::vector<std::int32_t>> find_holes(const std::vector<mesh::Triang
 /// @param triangles  no directed edge may be used twice; only those with all corners in `candidate` are looked at
 /// @param source     shortened like the triangles
 /// @return the places that they had, ascending
-std::vector<std::size_t> drop_flat_pairs(std::vector<mesh::Triangle>& triangles, std::vector<std::int32_t>& source,
-                                         const std::vector<std::uint8_t>& candidate);
+std::vector<std::size_t> drop_opposite_duplicates(std::vector<mesh::Triangle>& triangles,
+                                                  std::vector<std::int32_t>& source,
+                                                  const std::vector<std::uint8_t>& candidate);
 
 }  // namespace mq::boolean

@@ -123,6 +123,27 @@ TEST(Thicken, WallsOfABoxWithoutItsTop) {
     EXPECT_NEAR(volume(united({&box, &walls.mesh}, Operation::Intersection)), 1000.0 - 8 * 8 * 9, 0.5);
 }
 
+TEST(Offset, IsGivenUpWhereDividingWouldTakeTooLong) {
+    // Inward of a slender cone all of its sides cross each other behind the apex.
+    const int sides = 600;
+    TriangleMesh cone;
+    cone.vertices = {Vec3(0, 0, 30), Vec3(0, 0, 0)};
+    for (int i = 0; i < sides; ++i) {
+        const double angle = 2.0 * M_PI * i / sides;
+        cone.vertices.emplace_back(5.0 * std::cos(angle), 5.0 * std::sin(angle), 0.0);
+        const Triangle::value_type a = 2 + i, b = 2 + (i + 1) % sides;
+        cone.triangles.push_back({0, a, b});
+        cone.triangles.push_back({1, b, a});
+    }
+    Progress progress;
+    try {
+        offset(cone, {-1.0, 1e-3, 0}, progress);
+        FAIL() << "it was divided";
+    } catch (const TopologyError& error) {
+        EXPECT_NE(std::string(error.what()).find("too many to divide"), std::string::npos) << error.what();
+    }
+}
+
 TEST(Offset, OptionsAreChecked) {
     const TriangleMesh box = solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
     Progress progress;

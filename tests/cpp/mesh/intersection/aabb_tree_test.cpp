@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/intersection/aabb_tree.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,61 +9,12 @@
 #include <set>
 #include <utility>
 
-#include "mesh/intersection/nearest_tree.h"
-#include "mesh/intersection/triangle_distance.h"
+#include "mesh/intersection/triangle_soup.h"
 
 namespace mq::mesh {
 namespace {
 
 using Pair = std::pair<std::int32_t, std::int32_t>;
-
-/// Triangles of many kinds: anywhere, on a coarse grid (equal and flat boxes), all the same, single points.
-struct Soup {
-    enum Kind { kRandom, kGrid, kSame, kPoints, kLine, kFar, kKinds };
-
-    Soup(int kind, int count, std::uint64_t seed) {
-        std::mt19937_64 random(seed);
-        std::uniform_real_distribution<double> real(-1.0, 1.0);
-        std::uniform_int_distribution<int> integer(-4, 4);
-        for (int i = 0; i < count; ++i) {
-            const Vec3 center(real(random), real(random), real(random));
-            const Vec3 cell(integer(random), integer(random), integer(random));
-            for (int k = 0; k < 3; ++k) {
-                const Vec3 offset(real(random), real(random), real(random));
-                vertices.push_back(point(kind, center, cell, offset, k));
-            }
-            triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-        }
-    }
-
-    static Vec3 point(int kind, const Vec3& center, const Vec3& cell, const Vec3& offset, int k) {
-        switch (kind) {
-            case kGrid:
-                return cell + Vec3(k == 1, k == 2, 0);
-            case kSame:
-                return Vec3(0.1 * k, 0.3, 0.7);
-            case kPoints:
-                return cell;
-            case kLine:
-                return Vec3(center.x() + 0.01 * offset.x(), 1.0 / 3.0, 0.0);
-            case kFar:
-                return Vec3(1e7, -3e7, 0.0) + center + 0.1 * offset;
-            default:
-                return center + 0.2 * offset;
-        }
-    }
-
-    Box box(std::int32_t i) const {
-        Box box;
-        for (const std::int32_t v : triangles[i]) {
-            box.add(vertices[v]);
-        }
-        return box;
-    }
-
-    std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles;
-};
 
 bool meet(const Box& a, const Box& b) {
     return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
@@ -224,76 +177,6 @@ TEST(AabbTree, ARayPassesByWhatItDoesNotMeet) {
     EXPECT_EQ(hits({-1, 0.5, 5}, {1, 0, 1e-3}, 10.0), (Found{}));
 }
 
-TEST_P(TriangleTreeTest, NearestPointIsTheNearest) {
-    const Soup soup(GetParam(), 250, 10);
-    const Soup queries(GetParam(), 60, 11);
-    const NearestTree tree(soup.vertices, soup.triangles);
-    for (const Vec3& p : queries.vertices) {
-        ClosestPoint expected;
-        for (std::int32_t i = 0; i < 250; ++i) {
-            const Triangle& t = soup.triangles[i];
-            const Vec3 q = nearest_on_triangle(p, soup.vertices[t[0]], soup.vertices[t[1]], soup.vertices[t[2]]);
-            if ((q - p).norm() < expected.distance) {
-                expected = {i, q, (q - p).norm()};
-            }
-        }
-        const ClosestPoint found = tree.nearest(p);
-        EXPECT_EQ(found.triangle, expected.triangle);
-        EXPECT_EQ(found.distance, expected.distance);
-        EXPECT_EQ(tree.nearest(p, 1.001 * expected.distance + 1e-12).triangle, expected.triangle);
-        if (expected.distance > 0.0) {
-            EXPECT_EQ(tree.nearest(p, 0.999 * expected.distance).triangle, -1);
-        }
-    }
-}
-
-TEST_P(TriangleTreeTest, AGuessChangesNoAnswer) {
-    const Soup soup(GetParam(), 250, 20);
-    const Soup queries(GetParam(), 60, 21);
-    const NearestTree tree(soup.vertices, soup.triangles);
-    std::int32_t guess = 0;
-    for (const Vec3& p : queries.vertices) {
-        guess = (guess + 97) % 250;
-        const ClosestPoint expected = tree.nearest(p);
-        for (const std::int32_t from : {guess, expected.triangle}) {
-            const ClosestPoint found = tree.nearest_from(p, from);
-            EXPECT_EQ(found.triangle, expected.triangle);
-            EXPECT_EQ(found.point, expected.point);
-            EXPECT_EQ(found.distance, expected.distance);
-            EXPECT_GE(tree.any_within(p, expected.distance, from), 0);
-            if (expected.distance > 0.0) {
-                EXPECT_EQ(tree.any_within(p, std::nextafter(expected.distance, 0.0), from), -1);
-            }
-        }
-        const std::int32_t some = tree.any_within(p, 2.0 * expected.distance, guess);
-        ASSERT_GE(some, 0);
-        const Triangle& t = soup.triangles[some];
-        EXPECT_LE((nearest_on_triangle(p, soup.vertices[t[0]], soup.vertices[t[1]], soup.vertices[t[2]]) - p).norm(),
-                  2.0 * expected.distance);
-    }
-}
-
-TEST(NearestTree, NearestOnATriangleIsNearerThanItsSamples) {
-    std::mt19937_64 random(12);
-    std::uniform_real_distribution<double> real(-1.0, 1.0);
-    const auto point = [&] { return Vec3(real(random), real(random), real(random)); };
-    for (int i = 0; i < 2000; ++i) {
-        const Vec3 a = point();
-        const Vec3 b = point();
-        const Vec3 c = point();
-        const Vec3 p = 2.0 * point();
-        const double found = (nearest_on_triangle(p, a, b, c) - p).norm();
-        // Samples along each side of the triangle.
-        constexpr int kSteps = 12;
-        for (int u = 0; u <= kSteps; ++u) {
-            for (int v = 0; u + v <= kSteps; ++v) {
-                const Vec3 sample = a + (b - a) * u / kSteps + (c - a) * v / kSteps;
-                ASSERT_LE(found, (sample - p).norm() + 1e-12);
-            }
-        }
-    }
-}
-
 TEST_P(TriangleTreeTest, ASubsetIsATreeOfItsOwn) {
     const Soup soup(GetParam(), 200, 13);
     std::vector<std::int32_t> odd;
@@ -306,16 +189,12 @@ TEST_P(TriangleTreeTest, ASubsetIsATreeOfItsOwn) {
     tree.for_each_in_box(tree.box(), [&](std::int32_t i) { found.push_back(i); });
     std::sort(found.begin(), found.end());
     EXPECT_EQ(found, odd);
-    const NearestTree near(soup.vertices, soup.triangles, odd);
-    for (const Vec3& p : soup.vertices) {
-        EXPECT_EQ(near.nearest(p).triangle % 2, 1);
-    }
 }
 
 TEST(AabbTree, NothingIsFoundInAnEmptyTree) {
     const std::vector<Vec3> vertices;
     const std::vector<Triangle> triangles;
-    const NearestTree tree(vertices, triangles);
+    const AabbTree tree(vertices, triangles);
     const auto fail = [](auto...) { ADD_FAILURE(); };
     EXPECT_TRUE(tree.box().empty());
     EXPECT_TRUE(tree.own_pair_tasks(4).empty());
@@ -323,7 +202,6 @@ TEST(AabbTree, NothingIsFoundInAnEmptyTree) {
     tree.for_each_own_pair(fail);
     tree.for_each_in_box(Box{Vec3(-1, -1, -1), Vec3(1, 1, 1)}, fail);
     tree.for_each_on_ray(Vec3(0, 0, 0), Vec3(1, 0, 0), fail);
-    EXPECT_EQ(tree.nearest(Vec3(0, 0, 0)).triangle, -1);
 }
 
 /// Boxes in single precision have no ends there; nothing is missed.
@@ -333,11 +211,10 @@ TEST(AabbTree, MissesNothingBeyondSinglePrecision) {
         for (Vec3& p : soup.vertices) {
             p *= size;
         }
-        const NearestTree tree(soup.vertices, soup.triangles);
+        const AabbTree tree(soup.vertices, soup.triangles);
         std::set<Pair> found;
         tree.for_each_own_pair([&](std::int32_t i, std::int32_t j) { found.emplace(std::min(i, j), std::max(i, j)); });
         for (std::int32_t i = 0; i < 60; ++i) {
-            EXPECT_EQ(tree.nearest(soup.vertices[3 * i]).distance, 0.0);
             for (std::int32_t j = i + 1; j < 60; ++j) {
                 EXPECT_TRUE(found.count({i, j}) > 0 || !meet(soup.box(i), soup.box(j)));
             }

@@ -68,5 +68,26 @@ TEST(TriangleDistance, IsNoMoreThanThatOfSamplesAndReached) {
     }
 }
 
+TEST(TriangleDistance, NearestOnATriangleIsNearerThanItsSamples) {
+    std::mt19937_64 random(12);
+    std::uniform_real_distribution<double> real(-1.0, 1.0);
+    const auto point = [&] { return Vec3(real(random), real(random), real(random)); };
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 a = point();
+        const Vec3 b = point();
+        const Vec3 c = point();
+        const Vec3 p = 2.0 * point();
+        const double found = (nearest_on_triangle(p, a, b, c) - p).norm();
+        // Samples along each side of the triangle.
+        constexpr int kSteps = 12;
+        for (int u = 0; u <= kSteps; ++u) {
+            for (int v = 0; u + v <= kSteps; ++v) {
+                const Vec3 sample = a + (b - a) * u / kSteps + (c - a) * v / kSteps;
+                ASSERT_LE(found, (sample - p).norm() + 1e-12);
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace mq::mesh

@@ -88,7 +88,7 @@ TEST(EdgeSet, AdmitsEachDirectionOnce) {
     }
 }
 
-TEST(FlatPairs, AreTakenOutAndNothingElse) {
+TEST(OppositeDuplicates, AreTakenOutAndNothingElse) {
     mesh::TriangleMesh mesh = solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
     const std::vector<mesh::Triangle> box = mesh.triangles;
     std::vector<mesh::Triangle> triangles = box;
@@ -97,11 +97,11 @@ TEST(FlatPairs, AreTakenOutAndNothingElse) {
     std::vector<std::int32_t> source(triangles.size(), 7);
     source[3] = source.back() = -1;
     std::vector<std::uint8_t> candidate(11, 1);
-    const std::vector<std::size_t> dropped = drop_flat_pairs(triangles, source, candidate);
+    const std::vector<std::size_t> dropped = drop_opposite_duplicates(triangles, source, candidate);
     EXPECT_EQ(dropped, (std::vector<std::size_t>{3, 13}));
     EXPECT_EQ(triangles, box);
     EXPECT_EQ(source, std::vector<std::int32_t>(box.size(), 7));
-    EXPECT_TRUE(drop_flat_pairs(triangles, source, candidate).empty());
+    EXPECT_TRUE(drop_opposite_duplicates(triangles, source, candidate).empty());
     EXPECT_EQ(triangles, box);
 }
 
