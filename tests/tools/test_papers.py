@@ -3,6 +3,8 @@
 
 import importlib.util
 import re
+import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -79,6 +81,12 @@ class Papers(unittest.TestCase):
     def test_every_command_says_how_it_is_called(self):
         for name in known():
             self.assertIn(f"benchmarks/papers {name}", script_of(name, ROOT).read_text(encoding="utf-8"), name)
+
+    def test_programs_that_are_not_built_are_named_with_how(self):
+        command = [sys.executable, str(ROOT / "benchmarks" / "papers"), "dey-operations", "--program", "/nowhere/curve_operations"]
+        done = subprocess.run(command, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (2, "/nowhere/curve_operations is not there: cmake -B build "
+                                                             "-DMESHQUALITY_BENCHMARKS=ON && ninja -C build curve_operations\n"))
 
 
 class Check(unittest.TestCase):
