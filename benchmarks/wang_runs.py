@@ -40,7 +40,10 @@ def _run(job):
     lines = [line for line in text.splitlines() if line.startswith('{"')]
     if not lines:
         raise RuntimeError(f"{job}: {text[-600:]}")
-    return json.loads(lines[-1])
+    answer = json.loads(lines[-1])
+    if "missing" in answer:
+        sys.exit(answer["missing"])
+    return answer
 
 
 def load(path):
@@ -102,6 +105,11 @@ def _boolean(job):
 if VARIABLE in os.environ:
     asked = json.loads(os.environ[VARIABLE])
     del os.environ[VARIABLE]
-    print("\n" + json.dumps(_make_operands(asked) if asked["work"] == "operands" else _boolean(asked)))
+    # FreeCAD keeps what is raised to itself.
+    try:
+        told = _make_operands(asked) if asked["work"] == "operands" else _boolean(asked)
+    except FileNotFoundError as problem:
+        told = {"missing": str(problem)}
+    print("\n" + json.dumps(told))
     sys.stdout.flush()
     sys.exit(0)

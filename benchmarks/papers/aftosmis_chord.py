@@ -45,14 +45,14 @@ def compare(shape, rule, before, after):
 
 def draw(before, after, path):
     import numpy as np
-    from papers import _pictures
+    import small_pictures
 
-    figure, panels = _pictures.figure_of([["25 degrees", "25 degrees and 1e-4 L"]], (10.0, 4.6))
+    figure, panels = small_pictures.mosaic([["25 degrees", "25 degrees and 1e-4 L"]], (10.0, 4.6))
     for (title, axes), mesh in zip(panels.items(), (before, after)):
         middles = (mesh.vertices + mesh.origin)[mesh.triangles].mean(axis=1)
         near = np.flatnonzero(np.linalg.norm(middles - CORNER, axis=1) < AROUND)
-        _pictures.show(axes, mesh, f"{title}: {mesh.report.triangles:,} triangles", (440, 360), (50.0, 35.0), near)
-    _pictures.save(figure, path)
+        small_pictures.show(axes, mesh, f"{title}: {mesh.report.triangles:,} triangles", (440, 360), (50.0, 35.0), near)
+    small_pictures.save(figure, path)
 
 
 def work(arguments):

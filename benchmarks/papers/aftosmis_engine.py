@@ -10,9 +10,9 @@ the parts of section 4 with new vertices in rounds and one after the other, each
 """
 
 import json
-import subprocess
 
 import inside_freecad
+from papers import _programs
 
 SIZES = (1, 16, 128, 1024)
 WAYS = (("direct", "face_nearest/{}_direct"), ("thread", "face_nearest/{}_thread"),
@@ -24,15 +24,15 @@ RUNS = 5
 
 def parser():
     result = inside_freecad.command_line(__doc__)
-    result.add_argument("--program", default=str(inside_freecad.ROOT / "build" / "benchmarks" / "engine_bench"))
+    _programs.add_option(result, "engine_bench")
     return result
 
 
 def microseconds(program):
     """{"surface, way": wall-clock microseconds a query by batch}, medians of five runs."""
-    done = subprocess.run([program, "--benchmark_format=json", "--benchmark_repetitions=5", "--benchmark_min_time=0.05",
-                           "--benchmark_report_aggregates_only=true"], check=True, capture_output=True, text=True)
-    at = {run["run_name"]: run["real_time"] / 1000.0 for run in json.loads(done.stdout)["benchmarks"]
+    printed = _programs.output(program, "--benchmark_format=json", "--benchmark_repetitions=5", "--benchmark_min_time=0.05",
+                               "--benchmark_report_aggregates_only=true")
+    at = {run["run_name"]: run["real_time"] / 1000.0 for run in json.loads(printed)["benchmarks"]
           if run["aggregate_name"] == "median"}
     return {f"{surface}, {way}": [at[f"{pattern.format(surface)}/{size}/real_time"] / size for size in SIZES]
             for surface in SURFACES for way, pattern in WAYS}

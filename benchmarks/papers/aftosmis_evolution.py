@@ -58,9 +58,9 @@ def row(triangles, angles):
 
 def draw(curves, angle, path):
     """A row of panels for each rule, in the paper's order."""
-    from papers import _pictures
+    import small_pictures
 
-    figure, panels = _pictures.figure_of([[f"{name}, {rule}" for name in PAPER] for rule in RULES], (12.0, 6.0))
+    figure, panels = small_pictures.mosaic([[f"{name}, {rule}" for name in PAPER] for rule in RULES], (12.0, 6.0))
     for title, axes in panels.items():
         name, _, rule = title.partition(", ")
         triangles, angles, found = curves[name, rule, "one by one"]
@@ -72,7 +72,7 @@ def draw(curves, angle, path):
         axes.set_xlabel("triangles", fontsize=8)
         axes.set_ylabel("smallest angle, degrees", fontsize=8)
         axes.tick_params(labelsize=7)
-    _pictures.save(figure, path)
+    small_pictures.save(figure, path)
 
 
 def work(arguments):

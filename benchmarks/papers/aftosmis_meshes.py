@@ -25,20 +25,20 @@ VIEWS = {"die": ((420, 380), (50.0, 35.0)), "wing_main": ((720, 200), (-15.0, 60
 
 
 def draw_meshes(meshes, path):
-    from papers import _pictures
+    import small_pictures
 
-    figure, panels = _pictures.figure_of([["die", "wing_main"], ["die", "flap"]], (13.5, 5.2))
+    figure, panels = small_pictures.mosaic([["die", "wing_main"], ["die", "flap"]], (13.5, 5.2))
     for name, (size, view) in VIEWS.items():
         mesh = meshes[name, "circumcentre"]
-        _pictures.show(panels[name], mesh, f"{name}: {mesh.report.triangles:,} triangles", size, view)
-    _pictures.save(figure, path)
+        small_pictures.show(panels[name], mesh, f"{name}: {mesh.report.triangles:,} triangles", size, view)
+    small_pictures.save(figure, path)
 
 
 def draw_histograms(meshes, path):
     import numpy as np
-    from papers import _pictures
+    import small_pictures
 
-    figure, panels = _pictures.figure_of([NAMES], (12.0, 3.0))
+    figure, panels = small_pictures.mosaic([NAMES], (12.0, 3.0))
     for name, axes in panels.items():
         for rule, colour in RULES:
             counts = np.asarray(meshes[name, rule].report.angle_histogram)
@@ -50,7 +50,7 @@ def draw_histograms(meshes, path):
         axes.set_ylabel("% of the triangles", fontsize=8)
         axes.tick_params(labelsize=7)
         axes.legend(fontsize=8)
-    _pictures.save(figure, path)
+    small_pictures.save(figure, path)
 
 
 def work(arguments):

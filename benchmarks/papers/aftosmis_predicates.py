@@ -10,9 +10,9 @@ are equal or nearly so.
 """
 
 import json
-import subprocess
 
 import inside_freecad
+from papers import _programs
 
 NAMES = ("die", "wing_main", "flap")
 RULES = ("circumcentre", "off-centre")
@@ -22,7 +22,7 @@ KINDS = ("random", "lattice", "turned squares")  # as in predicates_bench.cpp
 
 def parser():
     result = inside_freecad.command_line(__doc__)
-    result.add_argument("--program", default=str(inside_freecad.ROOT / "build" / "benchmarks" / "predicates_bench"))
+    _programs.add_option(result, "predicates_bench")
     return result
 
 
@@ -47,10 +47,10 @@ def counts():
 
 def costs(program):
     """{predicate: [(ns, exact share) by kind]}, medians of five runs."""
-    done = subprocess.run([program, "--benchmark_format=json", "--benchmark_repetitions=5", "--benchmark_min_time=0.1",
-                           "--benchmark_report_aggregates_only=true"], check=True, capture_output=True, text=True)
+    printed = _programs.output(program, "--benchmark_format=json", "--benchmark_repetitions=5", "--benchmark_min_time=0.1",
+                               "--benchmark_report_aggregates_only=true")
     found = {}
-    for run in json.loads(done.stdout)["benchmarks"]:
+    for run in json.loads(printed)["benchmarks"]:
         if run["aggregate_name"] == "median":
             name, _, kind = run["run_name"].partition("/kind:")
             found.setdefault(name.removesuffix("_bench"), {})[KINDS[int(kind)]] = {

@@ -21,7 +21,6 @@ import inside_freecad
 import numpy as np
 import small_pictures
 
-ROOT = Path(__file__).resolve().parents[2]
 CHORD_HEIGHT = 0.03  # of the largest dimension
 SHOWN = 1e-3  # deviation of the pictures' triangles, of the largest dimension
 SECONDS = 100.0  # of the processor, for Gmsh
@@ -31,7 +30,7 @@ def parser():
     result = inside_freecad.command_line(__doc__)
     result.add_argument("--order", type=int, default=2, choices=(2, 3, 4))
     result.add_argument("--python", default="/usr/bin/python3", help="that has the module gmsh")
-    result.add_argument("--out-dir", default=str(ROOT / "docs" / "pictures"), help="folder for the picture")
+    result.add_argument("--out-dir", default=str(inside_freecad.ROOT / "docs" / "pictures"), help="folder for the picture")
     return result
 
 
@@ -93,8 +92,8 @@ def ours(shape, order, folder):
 
 def gmsh(shape, arguments, folder, count):
     shape.exportBrep(str(folder / "model.brep"))
-    done = subprocess.run([arguments.python, str(ROOT / "benchmarks" / "curve_gmsh.py"), str(folder / "model.brep"), str(folder),
-                           str(arguments.order), str(SECONDS), str(count)],
+    done = subprocess.run([arguments.python, str(inside_freecad.ROOT / "benchmarks" / "curve_gmsh.py"), str(folder / "model.brep"),
+                           str(folder), str(arguments.order), str(SECONDS), str(count)],
                           capture_output=True, text=True, env=inside_freecad.system_environment())
     if done.returncode != 0 or not done.stdout.strip():
         return {"failed": (done.stderr.strip().splitlines() or ["it crashed"])[-1]}
@@ -164,7 +163,7 @@ def text(name, by, row):
 
 
 def work(arguments):
-    sys.path.append(str(ROOT / "tools"))
+    sys.path.append(str(inside_freecad.ROOT / "tools"))
     has_gmsh = inside_freecad.has_module(arguments.python, "gmsh")
     if not has_gmsh:
         print(f"Gmsh is skipped: {arguments.python} has no module gmsh (package python3-gmsh)")

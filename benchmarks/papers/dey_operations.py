@@ -13,22 +13,22 @@ Qualities are lower bounds of min J / max J, equation (3). The status is 1 where
 
 import argparse
 import json
-import subprocess
 import sys
 from pathlib import Path
 
+import inside_freecad
 import numpy as np
 import small_pictures
+from papers import _programs
 
-ROOT = Path(__file__).resolve().parents[2]
 INVALID, VALID, BORDER, INSIDE = "#d8403a", "#bcd7ee", "#222222", "#1c6fb5"
 VIEW = (-62.0, 24.0)  # azimuth and elevation, degrees
 
 
 def parser():
     result = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument("--out-dir", type=Path, default=ROOT / "docs" / "pictures", help="folder for the pictures")
-    result.add_argument("--program", type=Path, default=ROOT / "build" / "benchmarks" / "curve_operations")
+    result.add_argument("--out-dir", type=Path, default=inside_freecad.ROOT / "docs" / "pictures", help="folder for the pictures")
+    _programs.add_option(result, "curve_operations")
     return result
 
 
@@ -95,13 +95,8 @@ def draw(found, path):
 
 def main():
     arguments = parser().parse_args()
-    sys.path.append(str(ROOT / "tools"))
-    if not arguments.program.exists():
-        print(f"{arguments.program} is not there: cmake -B build -DMESHQUALITY_BENCHMARKS=ON && ninja -C build curve_operations",
-              file=sys.stderr)
-        return 2
-    done = subprocess.run([str(arguments.program)], capture_output=True, text=True, check=True)
-    found = [json.loads(line) for line in done.stdout.splitlines()]
+    sys.path.append(str(inside_freecad.ROOT / "tools"))
+    found = [json.loads(line) for line in _programs.output(arguments.program).splitlines()]
     print(f"{'operation':<32} {'before: elements':>16} {'invalid':>7} {'min J / max J':>13} {'after: elements':>15} {'invalid':>7} "
           f"{'min J / max J':>13}")
     for row in found:

@@ -16,7 +16,6 @@ import inside_freecad
 import numpy as np
 import small_pictures
 
-ROOT = Path(__file__).resolve().parents[2]
 ORDERS = (1, 2, 3, 4, 5)
 EDGE = ((0.0, 0.0), (0.55, 0.6), (1.9, 0.55), (3.0, 0.25), (4.0, 0.0))  # points of the lower edge
 OUTLINE = ((4.0, 2.9), (0.0, 2.9))
@@ -29,7 +28,7 @@ POINTS = 200  # of an edge
 
 def parser():
     result = inside_freecad.command_line(__doc__)
-    result.add_argument("--out-dir", default=str(ROOT / "docs" / "pictures"), help="folder for the picture")
+    result.add_argument("--out-dir", default=str(inside_freecad.ROOT / "docs" / "pictures"), help="folder for the picture")
     return result
 
 

@@ -20,12 +20,10 @@ processor.
 
 import sys
 import time
-from pathlib import Path
 
 import inside_freecad
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[2]
 CHORD_HEIGHT = 0.002  # of the largest dimension
 ALIKE, TRIES = 0.05, 12
 BORDER_POINTS = 2000
@@ -229,7 +227,7 @@ def fans(judge):
 def work(arguments):
     import Part
 
-    sys.path.append(str(ROOT / "tools"))
+    sys.path.append(str(inside_freecad.ROOT / "tools"))
     found = {}
     for name, (face, euler) in faces().items():
         judge = Judge(face, euler)

@@ -20,7 +20,6 @@ from pathlib import Path
 import inside_freecad
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[2]
 SOLIDS = ("bearing", "helix", "crank", "support")
 CHORD_HEIGHT = 0.001  # of the largest dimension, of Star's raw mesh
 ALIKE, TRIES = 0.03, 14
@@ -74,7 +73,8 @@ def by_gmsh(shape, python, folder):
     shape.exportBrep(str(model))
 
     def make(elements):
-        done = subprocess.run([python, str(ROOT / "benchmarks" / "quality_gmsh.py"), str(model), str(off), str(FRONTAL), str(elements)],
+        done = subprocess.run([python, str(inside_freecad.ROOT / "benchmarks" / "quality_gmsh.py"), str(model), str(off), str(FRONTAL),
+                               str(elements)],
                               capture_output=True, text=True, env=inside_freecad.system_environment(), check=True)
         said = json.loads(done.stdout.strip().splitlines()[-1])
         if said["empty_faces"]:
@@ -172,7 +172,7 @@ def meshes(shape, arguments, folder):
 
 
 def work(arguments):
-    sys.path.append(str(ROOT / "tools"))
+    sys.path.append(str(inside_freecad.ROOT / "tools"))
     import parts
 
     arguments.gmsh = inside_freecad.has_module(arguments.python, "gmsh")

@@ -26,7 +26,6 @@ import inside_freecad
 import numpy as np
 import small_pictures
 
-ROOT = Path(__file__).resolve().parents[2]
 CHORD_HEIGHT = 0.04  # mm
 LARGEST = 1.0  # mm, r(K) of flat places: a tenth of the size
 CLOSEST = 0.7  # of r(K): nearer proposals are too close (step 2.3)
@@ -36,7 +35,7 @@ GROWN = 25  # hexagons in the picture of the growing region
 
 def parser():
     result = inside_freecad.command_line(__doc__)
-    result.add_argument("--out-dir", default=str(ROOT / "docs" / "pictures"), help="folder for the pictures")
+    result.add_argument("--out-dir", default=str(inside_freecad.ROOT / "docs" / "pictures"), help="folder for the pictures")
     return result
 
 
@@ -230,7 +229,7 @@ def row(name, vertices, triangles):
 
 
 def work(arguments):
-    sys.path.append(str(ROOT / "tools"))
+    sys.path.append(str(inside_freecad.ROOT / "tools"))
     import parts
 
     import MeshQuality as mq

@@ -4,11 +4,12 @@
 
     /usr/bin/python3 benchmarks/papers wang-pictures [--rays 257] [--picture docs/pictures/wang_results.png]
 
-Drawn by VTK, on xvfb where there is no display. Models stand for the paper's (benchmarks/wang_models.py).
+Drawn by VTK, on xvfb where there is no display. Models stand for the paper's (benchmarks/wang_models.py), in $MESHQUALITY_DATA.
 """
 
 import argparse
 import os
+import shutil
 import sys
 import tempfile
 from pathlib import Path
@@ -28,12 +29,14 @@ GREY, RED = (0.78, 0.79, 0.82), (0.85, 0.22, 0.18)
 
 
 def main():
-    if "DISPLAY" not in os.environ:
-        os.execvp("xvfb-run", ["xvfb-run", "-a", *sys.orig_argv])
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rays", type=int, default=257)
     parser.add_argument("--picture", metavar="FILE", default="out/wang_results.png")
     arguments = parser.parse_args()
+    if "DISPLAY" not in os.environ:
+        if not shutil.which("xvfb-run"):
+            sys.exit("there is no display: set DISPLAY, or install xvfb-run (package xvfb)")
+        os.execvp("xvfb-run", ["xvfb-run", "-a", *sys.orig_argv])
     with tempfile.TemporaryDirectory() as folder:
         for name in {name for name, _, _ in PICTURES}:
             wang_runs.operands(name, folder)

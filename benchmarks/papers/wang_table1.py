@@ -4,9 +4,10 @@
 
     /usr/bin/python3 benchmarks/papers wang-table1 [--rows dragon ring] [--rays 257 513] [--peer PROGRAM]
 
-The paper's models are not public: scans with the same numbers of triangles stand for them (benchmarks/wang_models.py). Each
-Boolean has a FreeCAD of its own. Seconds are of the processor, from arrays to the measured and checked result; MB are the most
-that were resident, in brackets those before the Boolean. Peers are programs as benchmarks/boolean_peers.py has them.
+The paper's models are not public: scans of $MESHQUALITY_DATA with the same numbers of triangles stand for them
+(benchmarks/wang_models.py). Each Boolean has a FreeCAD of its own. Seconds are of the processor, from arrays to the measured and
+checked result; MB are the most that were resident, in brackets those before the Boolean. A peer is a program that reads and
+writes files, as benchmarks/boolean_peers.py asks for: it is not in the repository.
 """
 
 import argparse
@@ -61,7 +62,7 @@ def table(title, head, lines):
 
 
 def times(rows, rays, peers):
-    """Seconds, in brackets the paper's."""
+    """Seconds of the processor, in brackets the paper's on the clock."""
     lines = []
     for row in rows:
         example = row["example"]
@@ -71,7 +72,7 @@ def times(rows, rays, peers):
             cells.append(f"{run['cpu_seconds']:.2f}" + (f" ({paper[0]:g})" if paper else ""))
         others = ", ".join("fails" if seconds is None else f"{seconds:g}" for seconds in example.others.values())
         lines.append([example.name, *cells, f"{row['exact']['cpu_seconds']:.2f}", *row["peers"], others])
-    table("Seconds of the processor (in brackets the paper's seconds with a graphics card)",
+    table("Our seconds of the processor (in brackets the paper's seconds on the clock, with a graphics card)",
           ["example", *map(str, rays), "exact", *peers, "the paper's " + ", ".join(rows[0]["example"].others)], lines)
 
 
@@ -81,26 +82,33 @@ def sizes(rows, rays):
         runs = [row["runs"][count] for count in rays]
         kept = [f"{100 * run['retained'] / max(run['triangles'], 1):.0f}" for run in runs]
         lines.append([
-            row["example"].name, " and ".join(f"{count:,}" for count in row["counts"]),
+            row["example"].name, " and ".join(map(number, row["counts"], row["example"].faces)),
             ", ".join(f"{run['megabytes']:.0f}" for run in runs) + f" ({runs[0]['megabytes_before']:.0f})",
             f"{row['exact']['megabytes']:.0f}", f"{runs[-1]['triangles']:,}", f"{row['exact']['triangles']:,}",
             ", ".join(kept), ", ".join(str(run["faults"]) for run in runs),
             ", ".join(str(run["degenerate"]) for run in runs), str(sum(run["open"] for run in runs))])
-    table(f"MB at {', '.join(map(str, rays))} rays (before the Boolean); triangles; per cent kept; faults, of these "
-          "triangles without area", [
+    table(f"Triangles of the operands (of the paper's where they are others); of MB, per cent kept, faults and triangles without area "
+          f"one number each for {', '.join(map(str, rays))} rays (MB before the Boolean)", [
               "example", "operands", "MB", "exact", f"triangles at {rays[-1]}", "exact", "kept, %", "faults", "without area",
               "not manifold"], lines)
 
 
+def number(count, paper):
+    return f"{count:,}" + (f" ({paper:,})" if paper not in (None, count) else "")
+
+
 def stages(rows, rays):
-    """Shares of the clock; the rest is inspecting the operands, and the check of the result."""
+    """Shares of the clock; the rest is inspecting the operands, and the check of the result. At last the paper's sampling."""
     lines = []
     for row in rows:
         run = row["runs"][rays[-1]]
         shares = {name: run["stages"].get(name, 0.0) / run["seconds"] for name in STAGES}
         shares["rest"] = 1.0 - sum(shares.values())
-        lines.append([row["example"].name, *(f"{100 * share:.0f}" for share in shares.values())])
-    table(f"Per cent of the time on the clock at {rays[-1]} rays, by stage", ["example", *STAGES, "rest"], lines)
+        paper = row["example"].paper.get(rays[-1])
+        lines.append([row["example"].name, *(f"{100 * share:.0f}" for share in shares.values()),
+                      f"{100 * paper[1] / paper[0]:.0f}" if paper else "-"])
+    table(f"Per cent of the time on the clock at {rays[-1]} rays, by stage",
+          ["example", *STAGES, "rest", "the paper's sampling"], lines)
 
 
 if __name__ == "__main__":

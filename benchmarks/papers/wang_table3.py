@@ -4,8 +4,8 @@
 
     /usr/bin/python3 benchmarks/papers wang-table3 [--rows chair] [--rays 257 513] [--points 200000]
 
-Mean and largest distance from the exact result as in wang-table2, seconds of the processor. Models stand for the paper's
-(benchmarks/wang_models.py).
+Mean and largest distance from the exact result as in wang-table2; ours are seconds of the processor, the paper's are on the clock.
+Models stand for the paper's (benchmarks/wang_models.py), in $MESHQUALITY_DATA.
 """
 
 import argparse
@@ -22,8 +22,8 @@ def main():
     parser.add_argument("--rays", type=int, nargs="+", default=[513])
     parser.add_argument("--points", type=int, default=200_000, help="on each surface")
     arguments = parser.parse_args()
-    print("| example | rays | reconstruction | triangles | kept | mean, % | largest, % | seconds | faults | the paper's mean, % "
-          "| seconds |\n|" + "---|" * 11)
+    print("| example | rays | reconstruction | triangles | kept | mean, % | largest, % | CPU s | faults | the paper's mean, % "
+          "| clock s |\n|" + "---|" * 11)
     with tempfile.TemporaryDirectory() as folder:
         for example in wang_models.named(arguments.rows):
             wang_runs.operands(example.name, folder, with_exact=True)

@@ -3,6 +3,7 @@
 
 import sys
 import unittest
+from unittest import mock
 
 import documents
 import numpy as np
@@ -46,6 +47,11 @@ class Examples(unittest.TestCase):
     def test_every_example_has_its_models(self):
         self.assertEqual(set(wang_models.BY_NAME), set(wang_models._MADE))
         self.assertEqual([example.name for example in wang_models.named(["bunny"])], ["dragon - bunny"])
+
+    def test_says_where_scans_are_looked_for(self):
+        with mock.patch.dict("os.environ", {"MESHQUALITY_DATA": "/nowhere"}):
+            with self.assertRaisesRegex(FileNotFoundError, "/nowhere/boolean/dragon277k.ply.gz .*MESHQUALITY_DATA"):
+                wang_models.operands("dragon - bunny")
 
     def test_made_models_are_closed_and_turned_outward(self):
         for name in ("helix - slices", "ring U bars", "ring U ring"):
