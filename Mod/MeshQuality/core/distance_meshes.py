@@ -32,18 +32,6 @@ class DistanceMesh:
     note: str
 
 
-def mesh_of_any_angles(shape, distance, progress=None, allow_missing_faces=False):
-    """The SurfaceMesh of a Part.Shape that is at most a distance, mm, away from it, without a bound on its angles.
-
-    Raises TopologyError or InvalidInput where a face cannot be meshed, unless that is allowed, or no face; Cancelled.
-    """
-    options = extension().TriangulateOptions()
-    options.min_angle, options.chord_height, options.allow_missing_faces = 0.0, distance, allow_missing_faces
-    mesh = SurfaceMesh(extension().triangulate(convert.shape_of(shape), options, progress, None))
-    require_complete(mesh.report, distance)
-    return mesh
-
-
 def mesh_within(shape, distance, progress=None):
     """The DistanceMesh of a Part.Shape: ours, and OpenCASCADE's triangulation of faces that we cannot mesh, which may have
     holes. Faces that neither can mesh are left out.
@@ -52,9 +40,12 @@ def mesh_within(shape, distance, progress=None):
 
     Raises TopologyError or InvalidInput where no face can be meshed; Cancelled.
     """
+    options = extension().TriangulateOptions()
+    options.min_angle, options.chord_height, options.allow_missing_faces = 0.0, distance, True
     faces = attribute_of(shape, "Faces")
     try:
-        mesh = mesh_of_any_angles(shape, distance, progress, allow_missing_faces=True)
+        mesh = SurfaceMesh(extension().triangulate(convert.shape_of(shape), options, progress, None))
+        require_complete(mesh.report, distance)
     except (InvalidInput, TopologyError) as error:
         refused = error
         pieces, deviation, missing, why = [], 0.0, list(range(len(faces))), str(error)

@@ -15,7 +15,7 @@ from .. import phrases
 from ..compat import attribute_of, extension
 from ..errors import InvalidInput, TopologyError
 from . import convert, frames
-from .distance_meshes import mesh_of_any_angles, mesh_within, require_complete
+from .distance_meshes import mesh_within, require_complete
 from .surface_mesh import SurfaceMesh
 from .triangulation import triangulate
 
@@ -91,12 +91,12 @@ class Operands:
         with self._stage("reading the operands"):
             return [self._read(i) for i in range(len(self._taken))]
 
-    def mesh_shapes(self, core_options, progress, fraction=0.5, any_angles=False, any_faces=False):
+    def mesh_shapes(self, core_options, progress, fraction=0.5, min_angle=None, any_faces=False):
         """Meshes the operands that are shapes, as far from them as this fraction of the tolerance of these
         core.BooleanOptions.
 
-        any_angles  whether the angles of the meshes have no bound
-        any_faces   also shapes with faces that we cannot mesh, as mesh_within does, with notes of that only
+        min_angle  degrees, the bound on the angles of the meshes; None: that of triangulate
+        any_faces  also shapes with faces that we cannot mesh, as mesh_within does, with notes of that only
 
         Returns whether there were any.
         """
@@ -107,7 +107,7 @@ class Operands:
             wanted = self._possible(core_options.tolerance_for(self.size()))
             for done, i in enumerate(shapes):
                 part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
-                self._found[i] = self._mesh_shape(i, fraction * wanted, part, any_angles, any_faces)
+                self._found[i] = self._mesh_shape(i, fraction * wanted, part, min_angle, any_faces)
         return True
 
     def _possible(self, tolerance):
@@ -194,7 +194,7 @@ class Operands:
                           points.max(axis=0) + found[0].origin]
         return float(np.ptp(np.array(boxes), axis=0).max()) if boxes else 0.0
 
-    def _mesh_shape(self, i, chord_height, progress, any_angles, any_faces):
+    def _mesh_shape(self, i, chord_height, progress, min_angle, any_faces):
         shape = _shape_in(self._found[i])
         box = attribute_of(shape, "BoundBox")
         side = max(box.XLength, box.YLength, box.ZLength)
@@ -202,7 +202,7 @@ class Operands:
         chord_height = max(chord_height, _FINEST_CHORD * min(largest, _FRAME * side))
         try:
             mesh, deviation, rounded, note = self._any_mesh(i, shape, chord_height, progress) if any_faces else \
-                self._mesh_of_all_faces(i, shape, chord_height, progress, any_angles)
+                self._mesh_of_all_faces(i, shape, chord_height, progress, min_angle)
         except (InvalidInput, TopologyError) as error:
             raise type(error)(f"{self._names[i]}, {convert.label_of(self._sources[i])}: {error}") \
                 from error
@@ -217,13 +217,11 @@ class Operands:
                                          np.concatenate((mesh.triangles, triangles + len(own))),
                                          measured=False), True, None
 
-    def _mesh_of_all_faces(self, i, shape, chord_height, progress, any_angles):
+    def _mesh_of_all_faces(self, i, shape, chord_height, progress, min_angle):
         """(Surface, its distance from the shape, whether it may be rounded, note)."""
-        if any_angles:
-            mesh = mesh_of_any_angles(shape, chord_height, progress)
-        else:
-            mesh = triangulate(shape, chord_height=chord_height, progress=progress)
-            require_complete(mesh.report, chord_height)
+        bounds = {} if min_angle is None else {"min_angle": min_angle}
+        mesh = triangulate(shape, chord_height=chord_height, progress=progress, **bounds)
+        require_complete(mesh.report, chord_height)
         mixed = isinstance(self._found[i], _Mixed)
         what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
         return mesh._surface, mesh.report.max_chord_height, False, (
