@@ -114,13 +114,15 @@ class Offsets(unittest.TestCase):
         self.assertNotIn("dividing cells", result.report.seconds)
 
     def test_where_the_raw_offset_cannot_be_trimmed(self):
-        # Behind the apex each triangle of the raw offset crosses all others: the contour of the distance takes its place.
-        cone = Part.makeCone(5, 0, 10)
-        result = mq.offset(cone, -1.0, tolerance=0.02)
+        # All triangles of the shaft's raw offset cross each other around its axis: the contour of the distance takes its
+        # place.
+        disc = Part.makeCylinder(3, 10)
+        shaft = disc.fuse(Part.makeCylinder(1, 20, Vector(0, 0, 9)))
+        result = mq.offset(shaft, -1.5, tolerance=0.02)
         self.assertIn("dividing cells", result.report.seconds)
         self.assert_sound(result, 0.02)
-        self.assertLessEqual(abs(distances_from(cone, result) - 1.0).max(), 0.02)
-        assert_on_faces(self, cone, result, lambda i: np.full(len(i), 1.0), 0.02)
+        self.assertLessEqual(abs(distances_from(shaft, result) - 1.5).max(), 0.02)
+        assert_on_faces(self, shaft, result, lambda i: np.full(len(i), 1.5), 0.02)
 
     def test_faces_are_those_of_the_shape(self):
         result = mq.offset(Part.makeBox(10, 10, 10), 1.0, tolerance=0.05)
