@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "curve/measuring.h"
 #include "curve/surface/editor.h"
 #include "curve/volume/editor.h"
 #include "curve/volume/mesher/netgen_filling.h"
@@ -110,18 +111,18 @@ class FaceScene {
         : session_(engine_, face_over_arc(rest)),
           surface(classify(session_, straight(rest, inside, triangles), 2)),
           editor(session_, surface) {
-        editor.placement.place(living());
+        editor.placement.place(living(surface));
     }
 
     void print() const {
         std::vector<std::pair<std::array<int, 3>, double>> elements;
-        for (const int t : living()) {
+        for (const int t : living(surface)) {
             elements.emplace_back(editor.triangle(t).corners, editor.triangle(t).quality);
         }
         print_state(surface.shapes, elements, [&](int a, int b) { return surface.segment(a, b) != nullptr; });
     }
     int triangle(const std::array<int, 3>& corners) const {
-        for (const int t : living()) {
+        for (const int t : living(surface)) {
             const FaceKey key = face_key(corners[0], corners[1], corners[2]);
             const auto& v = editor.triangle(t).corners;
             if (face_key(v[0], v[1], v[2]) == key) {
@@ -132,15 +133,6 @@ class FaceScene {
     }
 
   private:
-    std::vector<int> living() const {
-        std::vector<int> result;
-        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-            if (surface.triangles[t].alive) {
-                result.push_back(static_cast<int>(t));
-            }
-        }
-        return result;
-    }
     mesh::TriangleMesh straight(const std::vector<Vec3>& rest, const std::vector<Vec3>& inside,
                                 const std::vector<std::array<int, 3>>& triangles) {
         mesh::TriangleMesh mesh;

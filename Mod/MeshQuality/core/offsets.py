@@ -17,8 +17,8 @@ _CHORD, _UNION, _CUTTING = 0.2, 0.05, 0.05
 # Fractions of the progress at which the steps end: meshing, union, offset.
 _MESHED, _UNITED, _OFFSET = 0.3, 0.4, 0.9
 _SHARE_OF_WALL = 40.0  # the thickness over the tolerance of a wall, where none is given
-# Degrees, of the mesh of a shape: needles have short edges, where the raw offset gets many strips (nist_ftc_10 of the corpus at
-# -2 %: over 60 s without a bound, 4 s with 1 degree); larger bounds take more triangles (nist_ftc_06: 4 s with 1, over 56 s with 5).
+# Degrees, of the mesh of a shape: needles have short edges, where the raw offset gets many strips; larger bounds take more
+# triangles (docs/measurements/offset.md).
 _SMALLEST_ANGLE = 1.0
 _FINEST = 4.0 * 2.0**-23  # tolerance of a Boolean, as a fraction of the size, at least
 

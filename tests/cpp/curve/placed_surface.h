@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "curve/measuring.h"
 #include "curve/surface/editor.h"
 #include "triangulate/triangulate.h"
 
@@ -18,7 +19,7 @@ class PlacedCurvedSurface {
         : PlacedCurvedSurface(model, order, straight(model, max_edge)) {}
     PlacedCurvedSurface(const std::shared_ptr<geometry::Model>& model, int order, const mesh::TriangleMesh& straight)
         : session(engine, model), surface(classify(session, straight, order)), editor(session, surface) {
-        editor.placement.place(living());
+        editor.placement.place(living(surface));
     }
 
     static mesh::TriangleMesh straight(const std::shared_ptr<geometry::Model>& model, double max_edge) {
@@ -29,18 +30,9 @@ class PlacedCurvedSurface {
         return triangulate::triangulate(engine, model, options).mesh;
     }
 
-    std::vector<int> living() const {
-        std::vector<int> result;
-        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-            if (surface.triangles[t].alive) {
-                result.push_back(static_cast<int>(t));
-            }
-        }
-        return result;
-    }
     int invalid() const {
         int count = 0;
-        for (const int t : living()) {
+        for (const int t : living(surface)) {
             count += editor.triangle(t).quality > 0.0 ? 0 : 1;
         }
         return count;
@@ -48,7 +40,7 @@ class PlacedCurvedSurface {
     /// A living triangle of a surface type, with its corners turned so that edge (0, 1) is inside its face or, if
     /// `border`, on a CAD edge.
     int find(const char* type, bool border, std::array<int, 3>& corners) const {
-        for (const int t : living()) {
+        for (const int t : living(surface)) {
             if (std::string(session.topology().faces[static_cast<std::size_t>(editor.triangle(t).face)].surface) !=
                 type) {
                 continue;
@@ -64,7 +56,7 @@ class PlacedCurvedSurface {
         return -1;
     }
     void expect_closed() const {
-        for (const int t : living()) {
+        for (const int t : living(surface)) {
             const auto& v = editor.triangle(t).corners;
             for (std::size_t k = 0; k < 3; ++k) {
                 EXPECT_EQ(surface.triangles_of_edge(v[k], v[(k + 1) % 3]).size(), 2u);
