@@ -5,8 +5,11 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "base/angle.h"
+#include "base/parallel.h"
+#include "base/predicates.h"
 #include "triangulate/measure/backward_distance.h"
 #include "triangulate/measure/distance_probes.h"
 #include "triangulate/operators/cavity_replacement.h"
@@ -58,6 +61,22 @@ bool CavityOptimiser::at_resolution(int triangle) const {
     const Exemption* exemption = work_.exemption_of(triangle);
     return exemption != nullptr &&
            (exemption->cause == Cause::Resolution || exemption->cause == Cause::FaceFloorRaised);
+}
+
+// Does a step of some milliseconds on the engine's thread, where its many small batches of queries are not handed from
+// thread to thread. Predicates count for the caller's thread, whose limit of threads holds.
+bool CavityOptimiser::on_engines_thread(const std::function<bool()>& step) {
+    bool result = false;
+    PredicateCount count = predicate_count();
+    const int threads = thread_count();
+    work_.session.run([&](geometry::Model&) {
+        const ThreadLimit limit(threads);
+        const PredicateCount own = std::exchange(predicate_count(), count);
+        result = step();
+        count = std::exchange(predicate_count(), own);
+    });
+    predicate_count() = count;
+    return result;
 }
 
 void CavityOptimiser::want(double angle) {
@@ -149,7 +168,7 @@ bool CavityOptimiser::process_queue() {
         }
         ++attempts;
         --attempts_of_all_;
-        if (mend(bad.triangle)) {
+        if (on_engines_thread([&] { return mend(bad.triangle); })) {
             changed = true;
         } else {
             failed_.mark(work_.mesh, bad.triangle);

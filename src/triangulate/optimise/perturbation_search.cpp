@@ -115,7 +115,7 @@ bool CavityOptimiser::escape(int triangle, std::size_t depth) {
         undo_.begin();
         ears_.push_back(kick->fan.ear_site);
         const std::size_t splits = splits_.size();
-        if (try_perturbation(*kick) &&
+        if (on_engines_thread([&] { return try_perturbation(*kick); }) &&
             (better() || (depth > 1 && worth_another_step() && escape(worst_now(), depth - 1)))) {
             return true;
         }
