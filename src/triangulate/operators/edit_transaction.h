@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,31 +11,38 @@
 
 namespace mq::triangulate {
 
-/// Records the mesh where its triangles are replaced, so that all changes can be undone.
+/// Records the mesh where its triangles are replaced, so that all changes since `begin` can be undone. While it is
+/// closed, nothing is recorded.
 class EditTransaction {
   public:
     explicit EditTransaction(Workspace& work) : work_(work) {}
 
+    /// Starts to record; it must be closed.
+    void begin() { changes_.emplace(); }
+    bool is_open() const { return changes_.has_value(); }
+    /// Keeps the changes, and closes.
+    void commit() { changes_.reset(); }
+    /// Restores the recorded triangles, and closes.
+    /// @return by old index: the present index of each. Corners keep their order.
+    std::map<int, int> undo();
+
     /// To be called before triangles are replaced.
     void about_to_remove(const std::vector<int>& triangles);
-    void added(const std::vector<int>& triangles) { now_.insert(triangles.begin(), triangles.end()); }
-    /// To be called before a segment is split, which may happen once; its uses must lie on different faces. Before,
-    /// pass the triangles beside it to `about_to_remove`; afterwards, their halves to `added`.
+    void added(const std::vector<int>& triangles);
+    /// To be called before a segment is split, which may happen once; its uses must lie on different faces. Afterwards
+    /// pass the halves of the triangles beside it to `added`.
     void about_to_split(int segment);
+    /// To be called before the vertex between two segments is replaced by another one; `around` are the triangles
+    /// around it. Pass them to `added` afterwards. None of the segments may be split later.
+    void record_relocation(int near, int far, const std::vector<int>& around);
 
-    /// To be called before the vertex between two segments is replaced by another one. Pass the triangles around it to
-    /// `about_to_remove` before and to `added` afterwards. None of the segments may be split later.
-    void record_relocation(int near, int far);
-
+    // Of an open one:
     /// The triangles that replaced the recorded ones.
-    const std::set<int>& now() const { return now_; }
+    const std::set<int>& now() const { return changes_->now; }
     /// Returns the smallest angle of each recorded triangle, radians.
     std::vector<double> angles_before() const;
     /// The smallest alignment of the recorded triangles (see alignment).
-    double alignment_before() const { return alignment_; }
-
-    /// Restores the recorded triangles. @return by old index: the present index of each. Corners keep their order.
-    std::map<int, int> undo();
+    double alignment_before() const { return changes_->alignment; }
 
   private:
     struct Before {
@@ -59,42 +65,19 @@ class EditTransaction {
         double t = 0.0;
         std::map<int, int> sites;  ///< by use: the site of the vertex
     };
-    ClassifiedMesh::CavityFill refill_of(int face) const;
+    struct Changes {
+        std::set<int> now;
+        std::vector<Before> before;
+        double alignment = 1.0;
+        std::optional<Split> split;
+        std::vector<Slide> slides;
+    };
+    ClassifiedMesh::CavityFill refill_of(const Changes& changes, int face) const;
     void undo_relocation(const Slide& slide);
+    std::map<int, std::vector<int>> restore_triangles(const Changes& changes);
 
     Workspace& work_;
-    std::set<int> now_;
-    std::vector<Before> before_;
-    double alignment_ = 1.0;
-    std::optional<Split> split_;
-    std::vector<Slide> slides_;
-};
-
-/// Nested transactions: the last one can be undone, or all can be committed.
-class TransactionStack {
-  public:
-    explicit TransactionStack(Workspace& work) : work_(work) {}
-
-    void begin() { open_.emplace_back(work_); }
-    bool empty() const { return open_.empty(); }
-    /// All recorded changes.
-    const EditTransaction& first() const { return open_.front(); }
-    /// The changes since the last `begin`.
-    const EditTransaction& last() const { return open_.back(); }
-
-    /// As in EditTransaction; without an open transaction nothing happens.
-    void about_to_remove(const std::vector<int>& triangles);
-    void about_to_split(int segment);
-    void record_relocation(int near, int far, const std::vector<int>& around);
-    void added(const std::vector<int>& triangles);
-
-    /// @return as EditTransaction::undo
-    std::map<int, int> undo_last();
-    void keep_all() { open_.clear(); }
-
-  private:
-    Workspace& work_;
-    std::deque<EditTransaction> open_;
+    std::optional<Changes> changes_;
 };
 
 }  // namespace mq::triangulate

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -23,6 +22,9 @@ namespace {
 
 using geometry::Query;
 
+// Attempts that are made before the engine's thread is free for others again, some milliseconds.
+constexpr int kAttemptsInTurn = 64;
+
 void add_disc(const ClassifiedMesh& mesh, std::vector<int> triangles, std::vector<Cavity>& discs) {
     if (triangles.empty() || triangles.size() > OptimisationTuning::kMaxDisc) {
         return;
@@ -34,7 +36,7 @@ void add_disc(const ClassifiedMesh& mesh, std::vector<int> triangles, std::vecto
 
 }  // namespace
 
-CavityOptimiser::CavityOptimiser(Workspace& work, double min_angle_degrees, const Sizing& sizing, std::size_t& attempts)
+CavityOptimiser::CavityOptimiser(Workspace& work, double min_angle_degrees, const Sizing& sizing, std::size_t attempts)
     : work_(work),
       bound_(min_angle_degrees * kDegree),
       sizing_(sizing),
@@ -56,7 +58,7 @@ double CavityOptimiser::enough_after(double before) const {
            OptimisationTuning::kGainOfDeficit * std::max(0.0, wanted_ - before);
 }
 
-// Whether the triangle lies at a tip as small as the resolution, which is tried only once.
+// Whether the triangle lies at a tip as small as the resolution, which is tried only once in a pass.
 bool CavityOptimiser::at_resolution(int triangle) const {
     const Exemption* exemption = work_.exemption_of(triangle);
     return exemption != nullptr &&
@@ -106,10 +108,12 @@ bool CavityOptimiser::near(int triangle) const {
 
 void CavityOptimiser::push_all() {
     queue_ = {};
-    failed_.clear();
-    exhausted_.clear();
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         if (!work_.mesh.gone(t)) {
+            if (at_resolution(t)) {
+                failed_.unmark(t);
+                failed_beyond_.unmark(t);
+            }
             push_if_bad(t);
         }
     }
@@ -125,56 +129,73 @@ bool CavityOptimiser::over_improve_neighbours_and_retry() {
     return improve_once();
 }
 
-bool CavityOptimiser::run(const std::vector<SearchNeighbourhood>& escapes, double missing_before) {
+bool CavityOptimiser::search() {
     bool changed = false;
-    int worse = 0;
-    double left = missing_before;
-    for (int round = 0; round < OptimisationTuning::kMaxOptimiserRounds && left > 0.0; ++round) {
-        changed = (round > 0 && over_improve_neighbours_and_retry()) || changed;
-        for (const SearchNeighbourhood kinds : escapes) {
-            changed = perturb_all(kinds) || changed;
-        }
+    double left = missing();
+    while (left > 0.0) {
+        changed = over_improve_neighbours_and_retry() || changed;
+        changed = perturb_all() || changed;
         const double now = missing();
-        worse = now > left ? worse + 1 : 0;
-        if (worse == OptimisationTuning::kMaxWorseRounds ||
-            (worse == 0 && now > OptimisationTuning::kLeftAfterRound * left)) {
+        if (now > OptimisationTuning::kLeftAfterRound * left) {
             break;
         }
-        left = std::min(left, now);
+        left = now;
     }
     return changed;
 }
 
 double CavityOptimiser::missing() const {
-    const std::vector<int> bad = bad_triangles();
-    return std::accumulate(bad.begin(), bad.end(), 0.0,
-                           [&](double sum, int t) { return sum + bound_ - smallest_angle(work_.mesh, t).angle; });
+    double sum = 0.0;
+    for (const auto& [triangle, exemption] : work_.exempt) {
+        if (work_.exemption_of(triangle) != nullptr && !hopeless(triangle)) {
+            sum += std::max(0.0, bound_ - smallest_angle(work_.mesh, triangle).angle);
+        }
+    }
+    return sum;
 }
 
 // Processes the queue, including triangles that are added meanwhile.
 bool CavityOptimiser::process_queue() {
     bool changed = false;
-    const std::size_t most =
-        std::min(OptimisationTuning::kAttemptsEach * queue_.size(),
-                 OptimisationTuning::kAttempts +
-                     static_cast<std::size_t>(work_.mesh.triangle_count()) / OptimisationTuning::kTrianglesPerAttempt);
-    for (std::size_t attempts = 0;
-         !queue_.empty() && attempts < most && attempts_of_all_ > 0 && !work_.over_budget();) {
+    std::size_t left = std::min(OptimisationTuning::kAttemptsEach * queue_.size(),
+                                OptimisationTuning::kAttempts + static_cast<std::size_t>(work_.mesh.triangle_count()) /
+                                                                    OptimisationTuning::kTrianglesPerAttempt);
+    const auto some = [&] {
+        bool more = true;
+        for (int n = 0; n < kAttemptsInTurn && more; ++n) {
+            more = process_next(left, changed);
+        }
+        return more;
+    };
+    while (on_engines_thread(some)) {
         work_.progress.check();
-        const QueuedTriangle bad = queue_.top();
-        queue_.pop();
-        if (work_.mesh.stamp(bad.triangle) != bad.stamp || failed_.marked(work_.mesh, bad.triangle)) {
-            continue;
-        }
-        ++attempts;
-        --attempts_of_all_;
-        if (on_engines_thread([&] { return mend(bad.triangle); })) {
-            changed = true;
-        } else {
-            failed_.mark(work_.mesh, bad.triangle);
-        }
     }
     return changed;
+}
+
+// @return whether there may be more to do.
+bool CavityOptimiser::process_next(std::size_t& left, bool& changed) {
+    if (queue_.empty() || left == 0 || attempts_of_all_ == 0 || work_.over_budget()) {
+        return false;
+    }
+    const QueuedTriangle bad = queue_.top();
+    queue_.pop();
+    if (work_.mesh.stamp(bad.triangle) != bad.stamp || has_failed(bad.triangle)) {
+        return true;
+    }
+    --left;
+    --attempts_of_all_;
+    if (mend(bad.triangle)) {
+        changed = true;
+    } else {
+        (near_.empty() ? failed_ : failed_beyond_).mark(work_.mesh, bad.triangle);
+    }
+    return true;
+}
+
+// What does not reach the bound does not reach the larger target.
+bool CavityOptimiser::has_failed(int triangle) const {
+    return failed_.marked(work_.mesh, triangle) || (!near_.empty() && failed_beyond_.marked(work_.mesh, triangle));
 }
 
 std::vector<int> CavityOptimiser::bad_triangles() const {
@@ -204,6 +225,9 @@ void CavityOptimiser::over_improve_neighbours() {
                 }
             }
         }
+    }
+    if (vertices.empty()) {
+        return;
     }
     near_.assign(vertices.begin(), vertices.end());
     want(bound_ + OptimisationTuning::kRoomBesideBad);
@@ -322,10 +346,10 @@ bool CavityOptimiser::mend(int triangle) {
             discs = grown(discs, worst_sides);
         }
     }
-    if (((undo_.empty() || kinds_ != SearchNeighbourhood::Fans) && slide(triangle)) || try_best(proposals, 0.0)) {
+    if (slide(triangle) || try_best(proposals, 0.0)) {
         return true;
     }
-    if (undo_.empty()) {
+    if (!undo_.is_open() && near_.empty()) {
         exhausted_.insert(keys.begin(), keys.end());
     }
     return false;
@@ -478,6 +502,7 @@ void CavityOptimiser::look_again_around(const std::vector<int>& changed) {
             for (const int other : triangles_around(work_.mesh, h)) {
                 if (!at_resolution(other)) {
                     failed_.unmark(other);
+                    failed_beyond_.unmark(other);
                 }
                 push_if_bad(other);
             }
@@ -485,56 +510,12 @@ void CavityOptimiser::look_again_around(const std::vector<int>& changed) {
     }
 }
 
-namespace {
-
-/// The data that local improvement changes.
-struct State {
-    ClassifiedMesh mesh;
-    std::map<int, Exemption> exempt;
-
-    explicit State(const Workspace& work) : mesh(work.mesh), exempt(work.exempt) {}
-    void put_back(Workspace& work) const {
-        work.mesh.become(mesh);
-        work.maxmin.rebuild();
-        work.exempt = exempt;
-    }
-};
-
-// Runs the perturbation search with simple fans; if a deficit is left, starts again from the same mesh with all
-// perturbations, and keeps the better result. Either search can end in a local optimum that the other avoids.
-bool mend_by_escapes(Workspace& work, double min_angle_degrees, const Sizing& sizing, double missing,
-                     std::size_t& attempts) {
-    using SearchNeighbourhood = CavityOptimiser::SearchNeighbourhood;
-    const State before(work);
-    CavityOptimiser simple(work, min_angle_degrees, sizing, attempts);
-    const bool changed = simple.run({SearchNeighbourhood::Fans}, missing);
-    const double left = simple.missing();
-    if (!(left > 0.0)) {
-        return changed;
-    }
-    const State after(work);
-    before.put_back(work);
-    CavityOptimiser thorough(work, min_angle_degrees, sizing, attempts);
-    if (thorough.run({SearchNeighbourhood::All, SearchNeighbourhood::TwoInARow}, missing) &&
-        thorough.missing() < left) {
-        return true;
-    }
-    after.put_back(work);
-    return changed;
-}
-
-}  // namespace
-
 bool mend(Workspace& work, double min_angle_degrees, const Sizing& sizing) {
-    std::size_t attempts = OptimisationTuning::kLeastOfAll + OptimisationTuning::kOfAllEach * work.triangles();
-    CavityOptimiser mender(work, min_angle_degrees, sizing, attempts);
+    CavityOptimiser mender(work, min_angle_degrees, sizing,
+                           OptimisationTuning::kLeastOfAll + OptimisationTuning::kOfAllEach * work.triangles());
     bool changed = mender.improve_once();
-    const double missing = mender.missing();
-    if (missing > 0.0) {
-        changed = mender.over_improve_neighbours_and_retry() || changed;
-        changed = mend_by_escapes(work, min_angle_degrees, sizing, missing, attempts) || changed;
-    }
-    work.left_by_mending = attempts == 0 ? mender.bad_triangles().size() : 0;
+    changed = mender.search() || changed;
+    work.left_by_mending = mender.attempts_left() == 0 ? mender.bad_triangles().size() : 0;
     close_gaps(work);
     return changed;
 }

@@ -32,25 +32,20 @@ namespace mq::triangulate {
 ///
 /// Where no single change improves a triangle, the mesh is perturbed: a disc gets a vertex more or less (a fan around
 /// a vertex of a CAD edge gets another spoke, a corner loses one), a segment is split, or a vertex moves along its CAD
-/// edge; then the neighbourhood is repaired, and everything is undone unless the result is better. If that fails too,
-/// a second perturbation follows the first.
+/// edge; then the neighbourhood is repaired, and everything is undone unless the result is better. Nothing is tried
+/// again before something beside it has changed.
 class CavityOptimiser {
   public:
-    /// Perturbations to be tried: simple fans; ears, splits and moves in addition; two of any kind in succession.
-    enum class SearchNeighbourhood { Fans, All, TwoInARow };
-
-    /// @param attempts  may be made yet, by all optimisers that share it: attempts to improve one triangle.
-    CavityOptimiser(Workspace& work, double min_angle_degrees, const Sizing& sizing, std::size_t& attempts);
+    /// @param attempts  attempts to improve one triangle that may be made in all
+    CavityOptimiser(Workspace& work, double min_angle_degrees, const Sizing& sizing, std::size_t attempts);
 
     /// Applies single changes as long as one improves the mesh. @return whether anything was changed, as for all
     /// functions below.
     bool improve_once();
-    /// First improves triangles around bad ones beyond the bound where they prevent changes, then applies single
-    /// changes.
-    bool over_improve_neighbours_and_retry();
-    /// Rounds of perturbations, with single changes between them, as long as the deficit decreases sufficiently.
-    /// @param missing_before  deficit before the first round, radians
-    bool run(const std::vector<SearchNeighbourhood>& escapes, double missing_before);
+    /// Rounds as long as the deficit decreases sufficiently: triangles around bad ones are improved beyond the bound
+    /// where they prevent changes, single changes are applied, and then perturbations.
+    bool search();
+    std::size_t attempts_left() const { return attempts_of_all_; }
     /// Returns the total angle deficit, radians: the sum of what triangles that could reach the bound lack.
     double missing() const;
     /// Returns the triangles below the bound that may be improvable.
@@ -92,7 +87,10 @@ class CavityOptimiser {
     bool near(int triangle) const;
     void push_all();
     bool process_queue();
+    bool process_next(std::size_t& left, bool& changed);
+    bool over_improve_neighbours_and_retry();
     void over_improve_neighbours();
+    bool has_failed(int triangle) const;
     bool hopeless(int triangle) const;
     bool at_resolution(int triangle) const;
     bool mend(int triangle);
@@ -117,19 +115,17 @@ class CavityOptimiser {
     };
 
     // Implemented in perturbation_search.cpp.
-    bool perturb_all(SearchNeighbourhood kinds);
+    bool perturb_all();
     bool budget_spent() const;
+    void count_attempt();
     bool mark_tried(int triangle);
-    bool escape(int triangle, std::size_t depth);
+    bool escape(int triangle);
     bool try_perturbation(const Perturbation& kick);
     bool better() const;
-    bool worth_another_step() const;
-    int worst_now() const;
     void keep(const Exemption& reason);
     bool move_corner(int triangle);
     bool cut_ear(const std::vector<int>& fan, int ear_site, int apex_site);
     bool reopens_ear(const Cavity& disc, int apex_site) const;
-    bool reopens_ear(const Cavity& disc, int apex_site, int ear) const;
     void follow(const std::function<bool(int)>& change);
     std::vector<Perturbation> kicks(int triangle) const;
     void add_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const;
@@ -159,17 +155,17 @@ class CavityOptimiser {
     const Sizing& sizing_;
     std::priority_queue<QueuedTriangle> queue_;
     EdgeVertexRelocation slider_;
-    TransactionStack undo_;                   // open while changes may still be undone
-    std::vector<int> ears_;                   // by trial: the site whose corner was cut off, or -1
-    std::vector<std::array<int, 2>> splits_;  // segments split in these trials: near and far one
-    TriangleMarks failed_;                    // until a triangle beside them changes
+    EditTransaction undo_;                     // open while changes may still be undone
+    int ear_ = -1;                             // in a trial: the site whose corner was cut off, or -1
+    std::optional<std::array<int, 2>> split_;  // in a trial: the segment that was split, and its far half
+    TriangleMarks failed_;                     // until a triangle beside them changes
+    TriangleMarks failed_beyond_;              // the same with the larger target
     KeySet tried_to_escape_;
-    SearchNeighbourhood kinds_ = SearchNeighbourhood::Fans;
-    std::size_t attempts_left_ = 0;  // at one kind of perturbations
-    std::size_t& attempts_of_all_;
+    int attempts_of_search_ = 0;  // left for the present triangle
+    std::size_t attempts_of_all_;
     double least_aligned_ = kAlignedSwap;
     KeyMap<CavityCandidates> found_;  // by disc, for the present target angle
-    KeySet exhausted_;                // keys of discs for which no improvement was found
+    KeySet exhausted_;                // keys of discs for which no improvement was found, without the larger target
 };
 
 /// Improves the mesh by single changes, and by perturbations where these leave a deficit.

@@ -226,7 +226,7 @@ bool EdgeVertexRelocation::aligned(const EdgeVertexStar& bead,
     return after >= before;
 }
 
-bool EdgeVertexRelocation::put(const EdgeVertexStar& bead, const Place& place, double bound, TransactionStack& undo) {
+bool EdgeVertexRelocation::put(const EdgeVertexStar& bead, const Place& place, double bound, EditTransaction& undo) {
     if (!lengths_allowed(bead, place.point)) {
         return false;
     }
@@ -291,7 +291,7 @@ std::optional<double> EdgeVertexRelocation::angle_after(int vertex, double step,
     return place ? std::optional(place->angle) : std::nullopt;
 }
 
-std::vector<int> EdgeVertexRelocation::move(int vertex, double step, double bound, TransactionStack& undo) {
+std::vector<int> EdgeVertexRelocation::move(int vertex, double step, double bound, EditTransaction& undo) {
     const auto bead = bead_at(vertex, bound);
     const auto place = bead ? place_at(*bead, step) : std::nullopt;
     return place && put(*bead, *place, bound, undo) ? triangles_around(*bead) : std::vector<int>();
@@ -305,7 +305,7 @@ void EdgeVertexRelocation::was_split(int segment, int far) {
 }
 
 std::vector<int> EdgeVertexRelocation::improve(int triangle, double bound, const std::function<double(double)>& enough,
-                                               TransactionStack& undo) {
+                                               EditTransaction& undo) {
     if (sizing_.turn > 0.0 || sizing_.growth > 0.0) {
         return {};  // longer edges would have to satisfy the growth bounds of all neighbours
     }

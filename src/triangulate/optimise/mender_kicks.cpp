@@ -143,7 +143,7 @@ bool CavityOptimiser::split(int segment, double fraction) {
     const int far = mesh.segment_count();
     const std::vector<int> halves = split_at(work_, segment, t, point, answers.data() + 1);
     undo_.added(halves);
-    splits_.push_back({segment, far});
+    split_ = {segment, far};
     restore_exemptions(work_, halves, bound_, reason);
     look_again_around(halves);
     return std::all_of(halves.begin(), halves.end(), [&](int h) { return alignment(mesh, h) >= least_aligned_; });

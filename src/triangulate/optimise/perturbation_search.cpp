@@ -20,14 +20,6 @@ namespace {
 // Alignment (a cosine) that is allowed until the repair: at the apex of a slender cone a triangle that replaces two
 // spans half of it until its corners have moved.
 constexpr double kAlignedForNow = -0.1;
-// Number of successive perturbations, local repairs in a round, and triangles below the bound above which the round is
-// skipped, since the shape causes that many.
-struct Limits {
-    std::size_t changes;
-    std::size_t attempts;
-    std::size_t most_left;
-};
-
 void rename(Cavity& disc, const std::map<int, int>& moved) {
     const auto now = [&](int t) {
         const auto found = moved.find(t);
@@ -57,33 +49,35 @@ std::vector<double> angles_now(const ClassifiedMesh& mesh, const EditTransaction
 }  // namespace
 
 // Perturbs at all remaining triangles, the smallest deficit first, since it is the easiest to remove.
-bool CavityOptimiser::perturb_all(SearchNeighbourhood kinds) {
-    const Limits limits =
-        kinds == SearchNeighbourhood::TwoInARow
-            ? Limits{2, OptimisationTuning::kSecondSearchAttempts, OptimisationTuning::kMostLeftForSecond}
-            : Limits{1, OptimisationTuning::kSearchAttempts, OptimisationTuning::kMostLeft};
-    kinds_ = kinds;
+bool CavityOptimiser::perturb_all() {
     bool changed = false;
-    tried_to_escape_.clear();
-    attempts_left_ = limits.attempts;
+    int left = OptimisationTuning::kSearchAttempts;
     for (bool again = true; again;) {  // undoing changes the indices of triangles
         again = false;
         std::vector<std::pair<double, int>> bad;
         for (const int t : bad_triangles()) {
             bad.emplace_back(-smallest_angle(work_.mesh, t).angle, t);
         }
-        if (bad.size() > limits.most_left) {
-            return changed;
-        }
         std::sort(bad.begin(), bad.end());
-        for (const auto& [angle, t] : bad) {
-            if (work_.exemption_of(t) != nullptr && mark_tried(t)) {
-                again = true;
-                const Exemption reason = *work_.exemption_of(t);
-                if (escape(t, limits.changes)) {
-                    keep(reason);
-                    changed = true;
-                }
+        const int share = std::max(OptimisationTuning::kLeastShare,
+                                   OptimisationTuning::kSearchAttempts / std::max(1, static_cast<int>(bad.size())));
+        for (const auto& [angle, triangle] : bad) {
+            if (left <= 0 || attempts_of_all_ == 0 || work_.over_budget()) {
+                return changed;
+            }
+            const int t = triangle;
+            if (work_.exemption_of(t) == nullptr || !mark_tried(t)) {
+                continue;
+            }
+            again = true;
+            const Exemption reason = *work_.exemption_of(t);
+            attempts_of_search_ = share;
+            if (on_engines_thread([&] { return escape(t); })) {
+                keep(reason);
+                changed = true;
+                left = OptimisationTuning::kSearchAttempts;
+            } else {
+                left -= share - attempts_of_search_;
             }
         }
     }
@@ -102,26 +96,28 @@ bool CavityOptimiser::mark_tried(int triangle) {
 }
 
 bool CavityOptimiser::budget_spent() const {
-    return attempts_left_ == 0 || attempts_of_all_ == 0 || work_.over_budget();
+    return attempts_of_search_ == 0 || attempts_of_all_ == 0 || work_.over_budget();
 }
 
-// Tries up to `depth` successive perturbations. On success the transactions remain open.
-bool CavityOptimiser::escape(int triangle, std::size_t depth) {
+void CavityOptimiser::count_attempt() {
+    --attempts_of_search_;
+    --attempts_of_all_;
+}
+
+// Tries perturbations. On success the transaction remains open.
+bool CavityOptimiser::escape(int triangle) {
     std::vector<Perturbation> tries = kicks(triangle);
-    tries.resize(std::min(tries.size(), undo_.empty() ? OptimisationTuning::kMaxPerturbations
-                                                      : OptimisationTuning::kMaxSecondPerturbations));
     for (auto kick = tries.begin(); kick != tries.end() && !budget_spent(); ++kick) {
         work_.progress.check();
+        count_attempt();
         undo_.begin();
-        ears_.push_back(kick->fan.ear_site);
-        const std::size_t splits = splits_.size();
-        if (on_engines_thread([&] { return try_perturbation(*kick); }) &&
-            (better() || (depth > 1 && worth_another_step() && escape(worst_now(), depth - 1)))) {
+        ear_ = kick->fan.ear_site;
+        if (try_perturbation(*kick) && better()) {
             return true;
         }
-        ears_.pop_back();
-        splits_.resize(splits);
-        const std::map<int, int> moved = undo_.undo_last();
+        ear_ = -1;
+        split_.reset();
+        const std::map<int, int> moved = undo_.undo();
         std::for_each(kick, tries.end(), [&](Perturbation& later) { rename(later.fan.disc, moved); });
     }
     return false;
@@ -137,7 +133,7 @@ bool CavityOptimiser::try_perturbation(const Perturbation& kick) {
     least_aligned_ = kAlignedSwap;
     if (done) {
         follow([&](int t) { return move_corner(t); });
-        for (const int t : undo_.last().now()) {
+        for (const int t : undo_.now()) {
             push_if_bad(t);
         }
         follow([&](int t) { return mend(t); });
@@ -148,41 +144,28 @@ bool CavityOptimiser::try_perturbation(const Perturbation& kick) {
 
 // Whether the total deficit has decreased sufficiently, and no triangle is worse than the worst one before.
 bool CavityOptimiser::better() const {
-    const std::vector<double> before = undo_.first().angles_before();
-    const std::vector<double> after = angles_now(work_.mesh, undo_.first());
-    const std::set<int>& now = undo_.first().now();
-    const double least = std::min(kAlignedSwap, undo_.first().alignment_before());
+    const std::vector<double> before = undo_.angles_before();
+    const std::vector<double> after = angles_now(work_.mesh, undo_);
+    const std::set<int>& now = undo_.now();
+    const double least = std::min(kAlignedSwap, undo_.alignment_before());
     return *std::min_element(after.begin(), after.end()) >= *std::min_element(before.begin(), before.end()) &&
            missing_of(after, bound_) < OptimisationTuning::kLeftAfterPerturbation * missing_of(before, bound_) &&
            std::all_of(now.begin(), now.end(), [&](int t) { return alignment(work_.mesh, t) >= least; });
 }
 
-bool CavityOptimiser::worth_another_step() const {
-    return missing_of(angles_now(work_.mesh, undo_.first()), bound_) <
-           OptimisationTuning::kPromising * missing_of(undo_.first().angles_before(), bound_) +
-               OptimisationTuning::kPromisingMore;
-}
-
-int CavityOptimiser::worst_now() const {
-    const std::set<int>& now = undo_.first().now();
-    return *std::min_element(now.begin(), now.end(), [&](int a, int b) {
-        return smallest_angle(work_.mesh, a).angle < smallest_angle(work_.mesh, b).angle;
-    });
-}
-
 // A triangle below the bound after the search need not replace one that was below it before.
 void CavityOptimiser::keep(const Exemption& reason) {
-    const std::set<int>& now = undo_.first().now();
+    const std::set<int>& now = undo_.now();
     std::vector<int> left;
     std::copy_if(now.begin(), now.end(), std::back_inserter(left),
                  [&](int t) { return work_.exemption_of(t) == nullptr; });
     restore_exemptions(work_, left, bound_, reason);
-    for (const auto& [near, far] : splits_) {
-        slider_.was_split(near, far);
+    if (split_) {
+        slider_.was_split((*split_)[0], (*split_)[1]);
     }
-    splits_.clear();
-    ears_.clear();
-    undo_.keep_all();
+    split_.reset();
+    ear_ = -1;
+    undo_.commit();
 }
 
 // Relocates one vertex of the triangle, and changes nothing else.
@@ -207,14 +190,10 @@ std::vector<CavityOptimiser::Perturbation> CavityOptimiser::kicks(int triangle) 
     std::vector<Perturbation> result;
     for (const Cavity& disc : discs_around(triangle)) {
         add_fans(disc, result);
-        if (kinds_ != SearchNeighbourhood::Fans) {
-            add_eared_fans(disc, result);
-        }
+        add_eared_fans(disc, result);
     }
-    if (kinds_ != SearchNeighbourhood::Fans) {
-        add_splits(triangle, result);
-        add_moves(triangle, result);
-    }
+    add_splits(triangle, result);
+    add_moves(triangle, result);
     std::stable_sort(result.begin(), result.end(),
                      [](const Perturbation& a, const Perturbation& b) { return a.fan.angle > b.fan.angle; });
     return result;
@@ -271,13 +250,11 @@ bool CavityOptimiser::cut_ear(const std::vector<int>& fan, int ear_site, int ape
 
 // Whether a corner that lost a triangle by an ear would get another one, which would revert the perturbation.
 bool CavityOptimiser::reopens_ear(const Cavity& disc, int apex_site) const {
-    return std::any_of(ears_.begin(), ears_.end(),
-                       [&](int ear) { return ear >= 0 && reopens_ear(disc, apex_site, ear); });
-}
-
-bool CavityOptimiser::reopens_ear(const Cavity& disc, int apex_site, int ear) const {
+    if (ear_ < 0) {
+        return false;
+    }
     const ClassifiedMesh& mesh = work_.mesh;
-    const auto at_ear = [&](int h) { return mesh.site_of(h) == ear; };
+    const auto at_ear = [&](int h) { return mesh.site_of(h) == ear_; };
     const auto side = std::find_if(disc.rim.begin(), disc.rim.end(), at_ear);
     if (side == disc.rim.end()) {
         return false;
@@ -291,7 +268,7 @@ bool CavityOptimiser::reopens_ear(const Cavity& disc, int apex_site, int ear) co
         const int next = ClassifiedMesh::next(h);
         return (at_ear(h) && mesh.site_of(next) == apex_site) || (at_ear(next) && mesh.site_of(h) == apex_site);
     });
-    const std::ptrdiff_t after = apex_site == ear ? sides - 2 : beside ? 1 : 2;
+    const std::ptrdiff_t after = apex_site == ear_ ? sides - 2 : beside ? 1 : 2;
     return after > before;
 }
 
@@ -301,8 +278,7 @@ void CavityOptimiser::follow(const std::function<bool(int)>& change) {
     for (int n = 0; n < OptimisationTuning::kAttemptsAfter && !queue_.empty() && !budget_spent(); ++n) {
         const QueuedTriangle bad = queue_.top();
         queue_.pop();
-        --attempts_left_;
-        --attempts_of_all_;
+        count_attempt();
         if (work_.mesh.stamp(bad.triangle) == bad.stamp && !tried.marked(work_.mesh, bad.triangle) &&
             !change(bad.triangle)) {
             tried.mark(work_.mesh, bad.triangle);

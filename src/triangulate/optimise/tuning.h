@@ -40,12 +40,8 @@ struct OptimisationTuning {
     MESHQUALITY_TUNED(int, kMaxGrowth, 3);
     /// Radians: triangles beside bad ones are improved by this angle beyond the bound.
     MESHQUALITY_TUNED(double, kRoomBesideBad, 3.0 * kDegree);
-    /// Largest number of rounds in which triangles and those beside them are improved.
-    MESHQUALITY_TUNED(int, kMaxOptimiserRounds, 6);
     /// Largest fraction of the deficit left after a round that lets another one follow.
     MESHQUALITY_TUNED(double, kLeftAfterRound, 0.95);
-    /// Successive rounds that may increase the deficit: a later one may still reduce it.
-    MESHQUALITY_TUNED(int, kMaxWorseRounds, 2);
     /// Largest distance between an apex and its projection, as a fraction of the cavity's size, so that other
     /// sheets of the surface are excluded.
     MESHQUALITY_TUNED(double, kMaxApexLift, 0.5);
@@ -65,27 +61,15 @@ struct OptimisationTuning {
     static constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};
     /// Positions tried for one vertex on a CAD edge.
     MESHQUALITY_TUNED(std::size_t, kMaxPositions, 3);
-    /// Perturbations tried for a triangle.
-    MESHQUALITY_TUNED(std::size_t, kMaxPerturbations, 60);
-    /// Perturbations tried after another one.
-    MESHQUALITY_TUNED(std::size_t, kMaxSecondPerturbations, 12);
+    /// Attempts without success, perturbations and repairs after them, that end the search by perturbations. The
+    /// triangles left share them.
+    MESHQUALITY_TUNED(int, kSearchAttempts, 20'000);
+    /// Least share of a triangle.
+    MESHQUALITY_TUNED(int, kLeastShare, 600);
     /// Local repairs of each kind after a perturbation.
-    MESHQUALITY_TUNED(int, kAttemptsAfter, 150);
+    MESHQUALITY_TUNED(int, kAttemptsAfter, 75);
     /// A perturbation is kept only if the total angle deficit falls to this fraction of its former value.
     MESHQUALITY_TUNED(double, kLeftAfterPerturbation, 0.95);
-    /// Attempts of the search by single perturbations.
-    MESHQUALITY_TUNED(std::size_t, kSearchAttempts, 20'000);
-    /// That search is skipped above this number of triangles below the bound, since the shape causes that many.
-    MESHQUALITY_TUNED(std::size_t, kMostLeft, 200);
-    /// Attempts of the search by two successive perturbations.
-    MESHQUALITY_TUNED(std::size_t, kSecondSearchAttempts, 40'000);
-    /// That search is skipped above this number of triangles below the bound.
-    MESHQUALITY_TUNED(std::size_t, kMostLeftForSecond, 60);
-    /// A second perturbation is tried if the deficit after the first is at most this multiple of the former one, plus
-    /// kPromisingMore.
-    MESHQUALITY_TUNED(double, kPromising, 3.0);
-    /// Radians: the addend; see kPromising.
-    MESHQUALITY_TUNED(double, kPromisingMore, 10.0 * kDegree);
     /// Factor by which the angles after a removal exceed the bound, as a margin for later changes.
     MESHQUALITY_TUNED(double, kRemovalMargin, 1.04);
     /// Fraction of the tolerance. A vertex is kept if the chord error of an edge at it exceeds this: without the

@@ -206,12 +206,6 @@ std::vector<int> ClassifiedMesh::replace(const std::vector<int>& removed,
     return indices;
 }
 
-void ClassifiedMesh::become(const ClassifiedMesh& other) {
-    const int numbers = std::max(numbers_, other.numbers_);
-    *this = other;
-    numbers_ = numbers;
-}
-
 // Links half-edges by the vertices that they join: to what is left of the rim, and to each other. Where a side of the
 // parameter domain is a point in space, and along a dissolved seam, a vertex has several sites: the two sides of an
 // edge end at different ones, and swaps across the edge exchange them.

@@ -136,10 +136,6 @@ class ClassifiedMesh {
     /// @return the pairs old index, new index of the triangles that moved.
     std::vector<std::pair<int, int>> compact();
 
-    /// Restores a copy of this mesh, or takes over another result derived from the same mesh. Numbers of edges
-    /// continue from the higher of the two.
-    void become(const ClassifiedMesh& other);
-
     /// Returns the half-edge that leaves the end `vertex` of a segment on the face of one of its uses: along the
     /// segment, or the next one of the triangle.
     int leaving(const SegmentUse& use, int vertex) const {

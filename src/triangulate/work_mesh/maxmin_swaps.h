@@ -20,9 +20,8 @@ namespace mq::triangulate {
 /// the mesh join the same vertices afterwards.
 class MaxMinSwaps {
   public:
+    /// Enters the edges that the mesh has into the table of joined pairs.
     explicit MaxMinSwaps(ClassifiedMesh& mesh);
-    /// Rebuilds the table of joined pairs after the mesh was changed without this class.
-    void rebuild();
 
     /// Swaps until no edge of the whole mesh violates the predicate, except those beside the `settled` triangles.
     void sweep(std::vector<int>& touched, const TriangleMarks& settled = {});

@@ -26,8 +26,7 @@ std::set<std::array<int, 3>> sites_of(const ClassifiedMesh& mesh) {
 
 /// Replaces all triangles around the origin of `h` by a fan from a new vertex, if these are a disc. @return its
 /// triangles
-template <typename Undo>
-std::vector<int> put_new_fan(Pipeline& pipeline, int h, Undo& undo) {
+std::vector<int> put_new_fan(Pipeline& pipeline, int h, EditTransaction& undo) {
     ClassifiedMesh& mesh = pipeline.surface;
     const auto disc = disc_of(mesh, triangles_around(mesh, h));
     if (!disc) {
@@ -59,12 +58,14 @@ TEST(EditTransaction, BringsBackWhatWasThere) {
             const int first_site = mesh.site_of(3 * middle);
             pipeline.work.exempt[middle] = {Cause::NoImprovingChange, -1, -1, mesh.stamp(middle)};
             EditTransaction undo(pipeline.work);
+            undo.begin();
             int next = middle;
             for (int change = 0; change < 6; ++change) {
                 const std::vector<int> added = put_new_fan(pipeline, 3 * next + static_cast<int>(random() % 3), undo);
                 next = added.empty() ? next : added[random() % added.size()];
             }
             const std::map<int, int> moved = undo.undo();
+            EXPECT_FALSE(undo.is_open());
             EXPECT_EQ(sites_of(mesh), before);
             const int again = moved.count(middle) > 0 ? moved.at(middle) : middle;
             EXPECT_EQ(mesh.site_of(3 * again), first_site);
@@ -90,7 +91,7 @@ std::set<Ends> segments_of(const ClassifiedMesh& mesh) {
     return all;
 }
 
-void random_fan(Pipeline& pipeline, std::mt19937& random, TransactionStack& undo) {
+void random_fan(Pipeline& pipeline, std::mt19937& random, EditTransaction& undo) {
     ClassifiedMesh& mesh = pipeline.surface;
     const int t = static_cast<int>(random() % static_cast<unsigned>(mesh.triangle_count()));
     if (mesh.gone(t)) {
@@ -100,7 +101,7 @@ void random_fan(Pipeline& pipeline, std::mt19937& random, TransactionStack& undo
 }
 
 // Splits a random segment on two faces, in the middle of its parameters.
-void random_split(Pipeline& pipeline, std::mt19937& random, TransactionStack& undo) {
+void random_split(Pipeline& pipeline, std::mt19937& random, EditTransaction& undo) {
     ClassifiedMesh& mesh = pipeline.surface;
     const int s = static_cast<int>(random() % static_cast<unsigned>(mesh.segment_count()));
     const ClassifiedMesh::Segment segment = mesh.segment(s);
@@ -128,7 +129,7 @@ void random_split(Pipeline& pipeline, std::mt19937& random, TransactionStack& un
 }
 
 // Moves a random vertex along its CAD edge, if it is on one. @return whether it has moved
-bool random_move(Pipeline& pipeline, std::mt19937& random, const Sizing& sizing, TransactionStack& undo) {
+bool random_move(Pipeline& pipeline, std::mt19937& random, const Sizing& sizing, EditTransaction& undo) {
     const int vertex = static_cast<int>(random() % static_cast<unsigned>(pipeline.surface.vertex_count()));
     const double step = random() % 2 == 0 ? 0.3 : -0.3;
     const std::vector<int> changed = EdgeVertexRelocation(pipeline.work, sizing).move(vertex, step, 0.4, undo);
@@ -136,8 +137,8 @@ bool random_move(Pipeline& pipeline, std::mt19937& random, const Sizing& sizing,
     return !changed.empty();
 }
 
-/// Fans, splits of segments and moves in nested transactions: undoing each restores its initial state on all faces.
-TEST(TransactionStack, BringsBackWhatWasThereTrialByTrial) {
+/// Fans, splits of segments and moves: undoing restores the state on all faces; what is committed stays.
+TEST(EditTransaction, BringsBackSegmentsAndPlacesOfVertices) {
     std::mt19937 random(11);
     int moves = 0;
     for (const geometry::Part& part : geometry::all_parts()) {
@@ -146,27 +147,28 @@ TEST(TransactionStack, BringsBackWhatWasThereTrialByTrial) {
         pipeline.refine(25.0);
         ClassifiedMesh& mesh = pipeline.surface;
         const Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
-        for (int round = 0; round < 10; ++round) {
-            TransactionStack undo(pipeline.work);
-            std::vector<std::pair<std::set<std::array<int, 3>>, std::set<Ends>>> before;
-            for (int depth = 0; depth < 3; ++depth) {
-                before.emplace_back(sites_of(mesh), segments_of(mesh));
-                undo.begin();
-                random_fan(pipeline, random, undo);
-                random_split(pipeline, random, undo);
-                for (int k = 0; k < 5; ++k) {
-                    moves += random_move(pipeline, random, sizing, undo) ? 1 : 0;
-                }
-                random_fan(pipeline, random, undo);
-                EXPECT_EQ(mesh.inconsistency(), "");
+        EditTransaction undo(pipeline.work);
+        for (int round = 0; round < 30; ++round) {
+            const auto sites = sites_of(mesh);
+            const auto segments = segments_of(mesh);
+            undo.begin();
+            random_fan(pipeline, random, undo);
+            random_split(pipeline, random, undo);
+            for (int k = 0; k < 5; ++k) {
+                moves += random_move(pipeline, random, sizing, undo) ? 1 : 0;
             }
-            while (!undo.empty()) {
-                undo.undo_last();
-                EXPECT_EQ(sites_of(mesh), before.back().first);
-                EXPECT_EQ(segments_of(mesh), before.back().second);
-                EXPECT_EQ(mesh.inconsistency(), "");
-                before.pop_back();
+            random_fan(pipeline, random, undo);
+            EXPECT_EQ(mesh.inconsistency(), "");
+            if (round % 3 == 0) {
+                const auto changed = sites_of(mesh);
+                undo.commit();
+                EXPECT_EQ(sites_of(mesh), changed);
+            } else {
+                undo.undo();
+                EXPECT_EQ(sites_of(mesh), sites);
+                EXPECT_EQ(segments_of(mesh), segments);
             }
+            EXPECT_EQ(mesh.inconsistency(), "");
             mesh.compact();
             EXPECT_TRUE(pipeline.maxmin.doubled_edges().empty());
         }

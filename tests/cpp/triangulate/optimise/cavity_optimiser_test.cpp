@@ -103,11 +103,10 @@ TEST(CavityOptimiser, EndsWithTheAttemptsThatItMayMake) {
         Pipeline pipeline(geometry::make_shape_model(geometry::wedge(5.0, 10.0, 3.0)));
         pipeline.refine(25.0);
         const Sizing none{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {})};
-        std::size_t attempts = most;
-        CavityOptimiser optimiser(pipeline.work, 25.0, none, attempts);
+        CavityOptimiser optimiser(pipeline.work, 25.0, none, most);
         EXPECT_EQ(optimiser.improve_once(), most > 0);
-        optimiser.run({CavityOptimiser::SearchNeighbourhood::Fans}, optimiser.missing());
-        EXPECT_EQ(attempts, 0U);
+        EXPECT_FALSE(optimiser.search());
+        EXPECT_EQ(optimiser.attempts_left(), 0U);
         EXPECT_FALSE(optimiser.bad_triangles().empty());
     }
 }

@@ -30,7 +30,7 @@ struct RefinedPart {
     Pipeline pipeline;
     Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
     EdgeVertexRelocation slider{pipeline.work, sizing};
-    TransactionStack undo{pipeline.work};
+    EditTransaction undo{pipeline.work};
 };
 
 /// Every move enlarges the smallest angle around the vertex by the requested gain, and leaves it on its edge; the
@@ -94,7 +94,7 @@ TEST(EdgeVertexRelocation, KeepsTheDistanceFromThePart) {
         const double tolerance = measure_chord_height(pipeline.work, measure, 0.0).distance;
         const Sizing sizing{tolerance, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
         EdgeVertexRelocation slider(pipeline.work, sizing);
-        TransactionStack undo(pipeline.work);
+        EditTransaction undo(pipeline.work);
         for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
             slider.improve(
                 t, 0.5, [](double angle) { return angle + 0.01; }, undo);
