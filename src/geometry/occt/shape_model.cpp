@@ -21,6 +21,7 @@
 #include "geometry/occt/evaluation/edge_evaluator.h"
 #include "geometry/occt/evaluation/face_evaluator.h"
 #include "geometry/occt/geometry_fingerprint.h"
+#include "geometry/occt/plane_curves.h"
 #include "geometry/occt/topology/creases.h"
 #include "geometry/occt/topology/degenerate_faces.h"
 #include "geometry/occt/topology/imprint.h"
@@ -88,7 +89,7 @@ class ShapeAnswerer final : public Answerer {
 
 class ShapeModel final : public Model {
   public:
-    ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join, Evaluation evaluation,
+    ShapeModel(const TopoDS_Shape& given, Creases creases, const VirtualTopology& join, Evaluation evaluation,
                const Progress* progress);
     Answer answer(const Query& query) noexcept override { return first_.answer(query); }
     Answerer* answerer(int thread) override;
@@ -117,10 +118,11 @@ Item& reached(std::vector<Item>& list, int index) {
     return list[i];
 }
 
-ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join, Evaluation evaluation,
+ShapeModel::ShapeModel(const TopoDS_Shape& given, Creases creases, const VirtualTopology& join, Evaluation evaluation,
                        const Progress* progress)
-    : definitions_(shape), evaluation_(evaluation), first_(live_, topology_, evaluation) {
+    : definitions_(given), evaluation_(evaluation), first_(live_, topology_, evaluation) {
     place_ = definitions_.place();
+    const TopoDS_Shape shape = with_plane_curves(given, progress);
     std::vector<std::string> failures;
     read_topology(shape, creases, join, failures, progress);
     topology_.faults.insert(topology_.faults.end(), failures.begin(), failures.end());
