@@ -19,11 +19,14 @@
 #include <gp_Trsf.hxx>
 #include <map>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/checks/linear_time_checks.h"
+#include "geometry/occt/checks/sound_face.h"
+#include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/topology/shape_map.h"
 #include "geometry/occt/topology/sub_shapes.h"
 
@@ -162,6 +165,9 @@ class FaultList {
             add(check_large_face(face, progress));
             return;
         }
+        if (is_known_to_be_sound(face)) {
+            return;
+        }
         const BRepCheck_Analyzer analyzer(face);
         for (const TopAbs_ShapeEnum part : {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_WIRE, TopAbs_FACE}) {
             TopTools_IndexedMapOfShape parts;
@@ -170,6 +176,15 @@ class FaultList {
                 add(parts(i), analyzer.Result(parts(i)));
             }
         }
+    }
+
+    /// A face at several places is looked at once, where it was defined.
+    bool is_known_to_be_sound(const TopoDS_Face& face) {
+        const auto [known, first] = sound_.emplace(face.TShape().get(), false);
+        if (first) {
+            known->second = is_sound(TopoDS::Face(face.Located(TopLoc_Location())));
+        }
+        return known->second && is_rigid(face.Location().Transformation());
     }
 
     void check_solid(const TopoDS_Solid& solid, const Progress* progress) {
@@ -227,6 +242,7 @@ class FaultList {
     }
 
     std::vector<Kind> kinds_;
+    std::unordered_map<const void*, bool> sound_;  // by definition of a face
     std::set<std::string> seen_;
     std::vector<std::string> faults_;
 };
