@@ -4,8 +4,6 @@
 #include <BRepCheck_Result.hxx>
 #include <BRepCheck_Shell.hxx>
 #include <BRepCheck_Solid.hxx>
-#include <BRepClass3d_SolidClassifier.hxx>
-#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -24,6 +22,7 @@
 
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "geometry/occt/checks/inside_out.h"
 #include "geometry/occt/checks/linear_time_checks.h"
 #include "geometry/occt/checks/sound_face.h"
 #include "geometry/occt/evaluation/conversion.h"
@@ -247,20 +246,26 @@ class FaultList {
     std::vector<std::string> faults_;
 };
 
-/// Solids whose faces look inward. The check of the shape takes them for holes in infinite space.
+/// Solids whose faces look inward. The check of the shape takes them for holes in infinite space. A solid at several
+/// places is looked at once. Where nothing else is wrong a ray from one face may do.
 void add_inverted_solids(const ShapeMap& live, const Topology& topology, std::vector<std::string>& faults,
                          const Progress* progress) {
+    const bool sound = faults.empty();
+    std::map<std::pair<const void*, TopAbs_Orientation>, bool> known;
     for (std::size_t i = 0; i < live.volumes.size(); ++i) {
         check_cancelled(progress);
         if (topology.volumes[i].kind != Volume::Kind::Solid) {
             continue;
         }
-        const OpenCascadeWait wait(progress,
-                                   Message::of(phrases::kChecking, {{"name", "Solid" + std::to_string(i + 1)}}));
-        BRepClass3d_SolidClassifier classifier(live.volumes[i].Located(TopLoc_Location()));
-        classifier.PerformInfinitePoint(Precision::Confusion());
-        if (classifier.State() == TopAbs_IN) {
-            faults.push_back("Solid" + std::to_string(i + 1) + ": is turned inside out");
+        const std::string name = "Solid" + std::to_string(i + 1);
+        const OpenCascadeWait wait(progress, Message::of(phrases::kChecking, {{"name", name}}));
+        const TopoDS_Shape solid = live.volumes[i].Located(TopLoc_Location());
+        const auto [entry, first] = known.emplace(std::pair(solid.TShape().get(), solid.Orientation()), false);
+        if (first) {
+            entry->second = !(sound && looks_outward(solid)) && is_inside_out(solid);
+        }
+        if (entry->second) {
+            faults.push_back(name + ": is turned inside out");
         }
     }
 }
