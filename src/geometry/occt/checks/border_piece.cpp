@@ -25,12 +25,23 @@ double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// The control points of a polynomial of a B-spline: its blossom at both ends of the range, each as often as it takes.
-Controls bezier(const Controls& poles, const std::vector<double>& knots, double from, double to) {
-    const std::size_t degree = poles.size() - 1;
+/// Points times their weights, and the weights.
+using Weighted = std::vector<Vec3>;
+
+Controls without_weights(const Weighted& points) {
     Controls result;
+    for (const Vec3& p : points) {
+        result.emplace_back(p.x() / p.z(), p.y() / p.z());
+    }
+    return result;
+}
+
+/// The control points of a polynomial of a B-spline: its blossom at both ends of the range, each as often as it takes.
+Weighted bezier(const Weighted& poles, const std::vector<double>& knots, double from, double to) {
+    const std::size_t degree = poles.size() - 1;
+    Weighted result;
     for (std::size_t j = 0; j <= degree; ++j) {
-        Controls d = poles;
+        Weighted d = poles;
         for (std::size_t step = 1; step <= degree; ++step) {
             const double t = step <= degree - j ? from : to;
             for (std::size_t i = degree; i >= step; --i) {
@@ -44,9 +55,9 @@ Controls bezier(const Controls& poles, const std::vector<double>& knots, double 
     return result;
 }
 
-/// Whether the control points go on from start to end, within 45 degrees of the chord.
+/// Whether the control points go on from start to end, within 18 degrees of the chord.
 bool turns_little(const Controls& controls) {
-    constexpr double kLeast = 0.7;  // Cosine.
+    constexpr double kLeast = 0.95;  // Cosine.
     const Vec2 chord = controls.back() - controls.front();
     for (std::size_t k = 1; k < controls.size(); ++k) {
         const Vec2 step = controls[k] - controls[k - 1];
@@ -58,20 +69,18 @@ bool turns_little(const Controls& controls) {
 }
 
 /// Adds a polynomial in halves until each turns little, or as often as this.
-void add_halves(const Controls& whole, int most, std::vector<Controls>& pieces) {
-    if (most == 0 || turns_little(whole)) {
-        pieces.push_back(whole);
+void add_halves(const Weighted& whole, int most, std::vector<Controls>& pieces) {
+    Controls controls = without_weights(whole);
+    if (most == 0 || turns_little(controls)) {
+        pieces.push_back(std::move(controls));
         return;
     }
-    Controls first = whole;  // de Casteljau's algorithm
-    Controls second = whole;
+    Weighted first = whole;  // De Casteljau's algorithm.
+    Weighted second = whole;
     for (std::size_t k = 1; k < whole.size(); ++k) {
         for (std::size_t i = whole.size() - 1; i >= k; --i) {
             first[i] = 0.5 * (first[i - 1] + first[i]);
         }
-    }
-    second.back() = whole.back();
-    for (std::size_t k = 1; k < whole.size(); ++k) {
         for (std::size_t i = 0; i + k < whole.size(); ++i) {
             second[i] = 0.5 * (second[i] + second[i + 1]);
         }
@@ -118,9 +127,9 @@ std::vector<BorderPiece> BorderPiece::of(const Handle(Geom2d_Curve) & curve, dou
     return pieces;
 }
 
-/// Arcs of at most 60 degrees: the tangents at the ends of each meet in its second control point.
+/// Arcs of at most 30 degrees: the tangents at the ends of each meet in its second control point.
 std::vector<BorderPiece::Controls> BorderPiece::of_conic(const Geom2d_Curve& conic, double first, double last) {
-    constexpr double kMost = M_PI / 3.0;
+    constexpr double kMost = M_PI / 6.0;
     const int count = std::max(1, static_cast<int>(std::ceil((last - first) / kMost - 1e-9)));
     std::vector<Controls> arcs;
     for (int i = 0; i < count; ++i) {
@@ -143,8 +152,7 @@ std::vector<BorderPiece::Controls> BorderPiece::of_spline(const Geom2d_BSplineCu
     const TColStd_Array1OfReal& knots = spline.KnotSequence();
     // Relative difference of an end from a knot that is rounding.
     const double slack = 1e-9 * (last - first);
-    if (spline.IsRational() || spline.IsPeriodic() || first < knots(degree + 1) - slack ||
-        last > knots(spline.NbPoles() + 1) + slack) {
+    if (spline.IsPeriodic() || first < knots(degree + 1) - slack || last > knots(spline.NbPoles() + 1) + slack) {
         return {};
     }
     std::vector<Controls> pieces;
@@ -154,10 +162,15 @@ std::vector<BorderPiece::Controls> BorderPiece::of_spline(const Geom2d_BSplineCu
         if (!(to - from > slack)) {
             continue;
         }
-        Controls poles;
+        Weighted poles;
         std::vector<double> around;  // all knots but one beyond either end
         for (int k = i - degree; k <= i; ++k) {
-            poles.push_back(to_vec(spline.Pole(k)));
+            const gp_Pnt2d pole = spline.Pole(k);
+            const double weight = spline.Weight(k);
+            if (!(weight > 0.0)) {
+                return {};
+            }
+            poles.emplace_back(weight * pole.X(), weight * pole.Y(), weight);
         }
         for (int k = i - degree + 1; k <= i + degree; ++k) {
             around.push_back(knots(k));

@@ -13,7 +13,7 @@ namespace mq::geometry {
 /// points lie in the hull of its control points, and its directions in the cone of their differences.
 class BorderPiece {
   public:
-    /// The pieces of a curve from `first` to `last`, or back; none for other kinds of curves, for rational splines, and
+    /// The pieces of a curve from `first` to `last`, or back; none for other kinds of curves, for periodic splines, and
     /// where a curve has no direction.
     static std::vector<BorderPiece> of(const Handle(Geom2d_Curve) & curve, double first, double last, bool forward);
 

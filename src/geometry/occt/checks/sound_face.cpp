@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace mq::geometry {
 
 namespace {
 
-// Pieces of a wire up to which all pairs are looked at.
-constexpr std::size_t kMostPieces = 256;
+// Pieces of a wire that are looked at: bounds the time.
+constexpr std::size_t kMostPieces = 4096;
 
 double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
@@ -61,6 +62,7 @@ class SoundWire {
     bool set_pieces();
     void add_joint(const SoundUse& before, const SoundUse& after);
     bool is_simple();
+    bool others_are_apart() const;
     bool leaves(std::size_t before, std::size_t after, double gap, double room) const;
 
     TopoDS_Wire wire_;
@@ -203,18 +205,29 @@ bool SoundWire::is_simple() {
     const std::size_t n = pieces_.size();
     std::size_t joint = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        double gap = 0.0;
-        double room = 0.0;
-        if (joint < joints_.size() && joints_[joint].piece == i) {
-            gap = joints_[joint].gap;
-            room = joints_[joint].room;
-            ++joint;
-        }
-        if (!leaves((i + n - 1) % n, i, gap, room)) {
+        const bool inner = joint >= joints_.size() || joints_[joint].piece != i;
+        if (!leaves((i + n - 1) % n, i, inner ? 0.0 : joints_[joint].gap, inner ? 0.0 : joints_[joint].room)) {
             return false;
         }
-        for (std::size_t k = i + 2; k < n; ++k) {
-            if (!(i == 0 && k == n - 1) && !pieces_[i].is_apart_from(pieces_[k], margin_)) {
+        joint += inner ? 0 : 1;
+    }
+    return others_are_apart();
+}
+
+/// Whether pieces that are no neighbours are apart.
+bool SoundWire::others_are_apart() const {
+    const std::size_t n = pieces_.size();
+    std::vector<std::size_t> from_left(n);
+    std::iota(from_left.begin(), from_left.end(), std::size_t{0});
+    std::sort(from_left.begin(), from_left.end(),
+              [&](std::size_t a, std::size_t b) { return pieces_[a].low().x() < pieces_[b].low().x(); });
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t a = from_left[i];
+        const double reach = pieces_[a].high().x() + margin_;
+        for (std::size_t k = i + 1; k < n && pieces_[from_left[k]].low().x() <= reach; ++k) {
+            const std::size_t b = from_left[k];
+            const std::size_t steps = a < b ? b - a : a - b;
+            if (steps != 1 && steps != n - 1 && !pieces_[a].is_apart_from(pieces_[b], margin_)) {
                 return false;
             }
         }

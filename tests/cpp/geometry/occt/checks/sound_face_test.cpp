@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepTools.hxx>
 #include <BRepTools_ReShape.hxx>
@@ -55,6 +56,11 @@ TopoDS_Face polygons(const std::vector<std::vector<gp_Pnt>>& wires) {
     return faces_of(face).front();
 }
 
+/// The same with rational splines in place of lines and circles.
+TopoDS_Shape as_splines(const TopoDS_Shape& shape) {
+    return BRepBuilderAPI_NurbsConvert(shape, Standard_True).Shape();
+}
+
 std::vector<gp_Pnt> square(double x, double y, double side, bool hole) {
     std::vector<gp_Pnt> points{gp_Pnt(x, y, 0.0), gp_Pnt(x + side, y, 0.0), gp_Pnt(x + side, y + side, 0.0),
                                gp_Pnt(x, y + side, 0.0)};
@@ -71,6 +77,7 @@ TEST(SoundFace, ProvesFacesOfSolids) {
     EXPECT_EQ(count_sound(faces_of(BRepPrimAPI_MakeSphere(2.0).Shape())), 1);
     count_sound(faces_of(BRepPrimAPI_MakeTorus(5.0, 1.0).Shape()));
     EXPECT_EQ(count_sound(faces_of(holed_plate())), static_cast<int>(faces_of(holed_plate()).size()));
+    EXPECT_GT(count_sound(faces_of(as_splines(holed_plate()))), 3);
     const std::vector<TopoDS_Face> filleted = faces_of(stored("filleted_box"));
     EXPECT_GT(2 * count_sound(filleted), static_cast<int>(filleted.size()));
     for (const char* name : {"blade", "bored", "doubled_edge", "fused"}) {
@@ -155,7 +162,7 @@ TEST(SoundFace, NoDamagedFaceThatOpenCascadeRefusesIsProved) {
              {TopoDS_Shape(BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape()),
               TopoDS_Shape(BRepPrimAPI_MakeSphere(2.0).Shape()), TopoDS_Shape(BRepPrimAPI_MakeTorus(5.0, 1.0).Shape()),
               TopoDS_Shape(BRepPrimAPI_MakeCone(2.0, 0.0, 5.0).Shape()), holed_plate(), curved_plate(),
-              stored("filleted_box"), stored("bored")}) {
+              as_splines(holed_plate()), as_splines(curved_plate()), stored("filleted_box"), stored("bored")}) {
             for (const TopoDS_Face& face : faces_of(shape)) {
                 const TopoDS_Face bad = damaged(face, random);
                 const bool valid = BRepCheck_Analyzer(bad).IsValid();
