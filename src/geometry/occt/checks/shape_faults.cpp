@@ -22,10 +22,10 @@
 
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "geometry/occt/checks/inside_out.h"
 #include "geometry/occt/checks/linear_time_checks.h"
 #include "geometry/occt/checks/sound_face.h"
 #include "geometry/occt/evaluation/conversion.h"
+#include "geometry/occt/evaluation/inside_out.h"
 #include "geometry/occt/topology/shape_map.h"
 #include "geometry/occt/topology/sub_shapes.h"
 
