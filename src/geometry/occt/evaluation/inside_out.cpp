@@ -73,7 +73,7 @@ bool sees_nothing(const BoxedFace& start, const std::vector<BoxedFace>& faces, d
     gp_Pnt point;
     double u = 0.0;
     double v = 0.0;
-    double share = 0.512345;  // Of the edge from which OpenCASCADE looks for a point: not a special one.
+    double share = 0.512345;  // Where on an edge OpenCASCADE starts to look for a point: no special place.
     gp_Vec su;
     gp_Vec sv;
     if (!BRepClass3d_SolidExplorer::FindAPointInTheFace(start.face, point, u, v, share, su, sv)) {
