@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/checks/sound_face.h"
 
+#include <BRepCheck_Wire.hxx>
 #include <BRep_Tool.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -37,8 +38,12 @@ class SoundWire {
   public:
     SoundWire(const TopoDS_Wire& wire, const CheckedSurface& on) : wire_(wire), on_(on) {}
 
-    /// Whether a proof says that the wire is closed and does not meet itself.
-    bool is_sound() { return read() && (is_chain() || put_in_order()) && goes_one_way() && is_simple(); }
+    /// Whether the wire is closed and does not meet itself, by a proof, or by a search for crossings where the rest is
+    /// proved.
+    bool is_sound() {
+        return read() && (is_chain() || put_in_order()) && goes_one_way() && set_pieces() &&
+               (is_simple() || has_no_crossing());
+    }
     /// The area inside in (u, v), negative around a hole, and the largest error of it.
     std::pair<double, double> area() const;
     /// 1 for a point inside, -1 for one outside, 0 where that is not sure.
@@ -61,7 +66,8 @@ class SoundWire {
     bool goes_one_way() const;
     bool set_pieces();
     void add_joint(const SoundUse& before, const SoundUse& after);
-    bool is_simple();
+    bool is_simple() const;
+    bool has_no_crossing() const;
     bool others_are_apart() const;
     bool leaves(std::size_t before, std::size_t after, double gap, double room) const;
 
@@ -198,10 +204,7 @@ void SoundWire::add_joint(const SoundUse& before, const SoundUse& after) {
 }
 
 /// Whether neighbours only meet where one goes over into the other, and all others are apart.
-bool SoundWire::is_simple() {
-    if (!set_pieces()) {
-        return false;
-    }
+bool SoundWire::is_simple() const {
     const std::size_t n = pieces_.size();
     std::size_t joint = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -244,6 +247,12 @@ bool SoundWire::leaves(std::size_t before, std::size_t after, double gap, double
     const double cosine = 0.5 * direction.norm();
     return cosine > kLeast && (gap == 0.0 || gap / cosine <= room) && pieces_[before].ascends(direction) &&
            pieces_[after].ascends(direction);
+}
+
+bool SoundWire::has_no_crossing() const {
+    TopoDS_Edge one;
+    TopoDS_Edge other;
+    return BRepCheck_Wire(wire_).SelfIntersect(on_.face, one, other) == BRepCheck_NoError;
 }
 
 std::pair<double, double> SoundWire::area() const {

@@ -46,7 +46,7 @@ Handle(Geom2d_Curve) untrimmed(const Handle(Geom2d_Curve) & curve) {
 
 }  // namespace
 
-CheckedSurface::CheckedSurface(const TopoDS_Face& face) : surface(BRep_Tool::Surface(face, place)) {
+CheckedSurface::CheckedSurface(const TopoDS_Face& shape) : face(shape), surface(BRep_Tool::Surface(shape, place)) {
     transformation = place.Transformation();
     if (!surface.IsNull()) {
         adaptor.Load(surface);

@@ -15,14 +15,15 @@ namespace mq::geometry {
 
 /// The surface of a face on which edges are looked at.
 struct CheckedSurface {
-    explicit CheckedSurface(const TopoDS_Face& face);
+    explicit CheckedSurface(const TopoDS_Face& shape);
 
     gp_Pnt at(const gp_Pnt2d& uv) const { return adaptor.Value(uv.X(), uv.Y()).Transformed(transformation); }
     /// Whether OpenCASCADE's checks take two points in (u, v) for one place, with this tolerance in space, mm.
     bool is_one_place(const gp_Pnt2d& a, const gp_Pnt2d& b, double tolerance) const;
 
-    Handle(Geom_Surface) surface;
+    TopoDS_Face face;
     TopLoc_Location place;
+    Handle(Geom_Surface) surface;
     gp_Trsf transformation;
     GeomAdaptor_Surface adaptor;
 };
