@@ -66,6 +66,7 @@ class SoundWire {
     bool goes_one_way() const;
     bool set_pieces();
     void add_joint(const SoundUse& before, const SoundUse& after);
+    bool has_small_gaps() const;
     bool is_simple() const;
     bool has_no_crossing() const;
     bool others_are_apart() const;
@@ -145,6 +146,10 @@ bool SoundWire::put_in_order() {
 bool SoundWire::goes_one_way() const {
     // Distance of ends in (u, v) that are one place, as a fraction of what OpenCASCADE allows.
     constexpr double kSmall = 0.5;
+    double largest = 0.0;
+    for (const SoundUse& use : uses_) {
+        largest = std::max(largest, BRep_Tool::Tolerance(use.vertices[0]));
+    }
     for (std::size_t i = 0; i < uses_.size(); ++i) {
         const SoundUse& use = uses_[i];
         const SoundUse& next = uses_[(i + 1) % uses_.size()];
@@ -160,7 +165,7 @@ bool SoundWire::goes_one_way() const {
         }
         for (const SoundUse& other : uses_) {
             if (choice && &other != &next && starts_here(other) && !other.edge.IsSame(use.edge) &&
-                on_.is_one_place(other.uv[0], use.uv[1], tolerance / kSmall)) {
+                on_.is_one_place(other.uv[0], use.uv[1], largest / kSmall)) {
                 return false;
             }
         }
@@ -188,7 +193,18 @@ bool SoundWire::set_pieces() {
         high = high.cwiseMax(piece.high());
     }
     margin_ = kMargin * (high - low).norm();
-    return pieces_.size() >= 3;
+    return pieces_.size() >= 3 && has_small_gaps();
+}
+
+/// Whether edges with a gap between them, which a tolerance may allow, still run around the same area.
+bool SoundWire::has_small_gaps() const {
+    constexpr double kSmall = 1e-3;  // Fraction of the size of the pieces at the gap.
+    return std::all_of(joints_.begin(), joints_.end(), [&](const Joint& joint) {
+        const BorderPiece& after = pieces_[joint.piece];
+        const BorderPiece& before = pieces_[(joint.piece + pieces_.size() - 1) % pieces_.size()];
+        return joint.gap <=
+               kSmall * std::min((after.high() - after.low()).norm(), (before.high() - before.low()).norm());
+    });
 }
 
 void SoundWire::add_joint(const SoundUse& before, const SoundUse& after) {
