@@ -37,13 +37,6 @@ Fingerprint like_nothing_else() {
     return result;
 }
 
-// Whether the motion is rigid but for rounding: OpenCASCADE computes the factor from the matrix.
-bool is_rigid(const gp_Trsf& trsf) {
-    // Relative rounding of that factor.
-    constexpr double kRounding = 1e-12;
-    return std::abs(trsf.ScaleFactor() - 1.0) < kRounding && !mirrors(trsf);
-}
-
 }  // namespace
 
 GeometryFingerprint::GeometryFingerprint(const TopoDS_Shape& part) {

@@ -2,7 +2,9 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
+#include <NCollection_DataMap.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <algorithm>
 
 #include "geometry/occt/evaluation/conversion.h"
@@ -103,16 +105,35 @@ Box box_of_edges(const ShapeMap& live, const Topology& topology, const Progress*
     return box;
 }
 
+/// The quick boxes of faces, each made once.
+class QuickBoxes {
+  public:
+    const Bnd_Box& of(const TopoDS_Shape& face) {
+        if (const Bnd_Box* known = boxes_.Seek(face)) {
+            return *known;
+        }
+        Bnd_Box box;
+        BRepBndLib::Add(face, box, Standard_False);
+        return *boxes_.Bound(face, box);
+    }
+
+  private:
+    NCollection_DataMap<TopoDS_Shape, Bnd_Box, TopTools_ShapeMapHasher> boxes_;
+};
+
 /// BRepBndLib::Add of the whole shape, with a look for a cancellation at every sub-shape.
-Bnd_Box quick_bounds(const TopoDS_Shape& shape, const Progress* progress) {
+Bnd_Box quick_bounds(const TopoDS_Shape& shape, QuickBoxes& boxes, const Progress* progress) {
     Bnd_Box bounds;
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+        check_cancelled(progress);
+        bounds.Add(boxes.of(faces.Current()));
+    }
     const auto add = [&](TopAbs_ShapeEnum kind, TopAbs_ShapeEnum except) {
         for (TopExp_Explorer each(shape, kind, except); each.More(); each.Next()) {
             check_cancelled(progress);
             BRepBndLib::Add(each.Current(), bounds, Standard_False);
         }
     };
-    add(TopAbs_FACE, TopAbs_SHAPE);
     add(TopAbs_EDGE, TopAbs_FACE);
     add(TopAbs_VERTEX, TopAbs_EDGE);
     return bounds;
@@ -124,9 +145,7 @@ bool much_larger(const Box& box, const Box& inner) {
     return inner.empty() || ((box.high - box.low) - (inner.high - inner.low)).maxCoeff() > kMuch * inner.largest_side();
 }
 
-bool may_reach_beyond(const Box& box, const TopoDS_Face& face) {
-    Bnd_Box quick;
-    BRepBndLib::Add(face, quick, Standard_False);
+bool may_reach_beyond(const Box& box, const Bnd_Box& quick) {
     if (quick.IsVoid()) {
         return false;
     }
@@ -143,14 +162,15 @@ Box bounding_box(const TopoDS_Shape& shape, const ShapeMap& live, const Topology
                  const std::function<FaceEvaluator&(int)>& face, const Progress* progress) {
     // Margin of the close box, as a fraction of its size: it is not exact to the last digit.
     constexpr double kMargin = 1e-6;
-    const Bnd_Box quick = quick_bounds(shape, progress);
+    QuickBoxes boxes;
+    const Bnd_Box quick = quick_bounds(shape, boxes, progress);
     Box box = to_box(quick);
     const Box inner = box_of_edges(live, topology, progress);
     if (!quick.IsVoid() && !quick.IsOpen() && much_larger(box, inner)) {
         Box close = inner;
         for (std::size_t i = 0; i < live.faces.size(); ++i) {
             check_cancelled(progress);
-            if (!topology.faces[i].no_area && may_reach_beyond(close, live.faces[i])) {
+            if (!topology.faces[i].no_area && may_reach_beyond(close, boxes.of(live.faces[i]))) {
                 face(static_cast<int>(i)).add_to(close);
             }
         }

@@ -12,15 +12,17 @@
 #include <cmath>
 #include <exception>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/waits.h"
 #include "geometry/closed_edge.h"
 #include "geometry/occt/evaluation/conversion.h"
-#include "geometry/occt/evaluation/edge_evaluator.h"
+#include "geometry/occt/evaluation/edge_curves.h"
 #include "geometry/occt/evaluation/face_evaluator.h"
 #include "geometry/occt/geometry_fingerprint.h"
+#include "geometry/occt/plane_curves.h"
 #include "geometry/occt/topology/creases.h"
 #include "geometry/occt/topology/degenerate_faces.h"
 #include "geometry/occt/topology/imprint.h"
@@ -60,9 +62,11 @@ Box box_of(const TopoDS_Shape& shape) {
 class ShapeAnswerer final : public Answerer {
   public:
     ShapeAnswerer(const ShapeMap& live, const Topology& topology, Evaluation evaluation)
-        : live_(live), topology_(topology), evaluation_(evaluation) {}
+        : live_(live), topology_(topology), evaluation_(evaluation), edges_(evaluation) {}
     Answer answer(const Query& query) noexcept override;
     FaceEvaluator& face(int index);
+    /// Takes over the curves that were made while the shape was read.
+    void take(EdgeCurves curves) { edges_ = std::move(curves); }
     /// Drops the evaluators of entities that have changed.
     void forget_face(int index) {
         if (index < static_cast<int>(faces_.size())) {
@@ -76,19 +80,19 @@ class ShapeAnswerer final : public Answerer {
     Answer on_face(const Query& query);
     Answer use_on_face(int index, double t);
     Answer volume_contains(int index, const Vec3& point);
-    EdgeEvaluator& edge(int index);
+    const EdgeEvaluator& edge(int index);
 
     const ShapeMap& live_;
     const Topology& topology_;
     Evaluation evaluation_;
-    std::vector<std::unique_ptr<EdgeEvaluator>> edges_;
+    EdgeCurves edges_;
     std::vector<std::unique_ptr<FaceEvaluator>> faces_;
     std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers_;
 };
 
 class ShapeModel final : public Model {
   public:
-    ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join, Evaluation evaluation,
+    ShapeModel(const TopoDS_Shape& given, Creases creases, const VirtualTopology& join, Evaluation evaluation,
                const Progress* progress);
     Answer answer(const Query& query) noexcept override { return first_.answer(query); }
     Answerer* answerer(int thread) override;
@@ -117,12 +121,16 @@ Item& reached(std::vector<Item>& list, int index) {
     return list[i];
 }
 
-ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join, Evaluation evaluation,
+ShapeModel::ShapeModel(const TopoDS_Shape& given, Creases creases, const VirtualTopology& join, Evaluation evaluation,
                        const Progress* progress)
-    : definitions_(shape), evaluation_(evaluation), first_(live_, topology_, evaluation) {
+    : definitions_(given), evaluation_(evaluation), first_(live_, topology_, evaluation) {
     place_ = definitions_.place();
+    const TopoDS_Shape shape = with_plane_curves(given, progress);
     std::vector<std::string> failures;
     read_topology(shape, creases, join, failures, progress);
+    if (evaluation == Evaluation::Fast) {
+        first_.take(std::exchange(live_.curves, EdgeCurves()));
+    }
     topology_.faults.insert(topology_.faults.end(), failures.begin(), failures.end());
     const std::vector<std::string> faults = kernel_faults(shape, live_, topology_, progress);
     topology_.faults.insert(topology_.faults.end(), faults.begin(), faults.end());
@@ -192,13 +200,9 @@ void ShapeModel::add_definition_of_use(int use, Fingerprint& key) {
     definitions_.add_use(live_.uses[static_cast<std::size_t>(use)], key);
 }
 
-EdgeEvaluator& ShapeAnswerer::edge(int index) {
+const EdgeEvaluator& ShapeAnswerer::edge(int index) {
     const auto i = static_cast<std::size_t>(index);
-    std::unique_ptr<EdgeEvaluator>& evaluator = reached(edges_, index);
-    if (!evaluator) {
-        evaluator = std::make_unique<EdgeEvaluator>(live_.edges[i], topology_.edges[i], evaluation_);
-    }
-    return *evaluator;
+    return edges_.of(index, live_.edges[i], topology_.edges[i]);
 }
 
 FaceEvaluator& ShapeAnswerer::face(int index) {

@@ -4,8 +4,6 @@
 #include <BRepCheck_Result.hxx>
 #include <BRepCheck_Shell.hxx>
 #include <BRepCheck_Solid.hxx>
-#include <BRepClass3d_SolidClassifier.hxx>
-#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -19,11 +17,15 @@
 #include <gp_Trsf.hxx>
 #include <map>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/checks/linear_time_checks.h"
+#include "geometry/occt/checks/sound_face.h"
+#include "geometry/occt/evaluation/conversion.h"
+#include "geometry/occt/evaluation/inside_out.h"
 #include "geometry/occt/topology/shape_map.h"
 #include "geometry/occt/topology/sub_shapes.h"
 
@@ -104,51 +106,46 @@ bool more_than(int count, const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
 /// is true for a face with many edges.
 class FaultList {
   public:
-    FaultList(const TopoDS_Shape& shape, const Progress* progress) {
-        const std::pair<TopAbs_ShapeEnum, const char*> kinds[] = {{TopAbs_VERTEX, "Vertex"}, {TopAbs_EDGE, "Edge"},
-                                                                  {TopAbs_WIRE, "Wire"},     {TopAbs_FACE, "Face"},
-                                                                  {TopAbs_SHELL, "Shell"},   {TopAbs_SOLID, "Solid"}};
-        for (const auto& [kind, name] : kinds) {
-            kinds_.push_back(Kind{kind, name, {}});
-            map_sub_shapes(shape, kind, kinds_.back().map, progress);
-        }
-    }
+    FaultList(const TopoDS_Shape& shape, const Progress* progress) : shape_(shape), progress_(progress) {}
 
-    std::vector<std::string> collect(const Progress* progress) {
-        for (const Kind& kind : kinds_) {
-            for (int i = 1; i <= kind.map.Extent(); ++i) {
-                check_cancelled(progress);
-                const OpenCascadeWait wait(progress,
-                                           Message::of(phrases::kChecking, {{"name", kind.name + std::to_string(i)}}));
-                check(kind, kind.map(i), progress);
+    /// Wires, edges and vertices are checked with their faces, shells with their solids.
+    std::vector<std::string> collect() {
+        for (const TopAbs_ShapeEnum kind : {TopAbs_FACE, TopAbs_SOLID}) {
+            const TopTools_IndexedMapOfShape& entities = numbered(kind);
+            for (int i = 1; i <= entities.Extent(); ++i) {
+                check_cancelled(progress_);
+                const OpenCascadeWait wait(progress_, Message::of(phrases::kChecking, {{"name", name(entities(i))}}));
+                check(entities(i));
             }
         }
         return std::move(faults_);
     }
 
   private:
-    struct Kind {
-        TopAbs_ShapeEnum kind;
-        const char* name;
-        TopTools_IndexedMapOfShape map;
-    };
-
-    std::string name(const TopoDS_Shape& shape) const {
-        for (const Kind& kind : kinds_) {
-            if (const int index = kind.map.FindIndex(shape); index > 0) {
-                return kind.name + std::to_string(index);
-            }
+    /// The entities of a kind in the order of their numbers, found when they are first asked for.
+    const TopTools_IndexedMapOfShape& numbered(TopAbs_ShapeEnum kind) {
+        const auto [entry, first] = numbered_.try_emplace(kind);
+        if (first) {
+            map_sub_shapes(shape_, kind, entry->second, progress_);
         }
-        return std::string();
+        return entry->second;
     }
 
-    /// Wires, edges and vertices are checked with their faces, shells with their solids.
-    void check(const Kind& kind, const TopoDS_Shape& shape, const Progress* progress) {
+    std::string name(const TopoDS_Shape& shape) {
+        const char* const names[] = {"Solid", "Shell", "Face", "Wire", "Edge", "Vertex"};
+        if (shape.IsNull() || shape.ShapeType() < TopAbs_SOLID || shape.ShapeType() > TopAbs_VERTEX) {
+            return std::string();
+        }
+        const int index = numbered(shape.ShapeType()).FindIndex(shape);
+        return index > 0 ? names[shape.ShapeType() - TopAbs_SOLID] + std::to_string(index) : std::string();
+    }
+
+    void check(const TopoDS_Shape& shape) {
         try {
-            if (kind.kind == TopAbs_FACE) {
-                check_face(TopoDS::Face(shape), progress);
-            } else if (kind.kind == TopAbs_SOLID) {
-                check_solid(TopoDS::Solid(shape), progress);
+            if (shape.ShapeType() == TopAbs_FACE) {
+                check_face(TopoDS::Face(shape));
+            } else {
+                check_solid(TopoDS::Solid(shape));
             }
         } catch (const Standard_Failure& failure) {
             const char* text = failure.GetMessageString();
@@ -157,9 +154,12 @@ class FaultList {
         }
     }
 
-    void check_face(const TopoDS_Face& face, const Progress* progress) {
+    void check_face(const TopoDS_Face& face) {
         if (more_than(kMostAtOnce, face, TopAbs_EDGE)) {
-            add(check_large_face(face, progress));
+            add(check_large_face(face, progress_));
+            return;
+        }
+        if (is_known_to_be_sound(face)) {
             return;
         }
         const BRepCheck_Analyzer analyzer(face);
@@ -172,13 +172,22 @@ class FaultList {
         }
     }
 
-    void check_solid(const TopoDS_Solid& solid, const Progress* progress) {
+    /// A face at several places is looked at once, where it was defined.
+    bool is_known_to_be_sound(const TopoDS_Face& face) {
+        const auto [known, first] = sound_.emplace(face.TShape().get(), false);
+        if (first) {
+            known->second = is_sound(TopoDS::Face(face.Located(TopLoc_Location())));
+        }
+        return known->second && is_rigid(face.Location().Transformation());
+    }
+
+    void check_solid(const TopoDS_Solid& solid) {
         const Handle(BRepCheck_Solid) result = new BRepCheck_Solid(solid);
         result->Blind();
         add(solid, result);
         for (TopExp_Explorer shells(solid, TopAbs_SHELL); shells.More(); shells.Next()) {
             if (more_than(kMostAtOnce, shells.Current(), TopAbs_FACE)) {
-                add(check_large_shell(TopoDS::Shell(shells.Current()), progress));
+                add(check_large_shell(TopoDS::Shell(shells.Current()), progress_));
                 continue;
             }
             const Handle(BRepCheck_Shell) shell = new BRepCheck_Shell(TopoDS::Shell(shells.Current()));
@@ -190,8 +199,7 @@ class FaultList {
 
     void add(const std::vector<Finding>& findings) {
         for (const Finding& finding : findings) {
-            const std::string context = finding.context.IsNull() ? "" : name(finding.context);
-            add(finding.status, name(finding.whose) + (context.empty() ? "" : " in " + context));
+            add(finding.status, finding.whose, finding.context);
         }
     }
 
@@ -199,24 +207,24 @@ class FaultList {
         if (result.IsNull()) {
             return;
         }
-        add(result->Status(), name(shape));
+        add(result->Status(), shape, TopoDS_Shape());
         for (result->InitContextIterator(); result->MoreShapeInContext(); result->NextShapeInContext()) {
-            const std::string context = name(result->ContextualShape());
             if (!result->ContextualShape().IsSame(shape)) {
-                add(result->StatusOnShape(), name(shape) + (context.empty() ? "" : " in " + context));
+                add(result->StatusOnShape(), shape, result->ContextualShape());
             }
         }
     }
 
-    void add(const BRepCheck_ListOfStatus& statuses, const std::string& whose) {
+    void add(const BRepCheck_ListOfStatus& statuses, const TopoDS_Shape& whose, const TopoDS_Shape& context) {
         for (const BRepCheck_Status status : statuses) {
-            add(status, whose);
+            add(status, whose, context);
         }
     }
 
-    void add(BRepCheck_Status status, const std::string& whose) {
+    void add(BRepCheck_Status status, const TopoDS_Shape& whose, const TopoDS_Shape& context) {
         if (status != BRepCheck_NoError) {
-            add_line(whose + ": " + describe(status));
+            const std::string in = name(context);
+            add_line(name(whose) + (in.empty() ? "" : " in " + in) + ": " + describe(status));
         }
     }
 
@@ -226,25 +234,34 @@ class FaultList {
         }
     }
 
-    std::vector<Kind> kinds_;
+    const TopoDS_Shape& shape_;
+    const Progress* progress_;
+    std::map<TopAbs_ShapeEnum, TopTools_IndexedMapOfShape> numbered_;
+    std::unordered_map<const void*, bool> sound_;  // by definition of a face
     std::set<std::string> seen_;
     std::vector<std::string> faults_;
 };
 
-/// Solids whose faces look inward. The check of the shape takes them for holes in infinite space.
+/// Solids whose faces look inward. The check of the shape takes them for holes in infinite space. A solid at several
+/// places is looked at once. Where nothing else is wrong a ray from one face may do.
 void add_inverted_solids(const ShapeMap& live, const Topology& topology, std::vector<std::string>& faults,
                          const Progress* progress) {
+    const bool sound = faults.empty();
+    std::map<std::pair<const void*, TopAbs_Orientation>, bool> known;
     for (std::size_t i = 0; i < live.volumes.size(); ++i) {
         check_cancelled(progress);
         if (topology.volumes[i].kind != Volume::Kind::Solid) {
             continue;
         }
-        const OpenCascadeWait wait(progress,
-                                   Message::of(phrases::kChecking, {{"name", "Solid" + std::to_string(i + 1)}}));
-        BRepClass3d_SolidClassifier classifier(live.volumes[i].Located(TopLoc_Location()));
-        classifier.PerformInfinitePoint(Precision::Confusion());
-        if (classifier.State() == TopAbs_IN) {
-            faults.push_back("Solid" + std::to_string(i + 1) + ": is turned inside out");
+        const std::string name = "Solid" + std::to_string(i + 1);
+        const OpenCascadeWait wait(progress, Message::of(phrases::kChecking, {{"name", name}}));
+        const TopoDS_Shape solid = live.volumes[i].Located(TopLoc_Location());
+        const auto [entry, first] = known.emplace(std::pair(solid.TShape().get(), solid.Orientation()), false);
+        if (first) {
+            entry->second = !(sound && looks_outward(solid)) && is_inside_out(solid);
+        }
+        if (entry->second) {
+            faults.push_back(name + ": is turned inside out");
         }
     }
 }
@@ -286,7 +303,7 @@ void add_repeated_solids(const ShapeMap& live, const Topology& topology, std::ve
 
 std::vector<std::string> kernel_faults(const TopoDS_Shape& shape, const ShapeMap& live, const Topology& topology,
                                        const Progress* progress) {
-    std::vector<std::string> faults = FaultList(shape, progress).collect(progress);
+    std::vector<std::string> faults = FaultList(shape, progress).collect();
     add_inverted_solids(live, topology, faults, progress);
     add_repeated_solids(live, topology, faults);
     return faults;

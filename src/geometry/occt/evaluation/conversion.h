@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
@@ -36,6 +37,13 @@ inline double rise_over_sample(double before, double middle, double after) {
 /// which the IGES reader leaves positive where the matrix mirrors.
 inline bool mirrors(const gp_Trsf& transformation) {
     return transformation.VectorialPart().Determinant() < 0.0;
+}
+
+/// Whether a transformation is rigid but for rounding: OpenCASCADE computes the factor from the matrix.
+inline bool is_rigid(const gp_Trsf& transformation) {
+    // Relative rounding of that factor.
+    constexpr double kRounding = 1e-12;
+    return std::abs(transformation.ScaleFactor() - 1.0) < kRounding && !mirrors(transformation);
 }
 
 }  // namespace mq::geometry

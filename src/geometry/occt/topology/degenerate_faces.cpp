@@ -244,7 +244,7 @@ class CollapsedPieces : EdgeJoining {
         if (edge(e).degenerate) {
             return true;
         }
-        const EdgeEvaluator along = curve(e);
+        const EdgeEvaluator& along = curve(e);
         const Vec3 start = along.point(edge(e).t0).point;
         for (int i = 1; i <= kSamples; ++i) {
             if ((along.point(parameter(e, double(i) / kSamples)).point - start).norm() > tolerance(e)) {

@@ -38,7 +38,7 @@ std::optional<Vec3> EdgeJoining::conormal(int use, double t) const {
         .D1(uv.X(), uv.Y(), point, along_u, along_v);
     // Fraction of the edge's range over which its direction is measured.
     constexpr double kStep = 1e-3;
-    const EdgeEvaluator along = curve(e);
+    const EdgeEvaluator& along = curve(e);
     const Vec3 tangent =
         along.point(parameter(e, share + kStep)).point - along.point(parameter(e, share - kStep)).point;
     const Vec3 normal = to_vec(along_u.Crossed(along_v));
@@ -97,7 +97,7 @@ Vec3 EdgeJoining::point_along(int use, bool from_start) const {
     const bool ascending = data.forward == from_start;
     const double from = ascending ? edge(data.edge).t0 : edge(data.edge).t1;
     const double to = ascending ? edge(data.edge).t1 : edge(data.edge).t0;
-    const EdgeEvaluator along = curve(data.edge);
+    const EdgeEvaluator& along = curve(data.edge);
     const Answer there = along.at_distance(from, to, DetailCorners::kReach * topology_.detail);
     return there.found() ? there.point : along.point(to).point;
 }
@@ -118,8 +118,8 @@ bool EdgeJoining::is_side(int e) const {
 }
 
 std::optional<EdgeJoining::Alignment> EdgeJoining::alignment(int a, int b, double within) const {
-    const EdgeEvaluator first = curve(a);
-    const EdgeEvaluator second = curve(b);
+    const EdgeEvaluator& first = curve(a);
+    const EdgeEvaluator& second = curve(b);
     double before = 0.0;
     double after = 0.0;
     double largest = 0.0;

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "base/disjoint_sets.h"
-#include "geometry/occt/evaluation/edge_evaluator.h"
 #include "geometry/occt/topology/shape_map.h"
 
 namespace mq::geometry {
@@ -62,7 +61,9 @@ class EdgeJoining {
     bool others_open(int use, int other) const;
     /// The other use of the edge of one of its two uses.
     int opposite_use(int use) const;
-    EdgeEvaluator curve(int e) const { return EdgeEvaluator(live_.edges[static_cast<std::size_t>(e)], edge(e)); }
+    const EdgeEvaluator& curve(int e) const {
+        return live_.curves.of(e, live_.edges[static_cast<std::size_t>(e)], edge(e));
+    }
     double parameter(int e, double share) const { return edge(e).t0 + share * (edge(e).t1 - edge(e).t0); }
     /// The direction from the edge of a use, at its parameter t, into the face of the use; none where it has no curve.
     std::optional<Vec3> conormal(int use, double t) const;

@@ -16,6 +16,7 @@
 
 #include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/evaluation/edge_evaluator.h"
+#include "geometry/occt/evaluation/inside_out.h"
 
 namespace mq::geometry {
 
@@ -59,8 +60,8 @@ class FaceOrientation {
         std::vector<int> faces;
         int edge = -1;  ///< that two of the faces share
         bool closed = true;
-        /// Volume of a closed set if its faces with 1 in `turned_` turn, mm^3; negative: it is inside out.
-        double volume = 0.0;
+        /// Whether the faces of a closed set look outward if those with 1 in `turned_` turn.
+        bool outward = false;
         Bnd_Box box;
     };
 
@@ -115,7 +116,7 @@ class FaceOrientation {
         const auto around = std::count_if(sets.begin(), sets.end(), [&](const Set& other) {
             return &other != &set && other.closed && is_inside(set, other);
         });
-        return (set.volume > 0.0) == (around % 2 == 0) ? 1 : 0;
+        return set.outward == (around % 2 == 0) ? 1 : 0;
     }
 
     bool reversed_if_ones_turn(std::size_t face) const {
@@ -125,15 +126,44 @@ class FaceOrientation {
     void measure(Set& set) const {
         for (const int f : set.faces) {
             check_cancelled(progress_);
-            const auto i = static_cast<std::size_t>(f);
-            BRepBndLib::Add(live_.faces[i], set.box);
-            if (set.closed) {
-                BRepGProp_Face surface(live_.faces[i]);
-                BRepGProp_Domain domain(live_.faces[i]);
-                const double of_face = BRepGProp_Vinert(surface, domain, to_pnt(topology_.box.low)).Mass();
-                set.volume += reversed_if_ones_turn(i) ? -of_face : of_face;
-            }
+            BRepBndLib::Add(live_.faces[static_cast<std::size_t>(f)], set.box);
         }
+        if (set.closed) {
+            const TopoDS_Solid solid = solid_of(set, false);
+            const bool outward = looks_outward(solid);
+            const bool inward = looks_outward(solid.Reversed());
+            set.outward = outward != inward ? outward : volume(set) > 0.0;
+        }
+    }
+
+    /// Volume of a closed set if its faces with 1 in `turned_` turn, mm^3; negative: it is inside out.
+    double volume(const Set& set) const {
+        double sum = 0.0;
+        for (const int f : set.faces) {
+            check_cancelled(progress_);
+            const auto i = static_cast<std::size_t>(f);
+            BRepGProp_Face surface(live_.faces[i]);
+            BRepGProp_Domain domain(live_.faces[i]);
+            const double of_face = BRepGProp_Vinert(surface, domain, to_pnt(topology_.box.low)).Mass();
+            sum += reversed_if_ones_turn(i) ? -of_face : of_face;
+        }
+        return sum;
+    }
+
+    /// The faces of a closed set as a solid, those with 1 in `turned_` turned, or the others.
+    TopoDS_Solid solid_of(const Set& set, bool others) const {
+        const BRep_Builder builder;
+        TopoDS_Shell shell;
+        builder.MakeShell(shell);
+        for (const int f : set.faces) {
+            const auto i = static_cast<std::size_t>(f);
+            const bool reversed = reversed_if_ones_turn(i) != others;
+            builder.Add(shell, live_.faces[i].Oriented(reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
+        }
+        TopoDS_Solid solid;
+        builder.MakeSolid(solid);
+        builder.Add(solid, shell);
+        return solid;
     }
 
     /// Whether a point of one set lies inside another, closed one.
@@ -145,18 +175,7 @@ class FaceOrientation {
         if (other.box.IsOut(point)) {
             return false;
         }
-        const BRep_Builder builder;
-        TopoDS_Shell shell;
-        builder.MakeShell(shell);
-        for (const int f : other.faces) {
-            const auto i = static_cast<std::size_t>(f);
-            const bool reversed = reversed_if_ones_turn(i) != (other.volume < 0.0);
-            builder.Add(shell, live_.faces[i].Oriented(reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
-        }
-        TopoDS_Solid solid;
-        builder.MakeSolid(solid);
-        builder.Add(solid, shell);
-        BRepClass3d_SolidClassifier classifier(solid);
+        BRepClass3d_SolidClassifier classifier(solid_of(other, !other.outward));
         classifier.Perform(point, Precision::Confusion());
         return classifier.State() == TopAbs_IN;
     }

@@ -196,7 +196,7 @@ class LooseFaces : EdgeJoining {
     /// Notes where an end of another edge meets the inside of this one, if the two run along each other there.
     void add_division(int e, int other, std::size_t end, std::vector<Division>& divisions) const {
         const double near = topology_.detail;
-        const EdgeEvaluator along = curve(e);
+        const EdgeEvaluator& along = curve(e);
         const Answer foot =
             along.nearest(end_of(other, static_cast<int>(end)), parameter(e, 0.5), edge(e).t0, edge(e).t1);
         const auto from_ends = [&](const Vec3& p) {
@@ -207,7 +207,7 @@ class LooseFaces : EdgeJoining {
         }
         // Distance from the end at which the other edge has to lie along this one, in lengths of detail.
         constexpr double kAlong = 8.0;
-        const EdgeEvaluator beside = curve(other);
+        const EdgeEvaluator& beside = curve(other);
         const double t0 = end == 0 ? edge(other).t0 : edge(other).t1;
         const double t1 = end == 0 ? edge(other).t1 : edge(other).t0;
         const Answer onward = beside.at_distance(t0, t1, kAlong * near);
@@ -221,7 +221,7 @@ class LooseFaces : EdgeJoining {
     bool divide(int e, std::vector<Division>& divisions) {
         std::sort(divisions.begin(), divisions.end(),
                   [](const Division& a, const Division& b) { return std::tie(b.t, b.node) < std::tie(a.t, a.node); });
-        const EdgeEvaluator along = curve(e);
+        const EdgeEvaluator& along = curve(e);
         std::optional<Vec3> last;
         for (const Division& division : divisions) {
             const Vec3 point = along.point(division.t).point;

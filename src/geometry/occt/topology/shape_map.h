@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "geometry/occt/evaluation/edge_curves.h"
 #include "geometry/occt/topology/ordered_shape.h"
 #include "geometry/topology.h"
 
@@ -34,6 +35,7 @@ struct ShapeMap {
     std::vector<TopoDS_Vertex> nodes;
     std::vector<PCurve> uses;
     std::vector<TopoDS_Shape> volumes;
+    EdgeCurves curves;
 };
 
 /// Fills `live` and returns the entities of `shape`; faults of their connections are in `faults`.

@@ -137,6 +137,34 @@ bool bounds_a_face(const TopoDS_Shape& edge) {
     return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
 }
 
+/// The edges of a wire as they follow each other from the first one on, where only one of them starts at each vertex;
+/// none elsewhere, and for long wires. OpenCASCADE's explorer, which also looks at places in (u, v), gives the same.
+std::vector<TopoDS_Edge> chained(const std::vector<TopoDS_Edge>& edges) {
+    // Edges up to which the next one is searched among all.
+    constexpr std::size_t kMost = 24;
+    std::vector<TopoDS_Vertex> starts(edges.size());
+    std::vector<TopoDS_Vertex> ends(edges.size());
+    if (edges.empty() || edges.size() > kMost) {
+        return {};
+    }
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        TopExp::Vertices(edges[i], starts[i], ends[i], Standard_True);
+        const auto same = [&](const TopoDS_Vertex& other) { return other.IsSame(starts[i]); };
+        if (starts[i].IsNull() || ends[i].IsNull() || std::any_of(starts.begin(), starts.begin() + i, same)) {
+            return {};
+        }
+    }
+    std::vector<TopoDS_Edge> result;
+    std::size_t at = 0;
+    while (at < edges.size() && result.size() < edges.size()) {
+        result.push_back(edges[at]);
+        const TopoDS_Vertex end = ends[at];
+        const auto next = std::find_if(starts.begin(), starts.end(), [&](const auto& v) { return v.IsSame(end); });
+        at = static_cast<std::size_t>(next - starts.begin());
+    }
+    return at == 0 && result.size() == edges.size() ? result : std::vector<TopoDS_Edge>();
+}
+
 class TopologyBuilder {
   public:
     TopologyBuilder(const OrderedShape& ordered, ShapeMap& live, const Progress* progress)
@@ -304,8 +332,8 @@ void TopologyBuilder::add_wire(int index, const TopoDS_Face& face, const TopoDS_
             internal.push_back(edge);
         }
     }
-    std::vector<TopoDS_Edge> ordered;
-    if (bounds_a_face(wire)) {
+    std::vector<TopoDS_Edge> ordered = bounds_a_face(wire) ? chained(plain) : std::vector<TopoDS_Edge>();
+    if (bounds_a_face(wire) && ordered.empty()) {
         for (BRepTools_WireExplorer it(wire, face); it.More() && ordered.size() <= plain.size(); it.Next()) {
             ordered.push_back(it.Current());
         }

@@ -119,7 +119,7 @@ class Spikes : EdgeJoining {
 
     /// From an end of a use into its edge: from its start, or back from its end.
     Vec3 direction_at(int use, bool from_start, double step) const {
-        const EdgeEvaluator along = curve(edge_of(use));
+        const EdgeEvaluator& along = curve(edge_of(use));
         const double end = use_of(use).forward == from_start ? 0.0 : 1.0;
         const double beside = end + (end > 0.0 ? -step : step);
         return along.point(parameter(edge_of(use), beside)).point - along.point(parameter(edge_of(use), end)).point;

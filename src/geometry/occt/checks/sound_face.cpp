@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/checks/sound_face.h"
+
+#include <BRepCheck_Wire.hxx>
+#include <BRep_Tool.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "geometry/occt/checks/border_piece.h"
+#include "geometry/occt/checks/sound_use.h"
+
+namespace mq::geometry {
+
+namespace {
+
+// Pieces of a wire that are looked at: bounds the time.
+constexpr std::size_t kMostPieces = 4096;
+
+double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Whether an edge ends where it starts.
+bool is_turn(const SoundUse& use) {
+    return use.vertices[0].IsSame(use.vertices[1]);
+}
+
+/// A wire of a face as a closed chain of edges.
+class SoundWire {
+  public:
+    SoundWire(const TopoDS_Wire& wire, const CheckedSurface& on) : wire_(wire), on_(on) {}
+
+    /// Whether the wire is closed and does not meet itself, by a proof, or by a search for crossings where the rest is
+    /// proved.
+    bool is_sound() {
+        return read() && (is_chain() || put_in_order()) && goes_one_way() && set_pieces() &&
+               (is_simple() || has_no_crossing());
+    }
+    /// The area inside in (u, v), negative around a hole, and the largest error of it.
+    std::pair<double, double> area() const;
+    /// 1 for a point inside, -1 for one outside, 0 where that is not sure.
+    int side_of(const Vec2& point) const;
+    const Vec2& start() const { return pieces_.front().start(); }
+    bool is_apart_from(const SoundWire& other) const;
+
+  private:
+    /// The place where two edges meet.
+    struct Joint {
+        std::size_t piece;  ///< the first one after it
+        double room;        ///< how far from it in (u, v) both edges stay within the vertex's tolerance
+        double gap;         ///< between both curves in (u, v)
+    };
+
+    bool read();
+    bool may_use_twice(const SoundUse& use) const;
+    bool is_chain() const;
+    bool put_in_order();
+    bool goes_one_way() const;
+    bool set_pieces();
+    void add_joint(const SoundUse& before, const SoundUse& after);
+    bool has_small_gaps() const;
+    bool is_simple() const;
+    bool has_no_crossing() const;
+    bool others_are_apart() const;
+    bool leaves(std::size_t before, std::size_t after, double gap, double room) const;
+
+    TopoDS_Wire wire_;
+    const CheckedSurface& on_;
+    std::vector<SoundUse> uses_;
+    std::vector<BorderPiece> pieces_;
+    std::vector<Joint> joints_;
+    double margin_ = 0.0;  ///< distance in (u, v) that counts as apart
+};
+
+bool SoundWire::read() {
+    if (wire_.Orientation() != TopAbs_FORWARD && wire_.Orientation() != TopAbs_REVERSED) {
+        return false;
+    }
+    for (TopoDS_Iterator it(wire_); it.More(); it.Next()) {
+        const TopAbs_Orientation way = it.Value().Orientation();
+        uses_.emplace_back();
+        if (uses_.size() > kMostPieces || (way != TopAbs_FORWARD && way != TopAbs_REVERSED) ||
+            !uses_.back().read(TopoDS::Edge(it.Value()), on_)) {
+            return false;
+        }
+    }
+    if (wire_.Orientation() == TopAbs_REVERSED) {
+        std::reverse(uses_.begin(), uses_.end());
+    }
+    return !uses_.empty() &&
+           std::all_of(uses_.begin(), uses_.end(), [&](const SoundUse& use) { return may_use_twice(use); });
+}
+
+/// Whether an edge is met in both directions on a seam, and once elsewhere, and no other one turns at its vertex.
+bool SoundWire::may_use_twice(const SoundUse& use) const {
+    int against = 0;
+    for (const SoundUse& other : uses_) {
+        if (&other == &use) {
+            continue;
+        }
+        if (other.edge.IsSame(use.edge)) {
+            if (other.edge.Orientation() == use.edge.Orientation()) {
+                return false;
+            }
+            ++against;
+        } else if (is_turn(use) && is_turn(other) && other.vertices[0].IsSame(use.vertices[0])) {
+            return false;
+        }
+    }
+    return against == (use.twice ? 1 : 0);
+}
+
+/// Whether each edge starts where the one before it ends, in the order of the wire.
+bool SoundWire::is_chain() const {
+    for (std::size_t i = 0; i < uses_.size(); ++i) {
+        if (!uses_[i].vertices[1].IsSame(uses_[(i + 1) % uses_.size()].vertices[0])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Puts the edges in order by vertices, and by places in (u, v) where several edges start at one.
+bool SoundWire::put_in_order() {
+    for (auto use = uses_.begin(); use + 1 < uses_.end(); ++use) {
+        const auto distance = [&](const SoundUse& other) {
+            return other.vertices[0].IsSame(use->vertices[1]) ? other.uv[0].Distance(use->uv[1])
+                                                              : std::numeric_limits<double>::infinity();
+        };
+        std::iter_swap(use + 1, std::min_element(use + 1, uses_.end(), [&](const SoundUse& a, const SoundUse& b) {
+                           return distance(a) < distance(b);
+                       }));
+    }
+    return is_chain();
+}
+
+/// Whether OpenCASCADE, which follows a wire by vertices and by places in (u, v), can only follow it in this order.
+bool SoundWire::goes_one_way() const {
+    // Distance of ends in (u, v) that are one place, as a fraction of what OpenCASCADE allows.
+    constexpr double kSmall = 0.5;
+    double largest = 0.0;
+    for (const SoundUse& use : uses_) {
+        largest = std::max(largest, BRep_Tool::Tolerance(use.vertices[0]));
+    }
+    for (std::size_t i = 0; i < uses_.size(); ++i) {
+        const SoundUse& use = uses_[i];
+        const SoundUse& next = uses_[(i + 1) % uses_.size()];
+        const double tolerance = BRep_Tool::Tolerance(use.vertices[1]);
+        const double du = std::abs(use.uv[1].X() - next.uv[0].X());
+        const double dv = std::abs(use.uv[1].Y() - next.uv[0].Y());
+        const auto starts_here = [&](const SoundUse& other) { return other.vertices[0].IsSame(use.vertices[1]); };
+        const bool choice = std::count_if(uses_.begin(), uses_.end(), starts_here) > 1;
+        if (!on_.is_one_place(use.uv[1], next.uv[0], tolerance) ||
+            (choice &&
+             (du > kSmall * on_.adaptor.UResolution(tolerance) || dv > kSmall * on_.adaptor.VResolution(tolerance)))) {
+            return false;
+        }
+        for (const SoundUse& other : uses_) {
+            if (choice && &other != &next && starts_here(other) && !other.edge.IsSame(use.edge) &&
+                on_.is_one_place(other.uv[0], use.uv[1], largest / kSmall)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool SoundWire::set_pieces() {
+    // Margin as a fraction of the size of the wire in (u, v).
+    constexpr double kMargin = 1e-7;
+    for (std::size_t i = 0; i < uses_.size(); ++i) {
+        const SoundUse& use = uses_[i];
+        add_joint(uses_[(i + uses_.size() - 1) % uses_.size()], use);
+        const std::vector<BorderPiece> some =
+            BorderPiece::of(use.curve, use.first, use.last, use.edge.Orientation() == TopAbs_FORWARD);
+        if (some.empty() || pieces_.size() + some.size() > kMostPieces) {
+            return false;
+        }
+        pieces_.insert(pieces_.end(), some.begin(), some.end());
+    }
+    Vec2 low = pieces_.front().low();
+    Vec2 high = pieces_.front().high();
+    for (const BorderPiece& piece : pieces_) {
+        low = low.cwiseMin(piece.low());
+        high = high.cwiseMax(piece.high());
+    }
+    margin_ = kMargin * (high - low).norm();
+    return pieces_.size() >= 3 && has_small_gaps();
+}
+
+/// Whether edges with a gap between them, which a tolerance may allow, still run around the same area.
+bool SoundWire::has_small_gaps() const {
+    constexpr double kSmall = 1e-3;  // Fraction of the size of the pieces at the gap.
+    return std::all_of(joints_.begin(), joints_.end(), [&](const Joint& joint) {
+        const BorderPiece& after = pieces_[joint.piece];
+        const BorderPiece& before = pieces_[(joint.piece + pieces_.size() - 1) % pieces_.size()];
+        return joint.gap <=
+               kSmall * std::min((after.high() - after.low()).norm(), (before.high() - before.low()).norm());
+    });
+}
+
+void SoundWire::add_joint(const SoundUse& before, const SoundUse& after) {
+    constexpr double kNear = 1.1;  // As in BRepCheck_Wire.cxx: tolerances of a vertex within which edges may cross.
+    gp_Pnt point;
+    gp_Vec su;
+    gp_Vec sv;
+    on_.adaptor.D1(after.uv[0].X(), after.uv[0].Y(), point, su, sv);
+    const double left =
+        kNear * BRep_Tool::Tolerance(after.vertices[0]) - std::max(before.distances[1], after.distances[0]);
+    joints_.push_back(
+        {pieces_.size(), left / std::max(su.Magnitude() + sv.Magnitude(), 1e-300), before.uv[1].Distance(after.uv[0])});
+}
+
+/// Whether neighbours only meet where one goes over into the other, and all others are apart.
+bool SoundWire::is_simple() const {
+    const std::size_t n = pieces_.size();
+    std::size_t joint = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool inner = joint >= joints_.size() || joints_[joint].piece != i;
+        if (!leaves((i + n - 1) % n, i, inner ? 0.0 : joints_[joint].gap, inner ? 0.0 : joints_[joint].room)) {
+            return false;
+        }
+        joint += inner ? 0 : 1;
+    }
+    return others_are_apart();
+}
+
+/// Whether pieces that are no neighbours are apart.
+bool SoundWire::others_are_apart() const {
+    const std::size_t n = pieces_.size();
+    std::vector<std::size_t> from_left(n);
+    std::iota(from_left.begin(), from_left.end(), std::size_t{0});
+    std::sort(from_left.begin(), from_left.end(),
+              [&](std::size_t a, std::size_t b) { return pieces_[a].low().x() < pieces_[b].low().x(); });
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t a = from_left[i];
+        const double reach = pieces_[a].high().x() + margin_;
+        for (std::size_t k = i + 1; k < n && pieces_[from_left[k]].low().x() <= reach; ++k) {
+            const std::size_t b = from_left[k];
+            const std::size_t steps = a < b ? b - a : a - b;
+            if (steps != 1 && steps != n - 1 && !pieces_[a].is_apart_from(pieces_[b], margin_)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Whether a line parts a piece from the one after it. With a gap between them they may meet beside it: within this
+/// room.
+bool SoundWire::leaves(std::size_t before, std::size_t after, double gap, double room) const {
+    // Least cosine of the angle between a piece and the direction in which it is left: the border does not turn back.
+    constexpr double kLeast = 0.05;
+    const Vec2 direction = pieces_[before].end_direction() + pieces_[after].start_direction();
+    const double cosine = 0.5 * direction.norm();
+    return cosine > kLeast && (gap == 0.0 || gap / cosine <= room) && pieces_[before].ascends(direction) &&
+           pieces_[after].ascends(direction);
+}
+
+bool SoundWire::has_no_crossing() const {
+    TopoDS_Edge one;
+    TopoDS_Edge other;
+    return BRepCheck_Wire(wire_).SelfIntersect(on_.face, one, other) == BRepCheck_NoError;
+}
+
+std::pair<double, double> SoundWire::area() const {
+    double area = 0.0;
+    double beside = 0.0;
+    const Vec2& origin = start();
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const BorderPiece& next = pieces_[(i + 1) % pieces_.size()];
+        area += 0.5 * cross(pieces_[i].start() - origin, next.start() - origin);
+        beside += pieces_[i].area_beside_chord();
+    }
+    return {area, beside};
+}
+
+int SoundWire::side_of(const Vec2& point) const {
+    bool inside = false;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const Vec2& a = pieces_[i].start();
+        const Vec2& b = pieces_[(i + 1) % pieces_.size()].start();
+        const double share = std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+        if (!((a + share * (b - a) - point).norm() > pieces_[i].height() + margin_)) {
+            return 0;
+        }
+        if ((a.y() > point.y()) != (b.y() > point.y()) &&
+            point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+            inside = !inside;
+        }
+    }
+    return inside ? 1 : -1;
+}
+
+bool SoundWire::is_apart_from(const SoundWire& other) const {
+    const double margin = std::max(margin_, other.margin_);
+    return std::all_of(pieces_.begin(), pieces_.end(), [&](const BorderPiece& own) {
+        return std::all_of(other.pieces_.begin(), other.pieces_.end(),
+                           [&](const BorderPiece& others) { return own.is_apart_from(others, margin); });
+    });
+}
+
+/// Whether one wire has the others in it, which are holes beside each other.
+bool are_nested(const std::vector<SoundWire>& wires) {
+    const SoundWire* outer = nullptr;
+    for (const SoundWire& wire : wires) {
+        const auto [area, error] = wire.area();
+        if (!(std::abs(area) > error) || (area > 0.0 && outer != nullptr)) {
+            return false;
+        }
+        outer = area > 0.0 ? &wire : outer;
+    }
+    if (outer == nullptr) {
+        return false;
+    }
+    for (const SoundWire& hole : wires) {
+        for (const SoundWire& other : wires) {
+            if (&hole != outer && &hole != &other &&
+                (!hole.is_apart_from(other) || other.side_of(hole.start()) != (&other == outer ? 1 : -1))) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+bool is_sound(const TopoDS_Face& face) {
+    const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+    const CheckedSurface surface(forward);
+    if (surface.surface.IsNull() || face.Infinite()) {
+        return false;
+    }
+    std::vector<SoundWire> wires;
+    for (TopoDS_Iterator it(forward); it.More(); it.Next()) {
+        if (it.Value().ShapeType() != TopAbs_WIRE) {
+            return false;
+        }
+        wires.emplace_back(TopoDS::Wire(it.Value()), surface);
+        if (!wires.back().is_sound()) {
+            return false;
+        }
+    }
+    return !wires.empty() && are_nested(wires);
+}
+
+}  // namespace mq::geometry

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/evaluation/inside_out.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/parts.h"
+
+namespace mq::geometry {
+namespace {
+
+/// Solids with plane and curved faces, with and without holes.
+std::vector<TopoDS_Shape> solids() {
+    return {BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape(),
+            BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape(),
+            BRepPrimAPI_MakeSphere(2.0).Shape(),
+            BRepPrimAPI_MakeCone(2.0, 0.5, 5.0).Shape(),
+            BRepPrimAPI_MakeTorus(5.0, 1.5).Shape(),
+            moved_to(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape(), 4.0, 5.0, 6.0),
+            holed_plate(),
+            curved_plate(),
+            wedge(20.0, 5.0, 1.0)};
+}
+
+TEST(InsideOut, RaysShowThatSolidsLookOutward) {
+    for (const TopoDS_Shape& shape : solids()) {
+        const TopoDS_Shape solid = TopExp_Explorer(shape, TopAbs_SOLID).Current();
+        EXPECT_TRUE(looks_outward(solid));
+        EXPECT_FALSE(is_inside_out(solid));
+        EXPECT_FALSE(looks_outward(solid.Reversed()));
+        EXPECT_TRUE(is_inside_out(solid.Reversed()));
+    }
+}
+
+TEST(InsideOut, NoRayContradictsOpenCascade) {
+    for (const char* name : {"blade", "bored", "doubled_edge", "filleted_box", "fused"}) {
+        for (TopExp_Explorer solids(stored(name), TopAbs_SOLID); solids.More(); solids.Next()) {
+            EXPECT_FALSE(looks_outward(solids.Current()) && is_inside_out(solids.Current())) << name;
+            EXPECT_FALSE(looks_outward(solids.Current().Reversed()) && !is_inside_out(solids.Current())) << name;
+        }
+    }
+}
+
+TEST(InsideOut, EveryPlaceOfAnInvertedSolidIsNamed) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Solid().Reversed();
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(both, box);
+    builder.Add(both, moved_to(box, 10.0, 0.0, 0.0));
+    builder.Add(both, moved_to(box.Reversed(), 20.0, 0.0, 0.0));
+    const std::vector<std::string> faults = make_shape_model(both)->topology().faults;
+    EXPECT_EQ(std::count(faults.begin(), faults.end(), "Solid1: is turned inside out"), 1);
+    EXPECT_EQ(std::count(faults.begin(), faults.end(), "Solid2: is turned inside out"), 1);
+    EXPECT_EQ(std::count(faults.begin(), faults.end(), "Solid3: is turned inside out"), 0);
+}
+
+}  // namespace
+}  // namespace mq::geometry
