@@ -15,7 +15,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 method="refine", max_triangles=None, progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True,
-                imprint=False, evaluation="fast", patches=None, patch_rest=None):
+                imprint=False, evaluation="fast", patches=None, patch_rest=None, threads=0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -56,6 +56,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            {"inlet": {"faces": ["Face1"], "colour": "#ff0000"}}; names as in local_sizes. They are
                            checked before the work, kept as mesh.patches, and are the default of mesh.write
     patch_rest             name of the patch of all other faces; None: each is one by its own name
+    threads                that work at a time; 0: one for each core. The result is the same for any number
 
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
@@ -68,6 +69,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "edges_per_circle": edges_per_circle, "growth_rate": growth_rate, "keep_edges": keep_edges,
         "feature_angle": feature_angle, "sew": sew, "imprint": imprint, "evaluation": evaluation,
     })
+    values["threads"] = options.THREADS.checked(threads)
     options.require_callable(progress)
     return _meshed(shape, values, progress, cache, division_for(shape, patches, patch_rest))
 
