@@ -20,7 +20,7 @@ namespace mq::geometry {
 /// One model on one engine: the context in which an algorithm works on a model.
 class Session {
   public:
-    /// Items in a chunk that one thread takes at a time: work of 0.1 ms and more, so that starting a thread for it pays.
+    /// Items in a chunk, which one thread takes at a time: 0.1 ms of work or more, so that starting a thread pays.
     static constexpr std::size_t kChunk = 256;
 
     Session(Engine& engine, std::shared_ptr<Model> model, const Progress* progress = nullptr)
@@ -82,8 +82,8 @@ class Session {
         });
     }
 
-    /// Calls `work(answerer, from, to)` for chunks of the items 0 .. count - 1, as run_parallel does. The engine is open
-    /// to others after each piece of the work.
+    /// Calls `work(answerer, from, to)` for chunks of the items 0 .. count - 1, as run_parallel does. The engine is
+    /// open to others after each piece of the work.
     /// @throws as parallel_for
     template <typename Work>
     void for_chunks(std::size_t count, const Work& work) {

@@ -28,8 +28,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            triangles on a face, along an edge, around a vertex; of a container or link
                            also {"Box.Face3": 0.5}, with the names of the objects on the way
     edges_per_circle       smallest number of edges for each full turn of a curve or a surface, 3 to 10000
-    growth_rate            growth rate of edge length from fine to coarse regions, greater than 1;
-                           None: as fast as the angles allow
+    growth_rate            growth rate of edge length from fine to coarse regions, over 1; None: as fast as angles allow
     method                 "refine"; "star" and "sprinkle" sample the faces by their curvature first
     max_triangles          the work ends incomplete at this number; None: 5 million
     progress               callable(fraction 0..1, stage or "waits for ..."); returning False cancels
@@ -39,8 +38,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            the surface crosses smoothly, so that tiny edges and slivers between such
                            edges cost no triangles; report.spanning then names the triangles that
                            lie on several faces
-    feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than
-                           this all along
+    feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than this all along
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
     imprint                solids that share an area get the same triangles on both sides; see report.contacts

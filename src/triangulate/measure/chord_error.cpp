@@ -120,8 +120,7 @@ std::vector<Distance> ChordErrorCache::of_segments(const std::vector<int>& segme
         const ClassifiedMesh::Segment& s = mesh.segment(segments[i]);
         const Vec3 p = between(mesh.vertex(s.vertices[0]).point, mesh.vertex(s.vertices[1]).point, at);
         const double guess = (1.0 - at) * s.t[0] + at * s.t[1];
-        const Answer foot =
-            answerer.answer(Query::edge_nearest(s.edge, work_.grid.to_part(p), guess, s.t[0], s.t[1]));
+        const Answer foot = answerer.answer(Query::edge_nearest(s.edge, work_.grid.to_part(p), guess, s.t[0], s.t[1]));
         take_answer(results[i], foot, p, 0.0, tolerance);
         const Vec3 way = foot.found() ? Vec3(work_.grid.to_part(p) - foot.point) : Vec3::Zero();
         return Offset{way.x(), way.y(), way.z()};
@@ -202,8 +201,8 @@ std::optional<Answer> ChordErrorCache::measure_edge(Answerer& answerer, int half
     const auto measure = [&](double at) {
         const Vec3 p = between(a, b, at);
         const Vec2 uv = (1.0 - at) * mesh.site(mesh.site_of(half_edge)).uv + at * mesh.site(mesh.site_of(next)).uv;
-        Answer foot = answerer.answer(
-            Query::face_nearest(mesh.face_of(half_edge / 3), work_.grid.to_part(p), uv.x(), uv.y()));
+        Answer foot =
+            answerer.answer(Query::face_nearest(mesh.face_of(half_edge / 3), work_.grid.to_part(p), uv.x(), uv.y()));
         take_answer(result, foot, p, unavoidable(offset(half_edge), offset(next), at, tolerance), tolerance);
         return foot;
     };

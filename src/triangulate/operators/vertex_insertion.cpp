@@ -153,8 +153,7 @@ std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const s
         for (std::size_t i = from; i < to; ++i) {
             const Candidate& c = candidates[i];
             const int face = work.mesh.face_of(c.triangle);
-            Answer answer =
-                answerer.answer(Query::face_nearest(face, work.grid.to_part(c.point), c.uv.x(), c.uv.y()));
+            Answer answer = answerer.answer(Query::face_nearest(face, work.grid.to_part(c.point), c.uv.x(), c.uv.y()));
             if (c.uv_is_near && (!answer.found() || answer.distance > c.reach)) {
                 answer = answerer.answer(Query::face_point(face, c.uv.x(), c.uv.y()));
                 answer.distance = (answer.point - work.grid.to_part(c.point)).norm();

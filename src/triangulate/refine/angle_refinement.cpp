@@ -37,8 +37,7 @@ std::optional<AngleRefinement::QueuedTriangle> AngleRefinement::if_bad(int trian
         return std::nullopt;
     }
     const double angle = smallest_angle(work_.mesh, triangle).angle;
-    return angle < bound_ ? std::optional<QueuedTriangle>({angle, triangle, work_.mesh.stamp(triangle)})
-                          : std::nullopt;
+    return angle < bound_ ? std::optional<QueuedTriangle>({angle, triangle, work_.mesh.stamp(triangle)}) : std::nullopt;
 }
 
 void AngleRefinement::push_touched() {

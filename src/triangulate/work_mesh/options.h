@@ -54,8 +54,8 @@ struct TriangulateOptions {
     bool sew = true;                   ///< join faces without a shell where their borders lie together
     bool imprint = false;              ///< the same triangles on both sides where solids touch
     Method method = Method::Refine;
-    /// Threads that work at a time; 0: one for each core, or as many as MESHQUALITY_THREADS says. The result is the same
-    /// for any number.
+    /// Threads that work at a time; 0: one for each core, or as many as MESHQUALITY_THREADS says. The result is the
+    /// same for any number.
     int threads = 0;
 
     // For comparisons with Aftosmis 1999:

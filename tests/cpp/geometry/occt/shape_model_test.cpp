@@ -478,8 +478,8 @@ TEST(ShapeModel, AnswersInSeveralThreadsAreThoseOfOne) {
     engine.run([&] { model = make_shape_model(stored("blade")); });
     std::vector<Query> queries;
     for (int face = 0; face < static_cast<int>(model->topology().faces.size()); ++face) {
-        for (int k = 0; k < 40; ++k) {
-            queries.push_back(Query::face_nearest_global(face, Vec3(0.1 * k, 0.37 * (k % 7), 0.21 * (k % 5))));
+        for (int k = 0; k < 100; ++k) {
+            queries.push_back(Query::face_nearest_global(face, Vec3(0.04 * k, 0.37 * (k % 7), 0.21 * (k % 5))));
         }
     }
     ASSERT_GT(queries.size(), Session::kChunk);
