@@ -11,14 +11,16 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/predicates.h"
 #include "base/progress.h"
 #include "base/waits.h"
 #include "geometry/engine.h"
+#include "geometry/oracle.h"
 
 namespace mq::geometry {
 
 /// One model on one engine: the context in which an algorithm works on a model.
-class Session {
+class Session final : public Oracle {
   public:
     /// Items in a chunk, which one thread takes at a time: 0.1 ms of work or more, so that starting a thread pays.
     static constexpr std::size_t kChunk = 256;
@@ -26,12 +28,12 @@ class Session {
     Session(Engine& engine, std::shared_ptr<Model> model, const Progress* progress = nullptr)
         : engine_(engine), model_(std::move(model)), progress_(progress) {}
 
-    const Topology& topology() const { return model_->topology(); }
+    const Topology& topology() const override { return model_->topology(); }
     const RigidMotion& place() const { return model_->place(); }
     /// Answers in the batch's order. Large batches are answered by several threads, and in pieces, so that a cancelled
     /// operation ends soon and the engine stays open to others.
     /// @throws Cancelled.
-    Engine::Answers ask(Engine::Batch batch) {
+    Engine::Answers ask(Engine::Batch batch) override {
         check();
         if (batch.empty()) {
             return {};  // an empty batch does not wake the engine's thread
@@ -47,13 +49,21 @@ class Session {
         });
         return all;
     }
-    Answer ask(const Query& query) { return engine_.ask(model_, query, progress_); }
-    /// Calls `work(model)` on the engine's thread.
+    Answer ask(const Query& query) override { return engine_.ask(model_, query, progress_); }
+    /// Calls `work(model)` on the engine's thread. Predicates count for the caller's.
     /// @throws Cancelled.
     template <typename Work>
     void run(const Work& work) {
         check();
-        engine_.run([&] { work(*model_); }, progress_);
+        PredicateCount count = predicate_count();
+        engine_.run(
+            [&] {
+                const PredicateCount own = std::exchange(predicate_count(), count);
+                work(*model_);
+                count = std::exchange(predicate_count(), own);
+            },
+            progress_);
+        predicate_count() = count;
     }
 
     /// Calls `work(answerer, k)` for k = 0 .. count - 1, in no particular order, on as many threads as the caller may
@@ -101,7 +111,7 @@ class Session {
     }
 
     /// @throws Cancelled
-    void check() const { check_cancelled(progress_); }
+    void check() const override { check_cancelled(progress_); }
 
   private:
     /// Counts what another answers. Each has cache lines of its own, since each counts in its own thread.
