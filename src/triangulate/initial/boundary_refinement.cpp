@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
-#include <numeric>
 #include <set>
+#include <utility>
 
 #include "base/stopwatch.h"
+#include "triangulate/initial/face_boundary.h"
 
 namespace mq::triangulate {
 
@@ -115,22 +116,16 @@ void run_rounds(geometry::Session& session, InitialTriangulation& result, std::v
 // Faces with long borders first, so that no thread is left with one of them in the end.
 std::vector<int> longest_border_first(const InitialTriangulation& result, const geometry::Topology& topology,
                                       const std::vector<int>& faces) {
-    std::vector<std::size_t> pieces;
+    std::vector<std::pair<std::size_t, int>> order;
+    order.reserve(faces.size());
     for (const int f : faces) {
-        std::size_t sum = 0;
-        for (const geometry::Loop& loop : topology.faces[f].loops) {
-            for (const int u : loop.uses) {
-                sum += result.chains.chain(topology.uses[u].edge).t.size();
-            }
-        }
-        pieces.push_back(sum);
+        order.emplace_back(points_around(topology, result.chains, f), f);
     }
-    std::vector<std::size_t> order(faces.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return pieces[a] > pieces[b]; });
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<int> sorted;
-    for (const std::size_t i : order) {
-        sorted.push_back(faces[i]);
+    sorted.reserve(order.size());
+    for (const auto& [points, f] : order) {
+        sorted.push_back(f);
     }
     return sorted;
 }

@@ -51,23 +51,13 @@ Vec2 metric_scale(geometry::Oracle& oracle, int face, bool plane) {
     return mean.cwiseMax(Vec2::Constant(floor));
 }
 
-std::size_t points_around(const EdgeDiscretisation& chains, const geometry::Topology& topology, int face) {
-    std::size_t points = 0;
-    for (const geometry::Loop& loop : topology.faces[face].loops) {
-        for (const int u : loop.uses) {
-            points += chains.chain(topology.uses[u].edge).t.size();
-        }
-    }
-    return points;
-}
-
 std::vector<Run> collect_runs(geometry::Oracle& oracle, const EdgeDiscretisation& chains,
                               const SinglePrecisionGrid& grid, int face, std::vector<std::size_t>& loop_end,
                               FaceBoundary& border, std::string& failure) {
     const geometry::Topology& topology = oracle.topology();
     std::vector<Run> runs;
     geometry::Engine::Batch batch;
-    batch.reserve(points_around(chains, topology, face));
+    batch.reserve(points_around(topology, chains, face));
     for (const geometry::Loop& loop : topology.faces[face].loops) {
         for (const int u : loop.uses) {
             const geometry::EdgeUse& use = topology.uses[u];
@@ -233,6 +223,16 @@ void FaceBoundary::find_collapsed_runs() {
     }
     int count = 0;
     collapsed_run = runs.number(count);
+}
+
+std::size_t points_around(const geometry::Topology& topology, const EdgeDiscretisation& chains, int face) {
+    std::size_t points = 0;
+    for (const geometry::Loop& loop : topology.faces[face].loops) {
+        for (const int u : loop.uses) {
+            points += chains.chain(topology.uses[u].edge).t.size();
+        }
+    }
+    return points;
 }
 
 FaceBoundary face_boundary(geometry::Oracle& oracle, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid,

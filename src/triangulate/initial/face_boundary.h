@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,9 @@ struct FaceBoundary {
         return a < count && b < count && collapsed_run[a] == collapsed_run[b];
     }
 };
+
+/// Returns the number of points of all loops of a face, as its edges are divided.
+std::size_t points_around(const geometry::Topology& topology, const EdgeDiscretisation& chains, int face);
 
 /// Collects the loops of a face over the chains. Pieces share a site where they meet in one vertex at one (u, v). On
 /// failure, `failure` gives the reason.
