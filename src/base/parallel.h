@@ -10,13 +10,15 @@
 #include <thread>
 #include <vector>
 
+#include "base/predicates.h"
+
 namespace mq {
 
 /// Lets parallel_for use at most this number of threads when it is called by this thread, while the object lives.
 class ThreadLimit {
   public:
-    /// @param most  0: as many as there are otherwise
-    explicit ThreadLimit(int most) : before_(present()) { present() = most; }
+    /// @param most  0: as many as without this object
+    explicit ThreadLimit(int most) : before_(present()) { present() = most > 0 ? most : before_; }
     ~ThreadLimit() { present() = before_; }
     ThreadLimit(const ThreadLimit&) = delete;
     ThreadLimit& operator=(const ThreadLimit&) = delete;
@@ -52,7 +54,7 @@ inline int threads_for(std::size_t items, std::size_t worth) {
 
 /// Runs work(k) for k = 0 .. count - 1 on thread_count() threads, in no particular order. Results must be written to
 /// places of their own, so that they do not depend on the number of threads. Where there are more threads than calls,
-/// what the calls run in parallel themselves shares the rest.
+/// what the calls run in parallel themselves shares the rest. Predicates count for the caller's thread.
 /// @throws the exception of the call with the lowest k, once all threads have ended; calls not yet begun are left out
 /// then
 template <typename Work>
@@ -62,7 +64,8 @@ void parallel_for(int count, Work&& work) {
     const int all = thread_count();
     const int threads = std::min(count, all);
     const int inner = std::max(1, all / std::max(1, threads));
-    const auto worker = [&] {
+    std::vector<PredicateCount> decided(static_cast<std::size_t>(std::max(1, threads)));
+    const auto worker = [&](int thread) {
         const ThreadLimit limit(inner);
         for (int k = next++; k < count; k = next++) {
             try {
@@ -72,19 +75,23 @@ void parallel_for(int count, Work&& work) {
                 next = count;
             }
         }
+        decided[static_cast<std::size_t>(thread)] = predicate_count();
     };
     std::vector<std::thread> others;
     others.reserve(static_cast<std::size_t>(threads));
     for (int i = 1; i < threads; ++i) {
         try {
-            others.emplace_back(worker);
+            others.emplace_back(worker, i);
         } catch (const std::system_error&) {
             break;  // the system gives no more of them: those that there are do the work
         }
     }
-    worker();
+    worker(0);
     for (std::thread& other : others) {
         other.join();
+    }
+    for (int i = 1; i < threads; ++i) {
+        predicate_count() += decided[static_cast<std::size_t>(i)];
     }
     for (const std::exception_ptr& exception : raised) {
         if (exception) {
@@ -106,6 +113,14 @@ void for_chunks(int count, const Work& work) {
             work(k);
         }
     });
+}
+
+/// The same for calls that take less than a microsecond: on as many threads as have `worth` calls each.
+/// @throws as parallel_for
+template <typename Work>
+void for_chunks(int count, int worth, const Work& work) {
+    const ThreadLimit limit(threads_for(static_cast<std::size_t>(count), static_cast<std::size_t>(worth)));
+    for_chunks(count, work);
 }
 
 }  // namespace mq

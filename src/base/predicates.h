@@ -15,6 +15,12 @@ namespace mq {
 struct PredicateCount {
     std::uint64_t filtered = 0;
     std::uint64_t exact = 0;
+
+    PredicateCount& operator+=(const PredicateCount& other) {
+        filtered += other.filtered;
+        exact += other.exact;
+        return *this;
+    }
 };
 
 /// Counters of the calling thread.

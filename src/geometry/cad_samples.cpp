@@ -87,26 +87,26 @@ std::vector<std::optional<Vec3>> CadSamples::points_of(Engine::Batch batch) {
 }
 
 const CadSamples::OfEdge& CadSamples::of_edge(int edge) {
-    const auto [known, added] = edges_.try_emplace(edge);
-    if (added) {
-        const KnotSpans& spans = session_.topology().edges[static_cast<std::size_t>(edge)].spans;
-        known->second.t = parameters_in(spans, std::max(kInCurve, spans.degree));
-        Engine::Batch batch;
-        for (const double t : known->second.t) {
-            batch.push_back(Query::edge_point(edge, t));
-        }
-        known->second.points = points_of(std::move(batch));
+    if (const auto known = edges_.find(edge); known != edges_.end()) {
+        return known->second;
     }
-    return known->second;
+    OfEdge& result = edges_[edge];
+    const KnotSpans& spans = session_.topology().edges[static_cast<std::size_t>(edge)].spans;
+    result.t = parameters_in(spans, std::max(kInCurve, spans.degree));
+    Engine::Batch batch;
+    for (const double t : result.t) {
+        batch.push_back(Query::edge_point(edge, t));
+    }
+    result.points = points_of(std::move(batch));
+    return result;
 }
 
 const CadSamples::OfFace& CadSamples::of_face(int face) {
-    const auto [known, added] = faces_.try_emplace(face);
-    OfFace& result = known->second;
-    const std::array<KnotSpans, 2>& spans = session_.topology().faces[static_cast<std::size_t>(face)].spans;
-    if (!added) {
-        return result;
+    if (const auto known = faces_.find(face); known != faces_.end()) {
+        return known->second;
     }
+    OfFace& result = faces_[face];
+    const std::array<KnotSpans, 2>& spans = session_.topology().faces[static_cast<std::size_t>(face)].spans;
     const std::array<double, 2> lengths = lengths_of(session_, face, spans);
     std::array<double, 2> steps{};
     std::array<int, 2> in_each{};
@@ -142,7 +142,7 @@ void CadSamples::between(int edge, double from, double to, const std::function<v
 }
 
 void CadSamples::inside(int face, const std::array<Vec2, 3>& uv, const std::function<void(const Vec3&)>& see) {
-    if (session_.topology().faces[static_cast<std::size_t>(face)].spans[0].bounds.empty()) {
+    if (!has_spans(face)) {
         return;
     }
     const OfFace& known = of_face(face);

@@ -16,11 +16,19 @@ namespace mq::geometry {
 /// backward distance is measured, from the model to the mesh. The mesh is measured at few points of a piece: an
 /// undulation of the surface that is zero at all of them is found at these.
 ///
-/// The points of an edge or a face are computed once, when they are first needed. They are in the mesh's frame.
+/// The points of an edge or a face are computed once, when they are first needed. They are in the mesh's frame. Several
+/// threads may read points that were computed before.
 class CadSamples {
   public:
     CadSamples(Session& session, const SinglePrecisionGrid& grid) : session_(session), grid_(grid) {}
 
+    /// Computes the points of an edge, or a face, if they are not known.
+    void compute_on_edge(int edge) { of_edge(edge); }
+    void compute_on_face(int face) {
+        if (has_spans(face)) {
+            of_face(face);
+        }
+    }
     /// Calls `see` for the points of an edge with parameters between `from` and `to`.
     void between(int edge, double from, double to, const std::function<void(const Vec3&)>& see);
     /// Calls `see` for the points of a face with parameters in a triangle.
@@ -36,6 +44,9 @@ class CadSamples {
         std::vector<std::optional<Vec3>> points;  // for all v of the first u, then of the next
     };
 
+    bool has_spans(int face) const {
+        return !session_.topology().faces[static_cast<std::size_t>(face)].spans[0].bounds.empty();
+    }
     const OfEdge& of_edge(int edge);
     const OfFace& of_face(int face);
     std::vector<std::optional<Vec3>> points_of(Engine::Batch batch);

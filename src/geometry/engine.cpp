@@ -57,6 +57,7 @@ class Engine::Impl {
     void cancel();
     void shut_down();
     std::uint64_t queries() const { return queries_.load(std::memory_order_relaxed); }
+    void count_answered(std::uint64_t queries) { queries_.fetch_add(queries, std::memory_order_relaxed); }
 
   private:
     bool push(Job& job, const Progress* progress);
@@ -208,7 +209,7 @@ Engine::Answers Engine::Impl::answer(const std::shared_ptr<Model>& model, const 
         }
     }
     answers.resize(batch.size());  // queries without an answer were stopped; that is an answer's default
-    queries_.fetch_add(count, std::memory_order_relaxed);
+    count_answered(count);
     return answers;
 }
 
@@ -335,6 +336,10 @@ void Engine::shut_down() {
 
 std::uint64_t Engine::queries() const {
     return impl_->queries();
+}
+
+void Engine::count_answered(std::uint64_t queries) {
+    impl_->count_answered(queries);
 }
 
 }  // namespace mq::geometry

@@ -51,6 +51,8 @@ class Engine {
 
     /// The number of queries answered since the start.
     std::uint64_t queries() const;
+    /// Adds queries that the work of `run` has answered to that number.
+    void count_answered(std::uint64_t queries);
 
   private:
     class Impl;

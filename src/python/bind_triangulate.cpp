@@ -137,6 +137,7 @@ void bind_triangulate(py::module_& m) {
         .def_readwrite("allow_missing_faces", &TriangulateOptions::allow_missing_faces)
         .def_readwrite("sew", &TriangulateOptions::sew)
         .def_readwrite("imprint", &TriangulateOptions::imprint)
+        .def_readwrite("threads", &TriangulateOptions::threads)
         .def_readwrite("polish", &TriangulateOptions::polish)
         .def_readwrite("sites_in_round", &TriangulateOptions::sites_in_round)
         .def_readwrite("record_angles", &TriangulateOptions::record_angles)

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/predicates.h"
 #include "base/stopwatch.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
@@ -407,6 +408,7 @@ bool in_vain(const mesh::MeshReport& now, const mesh::MeshReport& before) {
 Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
                    const TriangulateOptions& asked, Progress* progress, MeshCache* memory) {
     asked.validate();
+    const ThreadLimit threads(asked.threads);
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
     Costs costs(engine);

@@ -13,6 +13,7 @@ import FreeCAD
 import helpers
 import numpy as np
 import Part
+import parts
 
 import MeshQuality as mq
 from MeshQuality.core import verdict
@@ -225,6 +226,22 @@ class SimpleParts(unittest.TestCase):
         first, second = (mq.triangulate(shape, chord_height=0.1) for _ in range(2))
         self.assertEqual(first.vertices.tobytes(), second.vertices.tobytes())
         self.assertEqual(first.triangles.tobytes(), second.triangles.tobytes())
+
+    def test_the_bytes_are_the_same_for_any_number_of_threads(self):
+        shapes = {**helpers.simple_parts(), "bracket": parts.bracket(), "flap": parts.flap(), "helix": parts.helix()}
+        for name, shape in shapes.items():
+            with self.subTest(name):
+                one, *others = (mq.triangulate(shape, chord_height_relative=0.0005, threads=n) for n in (1, 2, 3, 8))
+                for several in others:
+                    for array in ("vertices", "triangles", "triangle_face", "vertex_entity"):
+                        self.assertEqual(getattr(several, array).tobytes(), getattr(one, array).tobytes(), array)
+                    for figure in ("max_chord_height", "exempt", "notes", "queries", "predicates", "exact_predicates"):
+                        self.assertEqual(getattr(several.report, figure), getattr(one.report, figure), figure)
+
+    def test_numbers_of_threads_that_are_none_are_refused(self):
+        for threads in (-1, 1025, 1.5, True, "all"):
+            with self.assertRaisesRegex(mq.InvalidInput, "threads"):
+                mq.triangulate(Part.makeBox(1, 1, 1), threads=threads)
 
     def test_several_threads_at_once_get_what_one_gets(self):
         shapes = list(helpers.simple_parts().values())[:4]

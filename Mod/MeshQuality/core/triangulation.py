@@ -15,7 +15,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 method="refine", max_triangles=None, progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True,
-                imprint=False, evaluation="fast", patches=None, patch_rest=None):
+                imprint=False, evaluation="fast", patches=None, patch_rest=None, threads=0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -28,8 +28,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            triangles on a face, along an edge, around a vertex; of a container or link
                            also {"Box.Face3": 0.5}, with the names of the objects on the way
     edges_per_circle       smallest number of edges for each full turn of a curve or a surface, 3 to 10000
-    growth_rate            growth rate of edge length from fine to coarse regions, greater than 1;
-                           None: as fast as the angles allow
+    growth_rate            growth rate of edge length from fine to coarse regions, over 1; None: as fast as angles allow
     method                 "refine"; "star" and "sprinkle" sample the faces by their curvature first
     max_triangles          the work ends incomplete at this number; None: 5 million
     progress               callable(fraction 0..1, stage or "waits for ..."); returning False cancels
@@ -39,8 +38,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            the surface crosses smoothly, so that tiny edges and slivers between such
                            edges cost no triangles; report.spanning then names the triangles that
                            lie on several faces
-    feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than
-                           this all along
+    feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than this all along
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
     imprint                solids that share an area get the same triangles on both sides; see report.contacts
@@ -56,6 +54,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            {"inlet": {"faces": ["Face1"], "colour": "#ff0000"}}; names as in local_sizes. They are
                            checked before the work, kept as mesh.patches, and are the default of mesh.write
     patch_rest             name of the patch of all other faces; None: each is one by its own name
+    threads                that work at a time; 0: one for each core. The result is the same for any number
 
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
@@ -68,6 +67,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "edges_per_circle": edges_per_circle, "growth_rate": growth_rate, "keep_edges": keep_edges,
         "feature_angle": feature_angle, "sew": sew, "imprint": imprint, "evaluation": evaluation,
     })
+    values["threads"] = options.THREADS.checked(threads)
     options.require_callable(progress)
     return _meshed(shape, values, progress, cache, division_for(shape, patches, patch_rest))
 

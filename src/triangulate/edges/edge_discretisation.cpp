@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <set>
 
@@ -24,17 +23,28 @@ struct Interval {
     int depth;
 };
 
+// Whether the angle between two vectors exceeds EdgeTuning::kMaxTurn. Most are far below.
+bool exceeds_turn(const Vec3& a, const Vec3& b) {
+    constexpr double kClear = 0.5;                       // Fraction of the limit: below it, rounding cannot matter.
+    const double slope = kClear * EdgeTuning::kMaxTurn;  // smaller than its tangent
+    const double along = a.dot(b);
+    if (along > 0.0 && a.cross(b).squaredNorm() < slope * slope * along * along) {
+        return false;
+    }
+    return angle_between(a, b) > EdgeTuning::kMaxTurn;
+}
+
 // Whether the tangent turns by more than EdgeTuning::kMaxTurn between the five equidistant samples of an interval.
 bool turns_too_much(const geometry::Answer* samples) {
-    double worst = 0.0;
     for (int i = 0; i < 5; ++i) {
         for (int j = i + 1; j < 5; ++j) {
-            if (samples[i].normal.squaredNorm() > 0.0 && samples[j].normal.squaredNorm() > 0.0) {
-                worst = std::max(worst, angle_between(samples[i].normal, samples[j].normal));
+            if (samples[i].normal.squaredNorm() > 0.0 && samples[j].normal.squaredNorm() > 0.0 &&
+                exceeds_turn(samples[i].normal, samples[j].normal)) {
+                return true;
             }
         }
     }
-    return worst > EdgeTuning::kMaxTurn;
+    return false;
 }
 
 double length_of(const std::vector<Vec3>& points) {
@@ -76,7 +86,7 @@ EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SingleP
 void EdgeDiscretisation::sample(geometry::Session& session) {
     const geometry::Topology& topology = session.topology();
     std::vector<Interval> open;
-    std::vector<std::map<double, Vec3>> found(topology.edges.size());
+    std::vector<std::vector<std::pair<double, Vec3>>> found(topology.edges.size());
     for (int e = 0; e < static_cast<int>(topology.edges.size()); ++e) {
         const geometry::Edge& edge = topology.edges[e];
         if (edge.degenerate) {
@@ -90,6 +100,7 @@ void EdgeDiscretisation::sample(geometry::Session& session) {
     }
     while (!open.empty()) {
         geometry::Engine::Batch batch;
+        batch.reserve(5 * open.size());
         for (const Interval& piece : open) {
             for (int i = 0; i < 5; ++i) {
                 const double t = i == 4 ? piece.to : piece.from + 0.25 * i * (piece.to - piece.from);
@@ -103,20 +114,24 @@ void EdgeDiscretisation::sample(geometry::Session& session) {
             const geometry::Answer* samples = &answers[5 * i];
             const double chord =
                 (samples[4].point - samples[0].point).norm() + (samples[2].point - samples[0].point).norm();
-            found[piece.edge][piece.from] = samples[0].point;
-            found[piece.edge][piece.to] = samples[4].point;
             if (piece.depth < EdgeTuning::kMaxDepth && chord > grid_.shortest_side() && turns_too_much(samples)) {
                 const double middle = 0.5 * (piece.from + piece.to);
                 next.push_back({piece.edge, piece.from, middle, piece.depth + 1});
                 next.push_back({piece.edge, middle, piece.to, piece.depth + 1});
+            } else {
+                found[piece.edge].emplace_back(piece.from, samples[0].point);
+                found[piece.edge].emplace_back(piece.to, samples[4].point);
             }
         }
         open = std::move(next);
     }
     for (std::size_t e = 0; e < found.size(); ++e) {
+        std::sort(found[e].begin(), found[e].end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         for (const auto& [t, point] : found[e]) {
-            chains_[e].t.push_back(t);
-            points_[e].push_back(point);
+            if (chains_[e].t.empty() || t > chains_[e].t.back()) {
+                chains_[e].t.push_back(t);
+                points_[e].push_back(point);
+            }
         }
     }
 }

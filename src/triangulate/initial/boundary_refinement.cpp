@@ -3,7 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <set>
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "triangulate/initial/face_boundary.h"
 
 namespace mq::triangulate {
 
@@ -17,6 +22,19 @@ constexpr std::array<double, 2> kHooks{8.0, 32.0};
 // Pieces around one face that a round halves at most. Where borders lie on each other all of their pieces cross,
 // however short they are: twenty rounds would make a million times as many.
 constexpr std::size_t kMostHalved = 4096;
+
+// Time after which no thread begins another face, so that the engine is open to others: much less than users may
+// notice.
+constexpr double kTurn = 0.05;  // seconds
+
+// One round: triangulates the faces and advances the progress from one fraction of the stage to another.
+struct Round {
+    const std::vector<int>& faces;
+    bool border_may_change;
+    double from;
+    double to;
+};
+using RoundTriangulator = std::function<void(const Round& round)>;
 
 std::vector<int> faces_of(const geometry::Topology& topology, const std::set<int>& edges,
                           const std::function<bool(int)>& included) {
@@ -75,19 +93,17 @@ std::set<int> edges_in_the_way(const InitialTriangulation& result, const geometr
 }
 
 void run_rounds(geometry::Session& session, InitialTriangulation& result, std::vector<int> open,
-                const RoundLimits& limits, Progress& progress, const std::function<bool(int)>& included,
-                const FaceTriangulator& triangulate) {
+                const RoundLimits& limits, const std::function<bool(int)>& included,
+                const RoundTriangulator& triangulate) {
     bool shaping = true;
     for (int round = 0; round < limits.rounds && !open.empty(); ++round) {
+        triangulate({open, shaping, round / (round + 2.0), (round + 1.0) / (round + 2.0)});
         std::set<EdgeDiscretisation::PieceRef> marks;
-        for (std::size_t i = 0; i < open.size(); ++i) {
-            progress.check();
-            triangulate(open[i], shaping);
-            const std::set<EdgeDiscretisation::PieceRef>& wished = result.faces[open[i]].marks;
+        for (const int f : open) {
+            const std::set<EdgeDiscretisation::PieceRef>& wished = result.faces[f].marks;
             if (wished.size() <= kMostHalved) {
                 marks.insert(wished.begin(), wished.end());
             }
-            progress.advance((round + static_cast<double>(i) / static_cast<double>(open.size())) / (round + 2.0));
         }
         open = faces_of(session.topology(), result.chains.halve(session, marks), included);
         if (shaping && (round + 1 == limits.shaping || open.empty())) {
@@ -97,20 +113,89 @@ void run_rounds(geometry::Session& session, InitialTriangulation& result, std::v
     }
 }
 
+// Faces with long borders first, so that no thread is left with one of them in the end.
+std::vector<int> longest_border_first(const InitialTriangulation& result, const geometry::Topology& topology,
+                                      const std::vector<int>& faces) {
+    std::vector<std::pair<std::size_t, int>> order;
+    order.reserve(faces.size());
+    for (const int f : faces) {
+        order.emplace_back(points_around(topology, result.chains, f), f);
+    }
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<int> sorted;
+    sorted.reserve(order.size());
+    for (const auto& [points, f] : order) {
+        sorted.push_back(f);
+    }
+    return sorted;
+}
+
+// Triangulates the faces of a round on several threads, in turns.
+void run_in_parallel(geometry::Session& session, const std::vector<int>& faces, Progress& progress, const Round& round,
+                     const ParallelFaceTriangulator& triangulate) {
+    std::vector<int> left = faces;
+    std::mutex progress_mutex;
+    double done = 0.0;
+    while (!left.empty()) {
+        const Stopwatch watch;
+        std::vector<char> finished(left.size(), 0);
+        session.run_parallel(static_cast<int>(left.size()), [&](geometry::Answerer& answerer, int k) {
+            if (k > 0 && watch.wall() > kTurn) {
+                return;
+            }
+            progress.check();
+            geometry::AnswererOracle oracle(session.topology(), answerer, &progress);
+            triangulate(oracle, left[static_cast<std::size_t>(k)], round.border_may_change);
+            finished[static_cast<std::size_t>(k)] = 1;
+            const std::lock_guard<std::mutex> lock(progress_mutex);
+            progress.advance(round.from + (round.to - round.from) * ++done / static_cast<double>(faces.size()));
+        });
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            if (finished[i] == 0) {
+                left[kept++] = left[i];
+            }
+        }
+        left.resize(kept);
+    }
+}
+
+void run_all_rounds(geometry::Session& session, InitialTriangulation& result, std::vector<int> open,
+                    const RoundLimits& limits, const std::function<bool(int)>& included,
+                    const RoundTriangulator& triangulate) {
+    const geometry::Topology& topology = session.topology();
+    run_rounds(session, result, std::move(open), limits, included, triangulate);
+    for (const double tolerances : kHooks) {
+        const std::set<int> changed =
+            result.chains.suppress_near_nodes(topology, edges_in_the_way(result, topology, included), tolerances);
+        open = faces_of(topology, changed, included);
+        run_rounds(session, result, std::move(open), limits, included, triangulate);
+    }
+    name_failures(result, included);
+}
+
 }  // namespace
 
 void triangulate_in_rounds(geometry::Session& session, InitialTriangulation& result, std::vector<int> open,
                            const RoundLimits& limits, Progress& progress, const std::function<bool(int)>& included,
                            const FaceTriangulator& triangulate) {
-    const geometry::Topology& topology = session.topology();
-    run_rounds(session, result, std::move(open), limits, progress, included, triangulate);
-    for (const double tolerances : kHooks) {
-        const std::set<int> changed =
-            result.chains.suppress_near_nodes(topology, edges_in_the_way(result, topology, included), tolerances);
-        open = faces_of(topology, changed, included);
-        run_rounds(session, result, std::move(open), limits, progress, included, triangulate);
-    }
-    name_failures(result, included);
+    run_all_rounds(session, result, std::move(open), limits, included, [&](const Round& round) {
+        double done = 0.0;
+        for (const int f : round.faces) {
+            progress.check();
+            triangulate(f, round.border_may_change);
+            progress.advance(round.from + (round.to - round.from) * ++done / static_cast<double>(round.faces.size()));
+        }
+    });
+}
+
+void triangulate_in_rounds(geometry::Session& session, InitialTriangulation& result, std::vector<int> open,
+                           const RoundLimits& limits, Progress& progress, const std::function<bool(int)>& included,
+                           const ParallelFaceTriangulator& triangulate) {
+    run_all_rounds(session, result, std::move(open), limits, included, [&](const Round& round) {
+        const std::vector<int> order = longest_border_first(result, session.topology(), round.faces);
+        run_in_parallel(session, order, progress, round, triangulate);
+    });
 }
 
 }  // namespace mq::triangulate

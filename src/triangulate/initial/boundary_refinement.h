@@ -18,6 +18,8 @@ struct RoundLimits {
 
 /// Triangulates one face of the result over its present chains.
 using FaceTriangulator = std::function<void(int face, bool border_may_change)>;
+/// The same where several threads triangulate faces at a time, each with an oracle of its own.
+using ParallelFaceTriangulator = std::function<void(geometry::Oracle& oracle, int face, bool border_may_change)>;
 
 /// Triangulates the `open` faces of the result, halves the pieces of CAD edges that obstruct them, and continues with
 /// all faces beside those, until none is open. Requests that cannot be granted are dropped in the end. Adds to the
@@ -26,5 +28,9 @@ using FaceTriangulator = std::function<void(int face, bool border_may_change)>;
 void triangulate_in_rounds(geometry::Session& session, InitialTriangulation& result, std::vector<int> open,
                            const RoundLimits& limits, Progress& progress, const std::function<bool(int)>& included,
                            const FaceTriangulator& triangulate);
+/// The same on as many threads as the caller may use. The result does not depend on their number.
+void triangulate_in_rounds(geometry::Session& session, InitialTriangulation& result, std::vector<int> open,
+                           const RoundLimits& limits, Progress& progress, const std::function<bool(int)>& included,
+                           const ParallelFaceTriangulator& triangulate);
 
 }  // namespace mq::triangulate

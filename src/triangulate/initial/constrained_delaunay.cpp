@@ -10,7 +10,13 @@
 
 namespace mq::triangulate {
 
-ConstrainedDelaunay::ConstrainedDelaunay(const Vec2& low, const Vec2& high) {
+ConstrainedDelaunay::ConstrainedDelaunay(const Vec2& low, const Vec2& high, std::size_t expected) {
+    const std::size_t points = expected + kFrame;
+    points_.reserve(points);
+    half_edge_of_.reserve(points);
+    for (std::vector<int>* of_half_edges : {&corner_, &twin_, &label_}) {
+        of_half_edges->reserve(6 * points);
+    }
     const double reach = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
     const Vec2 margin = Vec2::Constant(10.0 * (high - low).maxCoeff() + 1e-9 * std::max(1.0, reach));
     const Vec2 a = low - margin;
@@ -125,17 +131,16 @@ int ConstrainedDelaunay::insert_at(const Place& place, const Vec2& p) {
     const int v = vertex_count();
     points_.push_back(p);
     half_edge_of_.push_back(-1);
-    std::vector<int> stack;
     if (place.on_edge) {
-        insert_on_edge(place.half_edge, v, stack);
+        insert_on_edge(place.half_edge, v);
     } else {
-        insert_in_triangle(place.half_edge / 3, v, stack);
+        insert_in_triangle(place.half_edge / 3, v);
     }
-    legalise(stack);
+    legalise();
     return v;
 }
 
-void ConstrainedDelaunay::insert_in_triangle(int t, int v, std::vector<int>& stack) {
+void ConstrainedDelaunay::insert_in_triangle(int t, int v) {
     const int h = 3 * t;
     const int a = corner_[h];
     const int b = corner_[h + 1];
@@ -156,10 +161,10 @@ void ConstrainedDelaunay::insert_in_triangle(int t, int v, std::vector<int>& sta
     attach(h + 1, 3 * n + 2, -1);
     attach(3 * n + 1, 3 * n + 5, -1);
     attach(3 * n + 4, h + 2, -1);
-    stack.insert(stack.end(), {h, 3 * n, 3 * n + 3});
+    suspects_.insert(suspects_.end(), {h, 3 * n, 3 * n + 3});
 }
 
-void ConstrainedDelaunay::insert_on_edge(int h, int v, std::vector<int>& stack) {
+void ConstrainedDelaunay::insert_on_edge(int h, int v) {
     const int g = twin_[h];
     const int label = label_[h];
     const int t = h / 3;
@@ -189,7 +194,7 @@ void ConstrainedDelaunay::insert_on_edge(int h, int v, std::vector<int>& stack) 
     attach(3 * o + 2, 3 * n + 4, -1);     // v-d
     attach(3 * t + 1, 3 * n + 5, label);  // a-v
     attach(3 * o + 1, 3 * n + 2, label);  // b-v
-    stack.insert(stack.end(), {3 * t, 3 * n, 3 * o, 3 * n + 3});
+    suspects_.insert(suspects_.end(), {3 * t, 3 * n, 3 * o, 3 * n + 3});
 }
 
 void ConstrainedDelaunay::flip(int h) {
@@ -230,10 +235,10 @@ bool ConstrainedDelaunay::flip_edge(int h) {
     return true;
 }
 
-void ConstrainedDelaunay::legalise(std::vector<int>& stack) {
-    while (!stack.empty()) {
-        const int h = stack.back();
-        stack.pop_back();
+void ConstrainedDelaunay::legalise() {
+    while (!suspects_.empty()) {
+        const int h = suspects_.back();
+        suspects_.pop_back();
         const int g = twin_[h];
         if (g < 0 || label_[h] >= 0) {
             continue;
@@ -246,7 +251,7 @@ void ConstrainedDelaunay::legalise(std::vector<int>& stack) {
             const int t = h / 3;
             const int o = g / 3;
             flip(h);
-            stack.insert(stack.end(), {3 * t, 3 * t + 2, 3 * o, 3 * o + 1});
+            suspects_.insert(suspects_.end(), {3 * t, 3 * t + 2, 3 * o, 3 * o + 1});
         }
     }
 }
@@ -348,19 +353,18 @@ std::optional<ConstrainedDelaunay::Obstacle> ConstrainedDelaunay::insert_constra
     if (label_[h] < 0) {  // an edge keeps its first label
         attach(h, twin_[h], label);
     }
-    std::vector<int> stack;
     for (const auto& [c, d] : crossed) {  // the flips left non-Delaunay edges around the constraint
         for (const int v : {c, d}) {
             const int start = half_edge_of_[v];
             int s = start;
             do {
-                stack.push_back(s);
-                stack.push_back(next(s));
+                suspects_.push_back(s);
+                suspects_.push_back(next(s));
                 s = twin_[prev(s)];
             } while (s >= 0 && s != start);
         }
     }
-    legalise(stack);
+    legalise();
     return std::nullopt;
 }
 

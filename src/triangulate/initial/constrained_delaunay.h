@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace mq::triangulate {
 class ConstrainedDelaunay {
   public:
     /// Every point inserted later must lie in the box [low, high].
-    ConstrainedDelaunay(const Vec2& low, const Vec2& high);
+    /// @param expected  points for which memory is set aside
+    ConstrainedDelaunay(const Vec2& low, const Vec2& high, std::size_t expected = 0);
 
     /// Inserts a point and restores the Delaunay property. Returns the existing vertex if the point is there already.
     /// A point on a constraint splits it; both halves keep its label.
@@ -61,10 +63,10 @@ class ConstrainedDelaunay {
     int insert_at(const Place& place, const Vec2& p);
     void set_triangle(int t, int a, int b, int c);
     void attach(int h, int g, int label);
-    void insert_in_triangle(int t, int v, std::vector<int>& stack);
-    void insert_on_edge(int h, int v, std::vector<int>& stack);
+    void insert_in_triangle(int t, int v);
+    void insert_on_edge(int h, int v);
     void flip(int h);
-    void legalise(std::vector<int>& stack);
+    void legalise();
     bool crosses(int a, int b, int h) const;
     std::optional<Obstacle> collect_crossings(int a, int b, std::vector<std::array<int, 2>>& crossed) const;
     void remove_crossings(int a, int b, std::vector<std::array<int, 2>> crossed);
@@ -74,6 +76,7 @@ class ConstrainedDelaunay {
     std::vector<int> twin_;
     std::vector<int> label_;
     std::vector<int> half_edge_of_;  // by vertex: a half-edge that leaves it
+    std::vector<int> suspects_;      // half-edges that may not be Delaunay, see legalise
     // Triangle where the last search ended, where the next one begins: successive points are often close.
     int last_ = 0;
 };

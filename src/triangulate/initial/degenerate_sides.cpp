@@ -41,9 +41,9 @@ Vec2 between(const VertexUse& from, const VertexUse& to, double share) {
 }
 
 // Returns the points at which the side is divided, as fractions of its length.
-std::vector<double> places(geometry::Session& session, int face, const VertexUse& from, const VertexUse& to,
+std::vector<double> places(geometry::Oracle& oracle, int face, const VertexUse& from, const VertexUse& to,
                            int direction) {
-    const geometry::Face& data = session.topology().faces[face];
+    const geometry::Face& data = oracle.topology().faces[face];
     const int across = 1 - direction;
     const double range = data.high[across] - data.low[across];
     const double inwards = from.uv[across] < 0.5 * (data.low[across] + data.high[across]) ? kInside : -kInside;
@@ -53,7 +53,7 @@ std::vector<double> places(geometry::Session& session, int face, const VertexUse
         uv[across] += inwards * range;
         batch.push_back(geometry::Query::face_point(face, uv.x(), uv.y()));
     }
-    const geometry::Engine::Answers answers = session.ask(std::move(batch));
+    const geometry::Engine::Answers answers = oracle.ask(std::move(batch));
     std::vector<double> result;
     double turn = 0.0;
     for (int i = 1; i < kSteps; ++i) {
@@ -77,16 +77,17 @@ int add_site(FaceBoundary& border, VertexUse site, const Vec2& uv) {
 
 }  // namespace
 
-std::vector<int> divide_degenerate_sides(geometry::Session& session, int face, FaceBoundary& border) {
+std::vector<int> divide_degenerate_sides(geometry::Oracle& oracle, int face, FaceBoundary& border) {
     std::map<int, int> apex_of;  // by site on a divided side
     std::vector<Piece> pieces;
+    pieces.reserve(border.pieces.size());
     for (const Piece& piece : border.pieces) {
         const VertexUse from = border.sites[piece.from];
         VertexUse to = border.sites[piece.to];
         const bool apex = piece.collapsed() && from.vertex == to.vertex;
-        const int direction = apex ? direction_of(session.topology().faces[face], from, to) : -1;
+        const int direction = apex ? direction_of(oracle.topology().faces[face], from, to) : -1;
         const std::vector<double> shares =
-            direction < 0 ? std::vector<double>() : places(session, face, from, to, direction);
+            direction < 0 ? std::vector<double>() : places(oracle, face, from, to, direction);
         Piece rest = piece;
         std::vector<int> on_side{piece.from, piece.to};
         for (const double share : shares) {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/session.h"
+#include "geometry/oracle.h"
 #include "triangulate/initial/face_boundary.h"
 
 namespace mq::triangulate {
@@ -15,6 +15,6 @@ namespace mq::triangulate {
 /// @return by site: its final representative. For sites on a divided side this is the one in the middle, which has no
 /// normal; where the surface has normals at both ends of the side, it is the nearer end. Other sites represent
 /// themselves.
-std::vector<int> divide_degenerate_sides(geometry::Session& session, int face, FaceBoundary& border);
+std::vector<int> divide_degenerate_sides(geometry::Oracle& oracle, int face, FaceBoundary& border);
 
 }  // namespace mq::triangulate

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/disjoint_sets.h"
 
@@ -23,22 +22,25 @@ struct Run {
     std::vector<VertexUse> points;
 };
 
-// Returns the average length of the derivatives by u and v, mm, which scales (u, v) to approximate lengths.
-Vec2 metric_scale(geometry::Session& session, int face) {
-    const geometry::Face& f = session.topology().faces[face];
+// Returns the average length of the derivatives by u and v, mm, which scales (u, v) to approximate lengths. On a plane
+// they are the same everywhere.
+Vec2 metric_scale(geometry::Oracle& oracle, int face, bool plane) {
+    const geometry::Face& f = oracle.topology().faces[face];
     constexpr int kSteps = 5;  // Samples of the derivatives along each parameter; an average needs no more.
+    const int steps = plane ? 1 : kSteps;
     geometry::Engine::Batch batch;
-    for (int i = 0; i < kSteps; ++i) {
-        for (int j = 0; j < kSteps; ++j) {
-            const double a = (i + 0.5) / kSteps;
-            const double b = (j + 0.5) / kSteps;
+    batch.reserve(static_cast<std::size_t>(steps * steps));
+    for (int i = 0; i < steps; ++i) {
+        for (int j = 0; j < steps; ++j) {
+            const double a = (i + 0.5) / steps;
+            const double b = (j + 0.5) / steps;
             batch.push_back(geometry::Query::face_derivatives(face, f.low[0] + a * (f.high[0] - f.low[0]),
                                                               f.low[1] + b * (f.high[1] - f.low[1])));
         }
     }
     Vec2 sum = Vec2::Zero();
     int count = 0;
-    for (const geometry::Answer& a : session.ask(std::move(batch))) {
+    for (const geometry::Answer& a : oracle.ask(std::move(batch))) {
         if (a.found()) {
             sum += Vec2(a.derivatives[0].norm(), a.derivatives[1].norm());
             ++count;
@@ -49,18 +51,21 @@ Vec2 metric_scale(geometry::Session& session, int face) {
     return mean.cwiseMax(Vec2::Constant(floor));
 }
 
-std::vector<Run> collect_runs(geometry::Session& session, const EdgeDiscretisation& chains,
+std::vector<Run> collect_runs(geometry::Oracle& oracle, const EdgeDiscretisation& chains,
                               const SinglePrecisionGrid& grid, int face, std::vector<std::size_t>& loop_end,
                               FaceBoundary& border, std::string& failure) {
-    const geometry::Topology& topology = session.topology();
+    const geometry::Topology& topology = oracle.topology();
     std::vector<Run> runs;
     geometry::Engine::Batch batch;
+    batch.reserve(points_around(topology, chains, face));
     for (const geometry::Loop& loop : topology.faces[face].loops) {
         for (const int u : loop.uses) {
             const geometry::EdgeUse& use = topology.uses[u];
             const EdgePolyline& chain = chains.chain(use.edge);
             Run run{u, chain.collapsed, use.internal, static_cast<int>(loop_end.size()), {}, {}};
             const int n = static_cast<int>(chain.t.size());
+            run.points.reserve(chain.t.size());
+            run.index.reserve(chain.t.size());
             for (int k = 0; k < n; ++k) {
                 const int i = use.forward ? k : n - 1 - k;
                 VertexUse site;
@@ -73,7 +78,7 @@ std::vector<Run> collect_runs(geometry::Session& session, const EdgeDiscretisati
         }
         loop_end.push_back(runs.size());
     }
-    const geometry::Engine::Answers answers = session.ask(std::move(batch));
+    const geometry::Engine::Answers answers = oracle.ask(std::move(batch));
     std::size_t a = 0;
     for (Run& run : runs) {
         for (VertexUse& site : run.points) {
@@ -96,31 +101,52 @@ std::vector<Run> collect_runs(geometry::Session& session, const EdgeDiscretisati
 // Gives every point of every run its site; coinciding ends share one.
 class SiteMerger {
   public:
-    explicit SiteMerger(FaceBoundary& border) : border_(border) {}
-
-    int add(const VertexUse& site) {
-        border_.sites.push_back(site);
-        const int id = static_cast<int>(border_.sites.size()) - 1;
-        of_vertex_[site.vertex].push_back(id);
-        return id;
+    SiteMerger(FaceBoundary& border, const std::vector<Run>& runs) : border_(border) {
+        for (const Run& run : runs) {
+            for (const VertexUse& point : run.points) {
+                vertices_.push_back(point.vertex);
+            }
+        }
+        border_.sites.reserve(vertices_.size());
+        border_.pieces.reserve(vertices_.size());
+        next_.reserve(vertices_.size());
+        std::sort(vertices_.begin(), vertices_.end());
+        vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+        first_.assign(vertices_.size(), -1);
     }
+
     // Returns a site of the same vertex within `reach` in the scaled domain, or a new one.
     int find_or_add(const VertexUse& site, double reach) {
         int best = -1;
         double least = reach;
-        for (const int s : of_vertex_[site.vertex]) {
-            const double d = (border_.scaled(border_.sites[s].uv) - border_.scaled(site.uv)).norm();
+        int* end = &first_[place_of(site.vertex)];
+        for (; *end >= 0; end = &next_[*end]) {
+            const double d = (border_.scaled(border_.sites[*end].uv) - border_.scaled(site.uv)).norm();
             if (d <= least) {
                 least = d;
-                best = s;
+                best = *end;
             }
         }
-        return best >= 0 ? best : add(site);
+        if (best >= 0) {
+            return best;
+        }
+        const int id = static_cast<int>(border_.sites.size());
+        *end = id;
+        next_.push_back(-1);
+        border_.sites.push_back(site);
+        return id;
     }
 
   private:
+    std::size_t place_of(int vertex) const {
+        return static_cast<std::size_t>(std::lower_bound(vertices_.begin(), vertices_.end(), vertex) -
+                                        vertices_.begin());
+    }
+
     FaceBoundary& border_;
-    std::map<int, std::vector<int>> of_vertex_;
+    std::vector<int> vertices_;  // ascending
+    std::vector<int> first_;     // by place of a vertex: its first site, or -1
+    std::vector<int> next_;      // by site: the next one of its vertex, or -1
 };
 
 // Returns the length of a run's shortest piece in the scaled domain, which limits the distance within which images of
@@ -199,14 +225,24 @@ void FaceBoundary::find_collapsed_runs() {
     collapsed_run = runs.number(count);
 }
 
-FaceBoundary face_boundary(geometry::Session& session, const EdgeDiscretisation& chains,
-                           const SinglePrecisionGrid& grid, int face, std::string& failure) {
-    const geometry::Topology& topology = session.topology();
+std::size_t points_around(const geometry::Topology& topology, const EdgeDiscretisation& chains, int face) {
+    std::size_t points = 0;
+    for (const geometry::Loop& loop : topology.faces[face].loops) {
+        for (const int u : loop.uses) {
+            points += chains.chain(topology.uses[u].edge).t.size();
+        }
+    }
+    return points;
+}
+
+FaceBoundary face_boundary(geometry::Oracle& oracle, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid,
+                           int face, std::string& failure) {
+    const geometry::Topology& topology = oracle.topology();
     FaceBoundary border;
-    border.scale = metric_scale(session, face);
     border.plane = std::string(topology.faces[face].surface) == "plane";
+    border.scale = metric_scale(oracle, face, border.plane);
     std::vector<std::size_t> loop_end;
-    const std::vector<Run> runs = collect_runs(session, chains, grid, face, loop_end, border, failure);
+    const std::vector<Run> runs = collect_runs(oracle, chains, grid, face, loop_end, border, failure);
     if (!failure.empty()) {
         return border;
     }
@@ -223,7 +259,7 @@ FaceBoundary face_boundary(geometry::Session& session, const EdgeDiscretisation&
     for (const Run& run : runs) {
         tolerance = std::max(tolerance, tolerance_of(run));
     }
-    SiteMerger merger(border);
+    SiteMerger merger(border, runs);
     for (std::size_t loop = 0, first = 0; loop < loop_end.size(); first = loop_end[loop++]) {
         std::array<int, 2> ends{-1, -1};
         int start = -1;
@@ -241,16 +277,40 @@ FaceBoundary face_boundary(geometry::Session& session, const EdgeDiscretisation&
     return border;
 }
 
-std::vector<VertexUse> sites_of_points(geometry::Session& session, const EdgeDiscretisation& chains,
+std::vector<std::optional<Vec2>> middles_of_pieces(geometry::Oracle& oracle, const EdgeDiscretisation& chains,
+                                                   const FaceBoundary& border) {
+    geometry::Engine::Batch batch;
+    batch.reserve(border.pieces.size());
+    std::vector<std::size_t> asked;
+    asked.reserve(border.pieces.size());
+    for (std::size_t k = 0; k < border.pieces.size(); ++k) {
+        const FaceBoundary::Piece& p = border.pieces[k];
+        if (!p.collapsed()) {
+            const std::vector<double>& t = chains.chain(oracle.topology().uses[p.use].edge).t;
+            batch.push_back(geometry::Query::use_on_face(p.use, 0.5 * (t[p.index] + t[p.index + 1])));
+            asked.push_back(k);
+        }
+    }
+    std::vector<std::optional<Vec2>> middles(border.pieces.size());
+    const geometry::Engine::Answers answers = oracle.ask(std::move(batch));
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        if (answers[i].found()) {
+            middles[asked[i]] = border.scaled(Vec2(answers[i].u, answers[i].v));
+        }
+    }
+    return middles;
+}
+
+std::vector<VertexUse> sites_of_points(geometry::Oracle& oracle, const EdgeDiscretisation& chains,
                                        const SinglePrecisionGrid& grid, int face, const FaceBoundary& border) {
     std::vector<VertexUse> result;
-    for (const int node : session.topology().faces[face].points) {
+    for (const int node : oracle.topology().faces[face].points) {
         VertexUse site;
         site.vertex = chains.vertex_of_node(node);
         site.point = chains.vertices()[site.vertex].point;
         const bool on_border = std::any_of(border.sites.begin(), border.sites.end(),
                                            [&](const VertexUse& s) { return s.vertex == site.vertex; });
-        const geometry::Answer foot = session.ask(geometry::Query::face_nearest_global(face, grid.to_part(site.point)));
+        const geometry::Answer foot = oracle.ask(geometry::Query::face_nearest_global(face, grid.to_part(site.point)));
         if (!on_border && foot.found()) {
             site.uv = Vec2(foot.u, foot.v);
             site.normal = foot.normal;

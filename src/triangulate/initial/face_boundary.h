@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "triangulate/initial/face_triangulator.h"
@@ -37,14 +39,21 @@ struct FaceBoundary {
     }
 };
 
+/// Returns the number of points of all loops of a face, as its edges are divided.
+std::size_t points_around(const geometry::Topology& topology, const EdgeDiscretisation& chains, int face);
+
 /// Collects the loops of a face over the chains. Pieces share a site where they meet in one vertex at one (u, v). On
 /// failure, `failure` gives the reason.
-FaceBoundary face_boundary(geometry::Session& session, const EdgeDiscretisation& chains,
-                           const SinglePrecisionGrid& grid, int face, std::string& failure);
+FaceBoundary face_boundary(geometry::Oracle& oracle, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid,
+                           int face, std::string& failure);
+
+/// Returns by piece the middle of its curve in the scaled domain; nothing for collapsed pieces and where there is none.
+std::vector<std::optional<Vec2>> middles_of_pieces(geometry::Oracle& oracle, const EdgeDiscretisation& chains,
+                                                   const FaceBoundary& border);
 
 /// Returns sites for the nodes inside the face, through which it shares vertices with entities that touch it. Nodes on
 /// the border have sites already.
-std::vector<FaceMesh::VertexUse> sites_of_points(geometry::Session& session, const EdgeDiscretisation& chains,
+std::vector<FaceMesh::VertexUse> sites_of_points(geometry::Oracle& oracle, const EdgeDiscretisation& chains,
                                                  const SinglePrecisionGrid& grid, int face, const FaceBoundary& border);
 
 }  // namespace mq::triangulate

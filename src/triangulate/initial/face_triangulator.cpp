@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 
 #include "base/angle.h"
 #include "base/predicates.h"
@@ -23,12 +23,13 @@ using VertexUse = FaceMesh::VertexUse;
 using Link = FaceMesh::Link;
 using Fault = TriangleFault;
 using Corners = std::array<int, 3>;
+using Side = std::array<int, 2>;  // its ends, the smaller number first
 
 class FaceMesher {
   public:
-    FaceMesher(geometry::Session& session, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid, int face,
+    FaceMesher(geometry::Oracle& oracle, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid, int face,
                bool border_may_change, const std::vector<VertexUse>& inner)
-        : session_(session),
+        : oracle_(oracle),
           chains_(chains),
           grid_(grid),
           face_(face),
@@ -50,15 +51,16 @@ class FaceMesher {
     void find_inside();
     void insert_inside(const VertexUse& site);
     void insert_inner();
-    void check_loops();
-    void reject_useless_halving();
+    void check_loops(const std::vector<std::optional<Vec2>>& middles);
+    void reject_useless_halving(const std::vector<std::optional<Vec2>>& middles);
     void request_border_split(int piece, int side);
+    geometry::Engine::Answers at_centroids(const std::vector<int>& triangles);
     bool refine_round();
     int side_to_split(int t, Fault fault) const;
     Fault fault(int t, const geometry::Answer& at_centroid) const;
-    void ask_to_split(int t, Fault fault, std::set<std::array<int, 2>>& sides);
+    void ask_to_split(int t, Fault fault, std::vector<Side>& sides);
     bool crowds(int a, int b, const Vec3& p) const;
-    bool insert_midpoints(const std::set<std::array<int, 2>>& sides);
+    bool insert_midpoints(const std::vector<Side>& sides);
     void assemble();
     Link link_of(int h, const std::vector<int>& number) const;
     bool close(const std::vector<Corners>& triangles, std::vector<std::array<Link, 3>> links);
@@ -69,10 +71,11 @@ class FaceMesher {
         const auto s = static_cast<std::size_t>(site_of_[tri_->corner(h)]);
         return s < stands_for_.size() ? stands_for_[s] : static_cast<int>(s);
     }
+    Corners corners_of(int t) const { return {tri_->corner(3 * t), tri_->corner(3 * t + 1), tri_->corner(3 * t + 2)}; }
     int level(int planar_vertex) const { return level_[site_of_[planar_vertex]]; }
     double reach() const { return grid_.shortest_side(); }
 
-    geometry::Session& session_;
+    geometry::Oracle& oracle_;
     const EdgeDiscretisation& chains_;
     const SinglePrecisionGrid& grid_;
     int face_;
@@ -87,16 +90,16 @@ class FaceMesher {
     std::vector<std::vector<int>> overlaps_;  // by piece: further pieces on the same edge, as the other side of a slit
     std::vector<int> level_;                  // by site: number of halvings that led to it, 0 on the border
     std::vector<char> inside_;
-    std::set<Corners> fine_;  // triangles that passed the test once
+    std::vector<Corners> fine_;  // by triangle: its corners when it passed the test
     bool late_ = false;
     double smallest_ = 0.0;  // mm; smaller triangles need not follow the surface, which may fold at that size
     FaceMesh result_;
 };
 
 FaceMesh FaceMesher::run() {
-    border_ = face_boundary(session_, chains_, grid_, face_, result_.failure);
+    border_ = face_boundary(oracle_, chains_, grid_, face_, result_.failure);
     if (result_.failure.empty()) {
-        stands_for_ = divide_degenerate_sides(session_, face_, border_);
+        stands_for_ = divide_degenerate_sides(oracle_, face_, border_);
     }
     result_.sites = border_.sites;
     if (!result_.failure.empty() || !long_enough() || !insert_border()) {
@@ -107,12 +110,13 @@ FaceMesh FaceMesher::run() {
         return result_;
     }
     insert_inner();
-    check_loops();
-    reject_useless_halving();
+    const std::vector<std::optional<Vec2>> middles = middles_of_pieces(oracle_, chains_, border_);
+    check_loops(middles);
+    reject_useless_halving(middles);
     for (int round = 0; round < InitialTuning::kMaxFaceRounds && result_.marks.empty(); ++round) {
         late_ = round >= InitialTuning::kPatience;
         if (!border_.plane && (late_ || !inner_.empty())) {
-            const bool reversed = session_.topology().faces[face_].reversed;
+            const bool reversed = oracle_.topology().faces[face_].reversed;
             SurfaceFlips{*tri_, result_.sites, site_of_, inside_, reversed, kCosMaxTurn, !inner_.empty()}.run();
         }
         if (!refine_round()) {
@@ -143,7 +147,7 @@ bool FaceMesher::long_enough() {
 void FaceMesher::mark_piece(int piece) {
     const FaceBoundary::Piece& p = border_.pieces[piece];
     if (!p.collapsed() && length_of(piece) > 2.0 * reach()) {
-        result_.marks.insert({session_.topology().uses[p.use].edge, p.index});
+        result_.marks.insert({oracle_.topology().uses[p.use].edge, p.index});
     }
 }
 
@@ -198,13 +202,13 @@ bool FaceMesher::insert_border() {
         result_.failure = "its border has coordinates that are not numbers";
         return false;
     }
-    tri_ = std::make_unique<ConstrainedDelaunay>(low, high);
+    tri_ = std::make_unique<ConstrainedDelaunay>(low, high, result_.sites.size());
     level_.assign(result_.sites.size(), 0);
     smallest_ = std::max({2.0 * reach(), InitialTuning::kMinDeviations * border_.deviation,
                           InitialTuning::kMinPart * (high - low).norm()});
     site_of_.assign(ConstrainedDelaunay::kFrame, -1);
     for (int s = 0; s < static_cast<int>(result_.sites.size()); ++s) {
-        session_.check();
+        oracle_.check();
         const int v = tri_->insert(border_.scaled(result_.sites[s].uv));
         if (v == static_cast<int>(site_of_.size())) {
             site_of_.push_back(s);
@@ -217,7 +221,7 @@ bool FaceMesher::insert_border() {
     overlaps_.resize(border_.pieces.size());
     bool free = true;
     for (int k = 0; k < static_cast<int>(border_.pieces.size()); ++k) {
-        session_.check();
+        oracle_.check();
         const FaceBoundary::Piece& p = border_.pieces[k];
         if (!p.collapsed() && result_.sites[p.from].vertex == result_.sites[p.to].vertex) {
             mark_piece(k);
@@ -305,7 +309,7 @@ void FaceMesher::insert_inside(const VertexUse& site) {
 }
 
 void FaceMesher::insert_inner() {
-    const std::vector<VertexUse> points = sites_of_points(session_, chains_, grid_, face_, border_);
+    const std::vector<VertexUse> points = sites_of_points(oracle_, chains_, grid_, face_, border_);
     for (const std::vector<VertexUse>* sites : {&points, &inner_}) {
         std::for_each(sites->begin(), sites->end(), [&](const VertexUse& site) { insert_inside(site); });
     }
@@ -314,8 +318,8 @@ void FaceMesher::insert_inner() {
     }
 }
 
-void FaceMesher::check_loops() {
-    for (const int piece : coarse_pieces_of_inverted_loops(session_, chains_, border_)) {
+void FaceMesher::check_loops(const std::vector<std::optional<Vec2>>& middles) {
+    for (const int piece : coarse_pieces_of_inverted_loops(oracle_, chains_, border_, middles)) {
         request_halving(piece);
     }
 }
@@ -333,28 +337,15 @@ void FaceMesher::request_border_split(int piece, int side) {
 }
 
 // A piece whose middle on the curve lies beyond the apex of its triangle would fold that triangle when it is split.
-void FaceMesher::reject_useless_halving() {
-    const geometry::Topology& topology = session_.topology();
-    geometry::Engine::Batch batch;
-    std::vector<int> pieces;
-    for (int k = 0; k < static_cast<int>(border_.pieces.size()); ++k) {
+void FaceMesher::reject_useless_halving(const std::vector<std::optional<Vec2>>& middles) {
+    for (std::size_t k = 0; k < middles.size(); ++k) {
         const FaceBoundary::Piece& p = border_.pieces[k];
-        if (!p.collapsed()) {
-            const EdgePolyline& chain = chains_.chain(topology.uses[p.use].edge);
-            batch.push_back(geometry::Query::use_on_face(p.use, 0.5 * (chain.t[p.index] + chain.t[p.index + 1])));
-            pieces.push_back(k);
-        }
-    }
-    const geometry::Engine::Answers answers = session_.ask(std::move(batch));
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const FaceBoundary::Piece& p = border_.pieces[pieces[i]];
         const int a = planar_of_[p.from];
         const int b = planar_of_[p.to];
-        const int h = a == b ? -1 : tri_->find_edge(a, b);
-        if (h < 0 || !answers[i].found()) {
+        const int h = !middles[k] || a == b ? -1 : tri_->find_edge(a, b);
+        if (h < 0) {
             continue;
         }
-        const Vec2 middle = border_.scaled(Vec2(answers[i].u, answers[i].v));
         for (const int side : {h, tri_->twin(h)}) {
             if (side < 0 || inside_[side / 3] != 1) {
                 continue;
@@ -362,10 +353,10 @@ void FaceMesher::reject_useless_halving() {
             const Vec2& from = tri_->point(tri_->corner(side));
             const Vec2& to = tri_->point(tri_->corner(ConstrainedDelaunay::next(side)));
             const Vec2& apex = tri_->point(tri_->corner(ConstrainedDelaunay::prev(side)));
-            if (orient2d(apex, from, middle) <= 0) {
-                request_border_split(pieces[i], ConstrainedDelaunay::prev(side));
-            } else if (orient2d(to, apex, middle) <= 0) {
-                request_border_split(pieces[i], ConstrainedDelaunay::next(side));
+            if (orient2d(apex, from, *middles[k]) <= 0) {
+                request_border_split(static_cast<int>(k), ConstrainedDelaunay::prev(side));
+            } else if (orient2d(to, apex, *middles[k]) <= 0) {
+                request_border_split(static_cast<int>(k), ConstrainedDelaunay::next(side));
             }
         }
     }
@@ -387,7 +378,7 @@ Fault FaceMesher::fault(int t, const geometry::Answer& at_centroid) const {
         return Fault::None;
     }
     return fault_of({s, at_centroid.point - grid_.origin(), at_centroid.normal,
-                     session_.topology().faces[face_].reversed, InitialTuning::kMinHeights * border_.deviation,
+                     oracle_.topology().faces[face_].reversed, InitialTuning::kMinHeights * border_.deviation,
                      reach()});
 }
 
@@ -415,7 +406,7 @@ int FaceMesher::side_to_split(int t, Fault fault) const {
     return static_cast<int>(std::max_element(length, length + 3) - length);
 }
 
-void FaceMesher::ask_to_split(int t, Fault fault, std::set<std::array<int, 2>>& sides) {
+void FaceMesher::ask_to_split(int t, Fault fault, std::vector<Side>& sides) {
     const int h = 3 * t + side_to_split(t, fault);
     const int label = tri_->label(h);
     if (label >= 0 && request_halving(label)) {
@@ -425,40 +416,50 @@ void FaceMesher::ask_to_split(int t, Fault fault, std::set<std::array<int, 2>>& 
         const int a = tri_->corner(side);
         const int b = tri_->corner(ConstrainedDelaunay::next(side));
         if (tri_->label(side) < 0 && std::max(level(a), level(b)) < InitialTuning::kMaxLevel) {
-            sides.insert({std::min(a, b), std::max(a, b)});
+            sides.push_back({std::min(a, b), std::max(a, b)});
             return;
         }
     }
 }
 
+geometry::Engine::Answers FaceMesher::at_centroids(const std::vector<int>& triangles) {
+    geometry::Engine::Batch batch;
+    batch.reserve(triangles.size());
+    for (const int t : triangles) {
+        const auto [a, b, c] = corners_of(t);
+        const Vec2 uv = border_.unscaled((tri_->point(a) + tri_->point(b) + tri_->point(c)) / 3.0);
+        batch.push_back(geometry::Query::face_point(face_, uv.x(), uv.y()));
+    }
+    return oracle_.ask(std::move(batch));
+}
+
 bool FaceMesher::refine_round() {
     std::vector<int> untested;
-    geometry::Engine::Batch batch;
+    fine_.resize(static_cast<std::size_t>(tri_->triangle_count()), Corners{-1, -1, -1});
     for (int t = 0; t < tri_->triangle_count(); ++t) {
-        const Corners corners{tri_->corner(3 * t), tri_->corner(3 * t + 1), tri_->corner(3 * t + 2)};
-        if (inside_[t] == 1 && fine_.count(corners) == 0) {
-            const Vec2 centroid = (tri_->point(corners[0]) + tri_->point(corners[1]) + tri_->point(corners[2])) / 3.0;
-            const Vec2 uv = border_.unscaled(centroid);
+        const Corners corners = corners_of(t);
+        if (inside_[t] == 1 && fine_[t] != corners) {
             untested.push_back(t);
-            batch.push_back(geometry::Query::face_point(face_, uv.x(), uv.y()));
         }
     }
     geometry::Engine::Answers answers(untested.size());
     if (!border_.plane) {
-        answers = session_.ask(std::move(batch));
+        answers = at_centroids(untested);
     }
-    std::set<std::array<int, 2>> sides;
+    std::vector<Side> sides;
     result_.unresolved = 0;
     for (std::size_t i = 0; i < untested.size(); ++i) {
         const int t = untested[i];
         const Fault found = fault(t, answers[i]);
         if (found == Fault::None) {
-            fine_.insert({tri_->corner(3 * t), tri_->corner(3 * t + 1), tri_->corner(3 * t + 2)});
+            fine_[t] = corners_of(t);
         } else {
             ++result_.unresolved;
             ask_to_split(t, found, sides);
         }
     }
+    std::sort(sides.begin(), sides.end());
+    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
     return insert_midpoints(sides);
 }
 
@@ -480,18 +481,20 @@ bool FaceMesher::crowds(int a, int b, const Vec3& p) const {
     return false;
 }
 
-bool FaceMesher::insert_midpoints(const std::set<std::array<int, 2>>& sides) {
+// @param sides  ascending
+bool FaceMesher::insert_midpoints(const std::vector<Side>& sides) {
     if (sides.empty() || tri_->vertex_count() > InitialTuning::kMaxSitesOfFace + static_cast<int>(inner_.size())) {
         return false;
     }
     geometry::Engine::Batch batch;
+    batch.reserve(sides.size());
     std::vector<Vec2> places;
     for (const auto& [a, b] : sides) {
         places.push_back(0.5 * (tri_->point(a) + tri_->point(b)));
         const Vec2 uv = border_.unscaled(places.back());
         batch.push_back(geometry::Query::face_point(face_, uv.x(), uv.y()));
     }
-    const geometry::Engine::Answers answers = session_.ask(std::move(batch));
+    const geometry::Engine::Answers answers = oracle_.ask(std::move(batch));
     bool added = false;
     std::size_t i = 0;
     for (const auto& [a, b] : sides) {
@@ -520,14 +523,10 @@ Link FaceMesher::link_of(int h, const std::vector<int>& number) const {
         const int g = tri_->twin(h);
         return {3 * number[g / 3] + g % 3, -1};
     }
-    std::vector<int> pieces{label};
-    pieces.insert(pieces.end(), overlaps_[label].begin(), overlaps_[label].end());
-    for (const int k : pieces) {
-        if (planar_of_[border_.pieces[k].from] == tri_->corner(h)) {
-            return {-1, k};
-        }
-    }
-    return {-1, label};
+    const auto begins_here = [&](int k) { return planar_of_[border_.pieces[k].from] == tri_->corner(h); };
+    const std::vector<int>& others = overlaps_[label];
+    const auto other = begins_here(label) ? others.end() : std::find_if(others.begin(), others.end(), begins_here);
+    return {-1, other == others.end() ? label : *other};
 }
 
 void FaceMesher::assemble() {
@@ -541,6 +540,8 @@ void FaceMesher::assemble() {
     }
     std::vector<Corners> triangles;
     std::vector<std::array<Link, 3>> links;
+    triangles.reserve(kept.size());
+    links.reserve(kept.size());
     for (const int t : kept) {
         triangles.push_back({kept_site(3 * t), kept_site(3 * t + 1), kept_site(3 * t + 2)});
         links.push_back({link_of(3 * t, number), link_of(3 * t + 1, number), link_of(3 * t + 2, number)});
@@ -548,7 +549,7 @@ void FaceMesher::assemble() {
     for (const FaceBoundary::Piece& p : border_.pieces) {
         result_.borders.push_back({p.use, p.index});
     }
-    if (close(triangles, std::move(links)) && session_.topology().faces[face_].reversed) {
+    if (close(triangles, std::move(links)) && oracle_.topology().faces[face_].reversed) {
         reverse_orientation(result_);
     }
 }
@@ -570,9 +571,9 @@ bool FaceMesher::close(const std::vector<Corners>& triangles, std::vector<std::a
 
 }  // namespace
 
-FaceMesh triangulate_face(geometry::Session& session, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid,
+FaceMesh triangulate_face(geometry::Oracle& oracle, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid,
                           int face, bool border_may_change, const std::vector<FaceMesh::VertexUse>& inner) {
-    return FaceMesher(session, chains, grid, face, border_may_change, inner).run();
+    return FaceMesher(oracle, chains, grid, face, border_may_change, inner).run();
 }
 
 void reverse_orientation(FaceMesh& face) {

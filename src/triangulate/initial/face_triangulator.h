@@ -51,7 +51,7 @@ inline bool same_vertex(const FaceMesh::VertexUse& a, const FaceMesh::VertexUse&
 /// again. With `border_may_change`, pieces are also marked where normals of triangles deviate from the surface;
 /// without it, only where the border cannot be triangulated otherwise. `inner` sites become vertices too, unless they
 /// lie on the border or outside of it in (u, v); this is fast if successive sites are close.
-FaceMesh triangulate_face(geometry::Session& session, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid,
+FaceMesh triangulate_face(geometry::Oracle& oracle, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid,
                           int face, bool border_may_change, const std::vector<FaceMesh::VertexUse>& inner = {});
 
 /// Reverses the orientation of every triangle and keeps the links: for a face whose outward normal is -(Su x Sv).

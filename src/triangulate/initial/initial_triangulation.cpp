@@ -31,8 +31,8 @@ InitialTriangulation triangulate_the_rest(geometry::Session& session, const Sing
     }
     triangulate_in_rounds(
         session, result, std::move(open), kLimits, progress, [](int) { return true; },
-        [&](int f, bool border_may_change) {
-            result.faces[f] = triangulate_face(session, result.chains, grid, f, border_may_change);
+        [&](geometry::Oracle& oracle, int f, bool border_may_change) {
+            result.faces[f] = triangulate_face(oracle, result.chains, grid, f, border_may_change);
         });
     return result;
 }

@@ -45,14 +45,28 @@ std::vector<Outline> outlines_of(const FaceBoundary& border) {
     return loops;
 }
 
+// Whether curves of this size can change the sign of the area between the chords. Parabolas through the middles of the
+// pieces tell how large they are, within a factor of two.
+bool may_be_inverted(const Outline& loop, const FaceBoundary& border, const std::vector<std::optional<Vec2>>& middles) {
+    double beside = 0.0;
+    for (const int k : loop.pieces) {
+        if (middles[k]) {
+            const Vec2 from = border.scaled(border.sites[border.pieces[k].from].uv);
+            const Vec2 to = border.scaled(border.sites[border.pieces[k].to].uv);
+            beside += 2.0 / 3.0 * std::abs(cross(*middles[k] - from, to - from));
+        }
+    }
+    return 2.0 * beside >= std::abs(loop.area);
+}
+
 // Returns the signed area between the curve of a piece and its chord; added to the area between the chords it gives
 // the area between the curves.
-double area_beside(geometry::Session& session, const EdgeDiscretisation& chains, const FaceBoundary& border,
+double area_beside(geometry::Oracle& oracle, const EdgeDiscretisation& chains, const FaceBoundary& border,
                    const FaceBoundary::Piece& piece) {
     if (piece.collapsed()) {
         return 0.0;
     }
-    const geometry::EdgeUse& use = session.topology().uses[piece.use];
+    const geometry::EdgeUse& use = oracle.topology().uses[piece.use];
     const EdgePolyline& chain = chains.chain(use.edge);
     const double start = chain.t[use.forward ? piece.index : piece.index + 1];
     const double end = chain.t[use.forward ? piece.index + 1 : piece.index];
@@ -63,7 +77,7 @@ double area_beside(geometry::Session& session, const EdgeDiscretisation& chains,
     const Vec2 from = border.scaled(border.sites[piece.from].uv);
     Vec2 last(0.0, 0.0);
     double area = 0.0;
-    for (const geometry::Answer& answer : session.ask(std::move(batch))) {
+    for (const geometry::Answer& answer : oracle.ask(std::move(batch))) {
         if (!answer.found()) {
             return 0.0;
         }
@@ -76,18 +90,19 @@ double area_beside(geometry::Session& session, const EdgeDiscretisation& chains,
 
 }  // namespace
 
-std::vector<int> coarse_pieces_of_inverted_loops(geometry::Session& session, const EdgeDiscretisation& chains,
-                                                 const FaceBoundary& border) {
+std::vector<int> coarse_pieces_of_inverted_loops(geometry::Oracle& oracle, const EdgeDiscretisation& chains,
+                                                 const FaceBoundary& border,
+                                                 const std::vector<std::optional<Vec2>>& middles) {
     std::vector<int> coarse;
     for (const Outline& loop : outlines_of(border)) {
-        if (!loop.narrow()) {
+        if (!loop.narrow() || !may_be_inverted(loop, border, middles)) {
             continue;
         }
         std::vector<double> beside;
         double area = loop.area;
         double most = 0.0;
         for (const int k : loop.pieces) {
-            beside.push_back(area_beside(session, chains, border, border.pieces[k]));
+            beside.push_back(area_beside(oracle, chains, border, border.pieces[k]));
             area += beside.back();
             most = std::max(most, std::abs(beside.back()));
         }

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "base/parallel.h"
 #include "triangulate/measure/backward_distance.h"
 #include "triangulate/measure/deviation_estimate.h"
 #include "triangulate/measure/tuning.h"
@@ -14,8 +16,8 @@ namespace mq::triangulate {
 namespace {
 
 using geometry::Answer;
+using geometry::Answerer;
 using geometry::Query;
-using geometry::Session;
 
 // Fractions of a segment's length at which a curve is measured beside its farthest point.
 constexpr std::initializer_list<double> kBesideCurve{-0.15, 0.15};
@@ -32,53 +34,14 @@ void take_into(Distance& result, double distance, const Vec3& point, bool avoida
     }
 }
 
-// Collects closest-point queries, each for one of the measured pieces, into batches.
-class ProjectionBatch {
-  public:
-    ProjectionBatch(Workspace& work, std::vector<Distance>& results, double tolerance)
-        : work_(work), results_(results), tolerance_(tolerance) {}
-
-    // `unavoidable`: distance in mm between the point and the CAD model that no mesh can avoid.
-    void add(std::size_t piece, const Vec3& point, Query query, double unavoidable = 0.0) {
-        if (batch_.empty()) {
-            batch_.reserve(std::min(kFull + 8, results_.size() - piece));
-        }
-        batch_.push_back(query);
-        asked_.push_back({piece, point, unavoidable});
+// Adds the answer about a point of a piece to its distance. `unavoidable`: distance in mm between the point and the CAD
+// model that no mesh can avoid.
+void take_answer(Distance& result, const Answer& answer, const Vec3& point, double unavoidable, double tolerance) {
+    if (answer.found()) {
+        take_into(result, answer.distance, point,
+                  answer.distance - unavoidable > MeasureTuning::kAvoidable * tolerance);
     }
-    bool full() const { return batch_.size() >= kFull; }
-
-    // Passes every answer to `see(piece, point, answer)` after adding it to the results.
-    template <typename See>
-    void ask(See see) {
-        const geometry::Engine::Answers answers = work_.session.ask(std::move(batch_));
-        for (std::size_t i = 0; i < answers.size(); ++i) {
-            Distance& result = results_[asked_[i].piece];
-            if (answers[i].found()) {
-                take_into(result, answers[i].distance, asked_[i].point,
-                          answers[i].distance - asked_[i].unavoidable > MeasureTuning::kAvoidable * tolerance_);
-            }
-            see(asked_[i].piece, asked_[i].point, answers[i]);
-        }
-        batch_.clear();
-        asked_.clear();
-        work_.progress.check();
-    }
-
-  private:
-    // A piece may add a few more queries, and the batch still fits the caches.
-    static constexpr std::size_t kFull = Session::kPiece - 8;
-    struct Asked {
-        std::size_t piece;
-        Vec3 point;
-        double unavoidable;
-    };
-    Workspace& work_;
-    std::vector<Distance>& results_;
-    double tolerance_;
-    geometry::Engine::Batch batch_;
-    std::vector<Asked> asked_;
-};
+}
 
 bool close(const Distance& measured, double tolerance) {
     return measured.distance > MeasureTuning::kClose * tolerance && measured.distance <= tolerance;
@@ -152,54 +115,55 @@ void ChordErrorCache::forget(int half_edge) {
 std::vector<Distance> ChordErrorCache::of_segments(const std::vector<int>& segments, double tolerance) {
     std::vector<Distance> results(segments.size());
     const ClassifiedMesh& mesh = work_.mesh;
-    ProjectionBatch questions(work_, results, tolerance);
-    const auto add = [&](std::size_t i, double at) {
+    // Returns the offset of the point at a fraction of the segment's length from the curve.
+    const auto measure = [&](Answerer& answerer, std::size_t i, double at) {
         const ClassifiedMesh::Segment& s = mesh.segment(segments[i]);
         const Vec3 p = between(mesh.vertex(s.vertices[0]).point, mesh.vertex(s.vertices[1]).point, at);
         const double guess = (1.0 - at) * s.t[0] + at * s.t[1];
-        questions.add(i, p, Query::edge_nearest(s.edge, work_.grid.to_part(p), guess, s.t[0], s.t[1]));
-    };
-    const auto remember = [&](std::size_t i, const Vec3& p, const Answer& foot) {
-        const auto& v = mesh.segment(segments[i]).vertices;
+        const Answer foot = answerer.answer(Query::edge_nearest(s.edge, work_.grid.to_part(p), guess, s.t[0], s.t[1]));
+        take_answer(results[i], foot, p, 0.0, tolerance);
         const Vec3 way = foot.found() ? Vec3(work_.grid.to_part(p) - foot.point) : Vec3::Zero();
-        offsets_[pair_key(v[0], v[1])] = {way.x(), way.y(), way.z()};
+        return Offset{way.x(), way.y(), way.z()};
     };
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        if (!recall(half_edge_of(segments[i]), results[i])) {
-            add(i, 0.5);
+    std::vector<std::optional<Offset>> ways(segments.size());
+    work_.session.for_chunks(segments.size(), [&](Answerer& answerer, std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            if (!recall(half_edge_of(segments[i]), results[i])) {
+                ways[i] = measure(answerer, i, 0.5);
+            }
         }
-        if (questions.full()) {
-            questions.ask(remember);
+    });
+    std::vector<std::size_t> unsettled;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const ClassifiedMesh::Segment& s = mesh.segment(segments[i]);
+        if (ways[i]) {
+            offsets_[pair_key(s.vertices[0], s.vertices[1])] = *ways[i];
+        }
+        if (!settled(half_edge_of(segments[i]), tolerance) && results[i].distance <= tolerance) {
+            const BackwardDistance back = backward_distance(work_, s.edge, {mesh.vertex(s.vertices[0]).point, s.t[0]},
+                                                            {mesh.vertex(s.vertices[1]).point, s.t[1]});
+            take_into(results[i], back.distance, back.nearest, back.distance > MeasureTuning::kAvoidable * tolerance);
+            unsettled.push_back(i);
         }
     }
-    questions.ask(remember);
     // Measures pieces whose distance is close to the tolerance but does not exceed it.
-    const auto add_beside = [&](std::size_t i, double near, const std::initializer_list<double>& places) {
-        if (settled(half_edge_of(segments[i]), tolerance) || results[i].distance > tolerance ||
-            results[i].distance <= near * tolerance) {
+    const auto measure_beside = [&](Answerer& answerer, std::size_t i, double near,
+                                    const std::initializer_list<double>& places) {
+        if (results[i].distance > tolerance || results[i].distance <= near * tolerance) {
             return;
         }
         const auto& v = mesh.segment(segments[i]).vertices;
         const double farthest = part_of_the_way(mesh.vertex(v[0]).point, mesh.vertex(v[1]).point, results[i]);
         for (const double aside : places) {
-            add(i, std::clamp(farthest + aside, 0.0, 1.0));
+            measure(answerer, i, std::clamp(farthest + aside, 0.0, 1.0));
         }
     };
-    const auto ignore = [](std::size_t, const Vec3&, const Answer&) {};
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        if (!settled(half_edge_of(segments[i]), tolerance) && results[i].distance <= tolerance) {
-            const ClassifiedMesh::Segment& s = mesh.segment(segments[i]);
-            const BackwardDistance back = backward_distance(work_, s.edge, {mesh.vertex(s.vertices[0]).point, s.t[0]},
-                                                            {mesh.vertex(s.vertices[1]).point, s.t[1]});
-            take_into(results[i], back.distance, back.nearest, back.distance > MeasureTuning::kAvoidable * tolerance);
+    work_.session.for_chunks(unsettled.size(), [&](Answerer& answerer, std::size_t from, std::size_t to) {
+        for (std::size_t k = from; k < to; ++k) {
+            measure_beside(answerer, unsettled[k], MeasureTuning::kWorthAskingCurve, kBesideCurve);
+            measure_beside(answerer, unsettled[k], MeasureTuning::kClose, kBesideClose);
         }
-        add_beside(i, MeasureTuning::kWorthAskingCurve, kBesideCurve);
-    }
-    questions.ask(ignore);
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        add_beside(i, MeasureTuning::kClose, kBesideClose);
-    }
-    questions.ask(ignore);
+    });
     for (std::size_t i = 0; i < segments.size(); ++i) {
         keep(half_edge_of(segments[i]), tolerance, results[i]);
     }
@@ -208,63 +172,61 @@ std::vector<Distance> ChordErrorCache::of_segments(const std::vector<int>& segme
 
 std::vector<Distance> ChordErrorCache::of_edges(const std::vector<int>& half_edges, double tolerance) {
     std::vector<Distance> results(half_edges.size());
-    const ClassifiedMesh& mesh = work_.mesh;
-    known_.resize(static_cast<std::size_t>(mesh.number_count()));
-    ProjectionBatch questions(work_, results, tolerance);
-    std::vector<char> middle_seen(half_edges.size(), 0);
-    const auto add = [&](std::size_t i, double at) {
-        const int h = half_edges[i];
-        const int next = ClassifiedMesh::next(h);
-        const Vec3 p = between(mesh.point_of(h), mesh.point_of(next), at);
-        const Vec2 uv = (1.0 - at) * mesh.site(mesh.site_of(h)).uv + at * mesh.site(mesh.site_of(next)).uv;
-        questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()),
-                      unavoidable(offset(h), offset(next), at, tolerance));
-    };
-    const auto remember = [&](std::size_t i, const Vec3& p, const Answer& foot) {
-        if (middle_seen[i] == 0) {
-            middle_seen[i] = 1;
-            keep_height(half_edges[i], p, foot);
-            if (foot.found() && foot.distance > tolerance) {
-                feet_.push_back({i, foot});
-            }
-        }
-    };
-    feet_.clear();
+    known_.resize(static_cast<std::size_t>(work_.mesh.number_count()));
     measure_sites(half_edges);
+    std::vector<std::optional<Answer>> far(half_edges.size());
+    work_.session.for_chunks(half_edges.size(), [&](Answerer& answerer, std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            far[i] = measure_edge(answerer, half_edges[i], tolerance, results[i]);
+        }
+    });
+    feet_.clear();
     for (std::size_t i = 0; i < half_edges.size(); ++i) {
-        if (recall(half_edges[i], results[i])) {
-            middle_seen[i] = 1;
-        } else {
-            add(i, 0.5);
+        if (far[i]) {
+            feet_.push_back({i, std::move(*far[i])});
         }
-        if (settled(half_edges[i], tolerance)) {
-            continue;
-        }
-        const EdgePeak peak = edge_peak(mesh, half_edges[i]);
-        if (peak.at != 0.5 && peak.height > MeasureTuning::kWorthAsking * tolerance) {
-            add(i, peak.at);
-        }
-        if (questions.full()) {
-            questions.ask(remember);
-        }
-    }
-    questions.ask(remember);
-    for (std::size_t i = 0; i < half_edges.size(); ++i) {
-        if (!settled(half_edges[i], tolerance) && close(results[i], tolerance)) {
-            const int h = half_edges[i];
-            const double farthest = part_of_the_way(mesh.point_of(h), mesh.point_of(mesh.next(h)), results[i]);
-            add(i, farthest - MeasureTuning::kAside);
-            add(i, farthest + MeasureTuning::kAside);
-        }
-        if (questions.full()) {
-            questions.ask(remember);
-        }
-    }
-    questions.ask(remember);
-    for (std::size_t i = 0; i < half_edges.size(); ++i) {
         keep(half_edges[i], tolerance, results[i]);
     }
     return results;
+}
+
+// Changes what is known of this edge only: several threads may measure different ones.
+// @return the projection of its middle, if it was queried and exceeds the tolerance
+std::optional<Answer> ChordErrorCache::measure_edge(Answerer& answerer, int half_edge, double tolerance,
+                                                    Distance& result) {
+    const ClassifiedMesh& mesh = work_.mesh;
+    const int next = ClassifiedMesh::next(half_edge);
+    const Vec3& a = mesh.point_of(half_edge);
+    const Vec3& b = mesh.point_of(next);
+    const auto measure = [&](double at) {
+        const Vec3 p = between(a, b, at);
+        const Vec2 uv = (1.0 - at) * mesh.site(mesh.site_of(half_edge)).uv + at * mesh.site(mesh.site_of(next)).uv;
+        Answer foot =
+            answerer.answer(Query::face_nearest(mesh.face_of(half_edge / 3), work_.grid.to_part(p), uv.x(), uv.y()));
+        take_answer(result, foot, p, unavoidable(offset(half_edge), offset(next), at, tolerance), tolerance);
+        return foot;
+    };
+    std::optional<Answer> far;
+    if (!recall(half_edge, result)) {
+        Answer foot = measure(0.5);
+        keep_height(half_edge, between(a, b, 0.5), foot);
+        if (foot.found() && foot.distance > tolerance) {
+            far = std::move(foot);
+        }
+    }
+    if (settled(half_edge, tolerance)) {
+        return far;
+    }
+    const EdgePeak peak = edge_peak(mesh, half_edge);
+    if (peak.at != 0.5 && peak.height > MeasureTuning::kWorthAsking * tolerance) {
+        measure(peak.at);
+    }
+    if (close(result, tolerance)) {
+        const double farthest = part_of_the_way(a, b, result);
+        measure(farthest - MeasureTuning::kAside);
+        measure(farthest + MeasureTuning::kAside);
+    }
+    return far;
 }
 
 // Stores the signed height of an edge's middle over its surface.
@@ -348,18 +310,37 @@ TriangleHeights ChordErrorCache::heights(int first_half_edge) const {
 }
 
 std::vector<Distance> ChordErrorCache::of_triangles(const std::vector<int>& triangles, double tolerance) {
+    constexpr int kWorthAThread = 1024;  // Triangles whose sample points take about half a millisecond.
     std::vector<Distance> results(triangles.size());
-    const ClassifiedMesh& mesh = work_.mesh;
-    ProjectionBatch questions(work_, results, tolerance);
-    const auto ignore = [](std::size_t, const Vec3&, const Answer&) {};
     std::vector<int> sides;
     for (const int t : triangles) {
         sides.insert(sides.end(), {3 * t, 3 * t + 1});
     }
     measure_sites(sides);
-    std::vector<TrianglePeak> peaks;
-    const auto add = [&](std::size_t i, const std::array<double, 3>& weights) {
-        const int h = 3 * triangles[i];
+    work_.session.for_chunks(triangles.size(), [&](Answerer& answerer, std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            measure_triangle(answerer, triangles[i], tolerance, results[i]);
+        }
+    });
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (results[i].distance <= tolerance) {
+            work_.span_points.compute_on_face(work_.mesh.face_of(triangles[i]));
+        }
+    }
+    for_chunks(static_cast<int>(triangles.size()), kWorthAThread, [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (results[i].distance <= tolerance) {
+            see_way_back(triangles[i], tolerance, results[i]);
+        }
+    });
+    return results;
+}
+
+// Changes nothing else: several threads may measure triangles.
+void ChordErrorCache::measure_triangle(Answerer& answerer, int triangle, double tolerance, Distance& result) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    const int h = 3 * triangle;
+    const auto measure = [&](const std::array<double, 3>& weights) {
         Vec3 p = Vec3::Zero();
         Vec2 uv = Vec2::Zero();
         double unavoidable = 0.0;
@@ -370,41 +351,30 @@ std::vector<Distance> ChordErrorCache::of_triangles(const std::vector<int>& tria
             unavoidable += weights[k] * offset(h + k);
             farthest = std::max(farthest, offset(h + k));
         }
-        questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()),
-                      farthest > tolerance ? unavoidable : 0.0);
-        if (questions.full()) {
-            questions.ask(ignore);
-        }
+        const Answer foot =
+            answerer.answer(Query::face_nearest(mesh.face_of(triangle), work_.grid.to_part(p), uv.x(), uv.y()));
+        take_answer(result, foot, p, farthest > tolerance ? unavoidable : 0.0, tolerance);
     };
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const int h = 3 * triangles[i];
-        const TriangleHeights over = heights(h);
-        peaks.push_back(over.bound() > MeasureTuning::kWorthAsking * tolerance ? triangle_peak(over) : TrianglePeak{});
-        if (peaks[i].height > MeasureTuning::kWorthAsking * tolerance) {
-            add(i, peaks[i].weights);
-        }
+    const TriangleHeights over = heights(h);
+    if (!(over.bound() > MeasureTuning::kWorthAsking * tolerance)) {
+        return;
     }
-    questions.ask(ignore);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (!close(results[i], tolerance)) {
-            continue;
-        }
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            std::array<double, 3> weights = peaks[i].weights;
-            for (double& w : weights) {
-                w *= 1.0 - MeasureTuning::kAsideOfPeak;
-            }
-            weights[corner] += MeasureTuning::kAsideOfPeak;
-            add(i, weights);
-        }
+    const TrianglePeak peak = triangle_peak(over);
+    if (!(peak.height > MeasureTuning::kWorthAsking * tolerance)) {
+        return;
     }
-    questions.ask(ignore);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (results[i].distance <= tolerance) {
-            see_way_back(triangles[i], tolerance, results[i]);
-        }
+    measure(peak.weights);
+    if (!close(result, tolerance)) {
+        return;
     }
-    return results;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        std::array<double, 3> weights = peak.weights;
+        for (double& w : weights) {
+            w *= 1.0 - MeasureTuning::kAsideOfPeak;
+        }
+        weights[corner] += MeasureTuning::kAsideOfPeak;
+        measure(weights);
+    }
 }
 
 void ChordErrorCache::see_way_back(int triangle, double tolerance, Distance& result) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/key_set.h"
@@ -79,6 +80,9 @@ class ChordErrorCache {
     std::uint64_t ends_key(int half_edge) const;
     double height(int half_edge) const;
     TriangleHeights heights(int first_half_edge) const;
+    std::optional<geometry::Answer> measure_edge(geometry::Answerer& answerer, int half_edge, double tolerance,
+                                                 Distance& result);
+    void measure_triangle(geometry::Answerer& answerer, int triangle, double tolerance, Distance& result) const;
     void see_way_back(int triangle, double tolerance, Distance& result);
     void measure_sites(const std::vector<int>& half_edges);
     double offset(int half_edge) const { return site_offsets_[work_.mesh.site_of(half_edge)]; }

@@ -147,37 +147,20 @@ std::optional<SurfacePoint> surface_point(const Workspace& work, const Candidate
     return SurfacePoint{work.grid.snap(nearest.point), Vec2(nearest.u, nearest.v), nearest.normal};
 }
 
-namespace {
-
-// Processes a slice of the candidates that fits the caches together with its queries and answers.
-void add_surface_points(Workspace& work, const Candidate* first, const Candidate* last,
-                        std::vector<std::optional<SurfacePoint>>& result) {
-    geometry::Engine::Batch batch;
-    batch.reserve(static_cast<std::size_t>(last - first));
-    for (const Candidate* c = first; c != last; ++c) {
-        batch.push_back(
-            Query::face_nearest(work.mesh.face_of(c->triangle), work.grid.to_part(c->point), c->uv.x(), c->uv.y()));
-    }
-    geometry::Engine::Answers answers = work.session.ask(std::move(batch));
-    Answer* answer = answers.data();
-    for (const Candidate* c = first; c != last; ++c, ++answer) {
-        if (c->uv_is_near && (!answer->found() || answer->distance > c->reach)) {
-            *answer = work.session.ask(Query::face_point(work.mesh.face_of(c->triangle), c->uv.x(), c->uv.y()));
-            answer->distance = (answer->point - work.grid.to_part(c->point)).norm();
-        }
-        result.push_back(surface_point(work, *c, *answer));
-    }
-}
-
-}  // namespace
-
 std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const std::vector<Candidate>& candidates) {
-    std::vector<std::optional<SurfacePoint>> result;
-    result.reserve(candidates.size());
-    for (std::size_t from = 0; from < candidates.size(); from += geometry::Session::kPiece) {
-        const std::size_t to = std::min(from + geometry::Session::kPiece, candidates.size());
-        add_surface_points(work, candidates.data() + from, candidates.data() + to, result);
-    }
+    std::vector<std::optional<SurfacePoint>> result(candidates.size());
+    work.session.for_chunks(candidates.size(), [&](geometry::Answerer& answerer, std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            const Candidate& c = candidates[i];
+            const int face = work.mesh.face_of(c.triangle);
+            Answer answer = answerer.answer(Query::face_nearest(face, work.grid.to_part(c.point), c.uv.x(), c.uv.y()));
+            if (c.uv_is_near && (!answer.found() || answer.distance > c.reach)) {
+                answer = answerer.answer(Query::face_point(face, c.uv.x(), c.uv.y()));
+                answer.distance = (answer.point - work.grid.to_part(c.point)).norm();
+            }
+            result[i] = surface_point(work, c, answer);
+        }
+    });
     return result;
 }
 

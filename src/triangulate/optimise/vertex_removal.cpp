@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/parallel.h"
 #include "triangulate/measure/backward_distance.h"
 #include "triangulate/measure/deviation_estimate.h"
 #include "triangulate/measure/distance_probes.h"
@@ -163,39 +164,56 @@ bool VertexRemoval::heights_expected(const RemovalCavity& cavity, const Fan& fan
     });
 }
 
+// Makes the plans of some candidates in several threads: none of them changes the mesh.
+std::vector<std::optional<VertexRemoval::RemovalPlan>> VertexRemoval::plans_for(const int* first,
+                                                                                const int* last) const {
+    /// Candidates that are worth a thread: about half a millisecond.
+    constexpr int kWorthAThread = 512;
+    std::vector<std::optional<RemovalPlan>> result(static_cast<std::size_t>(last - first));
+    for_chunks(static_cast<int>(result.size()), kWorthAThread,
+               [&](int k) { result[static_cast<std::size_t>(k)] = plan_for(first[k]); });
+    return result;
+}
+
 // Returns plans that share no triangles; the remaining candidates are left for later rounds.
 std::vector<VertexRemoval::RemovalPlan> VertexRemoval::plans(std::vector<int>& candidates) {
+    // Plans that are kept at a time, a few MB: most are dropped as soon as their triangles are compared.
+    constexpr std::size_t kAtOnce = 8192;
     std::vector<char> taken(static_cast<std::size_t>(work_.mesh.triangle_count()), 0);
     std::vector<RemovalPlan> result;
     std::vector<int> later;
-    CancelPace pace(work_.progress);
-    for (const int v : candidates) {
-        pace.step();
-        auto plan = plan_for(v);
-        if (!plan) {
-            continue;
+    for (std::size_t from = 0; from < candidates.size(); from += kAtOnce) {
+        work_.progress.check();
+        const std::size_t to = std::min(from + kAtOnce, candidates.size());
+        for (std::optional<RemovalPlan>& plan : plans_for(candidates.data() + from, candidates.data() + to)) {
+            if (plan) {
+                choose(std::move(*plan), taken, result, later);
+            }
         }
-        std::vector<int> triangles;
-        for (const RemovalCavity& cavity : plan->cavities) {
-            triangles.insert(triangles.end(), cavity.triangles.begin(), cavity.triangles.end());
-        }
-        std::vector<int> sorted = triangles;
-        std::sort(sorted.begin(), sorted.end());
-        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-            continue;  // both sides of a seam use the same triangle
-        }
-        if (std::any_of(triangles.begin(), triangles.end(),
-                        [&](int t) { return taken[static_cast<std::size_t>(t)]; })) {
-            later.push_back(v);
-            continue;
-        }
-        for (const int t : triangles) {
-            taken[static_cast<std::size_t>(t)] = 1;
-        }
-        result.push_back(std::move(*plan));
     }
     candidates = std::move(later);
     return result;
+}
+
+// Adds a plan to the chosen ones and takes its triangles, or leaves its vertex for later where others took them.
+void VertexRemoval::choose(RemovalPlan plan, std::vector<char>& taken, std::vector<RemovalPlan>& chosen,
+                           std::vector<int>& later) {
+    std::vector<int> triangles;
+    for (const RemovalCavity& cavity : plan.cavities) {
+        triangles.insert(triangles.end(), cavity.triangles.begin(), cavity.triangles.end());
+    }
+    std::sort(triangles.begin(), triangles.end());
+    if (std::adjacent_find(triangles.begin(), triangles.end()) != triangles.end()) {
+        return;  // both sides of a seam use the same triangle
+    }
+    if (std::any_of(triangles.begin(), triangles.end(), [&](int t) { return taken[static_cast<std::size_t>(t)]; })) {
+        later.push_back(plan.vertex);
+        return;
+    }
+    for (const int t : triangles) {
+        taken[static_cast<std::size_t>(t)] = 1;
+    }
+    chosen.push_back(std::move(plan));
 }
 
 // Adds queries for the joined segment, and for inner edges and triangles of the fans.
@@ -256,32 +274,52 @@ double VertexRemoval::way_back_to_new(const RemovalPlan& plan) const {
     return farthest;
 }
 
+// Returns the distance that new pieces of a plan may have, mm, if the queries about them keep it.
+std::optional<double> VertexRemoval::distance_kept(geometry::Answerer& answerer, const RemovalPlan& plan) const {
+    geometry::Engine::Batch batch;
+    add_old(plan, batch);
+    const auto new_from = static_cast<std::ptrdiff_t>(batch.size());
+    add_new(plan, batch);
+    double allowed = std::max(kNear * sizing_.tolerance, kExact * work_.grid.resolution());
+    std::for_each(batch.begin(), batch.begin() + new_from, [&](const geometry::Query& query) {
+        const geometry::Answer answer = answerer.answer(query);
+        allowed = answer.found() ? std::max(allowed, answer.distance) : allowed;
+    });
+    const bool kept = std::all_of(batch.begin() + new_from, batch.end(), [&](const geometry::Query& query) {
+        const geometry::Answer answer = answerer.answer(query);
+        return answer.found() && answer.distance <= allowed;
+    });
+    return kept ? std::optional(allowed) : std::nullopt;
+}
+
+// Computes the sample points that the backward distance to a plan needs.
+void VertexRemoval::compute_samples(const RemovalPlan& plan) {
+    for (const RemovalCavity& cavity : plan.cavities) {
+        work_.span_points.compute_on_face(work_.mesh.face_of(cavity.triangles.front()));
+    }
+    if (plan.near >= 0) {
+        work_.span_points.compute_on_edge(work_.mesh.segment(plan.near).edge);
+    }
+}
+
 // By plan: whether everything new in it keeps the tolerance.
 std::vector<char> VertexRemoval::within_tolerance(const std::vector<RemovalPlan>& plans) {
-    geometry::Engine::Batch batch;
-    // By plan: where queries for present pieces begin in the batch, where those for new ones begin, and their end.
-    std::vector<std::array<std::size_t, 3>> parts;
-    for (const RemovalPlan& plan : plans) {
-        const std::size_t old_from = batch.size();
-        add_old(plan, batch);
-        const std::size_t new_from = batch.size();
-        add_new(plan, batch);
-        parts.push_back({old_from, new_from, batch.size()});
-    }
-    const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
-    std::vector<char> good(plans.size(), 1);
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-        double allowed = std::max(kNear * sizing_.tolerance, kExact * work_.grid.resolution());
-        for (std::size_t k = parts[i][0]; k < parts[i][1]; ++k) {
-            allowed = answers[k].found() ? std::max(allowed, answers[k].distance) : allowed;
+    std::vector<std::optional<double>> kept(plans.size());
+    work_.session.for_chunks(plans.size(), [&](geometry::Answerer& answerer, std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            kept[i] = distance_kept(answerer, plans[i]);
         }
-        for (std::size_t k = parts[i][1]; k < parts[i][2]; ++k) {
-            good[i] = good[i] != 0 && answers[k].found() && answers[k].distance <= allowed ? 1 : 0;
-        }
-        if (sizing_.tolerance > 0.0 && good[i] != 0 && way_back_to_new(plans[i]) > allowed) {
-            good[i] = 0;
+    });
+    for (std::size_t i = 0; sizing_.tolerance > 0.0 && i < plans.size(); ++i) {
+        if (kept[i]) {
+            compute_samples(plans[i]);
         }
     }
+    std::vector<char> good(plans.size(), 0);
+    for_chunks(static_cast<int>(plans.size()), [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        good[i] = kept[i] && (!(sizing_.tolerance > 0.0) || way_back_to_new(plans[i]) <= *kept[i]) ? 1 : 0;
+    });
     return good;
 }
 

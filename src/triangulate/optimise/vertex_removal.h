@@ -46,8 +46,13 @@ class VertexRemoval {
     bool add_fan(int half_edge, RemovalPlan& plan) const;
     bool lengths_allowed(int half_edge, const RemovalCavity& cavity, const Fan& fan) const;
     bool heights_expected(const RemovalCavity& cavity, const Fan& fan) const;
+    std::vector<std::optional<RemovalPlan>> plans_for(const int* first, const int* last) const;
     std::vector<RemovalPlan> plans(std::vector<int>& candidates);
+    static void choose(RemovalPlan plan, std::vector<char>& taken, std::vector<RemovalPlan>& chosen,
+                       std::vector<int>& later);
     double way_back_to_new(const RemovalPlan& plan) const;
+    std::optional<double> distance_kept(geometry::Answerer& answerer, const RemovalPlan& plan) const;
+    void compute_samples(const RemovalPlan& plan);
     std::vector<char> within_tolerance(const std::vector<RemovalPlan>& plans);
     void add_new(const RemovalPlan& plan, geometry::Engine::Batch& batch) const;
     void add_old(const RemovalPlan& plan, geometry::Engine::Batch& batch) const;

@@ -2,9 +2,11 @@
 #include "triangulate/refine/angle_refinement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/parallel.h"
 #include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/edges_angle.h"
@@ -25,30 +27,45 @@ AngleRefinement::AngleRefinement(Workspace& work, SegmentSplitter& segments, dou
       turned_(work.settled),
       looked_at_(work.settled) {}
 
-void AngleRefinement::push_if_bad(int triangle) {
+// Tells what is to be queued for a triangle, if anything.
+std::optional<AngleRefinement::QueuedTriangle> AngleRefinement::if_bad(int triangle) const {
     const double aligned = alignment(work_.mesh, triangle);
     if (aligned < kWellAligned && !turned_.marked(work_.mesh, triangle)) {
-        queue_.push({aligned - 2.0, triangle, work_.mesh.stamp(triangle)});
-        return;
+        return QueuedTriangle{aligned - 2.0, triangle, work_.mesh.stamp(triangle)};
     }
     if (squared_sine_of_smallest_angle(work_.mesh, triangle) > surely_enough_) {
-        return;
+        return std::nullopt;
     }
     const double angle = smallest_angle(work_.mesh, triangle).angle;
-    if (angle < bound_) {
-        queue_.push({angle, triangle, work_.mesh.stamp(triangle)});
-    }
+    return angle < bound_ ? std::optional<QueuedTriangle>({angle, triangle, work_.mesh.stamp(triangle)}) : std::nullopt;
 }
 
 void AngleRefinement::push_touched() {
+    /// Triangles that are worth a thread: about half a millisecond.
+    constexpr int kWorthAThread = 2048;
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-    for (const int t : touched_) {
-        looked_at_.mark(work_.mesh, t);
-        push_if_bad(t);
-        for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            const int s = work_.mesh.segment_of(h);
-            if (s >= 0 && segments_.encroached(s)) {
+    struct Found {
+        std::optional<QueuedTriangle> bad;
+        std::array<int, 3> encroached{-1, -1, -1};  // segments
+    };
+    std::vector<Found> found(touched_.size());
+    for_chunks(static_cast<int>(touched_.size()), kWorthAThread, [&](int k) {
+        const int t = touched_[static_cast<std::size_t>(k)];
+        Found& of_triangle = found[static_cast<std::size_t>(k)];
+        of_triangle.bad = if_bad(t);
+        for (int side = 0; side < 3; ++side) {
+            const int s = work_.mesh.segment_of(3 * t + side);
+            of_triangle.encroached[static_cast<std::size_t>(side)] = s >= 0 && segments_.encroached(s) ? s : -1;
+        }
+    });
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        looked_at_.mark(work_.mesh, touched_[i]);
+        if (found[i].bad) {
+            queue_.push(*found[i].bad);
+        }
+        for (const int s : found[i].encroached) {
+            if (s >= 0) {
                 segments_.request(s);
             }
         }

@@ -52,7 +52,7 @@ class AngleRefinement {
     using State = std::array<std::size_t, 4>;
 
     void take_turned(const QueuedTriangle& bad, std::vector<Job>& jobs);
-    void push_if_bad(int triangle);
+    std::optional<QueuedTriangle> if_bad(int triangle) const;
     void push_touched();
     bool refine_round();
     std::vector<Job> take_jobs();

@@ -78,6 +78,9 @@ void TriangulateOptions::validate() const {
     if (max_edge > 0.0 && min_edge > max_edge) {
         throw InvalidInput("min_edge is larger than max_edge");
     }
+    if (threads < 0) {
+        throw InvalidInput("threads is " + std::to_string(threads) + ": it must be at least 0");
+    }
 }
 
 }  // namespace mq::triangulate

@@ -54,6 +54,9 @@ struct TriangulateOptions {
     bool sew = true;                   ///< join faces without a shell where their borders lie together
     bool imprint = false;              ///< the same triangles on both sides where solids touch
     Method method = Method::Refine;
+    /// Threads that work at a time; 0: one for each core, or as many as MESHQUALITY_THREADS says. The result is the
+    /// same for any number.
+    int threads = 0;
 
     // For comparisons with Aftosmis 1999:
     geometry::Evaluation evaluation = geometry::Evaluation::Fast;  ///< Native: OpenCASCADE alone

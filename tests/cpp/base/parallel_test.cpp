@@ -42,6 +42,36 @@ TEST(ForAll, CallsWithinCallsShareTheThreads) {
     EXPECT_EQ(thread_count(), 6);
 }
 
+TEST(ForAll, CountsPredicatesForTheCallersThread) {
+    for (const int threads : {1, 2, 5}) {
+        const ThreadLimit limit(threads);
+        predicate_count() = {};
+        parallel_for(100, [](int k) { sign_dot(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(k - 50.0, 1, 0)); });
+        EXPECT_EQ(predicate_count().filtered + predicate_count().exact, 100U);
+    }
+}
+
+TEST(ForChunks, UsesAsManyThreadsAsAreWorthIt) {
+    const ThreadLimit limit(4);
+    const auto at_a_time = [](int count, int worth) {
+        std::vector<int> threads(static_cast<std::size_t>(count), 0);
+        for_chunks(count, worth, [&](int k) { threads[static_cast<std::size_t>(k)] = thread_count(); });
+        return threads;
+    };
+    EXPECT_EQ(at_a_time(150, 100), std::vector<int>(150, 1));
+    EXPECT_EQ(at_a_time(1000, 1).size(), 1000U);
+    EXPECT_EQ(thread_count(), 4);
+}
+
+TEST(ThreadLimit, OfNoneKeepsTheOneAround) {
+    const ThreadLimit outer(3);
+    {
+        const ThreadLimit inner(0);
+        EXPECT_EQ(thread_count(), 3);
+    }
+    EXPECT_EQ(thread_count(), 3);
+}
+
 TEST(ThreadsFor, GivesEachThreadWhatIsWorthItsStart) {
     const ThreadLimit limit(4);
     EXPECT_EQ(threads_for(0, 100), 1);

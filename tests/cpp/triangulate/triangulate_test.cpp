@@ -42,6 +42,25 @@ TEST(Triangulate, GivesTheSameBytesOnEveryRunAndEngine) {
     }
 }
 
+TEST(Triangulate, GivesTheSameBytesWithAnyNumberOfThreads) {
+    for (const Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        TriangulateOptions options;
+        options.chord_height_relative = 0.001;
+        options.threads = 1;
+        const Result one = mesh_of(part.model, options, Engine::Mode::Threaded);
+        for (const int threads : {2, 3, 8}) {
+            options.threads = threads;
+            const Result several = mesh_of(part.model, options, Engine::Mode::Threaded);
+            expect_same(one, several);
+            EXPECT_EQ(one.report.max_chord_height, several.report.max_chord_height);
+            EXPECT_EQ(one.report.queries, several.report.queries);
+            EXPECT_EQ(one.report.predicates, several.report.predicates);
+            EXPECT_EQ(one.report.exact_predicates, several.report.exact_predicates);
+        }
+    }
+}
+
 TEST(Triangulate, ReportsWhatTheMeshIs) {
     for (const Part& part : geometry::all_parts()) {
         SCOPED_TRACE(part.name);

@@ -478,10 +478,11 @@ TEST(ShapeModel, AnswersInSeveralThreadsAreThoseOfOne) {
     engine.run([&] { model = make_shape_model(stored("blade")); });
     std::vector<Query> queries;
     for (int face = 0; face < static_cast<int>(model->topology().faces.size()); ++face) {
-        for (int k = 0; k < 40; ++k) {
-            queries.push_back(Query::face_nearest_global(face, Vec3(0.1 * k, 0.37 * (k % 7), 0.21 * (k % 5))));
+        for (int k = 0; k < 100; ++k) {
+            queries.push_back(Query::face_nearest_global(face, Vec3(0.04 * k, 0.37 * (k % 7), 0.21 * (k % 5))));
         }
     }
+    ASSERT_GT(queries.size(), Session::kChunk);
     const Engine::Answers one = engine.ask(model, queries);
     Session session(engine, model);
     for (const int threads : {1, 2, 3}) {
@@ -497,6 +498,12 @@ TEST(ShapeModel, AnswersInSeveralThreadsAreThoseOfOne) {
             EXPECT_EQ(several[i].point, one[i].point);
             EXPECT_EQ(several[i].normal, one[i].normal);
             EXPECT_EQ(several[i].u, one[i].u);
+        }
+        const Engine::Answers asked = session.ask(queries);
+        ASSERT_EQ(asked.size(), one.size());
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            EXPECT_EQ(asked[i].point, one[i].point);
+            EXPECT_EQ(asked[i].distance, one[i].distance);
         }
         std::sort(by.begin(), by.end());
         EXPECT_LE(std::unique(by.begin(), by.end()) - by.begin(), threads);

@@ -7,7 +7,12 @@
 #include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <atomic>
+#include <chrono>
+#include <thread>
 
+#include "base/error.h"
+#include "base/parallel.h"
 #include "geometry/analytic/analytic_model.h"
 #include "geometry/shapes.h"
 
@@ -47,6 +52,12 @@ class FaceRounds : public testing::Test {
     std::size_t pieces_of(int edge) const { return result_.chains.chain(edge).t.size() - 1; }
     void run(std::vector<int> open, const std::function<bool(int)>& included, const FaceTriangulator& triangulate) {
         triangulate_in_rounds(session_, result_, std::move(open), kLimits, progress_, included, triangulate);
+    }
+    /// Does one round, in which no face requests anything.
+    void run_in_parallel(const std::function<void(geometry::Oracle&, int)>& work) {
+        triangulate_in_rounds(
+            session_, result_, all(), kLimits, progress_, [](int) { return true; },
+            [&](geometry::Oracle& oracle, int f, bool) { work(oracle, f); });
     }
 
     std::shared_ptr<geometry::Model> model_;
@@ -140,6 +151,62 @@ TEST_F(FaceRounds, FacesThatAreNotIncludedAreLeftAlone) {
             }
         });
     EXPECT_EQ(rounds, 4);
+}
+
+TEST_F(FaceRounds, FacesOfOneRoundAreDoneOnceEachByAnyNumberOfThreads) {
+    for (const int threads : {1, 2, 3, 8}) {
+        const ThreadLimit limit(threads);
+        std::vector<std::atomic<int>> calls(faces());
+        run_in_parallel([&](geometry::Oracle& oracle, int f) {
+            EXPECT_TRUE(oracle.ask(geometry::Query::face_point(f, 0.5, 0.5)).found());
+            ++calls[static_cast<std::size_t>(f)];
+        });
+        for (const std::atomic<int>& count : calls) {
+            EXPECT_EQ(count, 1) << threads << " threads";
+        }
+    }
+}
+
+TEST_F(FaceRounds, NoFaceBeginsOnceItIsCancelled) {
+    for (const int threads : {1, 3}) {
+        const ThreadLimit limit(threads);
+        Progress progress;
+        std::atomic<int> begun{0};
+        EXPECT_THROW(triangulate_in_rounds(session_, result_, all(), kLimits, progress, any_face,
+                                           [&](geometry::Oracle& oracle, int, bool) {
+                                               ++begun;
+                                               progress.cancel();
+                                               oracle.check();
+                                               ADD_FAILURE() << "a cancelled face goes on";
+                                           }),
+                     Cancelled);
+        EXPECT_LE(begun, threads);
+    }
+}
+
+TEST_F(FaceRounds, TheEngineIsOpenToOthersBetweenFaces) {
+    using namespace std::chrono_literals;
+    const ThreadLimit limit(1);
+    geometry::Engine engine;
+    geometry::Session session(engine, model_);
+    std::atomic<bool> begun{false};
+    std::atomic<std::size_t> done{0};
+    std::size_t done_before = faces();
+    std::thread other([&] {
+        while (!begun) {
+            std::this_thread::yield();
+        }
+        engine.ask(model_, geometry::Query::face_point(0, 0.5, 0.5));
+        done_before = done;
+    });
+    triangulate_in_rounds(session, result_, all(), kLimits, progress_, any_face, [&](geometry::Oracle&, int, bool) {
+        begun = true;
+        std::this_thread::sleep_for(60ms);
+        ++done;
+    });
+    other.join();
+    EXPECT_EQ(done, faces());
+    EXPECT_LT(done_before, faces());
 }
 
 /// A unit cube whose vertices have this tolerance.

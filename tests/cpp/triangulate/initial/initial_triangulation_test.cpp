@@ -11,8 +11,12 @@
 #include <cmath>
 #include <gp_GTrsf.hxx>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "base/error.h"
+#include "base/parallel.h"
+#include "base/predicates.h"
 #include "geometry/parts.h"
 
 namespace mq::triangulate {
@@ -37,7 +41,7 @@ struct Case {
     }
 
     geometry::Model& model;
-    geometry::Engine engine{geometry::Engine::Mode::Direct};
+    geometry::Engine engine;
     geometry::Session session;
     SinglePrecisionGrid grid;
     Progress progress;
@@ -213,6 +217,50 @@ TEST(InitialTriangulation, IsTheSameEveryTime) {
         ASSERT_EQ(a.initial.faces.size(), b.initial.faces.size());
         for (std::size_t f = 0; f < a.initial.faces.size(); ++f) {
             EXPECT_EQ(a.initial.faces[f].triangles, b.initial.faces[f].triangles) << part.name;
+        }
+    }
+}
+
+void expect_same(const FaceMesh& a, const FaceMesh& b) {
+    ASSERT_EQ(a.sites.size(), b.sites.size());
+    for (std::size_t s = 0; s < a.sites.size(); ++s) {
+        EXPECT_EQ(a.sites[s].vertex, b.sites[s].vertex);
+        EXPECT_EQ(a.sites[s].uv, b.sites[s].uv);
+        EXPECT_EQ(a.sites[s].normal, b.sites[s].normal);
+        EXPECT_EQ(a.sites[s].point, b.sites[s].point);
+    }
+    EXPECT_EQ(a.triangles, b.triangles);
+    ASSERT_EQ(a.links.size(), b.links.size());
+    for (std::size_t t = 0; t < a.links.size(); ++t) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_EQ(a.links[t][i].half_edge, b.links[t][i].half_edge);
+            EXPECT_EQ(a.links[t][i].border, b.links[t][i].border);
+        }
+    }
+}
+
+TEST(InitialTriangulation, IsTheSameForAnyNumberOfThreads) {
+    for (const Part& part : shape_parts()) {
+        SCOPED_TRACE(part.name);
+        const auto with = [&](int threads) {
+            const ThreadLimit limit(threads);
+            predicate_count() = {};
+            return std::make_pair(std::make_unique<Case>(part), predicate_count());
+        };
+        const auto [one, decided] = with(1);
+        for (const int threads : {2, 3, 8}) {
+            const auto [several, decided_by_several] = with(threads);
+            ASSERT_EQ(several->initial.chains.vertices().size(), one->initial.chains.vertices().size());
+            for (std::size_t v = 0; v < one->initial.chains.vertices().size(); ++v) {
+                EXPECT_EQ(several->initial.chains.vertices()[v].point, one->initial.chains.vertices()[v].point);
+            }
+            for (std::size_t f = 0; f < one->initial.faces.size(); ++f) {
+                expect_same(several->initial.faces[f], one->initial.faces[f]);
+            }
+            EXPECT_EQ(several->initial.failures, one->initial.failures);
+            EXPECT_EQ(several->engine.queries(), one->engine.queries());
+            EXPECT_EQ(decided_by_several.filtered, decided.filtered);
+            EXPECT_EQ(decided_by_several.exact, decided.exact);
         }
     }
 }

@@ -60,7 +60,8 @@ struct Case {
         const FaceBoundary border = face_boundary(session, chains, grid, 0, failure);
         EXPECT_EQ(failure, "");
         std::vector<int> edges;
-        for (const int piece : coarse_pieces_of_inverted_loops(session, chains, border)) {
+        const std::vector<std::optional<Vec2>> middles = middles_of_pieces(session, chains, border);
+        for (const int piece : coarse_pieces_of_inverted_loops(session, chains, border, middles)) {
             edges.push_back(model->topology().uses[border.pieces[piece].use].edge);
         }
         return edges;

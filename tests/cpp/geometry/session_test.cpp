@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/session.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "base/error.h"
+#include "geometry/elementary/surface.h"
+
+namespace mq::geometry {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Doubles the query's t, on the threads that it records.
+class DoublingAnswerer final : public Answerer {
+  public:
+    Answer answer(const Query& query) noexcept override {
+        ++inside_;
+        alone = alone && inside_ == 1;
+        thread = std::this_thread::get_id();
+        Answer answer;
+        answer.status = Status::Ok;
+        answer.t = 2.0 * query.t;
+        --inside_;
+        return answer;
+    }
+
+    std::atomic<std::thread::id> thread{};
+    std::atomic<bool> alone{true};  ///< whether no two threads asked at a time
+
+  private:
+    std::atomic<int> inside_{0};
+};
+
+class DoublingModel final : public Model {
+  public:
+    Answer answer(const Query& query) noexcept override { return first.answer(query); }
+    Answerer* answerer(int thread) override {
+        if (thread == 0) {
+            return this;
+        }
+        if (static_cast<int>(further.size()) < thread) {
+            further.push_back(std::make_unique<DoublingAnswerer>());
+        }
+        return further[static_cast<std::size_t>(thread) - 1].get();
+    }
+    std::optional<ElementarySurface> elementary_surface(int /*face*/) override { return std::nullopt; }
+    void add_definition(Entity /*entity*/, Fingerprint& /*key*/) override {}
+    void add_definition_of_use(int /*use*/, Fingerprint& /*key*/) override {}
+
+    DoublingAnswerer first;
+    std::vector<std::unique_ptr<DoublingAnswerer>> further;
+};
+
+Engine::Batch numbered(std::size_t count) {
+    Engine::Batch batch;
+    for (std::size_t i = 0; i < count; ++i) {
+        batch.push_back(Query::edge_point(0, static_cast<double>(i)));
+    }
+    return batch;
+}
+
+TEST(Session, AnswersInTheBatchsOrderWithAnyNumberOfThreads) {
+    for (const int threads : {1, 2, 3, 8}) {
+        const ThreadLimit limit(threads);
+        for (const std::size_t count : {std::size_t{1}, Session::kChunk, Session::kChunk + 1, std::size_t{100'000}}) {
+            Engine engine;
+            const auto model = std::make_shared<DoublingModel>();
+            Session session(engine, model);
+            const Engine::Answers answers = session.ask(numbered(count));
+            ASSERT_EQ(answers.size(), count);
+            for (std::size_t i = 0; i < count; ++i) {
+                ASSERT_EQ(answers[i].status, Status::Ok);
+                ASSERT_EQ(answers[i].t, 2.0 * static_cast<double>(i));
+            }
+            EXPECT_EQ(engine.queries(), count);
+            EXPECT_TRUE(model->first.alone);
+            for (const auto& answerer : model->further) {
+                EXPECT_TRUE(answerer->alone);
+            }
+            EXPECT_LE(static_cast<int>(model->further.size()), threads);
+        }
+    }
+}
+
+TEST(Session, AnswersSmallBatchesOnTheEnginesThread) {
+    const ThreadLimit limit(8);
+    Engine engine;
+    const auto model = std::make_shared<DoublingModel>();
+    Session session(engine, model);
+    std::thread::id engines_own;
+    engine.run([&] { engines_own = std::this_thread::get_id(); });
+    EXPECT_EQ(session.ask(numbered(Session::kChunk)).back().t, 2.0 * (Session::kChunk - 1));
+    EXPECT_TRUE(model->further.empty());
+    EXPECT_EQ(model->first.thread.load(), engines_own);
+    EXPECT_TRUE(session.ask(Engine::Batch()).empty());
+}
+
+/// Two chunks that wait for each other end only where two threads work at a time.
+TEST(Session, WorksOnChunksAtATime) {
+    const ThreadLimit limit(2);
+    Engine engine;
+    Session session(engine, std::make_shared<DoublingModel>());
+    std::atomic<int> arrived{0};
+    std::atomic<bool> met{true};
+    session.for_chunks(2 * Session::kChunk, [&](Answerer& /*answerer*/, std::size_t /*from*/, std::size_t /*to*/) {
+        ++arrived;
+        const auto end = std::chrono::steady_clock::now() + 20s;
+        while (arrived < 2 && std::chrono::steady_clock::now() < end) {
+            std::this_thread::yield();
+        }
+        met = met && arrived == 2;
+    });
+    EXPECT_TRUE(met);
+}
+
+TEST(Session, GivesEveryItemToOneChunk) {
+    for (const int threads : {1, 3}) {
+        const ThreadLimit limit(threads);
+        Engine engine;
+        Session session(engine, std::make_shared<DoublingModel>());
+        std::vector<int> seen(50'001, 0);
+        session.for_chunks(seen.size(), [&](Answerer& /*answerer*/, std::size_t from, std::size_t to) {
+            EXPECT_LE(to - from, Session::kChunk);
+            for (std::size_t i = from; i < to; ++i) {
+                ++seen[i];
+            }
+        });
+        EXPECT_EQ(seen, std::vector<int>(seen.size(), 1));
+        session.for_chunks(0, [](Answerer&, std::size_t, std::size_t) { FAIL() << "there is nothing to do"; });
+    }
+}
+
+TEST(Session, EndsSoonOnceCancelledAndTheEngineGoesOn) {
+    const ThreadLimit limit(3);
+    Engine engine;
+    Progress progress;
+    Session session(engine, std::make_shared<DoublingModel>(), &progress);
+    std::atomic<int> chunks{0};
+    EXPECT_THROW(session.for_chunks(1'000'000,
+                                    [&](Answerer& /*answerer*/, std::size_t /*from*/, std::size_t /*to*/) {
+                                        if (++chunks == 5) {
+                                            progress.cancel();
+                                        }
+                                    }),
+                 Cancelled);
+    EXPECT_LE(chunks, 5 + 2);  // the other threads may have begun one each
+    EXPECT_THROW(session.ask(numbered(10'000)), Cancelled);
+    Session other(engine, std::make_shared<DoublingModel>());
+    EXPECT_EQ(other.ask(numbered(10'000)).back().t, 2.0 * 9'999);
+}
+
+TEST(Session, ThrowsWhatAChunkThrew) {
+    const ThreadLimit limit(2);
+    Engine engine;
+    Session session(engine, std::make_shared<DoublingModel>());
+    EXPECT_THROW(session.for_chunks(10 * Session::kChunk,
+                                    [](Answerer& /*answerer*/, std::size_t from, std::size_t /*to*/) {
+                                        if (from == 3 * Session::kChunk) {
+                                            throw std::runtime_error("here");
+                                        }
+                                    }),
+                 std::runtime_error);
+    EXPECT_EQ(session.ask(numbered(3)).back().t, 4.0);
+}
+
+}  // namespace
+}  // namespace mq::geometry
