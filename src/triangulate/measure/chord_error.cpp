@@ -18,6 +18,7 @@ namespace {
 using geometry::Answer;
 using geometry::Answerer;
 using geometry::Query;
+using geometry::Session;
 
 // Fractions of a segment's length at which a curve is measured beside its farthest point.
 constexpr std::initializer_list<double> kBesideCurve{-0.15, 0.15};
@@ -71,8 +72,8 @@ const ChordErrorCache::Known& ChordErrorCache::known(int half_edge) const {
     return number < known_.size() ? known_[number] : kNothing;
 }
 
+// Needs room for all edges in known_.
 void ChordErrorCache::keep(int half_edge, double tolerance, const Distance& distance) {
-    known_.resize(static_cast<std::size_t>(work_.mesh.number_count()));
     Known& known = known_[static_cast<std::size_t>(work_.mesh.number_of(half_edge))];
     known.tolerance = static_cast<float>(tolerance);
     known.distance = static_cast<float>(distance.distance);
@@ -164,6 +165,7 @@ std::vector<Distance> ChordErrorCache::of_segments(const std::vector<int>& segme
             measure_beside(answerer, unsettled[k], MeasureTuning::kClose, kBesideClose);
         }
     });
+    known_.resize(static_cast<std::size_t>(work_.mesh.number_count()));
     for (std::size_t i = 0; i < segments.size(); ++i) {
         keep(half_edge_of(segments[i]), tolerance, results[i]);
     }
@@ -174,18 +176,18 @@ std::vector<Distance> ChordErrorCache::of_edges(const std::vector<int>& half_edg
     std::vector<Distance> results(half_edges.size());
     known_.resize(static_cast<std::size_t>(work_.mesh.number_count()));
     measure_sites(half_edges);
-    std::vector<std::optional<Answer>> far(half_edges.size());
+    std::vector<std::vector<SurfaceProjection>> far((half_edges.size() + Session::kChunk - 1) / Session::kChunk);
     work_.session.for_chunks(half_edges.size(), [&](Answerer& answerer, std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            far[i] = measure_edge(answerer, half_edges[i], tolerance, results[i]);
+            if (auto foot = measure_edge(answerer, half_edges[i], tolerance, results[i])) {
+                far[from / Session::kChunk].push_back({i, std::move(*foot)});
+            }
+            keep(half_edges[i], tolerance, results[i]);
         }
     });
     feet_.clear();
-    for (std::size_t i = 0; i < half_edges.size(); ++i) {
-        if (far[i]) {
-            feet_.push_back({i, std::move(*far[i])});
-        }
-        keep(half_edges[i], tolerance, results[i]);
+    for (const std::vector<SurfaceProjection>& of_chunk : far) {
+        feet_.insert(feet_.end(), of_chunk.begin(), of_chunk.end());
     }
     return results;
 }
