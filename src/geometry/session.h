@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -50,20 +51,39 @@ class Session final : public Oracle {
         return all;
     }
     Answer ask(const Query& query) override { return engine_.ask(model_, query, progress_); }
-    /// Calls `work(model)` on the engine's thread. Predicates count for the caller's.
+    /// Calls `work(model)` on the engine's thread. Predicates count for the caller's, whose limit of threads holds.
     /// @throws Cancelled.
     template <typename Work>
     void run(const Work& work) {
         check();
         PredicateCount count = predicate_count();
+        const int threads = thread_count();
         engine_.run(
             [&] {
+                const ThreadLimit limit(threads);
                 const PredicateCount own = std::exchange(predicate_count(), count);
                 work(*model_);
                 count = std::exchange(predicate_count(), own);
             },
             progress_);
         predicate_count() = count;
+    }
+
+    /// Repeats a step as long as it returns true, on the engine's thread, which is open to others every 10 ms. So the
+    /// batches of a step are answered in place: handing a small one from thread to thread takes longer than its
+    /// answers.
+    /// @throws Cancelled.
+    template <typename Step>
+    void repeat(const Step& step) {
+        using Clock = std::chrono::steady_clock;
+        constexpr std::chrono::milliseconds kTurn(10);
+        for (bool more = true; more;) {
+            run([&](Model&) {
+                for (const Clock::time_point end = Clock::now() + kTurn; more && Clock::now() < end;) {
+                    more = step();
+                }
+            });
+        }
     }
 
     /// Calls `work(answerer, k)` for k = 0 .. count - 1, in no particular order, on as many threads as the caller may

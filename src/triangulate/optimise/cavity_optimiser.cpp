@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "base/angle.h"
-#include "base/parallel.h"
-#include "base/predicates.h"
 #include "triangulate/measure/backward_distance.h"
 #include "triangulate/measure/distance_probes.h"
 #include "triangulate/operators/cavity_replacement.h"
@@ -21,9 +19,6 @@ namespace mq::triangulate {
 namespace {
 
 using geometry::Query;
-
-// Attempts that are made before the engine's thread is free for others again, some milliseconds.
-constexpr int kAttemptsInTurn = 64;
 
 void add_disc(const ClassifiedMesh& mesh, std::vector<int> triangles, std::vector<Cavity>& discs) {
     if (triangles.empty() || triangles.size() > OptimisationTuning::kMaxDisc) {
@@ -63,22 +58,6 @@ bool CavityOptimiser::at_resolution(int triangle) const {
     const Exemption* exemption = work_.exemption_of(triangle);
     return exemption != nullptr &&
            (exemption->cause == Cause::Resolution || exemption->cause == Cause::FaceFloorRaised);
-}
-
-// Does a step of some milliseconds on the engine's thread, where its many small batches of queries are not handed from
-// thread to thread. Predicates count for the caller's thread, whose limit of threads holds.
-bool CavityOptimiser::on_engines_thread(const std::function<bool()>& step) {
-    bool result = false;
-    PredicateCount count = predicate_count();
-    const int threads = thread_count();
-    work_.session.run([&](geometry::Model&) {
-        const ThreadLimit limit(threads);
-        const PredicateCount own = std::exchange(predicate_count(), count);
-        result = step();
-        count = std::exchange(predicate_count(), own);
-    });
-    predicate_count() = count;
-    return result;
 }
 
 void CavityOptimiser::want(double angle) {
@@ -160,16 +139,7 @@ bool CavityOptimiser::process_queue() {
     std::size_t left = std::min(OptimisationTuning::kAttemptsEach * queue_.size(),
                                 OptimisationTuning::kAttempts + static_cast<std::size_t>(work_.mesh.triangle_count()) /
                                                                     OptimisationTuning::kTrianglesPerAttempt);
-    const auto some = [&] {
-        bool more = true;
-        for (int n = 0; n < kAttemptsInTurn && more; ++n) {
-            more = process_next(left, changed);
-        }
-        return more;
-    };
-    while (on_engines_thread(some)) {
-        work_.progress.check();
-    }
+    work_.session.repeat([&] { return process_next(left, changed); });
     return changed;
 }
 

@@ -81,7 +81,6 @@ class CavityOptimiser {
         int over = -1;
     };
 
-    bool on_engines_thread(const std::function<bool()>& step);
     void want(double angle);
     void push_if_bad(int triangle);
     bool near(int triangle) const;

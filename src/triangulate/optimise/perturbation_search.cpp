@@ -72,7 +72,9 @@ bool CavityOptimiser::perturb_all() {
             again = true;
             const Exemption reason = *work_.exemption_of(t);
             attempts_of_search_ = share;
-            if (on_engines_thread([&] { return escape(t); })) {
+            bool escaped = false;
+            work_.session.run([&](geometry::Model&) { escaped = escape(t); });
+            if (escaped) {
                 keep(reason);
                 changed = true;
                 left = OptimisationTuning::kSearchAttempts;

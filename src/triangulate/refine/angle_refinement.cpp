@@ -85,23 +85,22 @@ void AngleRefinement::run() {
     }
     int retries = 0;
     std::optional<State> before;  // the last retry
-    for (;;) {
+    work_.session.repeat([&] {
         push_touched();
         if (work_.over_budget()) {
-            break;
+            return false;
         }
         if (!segments_.idle()) {
             segments_.run(touched_);
         } else if (!refine_round()) {
             if (++retries > RefinementTuning::kMaxRetries || before == state()) {
-                break;
+                return false;
             }
             before = state();
-            if (!retry_exempted()) {
-                break;
-            }
+            return retry_exempted();
         }
-    }
+        return true;
+    });
     queue_ = {};
     again_.clear();
     if (work_.over_budget()) {

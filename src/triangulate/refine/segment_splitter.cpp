@@ -141,7 +141,10 @@ bool SegmentSplitter::refused(int segment) const {
 }
 
 void SegmentSplitter::run(std::vector<int>& touched) {
-    while (!pending_.empty() && !work_.over_budget()) {
+    work_.session.repeat([&] {
+        if (pending_.empty() || work_.over_budget()) {
+            return false;
+        }
         work_.progress.check();
         std::vector<int> now;
         now.swap(pending_);
@@ -156,7 +159,8 @@ void SegmentSplitter::run(std::vector<int>& touched) {
             changed = touched;
         }
         request_encroached_around(changed);
-    }
+        return true;
+    });
 }
 
 void SegmentSplitter::request_encroached_around(const std::vector<int>& triangles) {
