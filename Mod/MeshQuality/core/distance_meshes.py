@@ -32,16 +32,18 @@ class DistanceMesh:
     note: str
 
 
-def mesh_within(shape, distance, progress=None):
+def mesh_within(shape, distance, progress=None, threads=0):
     """The DistanceMesh of a Part.Shape: ours, and OpenCASCADE's triangulation of faces that we cannot mesh, which may have
     holes. Faces that neither can mesh are left out.
 
     distance  mm, the largest one wanted
+    threads   that work at a time; 0: one for each core
 
     Raises TopologyError or InvalidInput where no face can be meshed; Cancelled.
     """
     options = extension().TriangulateOptions()
     options.min_angle, options.chord_height, options.allow_missing_faces = 0.0, distance, True
+    options.threads = threads
     faces = attribute_of(shape, "Faces")
     try:
         mesh = SurfaceMesh(extension().triangulate(convert.shape_of(shape), options, progress, None))

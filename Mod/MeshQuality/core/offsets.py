@@ -174,6 +174,7 @@ class _Work:
 
     def _unite(self):
         meshing = extension().BooleanOptions()
+        meshing.threads = self.threads
         meshing.tolerance = 2.0 * _CHORD * self.tolerance  # shapes are meshed within half of it
         meshed = self._operands.mesh_shapes(meshing, self.progress(0.0, _MESHED), min_angle=self._min_angle)
         operand, rounded, _ = self._operands.surfaces[0]

@@ -127,7 +127,7 @@ def run(wrapped, values, progress=None, dry=()):
     if tolerance > _LARGEST * gap:
         raise InvalidInput(phrases.Text(phrases.HALF_OF_GAP, length=f"{tolerance:g} mm", length2=f"{gap:g} mm"))
     core_options, before = module.BooleanOptions(), module.WorkBefore()
-    core_options.tolerance = tolerance
+    core_options.tolerance, core_options.threads = tolerance, values["threads"]
     meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION, any_faces=True)
     before.seconds, before.notes, before.cpu_seconds = operands.seconds, operands.notes, operands.cpu_seconds
     before.tolerance = tolerance

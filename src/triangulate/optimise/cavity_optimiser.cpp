@@ -145,6 +145,7 @@ bool CavityOptimiser::process_queue() {
 
 // @return whether there may be more to do.
 bool CavityOptimiser::process_next(std::size_t& left, bool& changed) {
+    work_.progress.check();
     if (queue_.empty() || left == 0 || attempts_of_all_ == 0 || work_.over_budget()) {
         return false;
     }

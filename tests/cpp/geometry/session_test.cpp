@@ -157,6 +157,65 @@ TEST(Session, EndsSoonOnceCancelledAndTheEngineGoesOn) {
     EXPECT_EQ(other.ask(numbered(10'000)).back().t, 2.0 * 9'999);
 }
 
+/// Steps run on the engine's thread as long as they say so, with the caller's limit of threads; what they ask is
+/// answered there.
+TEST(Session, RepeatsAStepOnTheEnginesThread) {
+    Engine engine;
+    const auto model = std::make_shared<DoublingModel>();
+    Session session(engine, model);
+    session.ask(numbered(1));
+    const std::thread::id engines = model->first.thread;
+    const ThreadLimit limit(3);
+    int steps = 0;
+    session.repeat([&] {
+        EXPECT_EQ(std::this_thread::get_id(), engines);
+        EXPECT_EQ(thread_count(), 3);
+        EXPECT_EQ(session.ask(numbered(4)).back().t, 6.0);
+        return ++steps < 7;
+    });
+    EXPECT_EQ(steps, 7);
+    EXPECT_TRUE(model->first.alone);
+}
+
+/// Others wait for a turn, not for all steps.
+TEST(Session, IsOpenToOthersBetweenTheTurnsOfSteps) {
+    Engine engine;
+    const auto model = std::make_shared<DoublingModel>();
+    Session session(engine, model);
+    std::atomic<bool> answered{false};
+    std::atomic<bool> started{false};
+    std::thread other([&] {
+        while (!started) {
+            std::this_thread::yield();
+        }
+        Session(engine, model).ask(numbered(1));
+        answered = true;
+    });
+    session.repeat([&] {
+        started = true;
+        std::this_thread::sleep_for(1ms);
+        return !answered;
+    });
+    other.join();
+    EXPECT_TRUE(answered);
+}
+
+TEST(Session, PassesOnWhatAStepThrows) {
+    Engine engine;
+    Progress progress;
+    Session session(engine, std::make_shared<DoublingModel>(), &progress);
+    EXPECT_THROW(session.repeat([]() -> bool { throw std::runtime_error("step"); }), std::runtime_error);
+    int steps = 0;
+    EXPECT_THROW(session.repeat([&] {
+        progress.cancel();
+        ++steps;
+        std::this_thread::sleep_for(1ms);
+        return true;
+    }),
+                 Cancelled);
+    EXPECT_LT(steps, 40);
+}
+
 TEST(Session, ThrowsWhatAChunkThrew) {
     const ThreadLimit limit(2);
     Engine engine;
