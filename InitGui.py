@@ -4,6 +4,7 @@ import os
 
 import FreeCADGui
 import MeshQuality
+from MeshQuality.gui import preferences
 
 
 class MeshQualityWorkbench(FreeCADGui.Workbench):
@@ -37,4 +38,5 @@ FreeCADGui.addIconPath(os.path.join(_resources, "icons"))
 FreeCADGui.addLanguagePath(os.path.join(_resources, "translations"))
 FreeCADGui.updateLocale()
 FreeCADGui.addPreferencePage(os.path.join(_resources, "ui", "preferences.ui"), "MeshQuality")
+preferences.limit_threads()
 FreeCADGui.addWorkbench(MeshQualityWorkbench())

@@ -2965,6 +2965,22 @@
         <source>If unchecked, FreeCAD waits until they are computed</source>
         <translation>Sonst wartet FreeCAD, bis sie berechnet sind</translation>
     </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Threads that work at a time</source>
+        <translation>Threads, die zugleich arbeiten</translation>
+    </message>
+    <message>
+        <source>Results do not depend on it. Takes effect when FreeCAD is started again</source>
+        <translation>Ergebnisse hängen nicht davon ab. Gilt, sobald FreeCAD neu gestartet ist</translation>
+    </message>
+    <message>
+        <source>One for each core</source>
+        <translation>Einer je Kern</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality_Analyse</name>

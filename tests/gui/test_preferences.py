@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The page of preferences: what it shows, what it keeps."""
 
+import os
+import unittest.mock
+
 import FreeCADGui
 import gui_helpers
 from PySide import QtCore, QtGui
@@ -40,6 +43,7 @@ class Preferences(gui_helpers.PanelTest):
             self.assertTrue(dialog.findChild(QtGui.QCheckBox, "background").isChecked())
             self.assertEqual(dialog.findChild(QtGui.QSpinBox, "manualAbove").value(),
                              preferences.manual_above())
+            self.assertEqual(dialog.findChild(QtGui.QSpinBox, "threads").text(), "One for each core")
             dialog.grab().save(f"{gui_helpers.PICTURES}/preferences.png")
 
         self.in_dialog(act)
@@ -50,6 +54,7 @@ class Preferences(gui_helpers.PanelTest):
             dialog.findChild(QtGui.QCheckBox, "rememberValues").setChecked(False)
             dialog.findChild(QtGui.QSpinBox, "manualAbove").setValue(12)
             dialog.findChild(QtGui.QCheckBox, "background").setChecked(False)
+            dialog.findChild(QtGui.QSpinBox, "threads").setValue(3)
 
         self.in_dialog(act)
         self.assertEqual(preferences.manual_above(), 12)
@@ -57,6 +62,18 @@ class Preferences(gui_helpers.PanelTest):
         self.assertFalse(preferences.stored().GetBool("RememberValues", True))
         panel = self.panel(commands.Triangulate, self.box())
         self.assertEqual(panel.options.values()["min_angle"], 28.5)
+
+        self.assertEqual(preferences.stored().GetInt("Threads"), 3)
+
+    def test_the_environment_decides_on_threads_before_the_user_does(self):
+        for environment, preferred, expected in (({}, 0, None), ({}, 3, "3"), ({"MESHQUALITY_THREADS": "2"}, 3, "2")):
+            preferences.stored().SetInt("Threads", preferred)
+            with self.subTest(environment=environment, preferred=preferred), \
+                    unittest.mock.patch.dict(os.environ, environment):
+                if not environment:
+                    os.environ.pop("MESHQUALITY_THREADS", None)
+                preferences.limit_threads()
+                self.assertEqual(os.environ.get("MESHQUALITY_THREADS"), expected)
 
     def test_the_page_has_its_icon(self):
         self.assertFalse(FreeCADGui.getIcon("preferences-meshquality").isNull())

@@ -2,6 +2,7 @@
 """What the user prefers, as FreeCAD keeps it, and the values that a panel begins with."""
 
 import json
+import os
 
 import FreeCAD
 
@@ -56,6 +57,15 @@ def manual_above():
 def in_background():
     """Whether meshes that follow their source are computed in the background."""
     return stored().GetBool("Background", True)
+
+
+def limit_threads():
+    """Gives the core the number of threads that the user prefers, unless the environment names one. The core reads it when it
+    works for the first time.
+    """
+    threads = stored().GetInt("Threads", 0)
+    if threads > 0:
+        os.environ.setdefault("MESHQUALITY_THREADS", str(threads))
 
 
 def _last(kind):
