@@ -52,13 +52,14 @@ inline int threads_for(std::size_t items, std::size_t worth) {
     return static_cast<int>(std::clamp<std::size_t>(items / worth, 1, static_cast<std::size_t>(thread_count())));
 }
 
-/// Runs work(k) for k = 0 .. count - 1 on thread_count() threads, in no particular order. Results must be written to
-/// places of their own, so that they do not depend on the number of threads. Where there are more threads than calls,
-/// what the calls run in parallel themselves shares the rest. Predicates count for the caller's thread.
+/// Runs work(thread, k) for k = 0 .. count - 1 on thread_count() threads, in no particular order; `thread` counts from
+/// 0, and no two calls have the same one at a time. Results must be written to places of their own, so that they do not
+/// depend on the number of threads. Where there are more threads than calls, what the calls run in parallel themselves
+/// shares the rest. Predicates count for the caller's thread.
 /// @throws the exception of the call with the lowest k, once all threads have ended; calls not yet begun are left out
 /// then
 template <typename Work>
-void parallel_for(int count, Work&& work) {
+void parallel_for_on_threads(int count, Work&& work) {
     std::atomic<int> next{0};
     std::vector<std::exception_ptr> raised(static_cast<std::size_t>(count));
     const int all = thread_count();
@@ -69,7 +70,7 @@ void parallel_for(int count, Work&& work) {
         const ThreadLimit limit(inner);
         for (int k = next++; k < count; k = next++) {
             try {
-                work(k);
+                work(thread, k);
             } catch (...) {
                 raised[static_cast<std::size_t>(k)] = std::current_exception();
                 next = count;
@@ -98,6 +99,12 @@ void parallel_for(int count, Work&& work) {
             std::rethrow_exception(exception);
         }
     }
+}
+
+/// Runs work(k) for k = 0 .. count - 1, as parallel_for_on_threads does.
+template <typename Work>
+void parallel_for(int count, Work&& work) {
+    parallel_for_on_threads(count, [&](int /*thread*/, int k) { work(k); });
 }
 
 /// Runs work(k) for k = 0 .. count - 1 in parallel, a chunk of neighbours at a time, so that short calls pay; in this

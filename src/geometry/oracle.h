@@ -31,7 +31,7 @@ class AnswererOracle final : public Oracle {
 
     const Topology& topology() const override { return topology_; }
     Engine::Answers ask(Engine::Batch batch) override {
-        /// Queries between two checks for a cancellation: about 10 ms of B-spline projections.
+        // Queries between two checks for a cancellation: about 10 ms of B-spline projections.
         constexpr std::size_t kBetweenChecks = 2048;
         Engine::Answers answers;
         answers.reserve(batch.size());

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +24,8 @@ class Session final : public Oracle {
   public:
     /// Items in a chunk, which one thread takes at a time: 0.1 ms of work or more, so that starting a thread pays.
     static constexpr std::size_t kChunk = 256;
+    /// Time after which the engine's thread is to be open to others: much less than users may notice.
+    static constexpr std::chrono::milliseconds kOpenAfter{20};
 
     Session(Engine& engine, std::shared_ptr<Model> model, const Progress* progress = nullptr)
         : engine_(engine), model_(std::move(model)), progress_(progress) {}
@@ -56,30 +57,27 @@ class Session final : public Oracle {
     template <typename Work>
     void run(const Work& work) {
         check();
-        PredicateCount count = predicate_count();
+        PredicateCount& callers = predicate_count();
         const int threads = thread_count();
         engine_.run(
             [&] {
                 const ThreadLimit limit(threads);
-                const PredicateCount own = std::exchange(predicate_count(), count);
+                const CountForCaller count(callers);
                 work(*model_);
-                count = std::exchange(predicate_count(), own);
             },
             progress_);
-        predicate_count() = count;
     }
 
-    /// Repeats a step as long as it returns true, on the engine's thread, which is open to others every 10 ms. So the
-    /// batches of a step are answered in place: handing a small one from thread to thread takes longer than its
-    /// answers.
+    /// Repeats a step as long as it returns true, on the engine's thread, which is open to others after each step that
+    /// ends kOpenAfter or more after the last opening. So the batches of a step are answered in place: handing a small
+    /// one from thread to thread takes longer than its answers.
     /// @throws Cancelled.
     template <typename Step>
     void repeat(const Step& step) {
         using Clock = std::chrono::steady_clock;
-        constexpr std::chrono::milliseconds kTurn(10);
         for (bool more = true; more;) {
             run([&](Model&) {
-                for (const Clock::time_point end = Clock::now() + kTurn; more && Clock::now() < end;) {
+                for (const Clock::time_point end = Clock::now() + kOpenAfter; more && Clock::now() < end;) {
                     more = step();
                 }
             });
@@ -99,13 +97,9 @@ class Session final : public Oracle {
                 answerers.emplace_back(*more);
             }
             const OpenCascadeWait wait(progress_, progress_ != nullptr ? progress_->name() : std::string());
-            std::atomic<int> next{0};
             const ThreadLimit limit(static_cast<int>(answerers.size()));
-            parallel_for(static_cast<int>(answerers.size()), [&](int thread) {
-                for (int k = next++; k < count; k = next++) {
-                    work(answerers[static_cast<std::size_t>(thread)], k);
-                }
-            });
+            parallel_for_on_threads(count,
+                                    [&](int thread, int k) { work(answerers[static_cast<std::size_t>(thread)], k); });
             for (const CountingAnswerer& answerer : answerers) {
                 engine_.count_answered(answerer.count());
             }
@@ -117,7 +111,7 @@ class Session final : public Oracle {
     /// @throws as parallel_for
     template <typename Work>
     void for_chunks(std::size_t count, const Work& work) {
-        /// Chunks of a thread in a piece: about 20 ms of B-spline projections.
+        // Chunks of a thread in a piece: B-spline projections take about kOpenAfter.
         constexpr std::size_t kChunksOfThread = 16;
         const std::size_t piece = kChunk * kChunksOfThread * static_cast<std::size_t>(thread_count());
         for (std::size_t begin = 0; begin < count; begin += piece) {
@@ -134,6 +128,20 @@ class Session final : public Oracle {
     void check() const override { check_cancelled(progress_); }
 
   private:
+    /// Counts predicates of the engine's thread for the caller's, who waits, while the object lives.
+    class CountForCaller {
+      public:
+        explicit CountForCaller(PredicateCount& callers)
+            : callers_(callers), own_(std::exchange(predicate_count(), callers)) {}
+        ~CountForCaller() { callers_ = std::exchange(predicate_count(), own_); }
+        CountForCaller(const CountForCaller&) = delete;
+        CountForCaller& operator=(const CountForCaller&) = delete;
+
+      private:
+        PredicateCount& callers_;
+        PredicateCount own_;
+    };
+
     /// Counts what another answers. Each has cache lines of its own, since each counts in its own thread.
     class alignas(64) CountingAnswerer final : public Answerer {
       public:

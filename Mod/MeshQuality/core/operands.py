@@ -103,12 +103,12 @@ class Operands:
         shapes = [i for i, found in enumerate(self._found) if not isinstance(found, tuple)]
         if not shapes:
             return False
-        bounds = {"threads": core_options.threads, **({} if min_angle is None else {"min_angle": min_angle})}
+        meshing = {"threads": core_options.threads, **({} if min_angle is None else {"min_angle": min_angle})}
         with self._stage("meshing shapes"):
             wanted = self._possible(core_options.tolerance_for(self.size()))
             for done, i in enumerate(shapes):
                 part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
-                self._found[i] = self._mesh_shape(i, fraction * wanted, part, bounds, any_faces)
+                self._found[i] = self._mesh_shape(i, fraction * wanted, part, meshing, any_faces)
         return True
 
     def _possible(self, tolerance):
@@ -195,15 +195,15 @@ class Operands:
                           points.max(axis=0) + found[0].origin]
         return float(np.ptp(np.array(boxes), axis=0).max()) if boxes else 0.0
 
-    def _mesh_shape(self, i, chord_height, progress, bounds, any_faces):
+    def _mesh_shape(self, i, chord_height, progress, meshing, any_faces):
         shape = _shape_in(self._found[i])
         box = attribute_of(shape, "BoundBox")
         side = max(box.XLength, box.YLength, box.ZLength)
         largest = max(map(abs, (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)))
         chord_height = max(chord_height, _FINEST_CHORD * min(largest, _FRAME * side))
         try:
-            mesh, deviation, rounded, note = self._any_mesh(i, shape, chord_height, progress, bounds) if any_faces else \
-                self._mesh_of_all_faces(i, shape, chord_height, progress, bounds)
+            mesh, deviation, rounded, note = self._any_mesh(i, shape, chord_height, progress, meshing) if any_faces else \
+                self._mesh_of_all_faces(i, shape, chord_height, progress, meshing)
         except (InvalidInput, TopologyError) as error:
             raise type(error)(f"{self._names[i]}, {convert.label_of(self._sources[i])}: {error}") \
                 from error
@@ -218,9 +218,9 @@ class Operands:
                                          np.concatenate((mesh.triangles, triangles + len(own))),
                                          measured=False), True, None
 
-    def _mesh_of_all_faces(self, i, shape, chord_height, progress, bounds):
+    def _mesh_of_all_faces(self, i, shape, chord_height, progress, meshing):
         """(Surface, its distance from the shape, whether it may be rounded, note)."""
-        mesh = triangulate(shape, chord_height=chord_height, progress=progress, **bounds)
+        mesh = triangulate(shape, chord_height=chord_height, progress=progress, **meshing)
         require_complete(mesh.report, chord_height)
         mixed = isinstance(self._found[i], _Mixed)
         what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
@@ -228,9 +228,9 @@ class Operands:
             f"{self._names[i]} {what} deviates by at most {mesh.report.max_chord_height:.3g} mm from "
             f"{'them' if mixed else 'it'}; the error bound is that of the Boolean of the meshes")
 
-    def _any_mesh(self, i, shape, chord_height, progress, bounds):
+    def _any_mesh(self, i, shape, chord_height, progress, meshing):
         """As _mesh_of_all_faces, of mesh_within."""
-        mesh = mesh_within(shape, chord_height, progress, bounds["threads"])
+        mesh = mesh_within(shape, chord_height, progress, meshing["threads"])
         return mesh.surface, mesh.deviation, mesh.rounded, mesh.note and f"{self._names[i]}, {mesh.note}"
 
     def explain(self, error):

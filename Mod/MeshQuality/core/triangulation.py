@@ -54,7 +54,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            {"inlet": {"faces": ["Face1"], "colour": "#ff0000"}}; names as in local_sizes. They are
                            checked before the work, kept as mesh.patches, and are the default of mesh.write
     patch_rest             name of the patch of all other faces; None: each is one by its own name
-    threads                that work at a time; 0: one for each core. The result is the same for any number
+    threads                that work at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any
+                           number
 
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <utility>
@@ -22,10 +23,6 @@ constexpr std::array<double, 2> kHooks{8.0, 32.0};
 // Pieces around one face that a round halves at most. Where borders lie on each other all of their pieces cross,
 // however short they are: twenty rounds would make a million times as many.
 constexpr std::size_t kMostHalved = 4096;
-
-// Time after which no thread begins another face, so that the engine is open to others: much less than users may
-// notice.
-constexpr double kTurn = 0.05;  // seconds
 
 // One round: triangulates the faces and advances the progress from one fraction of the stage to another.
 struct Round {
@@ -140,7 +137,7 @@ void run_in_parallel(geometry::Session& session, const std::vector<int>& faces, 
         const Stopwatch watch;
         std::vector<char> finished(left.size(), 0);
         session.run_parallel(static_cast<int>(left.size()), [&](geometry::Answerer& answerer, int k) {
-            if (k > 0 && watch.wall() > kTurn) {
+            if (k > 0 && watch.wall() > std::chrono::duration<double>(geometry::Session::kOpenAfter).count()) {
                 return;
             }
             progress.check();

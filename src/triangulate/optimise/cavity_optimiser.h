@@ -33,7 +33,7 @@ namespace mq::triangulate {
 /// Where no single change improves a triangle, the mesh is perturbed: a disc gets a vertex more or less (a fan around
 /// a vertex of a CAD edge gets another spoke, a corner loses one), a segment is split, or a vertex moves along its CAD
 /// edge; then the neighbourhood is repaired, and everything is undone unless the result is better. Nothing is tried
-/// again before something beside it has changed.
+/// again before something beside it has changed, except at the resolution, once in each pass.
 class CavityOptimiser {
   public:
     /// @param attempts  attempts to improve one triangle that may be made in all

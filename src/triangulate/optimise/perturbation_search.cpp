@@ -72,9 +72,7 @@ bool CavityOptimiser::perturb_all() {
             again = true;
             const Exemption reason = *work_.exemption_of(t);
             attempts_of_search_ = share;
-            bool escaped = false;
-            work_.session.run([&](geometry::Model&) { escaped = escape(t); });
-            if (escaped) {
+            if (escape(t)) {
                 keep(reason);
                 changed = true;
                 left = OptimisationTuning::kSearchAttempts;
@@ -108,21 +106,29 @@ void CavityOptimiser::count_attempt() {
 
 // Tries perturbations. On success the transaction remains open.
 bool CavityOptimiser::escape(int triangle) {
-    std::vector<Perturbation> tries = kicks(triangle);
-    for (auto kick = tries.begin(); kick != tries.end() && !budget_spent(); ++kick) {
+    std::vector<Perturbation> tries;
+    work_.session.run([&](geometry::Model&) { tries = kicks(triangle); });
+    auto kick = tries.begin();
+    bool escaped = false;
+    work_.session.repeat([&] {
+        if (kick == tries.end() || budget_spent()) {
+            return false;
+        }
         work_.progress.check();
         count_attempt();
         undo_.begin();
         ear_ = kick->fan.ear_site;
-        if (try_perturbation(*kick) && better()) {
-            return true;
+        escaped = try_perturbation(*kick) && better();
+        if (!escaped) {
+            ear_ = -1;
+            split_.reset();
+            const std::map<int, int> moved = undo_.undo();
+            std::for_each(kick, tries.end(), [&](Perturbation& later) { rename(later.fan.disc, moved); });
+            ++kick;
         }
-        ear_ = -1;
-        split_.reset();
-        const std::map<int, int> moved = undo_.undo();
-        std::for_each(kick, tries.end(), [&](Perturbation& later) { rename(later.fan.disc, moved); });
-    }
-    return false;
+        return !escaped;
+    });
+    return escaped;
 }
 
 // Applies a perturbation and repairs the triangles that it made worse.

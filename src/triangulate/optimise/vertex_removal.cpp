@@ -167,7 +167,7 @@ bool VertexRemoval::heights_expected(const RemovalCavity& cavity, const Fan& fan
 // Makes the plans of some candidates in several threads: none of them changes the mesh.
 std::vector<std::optional<VertexRemoval::RemovalPlan>> VertexRemoval::plans_for(const int* first,
                                                                                 const int* last) const {
-    /// Candidates that are worth a thread: about half a millisecond.
+    // Candidates that are worth a thread: about half a millisecond.
     constexpr int kWorthAThread = 512;
     std::vector<std::optional<RemovalPlan>> result(static_cast<std::size_t>(last - first));
     for_chunks(static_cast<int>(result.size()), kWorthAThread,

@@ -41,7 +41,7 @@ std::optional<AngleRefinement::QueuedTriangle> AngleRefinement::if_bad(int trian
 }
 
 void AngleRefinement::push_touched() {
-    /// Triangles that are worth a thread: about half a millisecond.
+    // Triangles that are worth a thread: about half a millisecond.
     constexpr int kWorthAThread = 2048;
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
@@ -85,14 +85,18 @@ void AngleRefinement::run() {
     }
     int retries = 0;
     std::optional<State> before;  // the last retry
+    bool splitting = false;
     work_.session.repeat([&] {
+        splitting = splitting && segments_.split_pending(touched_);
+        if (splitting) {
+            return true;
+        }
         push_touched();
         if (work_.over_budget()) {
             return false;
         }
-        if (!segments_.idle()) {
-            segments_.run(touched_);
-        } else if (!refine_round()) {
+        splitting = !segments_.idle();
+        if (!splitting && !refine_round()) {
             if (++retries > RefinementTuning::kMaxRetries || before == state()) {
                 return false;
             }

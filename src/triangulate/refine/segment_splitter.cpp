@@ -141,26 +141,28 @@ bool SegmentSplitter::refused(int segment) const {
 }
 
 void SegmentSplitter::run(std::vector<int>& touched) {
-    work_.session.repeat([&] {
-        if (pending_.empty() || work_.over_budget()) {
-            return false;
-        }
-        work_.progress.check();
-        std::vector<int> now;
-        now.swap(pending_);
-        for (const int s : now) {
-            waiting_[s] = 0;
-        }
-        std::vector<int> changed;
-        split_batch(now, changed);
-        touched.insert(touched.end(), changed.begin(), changed.end());
-        if (work_.mesh.used_triangle_count() < work_.mesh.triangle_count()) {
-            close_gaps(work_, touched);
-            changed = touched;
-        }
-        request_encroached_around(changed);
-        return true;
-    });
+    work_.session.repeat([&] { return split_pending(touched); });
+}
+
+bool SegmentSplitter::split_pending(std::vector<int>& touched) {
+    if (pending_.empty() || work_.over_budget()) {
+        return false;
+    }
+    work_.progress.check();
+    std::vector<int> now;
+    now.swap(pending_);
+    for (const int s : now) {
+        waiting_[s] = 0;
+    }
+    std::vector<int> changed;
+    split_batch(now, changed);
+    touched.insert(touched.end(), changed.begin(), changed.end());
+    if (work_.mesh.used_triangle_count() < work_.mesh.triangle_count()) {
+        close_gaps(work_, touched);
+        changed = touched;
+    }
+    request_encroached_around(changed);
+    return true;
 }
 
 void SegmentSplitter::request_encroached_around(const std::vector<int>& triangles) {

@@ -46,6 +46,9 @@ class SegmentSplitter {
     /// Splits all queued segments and all that become encroached, in batches. Changed triangles are appended to
     /// `touched`.
     void run(std::vector<int>& touched);
+    /// Splits the segments that are queued now, and queues those that become encroached.
+    /// @return whether any were queued, and the budget let them be split
+    bool split_pending(std::vector<int>& touched);
     /// Whether a split failed. A refusal due to `min_edge` alone counts only while that bound is in force.
     bool refused(int segment) const;
     /// Whether triangles around the origin of `h` may be changed by ApexRings only.
