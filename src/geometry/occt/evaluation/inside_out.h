@@ -7,7 +7,7 @@ namespace mq::geometry {
 
 /// Whether a proof says that the faces of a solid look outward: a ray that leaves a face on its outer side meets no
 /// other one. False says nothing.
-/// @param solid  closed, with sound faces
+/// @param solid  closed, with valid faces
 bool looks_outward(const TopoDS_Shape& solid);
 
 /// Whether the faces of a solid look inward, as OpenCASCADE says: the solid would be a hole in infinite space.
