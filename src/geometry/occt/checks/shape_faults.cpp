@@ -172,11 +172,15 @@ class FaultList {
         }
     }
 
-    /// A face at several places is looked at once, where it was defined.
+    /// A face at several places is looked at once, where it was defined. Where the proof fails, nothing is known.
     bool is_known_to_be_valid(const TopoDS_Face& face) {
         const auto [known, first] = valid_.emplace(face.TShape().get(), false);
         if (first) {
-            known->second = is_proved_valid(TopoDS::Face(face.Located(TopLoc_Location())));
+            try {
+                known->second = is_proved_valid(TopoDS::Face(face.Located(TopLoc_Location())));
+            } catch (const Standard_Failure&) {
+                known->second = false;
+            }
         }
         return known->second && is_rigid(face.Location().Transformation());
     }
