@@ -15,15 +15,6 @@ namespace mq::geometry {
 
 namespace {
 
-Box to_box(const Bnd_Box& bounds) {
-    Box box;
-    if (!bounds.IsVoid()) {
-        box.add(to_vec(bounds.CornerMin()));
-        box.add(to_vec(bounds.CornerMax()));
-    }
-    return box;
-}
-
 /// Extends the box by the peaks of a curve's coordinates: the surroundings of samples that are higher than their
 /// neighbours are searched where they may exceed the box.
 class CurveReach {

@@ -49,12 +49,7 @@ bool finite(const Query& query) {
 Box box_of(const TopoDS_Shape& shape) {
     Bnd_Box bounds;
     BRepBndLib::Add(shape, bounds, Standard_False);
-    Box box;
-    if (!bounds.IsVoid()) {
-        box.add(to_vec(bounds.CornerMin()));
-        box.add(to_vec(bounds.CornerMax()));
-    }
-    return box;
+    return to_box(bounds);
 }
 
 /// The evaluators of a shape's entities, each made when it is first asked for. Several objects may answer for one shape
@@ -125,7 +120,11 @@ ShapeModel::ShapeModel(const TopoDS_Shape& given, Creases creases, const Virtual
                        const Progress* progress)
     : definitions_(given), evaluation_(evaluation), first_(live_, topology_, evaluation) {
     place_ = definitions_.place();
-    const TopoDS_Shape shape = with_plane_curves(given, progress);
+    TopoDS_Shape shape;
+    {
+        const OpenCascadeWait wait(progress, "reading the shape");
+        shape = with_plane_curves(given, progress);
+    }
     std::vector<std::string> failures;
     read_topology(shape, creases, join, failures, progress);
     if (evaluation == Evaluation::Fast) {

@@ -23,7 +23,7 @@
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/checks/linear_time_checks.h"
-#include "geometry/occt/checks/sound_face.h"
+#include "geometry/occt/checks/valid_face.h"
 #include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/evaluation/inside_out.h"
 #include "geometry/occt/topology/shape_map.h"
@@ -159,7 +159,7 @@ class FaultList {
             add(check_large_face(face, progress_));
             return;
         }
-        if (is_known_to_be_sound(face)) {
+        if (is_known_to_be_valid(face)) {
             return;
         }
         const BRepCheck_Analyzer analyzer(face);
@@ -172,11 +172,15 @@ class FaultList {
         }
     }
 
-    /// A face at several places is looked at once, where it was defined.
-    bool is_known_to_be_sound(const TopoDS_Face& face) {
-        const auto [known, first] = sound_.emplace(face.TShape().get(), false);
+    /// A face at several places is looked at once, where it was defined. Where the proof fails, nothing is known.
+    bool is_known_to_be_valid(const TopoDS_Face& face) {
+        const auto [known, first] = valid_.emplace(face.TShape().get(), false);
         if (first) {
-            known->second = is_sound(TopoDS::Face(face.Located(TopLoc_Location())));
+            try {
+                known->second = is_proved_valid(TopoDS::Face(face.Located(TopLoc_Location())));
+            } catch (const Standard_Failure&) {
+                known->second = false;
+            }
         }
         return known->second && is_rigid(face.Location().Transformation());
     }
@@ -237,7 +241,7 @@ class FaultList {
     const TopoDS_Shape& shape_;
     const Progress* progress_;
     std::map<TopAbs_ShapeEnum, TopTools_IndexedMapOfShape> numbered_;
-    std::unordered_map<const void*, bool> sound_;  // by definition of a face
+    std::unordered_map<const void*, bool> valid_;  // by definition of a face
     std::set<std::string> seen_;
     std::vector<std::string> faults_;
 };
@@ -246,7 +250,7 @@ class FaultList {
 /// places is looked at once. Where nothing else is wrong a ray from one face may do.
 void add_inverted_solids(const ShapeMap& live, const Topology& topology, std::vector<std::string>& faults,
                          const Progress* progress) {
-    const bool sound = faults.empty();
+    const bool valid = faults.empty();
     std::map<std::pair<const void*, TopAbs_Orientation>, bool> known;
     for (std::size_t i = 0; i < live.volumes.size(); ++i) {
         check_cancelled(progress);
@@ -258,7 +262,7 @@ void add_inverted_solids(const ShapeMap& live, const Topology& topology, std::ve
         const TopoDS_Shape solid = live.volumes[i].Located(TopLoc_Location());
         const auto [entry, first] = known.emplace(std::pair(solid.TShape().get(), solid.Orientation()), false);
         if (first) {
-            entry->second = !(sound && looks_outward(solid)) && is_inside_out(solid);
+            entry->second = !(valid && looks_outward(solid)) && is_inside_out(solid);
         }
         if (entry->second) {
             faults.push_back(name + ": is turned inside out");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Bnd_Box.hxx>
 #include <algorithm>
 #include <cmath>
 #include <gp_Pnt.hxx>
@@ -25,6 +26,15 @@ inline Vec3 to_vec(const gp_Dir& d) {
 }
 inline gp_Pnt to_pnt(const Vec3& p) {
     return gp_Pnt(p.x(), p.y(), p.z());
+}
+
+inline Box to_box(const Bnd_Box& bounds) {
+    Box box;
+    if (!bounds.IsVoid()) {
+        box.add(to_vec(bounds.CornerMin()));
+        box.add(to_vec(bounds.CornerMax()));
+    }
+    return box;
 }
 
 /// A bound of the height of a function's peak over the highest of its samples, from three samples in a row. Four times

@@ -8,6 +8,7 @@
 #include <Bnd_Box.hxx>
 #include <IntCurvesFace_Intersector.hxx>
 #include <Precision.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
@@ -39,9 +40,7 @@ std::vector<BoxedFace> boxed_faces(const TopoDS_Shape& solid) {
             (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED)) {
             return {};
         }
-        result.push_back({face, Box(), BRepAdaptor_Surface(face, Standard_False).GetType() == GeomAbs_Plane});
-        result.back().box.add(to_vec(bounds.CornerMin()));
-        result.back().box.add(to_vec(bounds.CornerMax()));
+        result.push_back({face, to_box(bounds), BRepAdaptor_Surface(face, Standard_False).GetType() == GeomAbs_Plane});
     }
     return result;
 }
@@ -95,16 +94,13 @@ bool sees_nothing(const BoxedFace& start, const std::vector<BoxedFace>& faces, d
     });
 }
 
-}  // namespace
-
-bool looks_outward(const TopoDS_Shape& solid) {
+bool any_sees_nothing(const TopoDS_Shape& solid) {
     // Faces from which a ray is tried.
     constexpr std::size_t kTries = 3;
-    std::vector<BoxedFace> faces = boxed_faces(solid);
+    const std::vector<BoxedFace> faces = boxed_faces(solid);
     Box box;
     for (const BoxedFace& face : faces) {
-        box.add(face.box.low);
-        box.add(face.box.high);
+        box.add(face.box);
     }
     // Planes are tried before others, and those that lie in a thin layer at a side of the box: nothing is before them.
     const auto depth = [&](const BoxedFace& face) {
@@ -117,6 +113,16 @@ bool looks_outward(const TopoDS_Shape& solid) {
         [&](const BoxedFace& a, const BoxedFace& b) { return a.plane != b.plane ? a.plane : depth(a) < depth(b); });
     return std::any_of(first.begin(), first.end(),
                        [&](const BoxedFace& face) { return sees_nothing(face, faces, (box.high - box.low).norm()); });
+}
+
+}  // namespace
+
+bool looks_outward(const TopoDS_Shape& solid) {
+    try {
+        return any_sees_nothing(solid);
+    } catch (const Standard_Failure&) {
+        return false;
+    }
 }
 
 bool is_inside_out(const TopoDS_Shape& solid) {

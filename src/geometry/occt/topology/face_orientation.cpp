@@ -16,7 +16,6 @@
 
 #include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/evaluation/edge_evaluator.h"
-#include "geometry/occt/evaluation/inside_out.h"
 
 namespace mq::geometry {
 
@@ -129,10 +128,7 @@ class FaceOrientation {
             BRepBndLib::Add(live_.faces[static_cast<std::size_t>(f)], set.box);
         }
         if (set.closed) {
-            const TopoDS_Solid solid = solid_of(set, false);
-            const bool outward = looks_outward(solid);
-            const bool inward = looks_outward(solid.Reversed());
-            set.outward = outward != inward ? outward : volume(set) > 0.0;
+            set.outward = volume(set) > 0.0;
         }
     }
 

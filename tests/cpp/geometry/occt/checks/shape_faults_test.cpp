@@ -3,9 +3,12 @@
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
+#include <Standard_NumericError.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -113,6 +116,50 @@ TEST(ShapeFaults, OpenShellsOfSolidsAreNamed) {
         const std::vector<std::string> faults = faults_of(solid);
         EXPECT_EQ(count(faults, "Shell1", "not closed"), 1) << edges;
     }
+}
+
+/// A line that cannot be evaluated at one of the calls.
+class FailsOnce : public Geom2d_Line {
+  public:
+    using Geom2d_Line::Geom2d_Line;
+    void fail_at(int call) { left_ = call; }
+    void D0(Standard_Real t, gp_Pnt2d& p) const override {
+        if (left_ > 0 && --left_ == 0) {
+            left_ = -1;
+            throw Standard_NumericError("no point");
+        }
+        Geom2d_Line::D0(t, p);
+    }
+    bool has_failed() const { return left_ < 0; }
+
+  private:
+    mutable int left_ = 0;
+};
+
+TEST(ShapeFaults, AProofThatFailsIsNoFault) {
+    int failed = 0;
+    for (int call = 1; call < 40; ++call) {
+        const TopoDS_Face face = TopoDS::Face(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).TopFace());
+        const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(face, TopAbs_EDGE).Current());
+        double first = 0.0;
+        double last = 0.0;
+        const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+        gp_Pnt2d start;
+        gp_Vec2d along;
+        curve->D1(0.0, start, along);
+        const Handle(FailsOnce) line = new FailsOnce(start, gp_Dir2d(along));
+        BRep_Builder().UpdateEdge(edge, line, face, 1e-7);
+        line->fail_at(call);
+        std::vector<std::string> faults;
+        try {
+            faults = faults_of(face);
+        } catch (const GeometryError&) {
+            continue;  // failed while the shape was read
+        }
+        EXPECT_EQ(count(faults, "Face1: OpenCASCADE's check ended", ""), 0) << call;
+        failed += line->has_failed() && faults.empty() ? 1 : 0;
+    }
+    EXPECT_GT(failed, 0);
 }
 
 TEST(ShapeFaults, CancelledChecksEnd) {

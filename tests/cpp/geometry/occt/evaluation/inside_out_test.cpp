@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Geom_BezierSurface.hxx>
+#include <Standard_NumericError.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+
 #include "geometry/parts.h"
 
 namespace mq::geometry {
@@ -38,6 +42,37 @@ TEST(InsideOut, NoRayContradictsOpenCascade) {
             EXPECT_FALSE(looks_outward(solids.Current().Reversed()) && !is_inside_out(solids.Current())) << name;
         }
     }
+}
+
+/// A surface that cannot be evaluated.
+class Failing : public Geom_BezierSurface {
+  public:
+    Failing() : Geom_BezierSurface(corners()) {}
+    void D0(Standard_Real, Standard_Real, gp_Pnt&) const override { throw Standard_NumericError("no point"); }
+    void D1(Standard_Real, Standard_Real, gp_Pnt&, gp_Vec&, gp_Vec&) const override {
+        throw Standard_NumericError("no derivatives");
+    }
+
+  private:
+    static TColgp_Array2OfPnt corners() {
+        TColgp_Array2OfPnt points(1, 2, 1, 2);
+        points(1, 1) = gp_Pnt(0.0, 0.0, 0.0);
+        points(1, 2) = gp_Pnt(0.0, 1.0, 0.0);
+        points(2, 1) = gp_Pnt(1.0, 0.0, 0.0);
+        points(2, 2) = gp_Pnt(1.0, 1.0, 1.0);
+        return points;
+    }
+};
+
+TEST(InsideOut, AFaceOnWhichOpenCascadeFailsShowsNothing) {
+    const BRep_Builder builder;
+    const TopoDS_Face face =
+        BRepBuilderAPI_MakeFace(Handle(Geom_Surface)(new Geom_BezierSurface(Failing())), 1e-7).Face();
+    builder.UpdateFace(face, new Failing(), TopLoc_Location(), 1e-7);
+    TopoDS_Shell shell;
+    builder.MakeShell(shell);
+    builder.Add(shell, face);
+    EXPECT_FALSE(looks_outward(shell));
 }
 
 TEST(InsideOut, EveryPlaceOfAnInvertedSolidIsNamed) {

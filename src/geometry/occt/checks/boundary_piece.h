@@ -9,13 +9,17 @@
 
 namespace mq::geometry {
 
-/// A piece of a border in (u, v) that turns little: a line, an arc of a circle or an ellipse, or a polynomial. Its
+inline double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// A piece of a boundary in (u, v) that turns little: a line, an arc of a circle or an ellipse, or a polynomial. Its
 /// points lie in the hull of its control points, and its directions in the cone of their differences.
-class BorderPiece {
+class BoundaryPiece {
   public:
     /// The pieces of a curve from `first` to `last`, or back; none for other kinds of curves, for periodic splines, and
     /// where a curve has no direction.
-    static std::vector<BorderPiece> of(const Handle(Geom2d_Curve) & curve, double first, double last, bool forward);
+    static std::vector<BoundaryPiece> of(const Handle(Geom2d_Curve) & curve, double first, double last, bool forward);
 
     const Vec2& start() const { return controls_.front(); }
     const Vec2& end() const { return controls_.back(); }
@@ -31,7 +35,7 @@ class BorderPiece {
     /// Whether no point of the piece lies behind an earlier one, seen in this direction.
     bool ascends(const Vec2& direction) const;
     /// Whether a proof says that two pieces are farther apart than this.
-    bool is_apart_from(const BorderPiece& other, double margin) const;
+    bool is_apart_from(const BoundaryPiece& other, double margin) const;
 
   private:
     using Controls = std::vector<Vec2>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/checks/sound_face.h"
+#include "geometry/occt/checks/valid_face.h"
 
 #include <BRepCheck_Wire.hxx>
 #include <BRep_Tool.hxx>
@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/occt/checks/border_piece.h"
-#include "geometry/occt/checks/sound_use.h"
+#include "geometry/occt/checks/boundary_piece.h"
+#include "geometry/occt/checks/checked_use.h"
 
 namespace mq::geometry {
 
@@ -24,23 +24,19 @@ namespace {
 // Pieces of a wire that are looked at: bounds the time.
 constexpr std::size_t kMostPieces = 4096;
 
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Whether an edge ends where it starts.
-bool is_turn(const SoundUse& use) {
+bool is_turn(const CheckedUse& use) {
     return use.vertices[0].IsSame(use.vertices[1]);
 }
 
 /// A wire of a face as a closed chain of edges.
-class SoundWire {
+class CheckedWire {
   public:
-    SoundWire(const TopoDS_Wire& wire, const CheckedSurface& on) : wire_(wire), on_(on) {}
+    CheckedWire(const TopoDS_Wire& wire, const CheckedSurface& on) : wire_(wire), on_(on) {}
 
     /// Whether the wire is closed and does not meet itself, by a proof, or by a search for crossings where the rest is
     /// proved.
-    bool is_sound() {
+    bool is_proved_valid() {
         return read() && (is_chain() || put_in_order()) && goes_one_way() && set_pieces() &&
                (is_simple() || has_no_crossing());
     }
@@ -49,7 +45,7 @@ class SoundWire {
     /// 1 for a point inside, -1 for one outside, 0 where that is not sure.
     int side_of(const Vec2& point) const;
     const Vec2& start() const { return pieces_.front().start(); }
-    bool is_apart_from(const SoundWire& other) const;
+    bool is_apart_from(const CheckedWire& other) const;
 
   private:
     /// The place where two edges meet.
@@ -60,12 +56,12 @@ class SoundWire {
     };
 
     bool read();
-    bool may_use_twice(const SoundUse& use) const;
+    bool may_use_twice(const CheckedUse& use) const;
     bool is_chain() const;
     bool put_in_order();
     bool goes_one_way() const;
     bool set_pieces();
-    void add_joint(const SoundUse& before, const SoundUse& after);
+    void add_joint(const CheckedUse& before, const CheckedUse& after);
     bool has_small_gaps() const;
     bool is_simple() const;
     bool has_no_crossing() const;
@@ -74,13 +70,13 @@ class SoundWire {
 
     TopoDS_Wire wire_;
     const CheckedSurface& on_;
-    std::vector<SoundUse> uses_;
-    std::vector<BorderPiece> pieces_;
+    std::vector<CheckedUse> uses_;
+    std::vector<BoundaryPiece> pieces_;
     std::vector<Joint> joints_;
     double margin_ = 0.0;  ///< distance in (u, v) that counts as apart
 };
 
-bool SoundWire::read() {
+bool CheckedWire::read() {
     if (wire_.Orientation() != TopAbs_FORWARD && wire_.Orientation() != TopAbs_REVERSED) {
         return false;
     }
@@ -96,13 +92,13 @@ bool SoundWire::read() {
         std::reverse(uses_.begin(), uses_.end());
     }
     return !uses_.empty() &&
-           std::all_of(uses_.begin(), uses_.end(), [&](const SoundUse& use) { return may_use_twice(use); });
+           std::all_of(uses_.begin(), uses_.end(), [&](const CheckedUse& use) { return may_use_twice(use); });
 }
 
 /// Whether an edge is met in both directions on a seam, and once elsewhere, and no other one turns at its vertex.
-bool SoundWire::may_use_twice(const SoundUse& use) const {
+bool CheckedWire::may_use_twice(const CheckedUse& use) const {
     int against = 0;
-    for (const SoundUse& other : uses_) {
+    for (const CheckedUse& other : uses_) {
         if (&other == &use) {
             continue;
         }
@@ -119,7 +115,7 @@ bool SoundWire::may_use_twice(const SoundUse& use) const {
 }
 
 /// Whether each edge starts where the one before it ends, in the order of the wire.
-bool SoundWire::is_chain() const {
+bool CheckedWire::is_chain() const {
     for (std::size_t i = 0; i < uses_.size(); ++i) {
         if (!uses_[i].vertices[1].IsSame(uses_[(i + 1) % uses_.size()].vertices[0])) {
             return false;
@@ -129,13 +125,13 @@ bool SoundWire::is_chain() const {
 }
 
 /// Puts the edges in order by vertices, and by places in (u, v) where several edges start at one.
-bool SoundWire::put_in_order() {
+bool CheckedWire::put_in_order() {
     for (auto use = uses_.begin(); use + 1 < uses_.end(); ++use) {
-        const auto distance = [&](const SoundUse& other) {
+        const auto distance = [&](const CheckedUse& other) {
             return other.vertices[0].IsSame(use->vertices[1]) ? other.uv[0].Distance(use->uv[1])
                                                               : std::numeric_limits<double>::infinity();
         };
-        std::iter_swap(use + 1, std::min_element(use + 1, uses_.end(), [&](const SoundUse& a, const SoundUse& b) {
+        std::iter_swap(use + 1, std::min_element(use + 1, uses_.end(), [&](const CheckedUse& a, const CheckedUse& b) {
                            return distance(a) < distance(b);
                        }));
     }
@@ -143,27 +139,27 @@ bool SoundWire::put_in_order() {
 }
 
 /// Whether OpenCASCADE, which follows a wire by vertices and by places in (u, v), can only follow it in this order.
-bool SoundWire::goes_one_way() const {
+bool CheckedWire::goes_one_way() const {
     // Distance of ends in (u, v) that are one place, as a fraction of what OpenCASCADE allows.
     constexpr double kSmall = 0.5;
     double largest = 0.0;
-    for (const SoundUse& use : uses_) {
+    for (const CheckedUse& use : uses_) {
         largest = std::max(largest, BRep_Tool::Tolerance(use.vertices[0]));
     }
     for (std::size_t i = 0; i < uses_.size(); ++i) {
-        const SoundUse& use = uses_[i];
-        const SoundUse& next = uses_[(i + 1) % uses_.size()];
+        const CheckedUse& use = uses_[i];
+        const CheckedUse& next = uses_[(i + 1) % uses_.size()];
         const double tolerance = BRep_Tool::Tolerance(use.vertices[1]);
         const double du = std::abs(use.uv[1].X() - next.uv[0].X());
         const double dv = std::abs(use.uv[1].Y() - next.uv[0].Y());
-        const auto starts_here = [&](const SoundUse& other) { return other.vertices[0].IsSame(use.vertices[1]); };
+        const auto starts_here = [&](const CheckedUse& other) { return other.vertices[0].IsSame(use.vertices[1]); };
         const bool choice = std::count_if(uses_.begin(), uses_.end(), starts_here) > 1;
         if (!on_.is_one_place(use.uv[1], next.uv[0], tolerance) ||
             (choice &&
              (du > kSmall * on_.adaptor.UResolution(tolerance) || dv > kSmall * on_.adaptor.VResolution(tolerance)))) {
             return false;
         }
-        for (const SoundUse& other : uses_) {
+        for (const CheckedUse& other : uses_) {
             if (choice && &other != &next && starts_here(other) && !other.edge.IsSame(use.edge) &&
                 on_.is_one_place(other.uv[0], use.uv[1], largest / kSmall)) {
                 return false;
@@ -173,14 +169,14 @@ bool SoundWire::goes_one_way() const {
     return true;
 }
 
-bool SoundWire::set_pieces() {
+bool CheckedWire::set_pieces() {
     // Margin as a fraction of the size of the wire in (u, v).
     constexpr double kMargin = 1e-7;
     for (std::size_t i = 0; i < uses_.size(); ++i) {
-        const SoundUse& use = uses_[i];
+        const CheckedUse& use = uses_[i];
         add_joint(uses_[(i + uses_.size() - 1) % uses_.size()], use);
-        const std::vector<BorderPiece> some =
-            BorderPiece::of(use.curve, use.first, use.last, use.edge.Orientation() == TopAbs_FORWARD);
+        const std::vector<BoundaryPiece> some =
+            BoundaryPiece::of(use.curve, use.first, use.last, use.edge.Orientation() == TopAbs_FORWARD);
         if (some.empty() || pieces_.size() + some.size() > kMostPieces) {
             return false;
         }
@@ -188,7 +184,7 @@ bool SoundWire::set_pieces() {
     }
     Vec2 low = pieces_.front().low();
     Vec2 high = pieces_.front().high();
-    for (const BorderPiece& piece : pieces_) {
+    for (const BoundaryPiece& piece : pieces_) {
         low = low.cwiseMin(piece.low());
         high = high.cwiseMax(piece.high());
     }
@@ -197,17 +193,17 @@ bool SoundWire::set_pieces() {
 }
 
 /// Whether edges with a gap between them, which a tolerance may allow, still run around the same area.
-bool SoundWire::has_small_gaps() const {
+bool CheckedWire::has_small_gaps() const {
     constexpr double kSmall = 1e-3;  // Fraction of the size of the pieces at the gap.
     return std::all_of(joints_.begin(), joints_.end(), [&](const Joint& joint) {
-        const BorderPiece& after = pieces_[joint.piece];
-        const BorderPiece& before = pieces_[(joint.piece + pieces_.size() - 1) % pieces_.size()];
+        const BoundaryPiece& after = pieces_[joint.piece];
+        const BoundaryPiece& before = pieces_[(joint.piece + pieces_.size() - 1) % pieces_.size()];
         return joint.gap <=
                kSmall * std::min((after.high() - after.low()).norm(), (before.high() - before.low()).norm());
     });
 }
 
-void SoundWire::add_joint(const SoundUse& before, const SoundUse& after) {
+void CheckedWire::add_joint(const CheckedUse& before, const CheckedUse& after) {
     constexpr double kNear = 1.1;  // As in BRepCheck_Wire.cxx: tolerances of a vertex within which edges may cross.
     gp_Pnt point;
     gp_Vec su;
@@ -220,7 +216,7 @@ void SoundWire::add_joint(const SoundUse& before, const SoundUse& after) {
 }
 
 /// Whether neighbours only meet where one goes over into the other, and all others are apart.
-bool SoundWire::is_simple() const {
+bool CheckedWire::is_simple() const {
     const std::size_t n = pieces_.size();
     std::size_t joint = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -234,7 +230,7 @@ bool SoundWire::is_simple() const {
 }
 
 /// Whether pieces that are no neighbours are apart.
-bool SoundWire::others_are_apart() const {
+bool CheckedWire::others_are_apart() const {
     const std::size_t n = pieces_.size();
     std::vector<std::size_t> from_left(n);
     std::iota(from_left.begin(), from_left.end(), std::size_t{0});
@@ -254,10 +250,10 @@ bool SoundWire::others_are_apart() const {
     return true;
 }
 
-/// Whether a line parts a piece from the one after it. With a gap between them they may meet beside it: within this
+/// Whether a line separates a piece from the one after it. With a gap between them they may meet beside it: within this
 /// room.
-bool SoundWire::leaves(std::size_t before, std::size_t after, double gap, double room) const {
-    // Least cosine of the angle between a piece and the direction in which it is left: the border does not turn back.
+bool CheckedWire::leaves(std::size_t before, std::size_t after, double gap, double room) const {
+    // Least cosine of the angle between a piece and the direction in which it is left: the boundary does not turn back.
     constexpr double kLeast = 0.05;
     const Vec2 direction = pieces_[before].end_direction() + pieces_[after].start_direction();
     const double cosine = 0.5 * direction.norm();
@@ -265,25 +261,25 @@ bool SoundWire::leaves(std::size_t before, std::size_t after, double gap, double
            pieces_[after].ascends(direction);
 }
 
-bool SoundWire::has_no_crossing() const {
+bool CheckedWire::has_no_crossing() const {
     TopoDS_Edge one;
     TopoDS_Edge other;
     return BRepCheck_Wire(wire_).SelfIntersect(on_.face, one, other) == BRepCheck_NoError;
 }
 
-std::pair<double, double> SoundWire::area() const {
+std::pair<double, double> CheckedWire::area() const {
     double area = 0.0;
     double beside = 0.0;
     const Vec2& origin = start();
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        const BorderPiece& next = pieces_[(i + 1) % pieces_.size()];
+        const BoundaryPiece& next = pieces_[(i + 1) % pieces_.size()];
         area += 0.5 * cross(pieces_[i].start() - origin, next.start() - origin);
         beside += pieces_[i].area_beside_chord();
     }
     return {area, beside};
 }
 
-int SoundWire::side_of(const Vec2& point) const {
+int CheckedWire::side_of(const Vec2& point) const {
     bool inside = false;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const Vec2& a = pieces_[i].start();
@@ -300,18 +296,18 @@ int SoundWire::side_of(const Vec2& point) const {
     return inside ? 1 : -1;
 }
 
-bool SoundWire::is_apart_from(const SoundWire& other) const {
+bool CheckedWire::is_apart_from(const CheckedWire& other) const {
     const double margin = std::max(margin_, other.margin_);
-    return std::all_of(pieces_.begin(), pieces_.end(), [&](const BorderPiece& own) {
+    return std::all_of(pieces_.begin(), pieces_.end(), [&](const BoundaryPiece& own) {
         return std::all_of(other.pieces_.begin(), other.pieces_.end(),
-                           [&](const BorderPiece& others) { return own.is_apart_from(others, margin); });
+                           [&](const BoundaryPiece& others) { return own.is_apart_from(others, margin); });
     });
 }
 
 /// Whether one wire has the others in it, which are holes beside each other.
-bool are_nested(const std::vector<SoundWire>& wires) {
-    const SoundWire* outer = nullptr;
-    for (const SoundWire& wire : wires) {
+bool are_nested(const std::vector<CheckedWire>& wires) {
+    const CheckedWire* outer = nullptr;
+    for (const CheckedWire& wire : wires) {
         const auto [area, error] = wire.area();
         if (!(std::abs(area) > error) || (area > 0.0 && outer != nullptr)) {
             return false;
@@ -321,8 +317,8 @@ bool are_nested(const std::vector<SoundWire>& wires) {
     if (outer == nullptr) {
         return false;
     }
-    for (const SoundWire& hole : wires) {
-        for (const SoundWire& other : wires) {
+    for (const CheckedWire& hole : wires) {
+        for (const CheckedWire& other : wires) {
             if (&hole != outer && &hole != &other &&
                 (!hole.is_apart_from(other) || other.side_of(hole.start()) != (&other == outer ? 1 : -1))) {
                 return false;
@@ -334,19 +330,19 @@ bool are_nested(const std::vector<SoundWire>& wires) {
 
 }  // namespace
 
-bool is_sound(const TopoDS_Face& face) {
+bool is_proved_valid(const TopoDS_Face& face) {
     const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
     const CheckedSurface surface(forward);
     if (surface.surface.IsNull() || face.Infinite()) {
         return false;
     }
-    std::vector<SoundWire> wires;
+    std::vector<CheckedWire> wires;
     for (TopoDS_Iterator it(forward); it.More(); it.Next()) {
         if (it.Value().ShapeType() != TopAbs_WIRE) {
             return false;
         }
         wires.emplace_back(TopoDS::Wire(it.Value()), surface);
-        if (!wires.back().is_sound()) {
+        if (!wires.back().is_proved_valid()) {
             return false;
         }
     }

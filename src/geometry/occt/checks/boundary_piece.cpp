@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/checks/border_piece.h"
+#include "geometry/occt/checks/boundary_piece.h"
 
 #include <Geom2d_Circle.hxx>
 #include <Geom2d_Ellipse.hxx>
@@ -19,10 +19,6 @@ using Controls = std::vector<Vec2>;
 
 Vec2 to_vec(const gp_Pnt2d& p) {
     return Vec2(p.X(), p.Y());
-}
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
 }
 
 /// Points times their weights, and the weights.
@@ -101,7 +97,8 @@ std::pair<double, double> range_along(const Controls& points, const Vec2& axis) 
 
 }  // namespace
 
-std::vector<BorderPiece> BorderPiece::of(const Handle(Geom2d_Curve) & curve, double first, double last, bool forward) {
+std::vector<BoundaryPiece> BoundaryPiece::of(const Handle(Geom2d_Curve) & curve, double first, double last,
+                                             bool forward) {
     Handle(Geom2d_Curve) basis = curve;
     while (basis->DynamicType() == STANDARD_TYPE(Geom2d_TrimmedCurve)) {
         basis = Handle(Geom2d_TrimmedCurve)::DownCast(basis)->BasisCurve();
@@ -115,7 +112,7 @@ std::vector<BorderPiece> BorderPiece::of(const Handle(Geom2d_Curve) & curve, dou
     } else if (basis->DynamicType() == STANDARD_TYPE(Geom2d_BSplineCurve)) {
         found = of_spline(*Handle(Geom2d_BSplineCurve)::DownCast(basis), first, last);
     }
-    std::vector<BorderPiece> pieces(found.size());
+    std::vector<BoundaryPiece> pieces(found.size());
     for (std::size_t k = 0; k < found.size(); ++k) {
         if (!forward) {
             std::reverse(found[k].begin(), found[k].end());
@@ -128,7 +125,7 @@ std::vector<BorderPiece> BorderPiece::of(const Handle(Geom2d_Curve) & curve, dou
 }
 
 /// Arcs of at most 30 degrees: the tangents at the ends of each meet in its second control point.
-std::vector<BorderPiece::Controls> BorderPiece::of_conic(const Geom2d_Curve& conic, double first, double last) {
+std::vector<BoundaryPiece::Controls> BoundaryPiece::of_conic(const Geom2d_Curve& conic, double first, double last) {
     constexpr double kMost = M_PI / 6.0;
     const int count = std::max(1, static_cast<int>(std::ceil((last - first) / kMost - 1e-9)));
     std::vector<Controls> arcs;
@@ -144,8 +141,8 @@ std::vector<BorderPiece::Controls> BorderPiece::of_conic(const Geom2d_Curve& con
     return arcs;
 }
 
-std::vector<BorderPiece::Controls> BorderPiece::of_spline(const Geom2d_BSplineCurve& spline, double first,
-                                                          double last) {
+std::vector<BoundaryPiece::Controls> BoundaryPiece::of_spline(const Geom2d_BSplineCurve& spline, double first,
+                                                              double last) {
     // Halvings of a polynomial at most.
     constexpr int kHalvings = 5;
     const int degree = spline.Degree();
@@ -181,7 +178,7 @@ std::vector<BorderPiece::Controls> BorderPiece::of_spline(const Geom2d_BSplineCu
 }
 
 /// False where the piece has no direction at an end.
-bool BorderPiece::set(Controls controls) {
+bool BoundaryPiece::set(Controls controls) {
     controls_ = std::move(controls);
     const std::size_t n = controls_.size();
     low_ = high_ = controls_.front();
@@ -200,7 +197,7 @@ bool BorderPiece::set(Controls controls) {
     return true;
 }
 
-double BorderPiece::height() const {
+double BoundaryPiece::height() const {
     const Vec2 chord = (end() - start()).normalized();
     double most = 0.0;
     for (const Vec2& p : controls_) {
@@ -209,11 +206,11 @@ double BorderPiece::height() const {
     return most;
 }
 
-double BorderPiece::area_beside_chord() const {
+double BoundaryPiece::area_beside_chord() const {
     return height() * (end() - start()).norm();
 }
 
-bool BorderPiece::ascends(const Vec2& direction) const {
+bool BoundaryPiece::ascends(const Vec2& direction) const {
     // Rounding of a difference, as a fraction of its length.
     constexpr double kRounding = 1e-12;
     for (std::size_t k = 1; k < controls_.size(); ++k) {
@@ -225,7 +222,7 @@ bool BorderPiece::ascends(const Vec2& direction) const {
     return true;
 }
 
-bool BorderPiece::is_apart_from(const BorderPiece& other, double margin) const {
+bool BoundaryPiece::is_apart_from(const BoundaryPiece& other, double margin) const {
     if (((low_ - other.high_).array() > margin).any() || ((other.low_ - high_).array() > margin).any()) {
         return true;
     }

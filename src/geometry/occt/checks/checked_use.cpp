@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/checks/sound_use.h"
+#include "geometry/occt/checks/checked_use.h"
 
 #include <BRepCheck_Edge.hxx>
 #include <BRep_CurveRepresentation.hxx>
@@ -75,13 +75,13 @@ bool CheckedSurface::is_one_place(const gp_Pnt2d& a, const gp_Pnt2d& b, double t
     return std::max(du, dv) < 2.0 * most;
 }
 
-bool SoundUse::read(const TopoDS_Edge& shape, const CheckedSurface& on) {
+bool CheckedUse::read(const TopoDS_Edge& shape, const CheckedSurface& on) {
     edge = shape;
     return read_curves(on) && has_range() && read_ends(on) && (in_space_.IsNull() || lies_on(on));
 }
 
 /// Sets the curves, where there is one of each kind.
-bool SoundUse::read_curves(const CheckedSurface& on) {
+bool CheckedUse::read_curves(const CheckedSurface& on) {
     const BRep_TEdge& data = definition(edge);
     if (!data.SameParameter() || !data.SameRange()) {
         return false;
@@ -111,13 +111,13 @@ bool SoundUse::read_curves(const CheckedSurface& on) {
            (!polygons || BRepCheck_Edge(edge).CheckPolygonOnTriangulation(edge) == BRepCheck_NoError);
 }
 
-bool SoundUse::has_range() const {
+bool CheckedUse::has_range() const {
     return first < last && holds_range(*untrimmed(curve), first, last) &&
            (in_space_.IsNull() || holds_range(*untrimmed(in_space_), first, last));
 }
 
 /// Sets the ends, where there are two vertices whose tolerances hold them.
-bool SoundUse::read_ends(const CheckedSurface& on) {
+bool CheckedUse::read_ends(const CheckedSurface& on) {
     if (edge.NbChildren() != 2) {
         return false;
     }
@@ -144,7 +144,7 @@ bool SoundUse::read_ends(const CheckedSurface& on) {
 }
 
 /// Whether both curves are within the edge's tolerance of each other, at the points where OpenCASCADE looks.
-bool SoundUse::lies_on(const CheckedSurface& on) const {
+bool CheckedUse::lies_on(const CheckedSurface& on) const {
     constexpr int kIntervals = 22;  // BRepLib_ValidateEdge::myControlPointsNumber
     const double most = BRep_Tool::Tolerance(edge) * BRep_Tool::Tolerance(edge);
     const GeomAdaptor_Curve in_space(in_space_, first, last);

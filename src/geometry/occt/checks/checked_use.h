@@ -29,7 +29,7 @@ struct CheckedSurface {
 };
 
 /// A use of an edge on a face that OpenCASCADE's checks of edges and vertices find nothing against.
-class SoundUse {
+class CheckedUse {
   public:
     /// @return whether a proof says so: with one curve in space and one on the surface, of the same range, which lie
     /// within the tolerances of each other and of the vertices

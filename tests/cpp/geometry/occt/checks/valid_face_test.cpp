@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/checks/sound_face.h"
+#include "geometry/occt/checks/valid_face.h"
 
 #include <gtest/gtest.h>
 
@@ -29,13 +29,13 @@ std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
     return result;
 }
 
-/// The sound ones, after a test that OpenCASCADE finds nothing against any of them.
-int count_sound(const std::vector<TopoDS_Face>& faces) {
+/// Those proved valid, after a test that OpenCASCADE finds nothing against any of them.
+int count_proved(const std::vector<TopoDS_Face>& faces) {
     int count = 0;
     for (const TopoDS_Face& face : faces) {
-        const bool sound = is_sound(face);
-        EXPECT_TRUE(!sound || BRepCheck_Analyzer(face).IsValid());
-        count += sound ? 1 : 0;
+        const bool proved = is_proved_valid(face);
+        EXPECT_TRUE(!proved || BRepCheck_Analyzer(face).IsValid());
+        count += proved ? 1 : 0;
     }
     return count;
 }
@@ -70,36 +70,36 @@ std::vector<gp_Pnt> square(double x, double y, double side, bool hole) {
     return points;
 }
 
-TEST(SoundFace, ProvesFacesOfSolids) {
+TEST(ValidFace, ProvesFacesOfSolids) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape();
-    EXPECT_EQ(count_sound(faces_of(box)), 6);
-    EXPECT_EQ(count_sound(faces_of(BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape())), 3);
-    EXPECT_EQ(count_sound(faces_of(BRepPrimAPI_MakeSphere(2.0).Shape())), 1);
-    count_sound(faces_of(BRepPrimAPI_MakeTorus(5.0, 1.0).Shape()));
-    EXPECT_EQ(count_sound(faces_of(holed_plate())), static_cast<int>(faces_of(holed_plate()).size()));
-    EXPECT_GT(count_sound(faces_of(as_splines(holed_plate()))), 3);
+    EXPECT_EQ(count_proved(faces_of(box)), 6);
+    EXPECT_EQ(count_proved(faces_of(BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape())), 3);
+    EXPECT_EQ(count_proved(faces_of(BRepPrimAPI_MakeSphere(2.0).Shape())), 1);
+    count_proved(faces_of(BRepPrimAPI_MakeTorus(5.0, 1.0).Shape()));
+    EXPECT_EQ(count_proved(faces_of(holed_plate())), static_cast<int>(faces_of(holed_plate()).size()));
+    EXPECT_GT(count_proved(faces_of(as_splines(holed_plate()))), 3);
     const std::vector<TopoDS_Face> filleted = faces_of(stored("filleted_box"));
-    EXPECT_GT(2 * count_sound(filleted), static_cast<int>(filleted.size()));
+    EXPECT_GT(2 * count_proved(filleted), static_cast<int>(filleted.size()));
     for (const char* name : {"blade", "bored", "doubled_edge", "fused"}) {
-        count_sound(faces_of(stored(name)));
+        count_proved(faces_of(stored(name)));
     }
 }
 
-TEST(SoundFace, HolesLieBesideEachOtherInside) {
+TEST(ValidFace, HolesLieBesideEachOtherInside) {
     const std::vector<gp_Pnt> outer = square(0.0, 0.0, 10.0, false);
-    EXPECT_TRUE(is_sound(polygons({outer, square(1.0, 1.0, 2.0, true), square(5.0, 5.0, 3.0, true)})));
-    EXPECT_FALSE(is_sound(polygons({outer, square(1.0, 1.0, 2.0, false)})));  // turned
-    EXPECT_FALSE(is_sound(polygons({outer, square(9.0, 1.0, 2.0, true)})));   // across the border
-    EXPECT_FALSE(is_sound(polygons({outer, square(20.0, 1.0, 2.0, true)})));  // outside
-    EXPECT_FALSE(is_sound(polygons({outer, square(1.0, 1.0, 6.0, true), square(2.0, 2.0, 1.0, true)})));
-    EXPECT_FALSE(is_sound(polygons({square(0.0, 0.0, 10.0, true)})));          // all but a square
-    EXPECT_FALSE(is_sound(polygons({outer, square(20.0, 0.0, 5.0, false)})));  // two faces
+    EXPECT_TRUE(is_proved_valid(polygons({outer, square(1.0, 1.0, 2.0, true), square(5.0, 5.0, 3.0, true)})));
+    EXPECT_FALSE(is_proved_valid(polygons({outer, square(1.0, 1.0, 2.0, false)})));  // turned
+    EXPECT_FALSE(is_proved_valid(polygons({outer, square(9.0, 1.0, 2.0, true)})));   // across the boundary
+    EXPECT_FALSE(is_proved_valid(polygons({outer, square(20.0, 1.0, 2.0, true)})));  // outside
+    EXPECT_FALSE(is_proved_valid(polygons({outer, square(1.0, 1.0, 6.0, true), square(2.0, 2.0, 1.0, true)})));
+    EXPECT_FALSE(is_proved_valid(polygons({square(0.0, 0.0, 10.0, true)})));          // all but a square
+    EXPECT_FALSE(is_proved_valid(polygons({outer, square(20.0, 0.0, 5.0, false)})));  // two faces
 }
 
-TEST(SoundFace, NoPolygonThatOpenCascadeRefusesIsProved) {
+TEST(ValidFace, NoPolygonThatOpenCascadeRefusesIsProved) {
     std::mt19937 random(5);
     std::uniform_int_distribution<int> place(0, 12);
-    int sound = 0;
+    int proofs = 0;
     int faulty = 0;
     for (int round = 0; round < 3000; ++round) {
         std::vector<gp_Pnt> points;
@@ -114,12 +114,12 @@ TEST(SoundFace, NoPolygonThatOpenCascadeRefusesIsProved) {
         }
         const TopoDS_Face face = polygons({points});
         const bool valid = BRepCheck_Analyzer(face).IsValid();
-        const bool proved = is_sound(face);
+        const bool proved = is_proved_valid(face);
         EXPECT_TRUE(valid || !proved) << round;
-        sound += proved ? 1 : 0;
+        proofs += proved ? 1 : 0;
         faulty += valid ? 0 : 1;
     }
-    EXPECT_GT(sound, 500);
+    EXPECT_GT(proofs, 500);
     EXPECT_GT(faulty, 500);
 }
 
@@ -154,7 +154,7 @@ TopoDS_Face damaged(const TopoDS_Face& face, std::mt19937& random) {
     return result;
 }
 
-TEST(SoundFace, NoDamagedFaceThatOpenCascadeRefusesIsProved) {
+TEST(ValidFace, NoDamagedFaceThatOpenCascadeRefusesIsProved) {
     std::mt19937 random(7);
     int faulty = 0;
     for (int round = 0; round < 40; ++round) {
@@ -166,7 +166,7 @@ TEST(SoundFace, NoDamagedFaceThatOpenCascadeRefusesIsProved) {
             for (const TopoDS_Face& face : faces_of(shape)) {
                 const TopoDS_Face bad = damaged(face, random);
                 const bool valid = BRepCheck_Analyzer(bad).IsValid();
-                EXPECT_TRUE(valid || !is_sound(bad));
+                EXPECT_TRUE(valid || !is_proved_valid(bad));
                 faulty += valid ? 0 : 1;
             }
         }
