@@ -21,6 +21,9 @@ Vec2 to_vec(const gp_Pnt2d& p) {
     return Vec2(p.X(), p.Y());
 }
 
+/// Halvings of a polynomial or an arc at most.
+constexpr int kHalvings = 5;
+
 /// Points times their weights, and the weights.
 using Weighted = std::vector<Vec3>;
 
@@ -55,6 +58,9 @@ Weighted bezier(const Weighted& poles, const std::vector<double>& knots, double 
 bool turns_little(const Controls& controls) {
     constexpr double kLeast = 0.95;  // Cosine.
     const Vec2 chord = controls.back() - controls.front();
+    if (!(chord.norm() > 0.0)) {
+        return false;
+    }
     for (std::size_t k = 1; k < controls.size(); ++k) {
         const Vec2 step = controls[k] - controls[k - 1];
         if (!(step.dot(chord) >= kLeast * step.norm() * chord.norm())) {
@@ -83,6 +89,22 @@ void add_halves(const Weighted& whole, int most, std::vector<Controls>& pieces) 
     }
     add_halves(first, most - 1, pieces);
     add_halves(second, most - 1, pieces);
+}
+
+/// Adds an arc of a conic in the same way.
+void add_arcs(const Geom2d_Curve& conic, double from, double to, int most, std::vector<Controls>& arcs) {
+    gp_Pnt2d start;
+    gp_Vec2d along;
+    conic.D1(from, start, along);
+    const double reach = std::tan(0.5 * (to - from));
+    Controls arc{to_vec(start), to_vec(start) + reach * Vec2(along.X(), along.Y()), to_vec(conic.Value(to))};
+    if (most == 0 || turns_little(arc)) {
+        arcs.push_back(std::move(arc));
+        return;
+    }
+    const double middle = 0.5 * (from + to);
+    add_arcs(conic, from, middle, most - 1, arcs);
+    add_arcs(conic, middle, to, most - 1, arcs);
 }
 
 /// The range of points along an axis.
@@ -124,7 +146,8 @@ std::vector<BoundaryPiece> BoundaryPiece::of(const Handle(Geom2d_Curve) & curve,
     return pieces;
 }
 
-/// Arcs of at most 30 degrees: the tangents at the ends of each meet in its second control point.
+/// Arcs of at most 30 degrees, halved until each turns little: the tangents at the ends of each meet in its second
+/// control point.
 std::vector<BoundaryPiece::Controls> BoundaryPiece::of_conic(const Geom2d_Curve& conic, double first, double last) {
     constexpr double kMost = M_PI / 6.0;
     const int count = std::max(1, static_cast<int>(std::ceil((last - first) / kMost - 1e-9)));
@@ -132,19 +155,13 @@ std::vector<BoundaryPiece::Controls> BoundaryPiece::of_conic(const Geom2d_Curve&
     for (int i = 0; i < count; ++i) {
         const double from = first + (last - first) * i / count;
         const double to = i + 1 < count ? first + (last - first) * (i + 1) / count : last;
-        gp_Pnt2d start;
-        gp_Vec2d along;
-        conic.D1(from, start, along);
-        const double reach = std::tan(0.5 * (to - from));
-        arcs.push_back({to_vec(start), to_vec(start) + reach * Vec2(along.X(), along.Y()), to_vec(conic.Value(to))});
+        add_arcs(conic, from, to, kHalvings, arcs);
     }
     return arcs;
 }
 
 std::vector<BoundaryPiece::Controls> BoundaryPiece::of_spline(const Geom2d_BSplineCurve& spline, double first,
                                                               double last) {
-    // Halvings of a polynomial at most.
-    constexpr int kHalvings = 5;
     const int degree = spline.Degree();
     const TColStd_Array1OfReal& knots = spline.KnotSequence();
     // Relative difference of an end from a knot that is rounding.
@@ -177,7 +194,7 @@ std::vector<BoundaryPiece::Controls> BoundaryPiece::of_spline(const Geom2d_BSpli
     return pieces;
 }
 
-/// False where the piece has no direction at an end.
+/// False where the piece has no direction at an end, or turns much.
 bool BoundaryPiece::set(Controls controls) {
     controls_ = std::move(controls);
     const std::size_t n = controls_.size();
@@ -194,7 +211,7 @@ bool BoundaryPiece::set(Controls controls) {
     }
     start_direction_.normalize();
     end_direction_.normalize();
-    return true;
+    return turns_little(controls_);
 }
 
 double BoundaryPiece::height() const {
@@ -204,10 +221,6 @@ double BoundaryPiece::height() const {
         most = std::max(most, std::abs(cross(chord, p - start())));
     }
     return most;
-}
-
-double BoundaryPiece::area_beside_chord() const {
-    return height() * (end() - start()).norm();
 }
 
 bool BoundaryPiece::ascends(const Vec2& direction) const {

@@ -18,7 +18,7 @@ inline double cross(const Vec2& a, const Vec2& b) {
 class BoundaryPiece {
   public:
     /// The pieces of a curve from `first` to `last`, or back; none for other kinds of curves, for periodic splines, and
-    /// where a curve has no direction.
+    /// where a curve has no direction, or turns much however often it is halved.
     static std::vector<BoundaryPiece> of(const Handle(Geom2d_Curve) & curve, double first, double last, bool forward);
 
     const Vec2& start() const { return controls_.front(); }
@@ -28,9 +28,8 @@ class BoundaryPiece {
     const Vec2& end_direction() const { return end_direction_; }
     const Vec2& low() const { return low_; }
     const Vec2& high() const { return high_; }
-    /// The largest distance of its points from its chord at most, and the area between them at most.
+    /// The largest distance of its points from its chord at most; none lies beyond the chord's ends.
     double height() const;
-    double area_beside_chord() const;
 
     /// Whether no point of the piece lies behind an earlier one, seen in this direction.
     bool ascends(const Vec2& direction) const;

@@ -55,12 +55,20 @@ class CheckedWire {
         double gap;         ///< between both curves in (u, v)
     };
 
+    /// A side of the polygon through the ends of all pieces: a chord, or a gap.
+    struct Side {
+        Vec2 from;
+        Vec2 to;
+        double beside;  ///< how far from it the boundary runs at most
+    };
+
     bool read();
     bool may_use_twice(const CheckedUse& use) const;
     bool is_chain() const;
     bool put_in_order();
     bool goes_one_way() const;
     bool set_pieces();
+    void set_sides();
     void add_joint(const CheckedUse& before, const CheckedUse& after);
     bool has_small_gaps() const;
     bool is_simple() const;
@@ -72,6 +80,7 @@ class CheckedWire {
     const CheckedSurface& on_;
     std::vector<CheckedUse> uses_;
     std::vector<BoundaryPiece> pieces_;
+    std::vector<Side> sides_;
     std::vector<Joint> joints_;
     double margin_ = 0.0;  ///< distance in (u, v) that counts as apart
 };
@@ -172,6 +181,8 @@ bool CheckedWire::goes_one_way() const {
 bool CheckedWire::set_pieces() {
     // Margin as a fraction of the size of the wire in (u, v).
     constexpr double kMargin = 1e-7;
+    // Least margin: BRepCheck_Wire.cxx intersects curves in (u, v) with 1e-10 on each.
+    constexpr double kLeast = 2e-10;
     for (std::size_t i = 0; i < uses_.size(); ++i) {
         const CheckedUse& use = uses_[i];
         add_joint(uses_[(i + uses_.size() - 1) % uses_.size()], use);
@@ -188,8 +199,20 @@ bool CheckedWire::set_pieces() {
         low = low.cwiseMin(piece.low());
         high = high.cwiseMax(piece.high());
     }
-    margin_ = kMargin * (high - low).norm();
+    margin_ = std::max(kMargin * (high - low).norm(), kLeast);
+    set_sides();
     return pieces_.size() >= 3 && has_small_gaps();
+}
+
+void CheckedWire::set_sides() {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const BoundaryPiece& piece = pieces_[i];
+        const Vec2& next = pieces_[(i + 1) % pieces_.size()].start();
+        sides_.push_back({piece.start(), piece.end(), piece.height()});
+        if (piece.end() != next) {
+            sides_.push_back({piece.end(), next, (next - piece.end()).norm()});
+        }
+    }
 }
 
 /// Whether edges with a gap between them, which a tolerance may allow, still run around the same area.
@@ -271,21 +294,20 @@ std::pair<double, double> CheckedWire::area() const {
     double area = 0.0;
     double beside = 0.0;
     const Vec2& origin = start();
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        const BoundaryPiece& next = pieces_[(i + 1) % pieces_.size()];
-        area += 0.5 * cross(pieces_[i].start() - origin, next.start() - origin);
-        beside += pieces_[i].area_beside_chord();
+    for (const Side& side : sides_) {
+        area += 0.5 * cross(side.from - origin, side.to - origin);
+        beside += (side.beside + margin_) * (side.to - side.from).norm();
     }
     return {area, beside};
 }
 
 int CheckedWire::side_of(const Vec2& point) const {
     bool inside = false;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        const Vec2& a = pieces_[i].start();
-        const Vec2& b = pieces_[(i + 1) % pieces_.size()].start();
+    for (const Side& side : sides_) {
+        const Vec2& a = side.from;
+        const Vec2& b = side.to;
         const double share = std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-        if (!((a + share * (b - a) - point).norm() > pieces_[i].height() + margin_)) {
+        if (!((a + share * (b - a) - point).norm() > side.beside + margin_)) {
             return 0;
         }
         if ((a.y() > point.y()) != (b.y() > point.y()) &&

@@ -8,6 +8,8 @@
 #include <BRepTools.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -94,6 +96,28 @@ TEST(ValidFace, HolesLieBesideEachOtherInside) {
     EXPECT_FALSE(is_proved_valid(polygons({outer, square(1.0, 1.0, 6.0, true), square(2.0, 2.0, 1.0, true)})));
     EXPECT_FALSE(is_proved_valid(polygons({square(0.0, 0.0, 10.0, true)})));          // all but a square
     EXPECT_FALSE(is_proved_valid(polygons({outer, square(20.0, 0.0, 5.0, false)})));  // two faces
+}
+
+/// A square with a hole at (9, `y`) beside its first edge, which ends this high above the place where the next starts.
+TopoDS_Face with_gap(double gap, double y) {
+    const BRep_Builder builder;
+    const TopoDS_Face face = polygons({square(0.0, 0.0, 10.0, false), square(9.0, y, 0.1 * std::abs(gap), true)});
+    TopExp_Explorer edges(face, TopAbs_EDGE);
+    const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+    const gp_Dir along(10.0, gap, 0.0);
+    builder.UpdateEdge(edge, new Geom_Line(gp_Pnt(), along), 1e-7);
+    builder.UpdateEdge(edge, new Geom2d_Line(gp_Pnt2d(), gp_Dir2d(along.X(), along.Y())), face, 1e-7);
+    for (TopExp_Explorer corners(edge, TopAbs_VERTEX); corners.More(); corners.Next()) {
+        builder.UpdateVertex(TopoDS::Vertex(corners.Current()), 2.0 * std::abs(gap));
+    }
+    return face;
+}
+
+TEST(ValidFace, HolesBesideGapsLieWhereTheEdgesRun) {
+    EXPECT_TRUE(is_proved_valid(with_gap(0.009, 2.0)));
+    EXPECT_TRUE(is_proved_valid(with_gap(-0.009, -0.004)));
+    EXPECT_FALSE(BRepCheck_Analyzer(with_gap(0.009, 0.004)).IsValid());
+    EXPECT_FALSE(is_proved_valid(with_gap(0.009, 0.004)));
 }
 
 TEST(ValidFace, NoPolygonThatOpenCascadeRefusesIsProved) {
