@@ -22,7 +22,7 @@ Vec2 to_vec(const gp_Pnt2d& p) {
 }
 
 /// Halvings of a polynomial or an arc at most.
-constexpr int kHalvings = 5;
+constexpr int kHalvings = 8;
 
 /// Points times their weights, and the weights.
 using Weighted = std::vector<Vec3>;
