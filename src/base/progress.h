@@ -14,6 +14,11 @@ namespace mq {
 /// back. Stages are string literals, so that a reader on another thread never sees a string being changed.
 class Progress {
   public:
+    Progress() = default;
+    /// A piece of the work of another operation, which ends with it; its stages do not show there.
+    explicit Progress(const Progress& whole) : whole_(&whole) {}
+    Progress& operator=(const Progress&) = delete;
+
     /// Worker: starts stage `name` (a string literal), which covers the fractions [from, to] of the whole; where less
     /// is left, as in a second attempt, it covers that.
     void stage(const char* name, double from, double to) {
@@ -38,7 +43,9 @@ class Progress {
     }
 
     void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
-    bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+    bool cancelled() const {
+        return cancelled_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->cancelled());
+    }
     double fraction() const { return fraction_.load(std::memory_order_relaxed); }
     const char* name() const { return name_.load(std::memory_order_acquire); }
 
@@ -48,6 +55,7 @@ class Progress {
     std::atomic<double> to_{1.0};
     std::atomic<double> fraction_{0.0};
     std::atomic<bool> cancelled_{false};
+    const Progress* whole_ = nullptr;
 };
 
 /// Checks for a cancellation where there may be no watcher.

@@ -33,14 +33,35 @@ class StageClock {
   public:
     explicit StageClock(StageTimes& times) : times_(times) {}
 
-    /// Ends the running stage and names it.
-    void end(const char* stage) {
-        const auto now = std::chrono::steady_clock::now();
-        times_.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
-        last_ = now;
+    /// Ends the running stage and names it. A stage that runs again adds to its time.
+    void end(const std::string& stage) { add(stage, since_last()); }
+    /// Ends the running stage, in which stages ran side by side that took these times. Each gets its share.
+    void end_together(const StageTimes& stages) {
+        const double seconds = since_last();
+        double sum = 0.0;
+        for (const auto& [stage, time] : stages) {
+            sum += time;
+        }
+        for (const auto& [stage, time] : stages) {
+            add(stage, sum > 0.0 ? seconds * time / sum : 0.0);
+        }
     }
 
   private:
+    double since_last() {
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+    void add(const std::string& stage, double seconds) {
+        const auto named = [&](const auto& entry) { return entry.first == stage; };
+        const auto found = std::find_if(times_.begin(), times_.end(), named);
+        if (found != times_.end()) {
+            found->second += seconds;
+        } else {
+            times_.emplace_back(stage, seconds);
+        }
+    }
+
     StageTimes& times_;
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };

@@ -22,6 +22,11 @@ class CadSamples {
   public:
     CadSamples(Session& session, const SinglePrecisionGrid& grid) : session_(session), grid_(grid) {}
 
+    /// Takes over the points of other edges and faces of the same model.
+    void take_over(CadSamples& other) {
+        edges_.merge(other.edges_);
+        faces_.merge(other.faces_);
+    }
     /// Computes the points of an edge, or a face, if they are not known.
     void compute_on_edge(int edge) { of_edge(edge); }
     void compute_on_face(int face) {

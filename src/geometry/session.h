@@ -5,8 +5,10 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "base/progress.h"
 #include "base/waits.h"
 #include "geometry/engine.h"
+#include "geometry/engine_door.h"
 #include "geometry/oracle.h"
 
 namespace mq::geometry {
@@ -40,7 +43,7 @@ class Session final : public Oracle {
         if (batch.empty()) {
             return {};  // an empty batch does not wake the engine's thread
         }
-        if (batch.size() <= kChunk) {
+        if (batch.size() <= kChunk && answerer_ == nullptr) {
             return engine_.ask(model_, std::move(batch), progress_);
         }
         Engine::Answers all(batch.size());
@@ -51,7 +54,13 @@ class Session final : public Oracle {
         });
         return all;
     }
-    Answer ask(const Query& query) override { return engine_.ask(model_, query, progress_); }
+    Answer ask(const Query& query) override {
+        if (answerer_ == nullptr) {
+            return engine_.ask(model_, query, progress_);
+        }
+        const EngineDoor::Pass pass(door_);
+        return answerer_->answer(query);
+    }
     /// Calls `work(model)` on the engine's thread. Predicates count for the caller's, whose limit of threads holds.
     /// @throws Cancelled.
     template <typename Work>
@@ -76,6 +85,10 @@ class Session final : public Oracle {
     void repeat(const Step& step) {
         using Clock = std::chrono::steady_clock;
         for (bool more = true; more;) {
+            if (answerer_ != nullptr) {
+                more = step();
+                continue;
+            }
             run([&](Model&) {
                 for (const Clock::time_point end = Clock::now() + kOpenAfter; more && Clock::now() < end;) {
                     more = step();
@@ -91,11 +104,7 @@ class Session final : public Oracle {
     void run_parallel(int count, const Work& work) {
         const int most = std::min(count, thread_count());
         run([&](Model& model) {
-            std::vector<CountingAnswerer> answerers;
-            for (Answerer* more = model.answerer(0); more != nullptr && static_cast<int>(answerers.size()) < most;
-                 more = model.answerer(static_cast<int>(answerers.size()))) {
-                answerers.emplace_back(*more);
-            }
+            std::vector<CountingAnswerer> answerers = answerers_of(model, most);
             const OpenCascadeWait wait(progress_, progress_ != nullptr ? progress_->name() : std::string());
             const ThreadLimit limit(static_cast<int>(answerers.size()));
             parallel_for_on_threads(count,
@@ -104,6 +113,49 @@ class Session final : public Oracle {
                 engine_.count_answered(answerer.count());
             }
         });
+    }
+
+    /// Calls `work(session, k)` for k = 0 .. count - 1, in no particular order, on as many threads as the caller may
+    /// use. A call asks its own session, which answers in the call's thread; only `run` must not be called. The
+    /// engine is open to others every kOpenAfter. Not to be called on the engine's thread.
+    /// @throws as parallel_for
+    template <typename Work>
+    void run_apart(int count, const Work& work) {
+        std::vector<CountingAnswerer> answerers;
+        run([&](Model& model) { answerers = answerers_of(model, std::min(count, thread_count())); });
+        EngineDoor door;
+        std::exception_ptr failure;
+        std::thread doorkeeper([&] {
+            try {
+                for (bool more = true; more;) {
+                    run([&](Model&) {
+                        const OpenCascadeWait wait(progress_, progress_ != nullptr ? progress_->name() : "");
+                        more = door.let_in(kOpenAfter);
+                    });
+                }
+            } catch (...) {
+                failure = std::current_exception();  // of the engine, or Cancelled: thrown again below
+                door.close();
+            }
+        });
+        std::exception_ptr raised;
+        try {
+            const ThreadLimit limit(static_cast<int>(answerers.size()));
+            parallel_for_on_threads(count, [&](int thread, int k) {
+                Session apart(*this, answerers[static_cast<std::size_t>(thread)], door);
+                work(apart, k);
+            });
+        } catch (...) {
+            raised = std::current_exception();
+        }
+        door.close();
+        doorkeeper.join();
+        for (const CountingAnswerer& answerer : answerers) {
+            engine_.count_answered(answerer.count());
+        }
+        if (failure || raised) {
+            std::rethrow_exception(failure ? failure : raised);
+        }
     }
 
     /// Calls `work(answerer, from, to)` for chunks of the items 0 .. count - 1, as run_parallel does. The engine is
@@ -116,11 +168,20 @@ class Session final : public Oracle {
         const std::size_t piece = kChunk * kChunksOfThread * static_cast<std::size_t>(thread_count());
         for (std::size_t begin = 0; begin < count; begin += piece) {
             const std::size_t end = std::min(begin + piece, count);
-            run_parallel(static_cast<int>((end - begin + kChunk - 1) / kChunk), [&](Answerer& answerer, int k) {
+            const int chunks = static_cast<int>((end - begin + kChunk - 1) / kChunk);
+            const auto chunk = [&](Answerer& answerer, int k) {
                 check();
                 const std::size_t from = begin + static_cast<std::size_t>(k) * kChunk;
                 work(answerer, from, std::min(from + kChunk, end));
-            });
+            };
+            if (answerer_ == nullptr) {
+                run_parallel(chunks, chunk);
+                continue;
+            }
+            for (int k = 0; k < chunks; ++k) {
+                const EngineDoor::Pass pass(door_);
+                chunk(*answerer_, k);
+            }
         }
     }
 
@@ -157,9 +218,27 @@ class Session final : public Oracle {
         std::uint64_t count_ = 0;
     };
 
+    Session(const Session& session, Answerer& answerer, EngineDoor& door)
+        : engine_(session.engine_),
+          model_(session.model_),
+          progress_(session.progress_),
+          answerer_(&answerer),
+          door_(&door) {}
+
+    static std::vector<CountingAnswerer> answerers_of(Model& model, int most) {
+        std::vector<CountingAnswerer> answerers;
+        for (Answerer* more = model.answerer(0); more != nullptr && static_cast<int>(answerers.size()) < most;
+             more = model.answerer(static_cast<int>(answerers.size()))) {
+            answerers.emplace_back(*more);
+        }
+        return answerers;
+    }
+
     Engine& engine_;
     std::shared_ptr<Model> model_;
     const Progress* progress_;
+    Answerer* answerer_ = nullptr;  // null: the engine's thread answers
+    EngineDoor* door_ = nullptr;
 };
 
 }  // namespace mq::geometry

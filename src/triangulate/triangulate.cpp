@@ -19,35 +19,21 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/quality/exemptions.h"
 #include "triangulate/assemble.h"
+#include "triangulate/component_refinement.h"
 #include "triangulate/incremental/cache_restore.h"
 #include "triangulate/incremental/cache_store.h"
-#include "triangulate/operators/border_normals.h"
-#include "triangulate/optimise/cavity_optimiser.h"
-#include "triangulate/optimise/vertex_removal.h"
-#include "triangulate/refine/angle_refinement.h"
-#include "triangulate/refine/chord_refinement.h"
 #include "triangulate/refine/doubled_edges.h"
-#include "triangulate/refine/encroaching_vertices.h"
-#include "triangulate/refine/intersection_refinement.h"
 #include "triangulate/refine/tuning.h"
+#include "triangulate/refinement.h"
 #include "triangulate/report/final_report.h"
 #include "triangulate/report/manifold_output.h"
 #include "triangulate/report/stage_meshes.h"
 #include "triangulate/sampling/sampling.h"
-#include "triangulate/virtual_topology/smooth_edge_removal.h"
-#include "triangulate/virtual_topology/smooth_edges.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
 
 namespace {
-
-// Fraction of the whole work, for the progress.
-constexpr double kFirstShare = 0.15;
-
-double first_share(const TriangulateOptions& options) {
-    return options.method == Method::Refine ? kFirstShare : options.keeps_bounds() ? 0.5 : 0.9;
-}
 
 /// A length, which may be tiny.
 std::string in_mm(double length) {
@@ -77,16 +63,6 @@ void check_against_part(const TriangulateOptions& options, const geometry::Topol
     }
 }
 
-// Splits crossing triangles, however short the new edges are: a mesh that does not cross itself takes precedence over
-// min_edge.
-// @return whether anything was split
-bool split_crossings(Workspace& work, IntersectionRefinement& crossings) {
-    const double asked = std::exchange(work.min_edge, 0.0);
-    const bool any = crossings.run();
-    work.min_edge = asked;
-    return any;
-}
-
 std::string failed_faces(const InitialTriangulation& initial, const geometry::Topology& topology) {
     std::string text;
     for (const auto& [face, why] : initial.failures) {
@@ -95,128 +71,19 @@ std::string failed_faces(const InitialTriangulation& initial, const geometry::To
     return text;
 }
 
-// Whether vertices may be removed. The samples and the paper's mesh are kept as they are; where smooth edges are
-// removed, that step removes their vertices first.
-bool may_coarsen(Workspace& work, const TriangulateOptions& options) {
-    if (options.method != Method::Refine || options.insertion == Insertion::Paper || work.over_budget()) {
-        return false;
-    }
-    const std::vector<char> smooth = options.keep_edges == KeepEdges::All
-                                         ? std::vector<char>()
-                                         : smooth_edges(work, options.feature_angle, options.local_sizes);
-    return std::count(smooth.begin(), smooth.end(), 1) == 0;
-}
-
-Sizing sizing_of(const TriangulateOptions& options, double chord, const geometry::Topology& topology) {
-    return {chord, EdgeBounds(topology, options.max_edge, options.local_sizes),
-            options.edges_per_circle > 0.0 ? 2.0 * M_PI / options.edges_per_circle : 0.0, options.growth};
-}
-
-// @return what was done about smooth edges, for the report
-std::string release_smooth_edges(Workspace& work, const TriangulateOptions& options, const Sizing& sizing,
-                                 StageMeshes& clock) {
-    if (options.keep_edges != KeepEdges::Feature) {
-        return "";
-    }
-    work.progress.stage("releasing smooth edges", 0.88, 0.9);
-    const std::string released = remove_smooth_edges(work, options, sizing);
-    clock.end("smooth edges");
-    return released;
-}
-
-void refine_where_faces_cross(Workspace& work, IntersectionRefinement& crossings,
-                              const std::function<void()>& refine_again) {
-    for (int round = 0; round < RefinementTuning::kMaxCrossingRounds && split_crossings(work, crossings); ++round) {
-        refine_again();
-    }
-}
-
-// The first run of Algorithm M.
-void refine_angles(Workspace& work, AngleRefinement& refiner, const TriangulateOptions& options) {
-    if (options.record_angles) {
-        work.angle_history.start();
-    }
-    work.angle_history.record(work);
-    refiner.run();
-    work.angle_history.record(work);  // triangles may have been exempted since the last vertex
-    work.angle_history.stop();
-}
-
-// @return what was done about smooth edges, for the report
-std::string refine(Workspace& work, MeasurementCache& findings, const TriangulateOptions& options, double chord,
-                   StageMeshes& clock) {
-    const int first = work.mesh.vertex_count();
-    SegmentSplitter segments(work, options.insertion != Insertion::Paper);
-    std::vector<int> touched;
-    remove_encroaching_vertices(work);
-    use_interior_normals(work);
-    separate_doubled_segments(work, segments, touched);
-    const double middle = first_share(options) + 0.34 * (0.9 - first_share(options));
-    const Sizing sizing = sizing_of(options, chord, work.session.topology());
-    work.progress.stage("refining angles", first_share(options), sizing.any() ? middle : 0.8);
-    AngleRefinement refiner(work, segments, options.min_angle, options.insertion, chord, options.sites_in_round);
-    refine_angles(work, refiner, options);
-    clock.end("angles");
-    ChordRefinement chords(work, segments, findings.chords, sizing);
-    const auto refine_chords = [&] {
-        for (int round = 0; sizing.any() && round < RefinementTuning::kMaxChordRounds && chords.run(); ++round) {
-            refiner.run();
-            work.progress.advance((round + 1.0) / RefinementTuning::kMaxChordRounds);
-        }
-    };
-    const auto refine_again = [&] {
-        refiner.run();
-        refine_chords();
-    };
-    work.progress.stage("refining to the chord height", middle, 0.8);
-    refine_chords();
-    // Splitting a segment between triangles with the same third corner on two faces doubles the edge to that corner.
-    const auto separate_doubled = [&] {
-        for (int n = 0; n < RefinementTuning::kMaxDoubledRounds && separate_doubled_edges(work, touched); ++n) {
-            refine_again();
-        }
-    };
-    separate_doubled();
-    clock.end("chord height");
-    if (may_coarsen(work, options)) {
-        work.progress.stage("taking out vertices", 0.8, 0.82);
-        VertexRemoval(work, findings.chords, options.min_angle, sizing, first).run();
-        refine_chords();  // vertex removal measures fewer places
-        clock.end("taking out vertices");
-    }
-    if (work.over_budget()) {
-        return "";  // the limit ends the work: later steps would improve a mesh that is not complete
-    }
-    work.progress.stage("separating crossings", 0.82, 0.85);
-    IntersectionRefinement crossings(work, segments, findings.crossings);
-    const auto separate_crossings = [&] {
-        refine_where_faces_cross(work, crossings, refine_again);
-        separate_doubled();
-    };
-    separate_crossings();
-    clock.end("crossings");
-    if (options.insertion != Insertion::Paper) {
-        work.progress.stage("mending", 0.85, 0.9);
-        mend(work, options.min_angle, sizing);
-        separate_crossings();  // crossings of triangles that were changed for better angles
-        clock.end("mending");
-    }
-    return release_smooth_edges(work, options, sizing, clock);
-}
-
 // Triangulates the faces over shared edges: coarsely, or over samples.
 SampledTriangulation initial_or_sampled(geometry::Session& session, const SinglePrecisionGrid& grid,
                                         const TriangulateOptions& options, double chord, CacheRestore* recall,
                                         Progress& progress, StageClock& clock) {
     const bool sampled = options.method != Method::Refine;
-    progress.stage("initial triangulation", 0.0, sampled ? 0.05 : kFirstShare);
+    progress.stage("initial triangulation", 0.0, sampled ? 0.05 : share_before_refinement(options));
     InitialTriangulation coarse = recall != nullptr ? triangulate_the_rest(session, grid, recall->begin(), progress)
                                                     : triangulate_initially(session, grid, progress);
     clock.end("initial triangulation");
     if (!sampled) {
         return {std::move(coarse), {}, true};
     }
-    progress.stage("sampling", 0.05, first_share(options));
+    progress.stage("sampling", 0.05, share_before_refinement(options));
     SampledTriangulation samples = sample_part(session, grid, options, chord, std::move(coarse), progress);
     clock.end("sampling");
     return samples;
@@ -345,6 +212,21 @@ Workspace workspace_of(const Task& task, const EdgeDiscretisation& chains, Class
         work.unseen = std::min(work.unseen, task.chord);
     }
     return work;
+}
+
+// @return what was done about smooth edges, for the report
+std::string refine(Workspace& work, MeasurementCache& findings, const TriangulateOptions& options, double chord,
+                   StageMeshes& clock) {
+    Refinement refinement(work, findings, options, chord, work.mesh.vertex_count(),
+                          [&](const char* stage) { clock.end(stage); });
+    refinement.prepare();
+    StageTimes together;
+    if (refine_components(refinement, together)) {
+        clock.end_together(together);
+    } else {
+        refinement.run();
+    }
+    return refinement.finish();
 }
 
 // @param recall  the cached run to start with; null: none

@@ -23,6 +23,11 @@ void StageMeshes::end(const char* stage) {
     write(stage);
 }
 
+void StageMeshes::end_together(const StageTimes& stages) {
+    clock_.end_together(stages);
+    write("refinement");
+}
+
 void StageMeshes::write(const std::string& stage) {
     if (folder_.empty()) {
         return;

@@ -20,6 +20,8 @@ class StageMeshes {
 
     /// Ends the running stage and names it. The time for writing counts for the next one.
     void end(const char* stage);
+    /// Ends the running stage, in which stages ran side by side (see StageClock::end_together), and writes one mesh.
+    void end_together(const StageTimes& stages);
 
   private:
     void write(const std::string& stage);

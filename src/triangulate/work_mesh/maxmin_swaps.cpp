@@ -9,6 +9,12 @@
 namespace mq::triangulate {
 
 MaxMinSwaps::MaxMinSwaps(ClassifiedMesh& mesh) : mesh_(mesh) {
+    rebuild();
+}
+
+void MaxMinSwaps::rebuild() {
+    pairs_ = {};
+    doubled_ = 0;
     for (int s = 0; s < mesh_.segment_count(); ++s) {
         if (!mesh_.segment(s).uses.empty()) {
             remember(mesh_.segment(s).vertices[0], mesh_.segment(s).vertices[1]);

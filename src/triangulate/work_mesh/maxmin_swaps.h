@@ -22,6 +22,8 @@ class MaxMinSwaps {
   public:
     /// Enters the edges that the mesh has into the table of joined pairs.
     explicit MaxMinSwaps(ClassifiedMesh& mesh);
+    /// Enters them again, once the mesh has been assigned another one.
+    void rebuild();
 
     /// Swaps until no edge of the whole mesh violates the predicate, except those beside the `settled` triangles.
     void sweep(std::vector<int>& touched, const TriangleMarks& settled = {});

@@ -230,5 +230,73 @@ TEST(Session, ThrowsWhatAChunkThrew) {
     EXPECT_EQ(session.ask(numbered(3)).back().t, 4.0);
 }
 
+TEST(Session, CallsApartAreAnsweredInTheirThreads) {
+    for (const int threads : {1, 2, 3, 8}) {
+        const ThreadLimit limit(threads);
+        Engine engine;
+        Session session(engine, std::make_shared<DoublingModel>());
+        std::vector<double> sums(20, 0.0);
+        session.run_apart(static_cast<int>(sums.size()), [&](Session& own, int k) {
+            double& sum = sums[static_cast<std::size_t>(k)];
+            for (const Answer& answer : own.ask(numbered(100))) {
+                sum += answer.t;
+            }
+            own.for_chunks(1000, [&](Answerer& answerer, std::size_t from, std::size_t to) {
+                for (const Query& query : numbered(static_cast<int>(to - from))) {
+                    sum += answerer.answer(query).t;
+                }
+            });
+            int steps = 0;
+            own.repeat([&] { return ++steps < 5; });
+            sum += own.ask(numbered(2).back()).t + steps;
+        });
+        for (const double sum : sums) {
+            EXPECT_EQ(sum, 99.0 * 100.0 + 3.0 * 255.0 * 256.0 + 231.0 * 232.0 + 2.0 + 5.0);
+        }
+        EXPECT_EQ(engine.queries(), sums.size() * 1101);
+    }
+}
+
+TEST(Session, TheEngineIsOpenToOthersWhileCallsAreApart) {
+    const ThreadLimit limit(2);
+    Engine engine;
+    auto model = std::make_shared<DoublingModel>();
+    Session session(engine, model);
+    std::atomic<bool> answered{false};
+    std::thread other([&] {
+        EXPECT_EQ(engine.ask(model, numbered(3)).back().t, 4.0);
+        answered = true;
+    });
+    session.run_apart(2, [&](Session& own, int /*k*/) {
+        while (!answered) {
+            EXPECT_EQ(own.ask(numbered(3)).back().t, 4.0);
+        }
+    });
+    other.join();
+    EXPECT_TRUE(model->first.alone);  // never asked by a call and by the engine's thread at a time
+}
+
+TEST(Session, ThrowsWhatTheFirstCallApartThrew) {
+    const ThreadLimit limit(3);
+    Engine engine;
+    Progress progress;
+    Session session(engine, std::make_shared<DoublingModel>(), &progress);
+    EXPECT_THROW(session.run_apart(8,
+                                   [](Session& own, int k) {
+                                       own.ask(numbered(10));
+                                       if (k == 0) {
+                                           throw std::runtime_error("first");
+                                       }
+                                   }),
+                 std::runtime_error);
+    EXPECT_EQ(session.ask(numbered(3)).back().t, 4.0);
+    EXPECT_THROW(session.run_apart(2,
+                                   [&](Session& own, int /*k*/) {
+                                       progress.cancel();
+                                       own.ask(numbered(10));
+                                   }),
+                 Cancelled);
+}
+
 }  // namespace
 }  // namespace mq::geometry

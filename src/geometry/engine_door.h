@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+#include "base/error.h"
+
+namespace mq::geometry {
+
+/// Lets threads answer queries themselves while the engine's thread waits at the door, for a short time after which it
+/// is open to others. In between they wait with their next question.
+class EngineDoor {
+  public:
+    /// Keeps the engine's thread waiting while the object lives; none if there is no door.
+    class Pass {
+      public:
+        /// @throws Cancelled when the engine's thread does not come any more
+        explicit Pass(EngineDoor* door) : door_(door) {
+            if (door_ != nullptr) {
+                door_->enter();
+            }
+        }
+        ~Pass() {
+            if (door_ != nullptr) {
+                door_->leave();
+            }
+        }
+        Pass(const Pass&) = delete;
+        Pass& operator=(const Pass&) = delete;
+
+      private:
+        EngineDoor* door_;
+    };
+
+    /// On the engine's thread: lets the others in for this time, or until `close`, and waits until all have left.
+    /// @return whether they will come again
+    bool let_in(std::chrono::milliseconds time) {
+        std::unique_lock<std::mutex> lock(mutex_);
+        open_ = true;
+        changed_.notify_all();
+        changed_.wait_for(lock, time, [this] { return closed_; });
+        open_ = false;
+        changed_.wait(lock, [this] { return inside_ == 0; });
+        return !closed_;
+    }
+    /// For good: nobody comes any more.
+    void close() {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        closed_ = true;
+        changed_.notify_all();
+    }
+
+  private:
+    void enter() {
+        std::unique_lock<std::mutex> lock(mutex_);
+        changed_.wait(lock, [this] { return open_ || closed_; });
+        if (closed_) {
+            throw Cancelled("the geometry engine has been shut down");
+        }
+        ++inside_;
+    }
+    void leave() {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (--inside_ == 0 && !open_) {
+            changed_.notify_all();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    bool open_ = false;
+    bool closed_ = false;
+    int inside_ = 0;
+};
+
+}  // namespace mq::geometry

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/component_refinement.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "triangulate/work_mesh/mesh_components.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+// Components that are refined apart: enough for the cores of a large computer; each has tables of all CAD entities.
+constexpr std::size_t kMost = 64;
+// Largest fraction of the triangles in one component: otherwise its steps gain more from several threads.
+constexpr double kLargest = 0.75;
+
+/// A component of a mesh and all that refines it.
+class ComponentWork {
+  public:
+    ComponentWork(MeshComponent component, Refinement& whole, const geometry::Session& session)
+        : component_(std::move(component)),
+          session_(session),
+          progress_(whole.work().progress),
+          maxmin_(component_.mesh),
+          work_{session_,  whole.work().grid,  component_.mesh,       maxmin_,
+                progress_, whole.work().floor, whole.work().min_edge, whole.work().budget},
+          findings_(work_),
+          refinement_(work_, findings_, whole.options(), whole.chord(), first_vertex(whole.first_vertex()),
+                      [this](const char* stage) { clock_.end(stage); }) {
+        take(whole.work());
+    }
+
+    void run() { refinement_.run(); }
+
+    const MeshComponent& component() const { return component_; }
+    const Refinement& refinement() const { return refinement_; }
+    const StageTimes& stages() const { return stages_; }
+    const Workspace& work() const { return work_; }
+
+    /// Passes what is known of triangles and vertices on to the whole mesh, where the component's first triangle is
+    /// `first` and its vertices are `vertices`.
+    void give(Workspace& whole, int first, const std::vector<int>& vertices) {
+        for (const auto& [triangle, exemption] : work_.exempt) {
+            if (exemption.stamp == work_.mesh.stamp(triangle)) {
+                const int vertex = exemption.vertex < 0 ? -1 : vertices[static_cast<std::size_t>(exemption.vertex)];
+                whole.exempt[first + triangle] = {exemption.cause, vertex, exemption.edge,
+                                                  whole.mesh.stamp(first + triangle)};
+            }
+        }
+        for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
+            if (work_.settled.marked(work_.mesh, t)) {
+                whole.settled.mark(whole.mesh, first + t);
+            }
+        }
+        for (std::size_t v = 0; v < work_.shrinks.size(); ++v) {
+            whole.shrinks[static_cast<std::size_t>(vertices[v])] = work_.shrinks[v];
+        }
+        whole.left_by_mending += work_.left_by_mending;
+        whole.span_points.take_over(work_.span_points);
+    }
+
+  private:
+    int first_vertex(int of_whole) const {
+        const std::vector<int>& vertices = component_.vertices;
+        return static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), of_whole) - vertices.begin());
+    }
+
+    void take(const Workspace& whole) {
+        work_.unresolved = whole.unresolved;
+        work_.unseen = whole.unseen;
+        for (std::size_t i = 0; i < component_.triangles.size(); ++i) {
+            const int t = static_cast<int>(i);
+            if (const Exemption* exemption = whole.exemption_of(component_.triangles[i])) {
+                const std::vector<int>& vertices = component_.vertices;
+                const auto vertex = std::lower_bound(vertices.begin(), vertices.end(), exemption->vertex);
+                work_.exempt[t] = {exemption->cause,
+                                   exemption->vertex < 0 ? -1 : static_cast<int>(vertex - vertices.begin()),
+                                   exemption->edge, work_.mesh.stamp(t)};
+            }
+            if (whole.settled.marked(whole.mesh, component_.triangles[i])) {
+                work_.settled.mark(work_.mesh, t);
+            }
+        }
+    }
+
+    MeshComponent component_;
+    geometry::Session session_;
+    Progress progress_;
+    StageTimes stages_;
+    StageClock clock_{stages_};
+    MaxMinSwaps maxmin_;
+    Workspace work_;
+    MeasurementCache findings_;
+    Refinement refinement_;
+};
+
+using Works = std::vector<std::unique_ptr<ComponentWork>>;
+
+// Whether the components can be refined for themselves, and all threads have something to do.
+bool worth_dividing(const std::vector<MeshComponent>& components, const Refinement& whole, int triangles) {
+    return !whole.options().record_angles && whole.options().insertion != Insertion::Paper &&
+           static_cast<double>(components.front().triangles.size()) <= kLargest * triangles;
+}
+
+// @return none where all together would have more triangles than the budget
+Works refined(Refinement& whole, std::vector<MeshComponent> components) {
+    Works works(components.size());
+    const Workspace& work = whole.work();
+    std::atomic<std::size_t> triangles{0};
+    std::atomic<std::size_t> begun{0};
+    work.session.run_apart(static_cast<int>(works.size()), [&](geometry::Session& session, int k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (triangles > work.budget) {
+            return;
+        }
+        begun += components[i].triangles.size();
+        works[i] = std::make_unique<ComponentWork>(std::move(components[i]), whole, session);
+        works[i]->run();
+        const Workspace& refined = works[i]->work();
+        triangles += refined.over_budget() ? work.budget + 1 : refined.triangles();
+        whole.work().progress.advance(static_cast<double>(begun) / static_cast<double>(work.triangles()));
+    });
+    return triangles > work.budget ? Works() : std::move(works);
+}
+
+void join_into(Refinement& whole, const Works& works) {
+    Workspace& work = whole.work();
+    std::vector<const MeshComponent*> changed;
+    for (const auto& of_component : works) {
+        changed.push_back(&of_component->component());
+    }
+    JoinedComponents joined = join(work.mesh, changed);
+    work.mesh = std::move(joined.mesh);
+    work.maxmin.rebuild();
+    work.exempt.clear();
+    work.settled.clear();
+    work.shrinks.resize(static_cast<std::size_t>(work.mesh.vertex_count()), 0);
+    for (std::size_t i = 0; i < works.size(); ++i) {
+        works[i]->give(work, joined.first[i], joined.vertices[i]);
+        whole.take_over(works[i]->refinement(), joined.first[i]);
+    }
+}
+
+}  // namespace
+
+bool refine_components(Refinement& whole, StageTimes& stages) {
+    Workspace& work = whole.work();
+    std::vector<MeshComponent> components = divide(work.mesh, kMost);
+    if (work.over_budget() || components.empty() || !worth_dividing(components, whole, work.mesh.triangle_count())) {
+        return false;
+    }
+    work.progress.stage("refining", share_before_refinement(whole.options()), 0.88);
+    const Works works = refined(whole, std::move(components));
+    if (works.empty()) {
+        return false;
+    }
+    join_into(whole, works);
+    for (const auto& of_component : works) {
+        stages.insert(stages.end(), of_component->stages().begin(), of_component->stages().end());
+    }
+    return true;
+}
+
+}  // namespace mq::triangulate

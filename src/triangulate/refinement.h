@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "triangulate/refine/angle_refinement.h"
+#include "triangulate/refine/chord_refinement.h"
+#include "triangulate/refine/intersection_refinement.h"
+#include "triangulate/report/final_report.h"
+
+namespace mq::triangulate {
+
+/// The fraction of the whole work that is done when refinement begins.
+double share_before_refinement(const TriangulateOptions& options);
+
+/// From a coarse mesh to one that keeps all bounds: angles, chord height, removal of vertices, crossings, mending.
+class Refinement {
+  public:
+    /// Ends the running stage and names it.
+    using EndStage = std::function<void(const char*)>;
+
+    /// `chord`: chord tolerance, mm; 0: none. Vertices from `first_vertex` on may be removed.
+    Refinement(Workspace& work, MeasurementCache& findings, const TriangulateOptions& options, double chord,
+               int first_vertex, EndStage end_stage);
+
+    /// Corrects what refinement could not start with: vertices that encroach on segments, normals, doubled segments.
+    void prepare();
+    /// Refines the mesh.
+    /// @throws Cancelled
+    void run();
+    /// Separates triangles that cross, refines again where that changed the mesh, and removes smooth edges if they are
+    /// not to be kept. Nothing once the budget has ended the work.
+    /// @return what was done about smooth edges, for the report
+    /// @throws Cancelled
+    std::string finish();
+    /// Takes over what the refinement of a component knows, whose triangles are `first`, first + 1, ... here.
+    void take_over(const Refinement& component, int first);
+
+    Workspace& work() { return work_; }
+    const TriangulateOptions& options() const { return options_; }
+    double chord() const { return chord_; }
+    int first_vertex() const { return first_vertex_; }
+
+  private:
+    void refine_angles();
+    void refine_chords();
+    void refine_again();
+    void separate_doubled();
+    bool split_crossings();
+    void separate_crossings();
+
+    Workspace& work_;
+    MeasurementCache& findings_;
+    const TriangulateOptions& options_;
+    double chord_;
+    int first_vertex_;
+    EndStage end_stage_;
+    Sizing sizing_;
+    SegmentSplitter segments_;
+    AngleRefinement angles_;
+    ChordRefinement chords_;
+    IntersectionRefinement crossings_;
+    std::vector<int> touched_;
+};
+
+}  // namespace mq::triangulate

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/work_mesh/mesh_components.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "base/parallel.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+std::vector<int> sorted_once(std::vector<int> values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
+
+// Returns the index of a value in an ascending list that has it.
+int index_in(const std::vector<int>& list, int value) {
+    return static_cast<int>(std::lower_bound(list.begin(), list.end(), value) - list.begin());
+}
+
+// Returns the triangles of each component, ascending, the largest one first.
+std::vector<std::vector<int>> triangles_of_components(const ClassifiedMesh& mesh, std::size_t most) {
+    DisjointSets<int> joined(static_cast<std::size_t>(mesh.vertex_count()));
+    for (int h = 0; h < mesh.half_edge_count(); ++h) {
+        joined.unite(mesh.vertex_of(h), mesh.vertex_of(ClassifiedMesh::next(h)));
+    }
+    std::vector<int> component_at(static_cast<std::size_t>(mesh.vertex_count()), -1);
+    std::vector<std::vector<int>> result;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        int& component = component_at[static_cast<std::size_t>(joined.find(mesh.vertex_of(3 * t)))];
+        if (component < 0) {
+            component = static_cast<int>(result.size());
+            result.emplace_back();
+        }
+        result[static_cast<std::size_t>(component)].push_back(t);
+    }
+    const auto larger = [](const auto& a, const auto& b) { return a.size() > b.size(); };
+    std::stable_sort(result.begin(), result.end(), larger);
+    for (; result.size() > most; result.pop_back()) {  // each to the smallest one so far
+        const auto end = result.begin() + static_cast<std::ptrdiff_t>(most);
+        std::vector<int>& smallest =
+            *std::min_element(result.begin(), end, [](const auto& a, const auto& b) { return a.size() < b.size(); });
+        smallest.insert(smallest.end(), result.back().begin(), result.back().end());
+    }
+    for (std::vector<int>& triangles : result) {
+        std::sort(triangles.begin(), triangles.end());
+    }
+    std::stable_sort(result.begin(), result.end(), larger);
+    return result;
+}
+
+void add_corners(const ClassifiedMesh& mesh, MeshComponent& component) {
+    for (const int t : component.triangles) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            component.sites.push_back(mesh.site_of(h));
+            component.vertices.push_back(mesh.vertex_of(h));
+            if (mesh.segment_of(h) >= 0) {
+                component.segments.push_back(mesh.segment_of(h));
+            }
+        }
+    }
+    component.sites = sorted_once(std::move(component.sites));
+    component.vertices = sorted_once(std::move(component.vertices));
+    component.segments = sorted_once(std::move(component.segments));
+    for (const int v : component.vertices) {
+        component.mesh.add_vertex(mesh.vertex(v).point, mesh.vertex(v).entity);
+    }
+    for (const int s : component.sites) {
+        ClassifiedMesh::VertexUse site = mesh.site(s);
+        site.vertex = index_in(component.vertices, site.vertex);
+        component.mesh.add_site(site);
+    }
+}
+
+MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles) {
+    MeshComponent component;
+    component.triangles = std::move(triangles);
+    add_corners(mesh, component);
+    const auto here = [&](int h) { return 3 * index_in(component.triangles, ClassifiedMesh::triangle_of(h)) + h % 3; };
+    for (const int t : component.triangles) {
+        std::array<int, 3> corners{};
+        for (int k = 0; k < 3; ++k) {
+            corners[static_cast<std::size_t>(k)] = index_in(component.sites, mesh.site_of(3 * t + k));
+        }
+        component.mesh.add_triangle(corners, mesh.face_of(t));
+    }
+    for (const int t : component.triangles) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (h < mesh.twin(h)) {
+                component.mesh.link(here(h), here(mesh.twin(h)));
+            }
+        }
+    }
+    for (const int s : component.segments) {
+        const ClassifiedMesh::Segment& segment = mesh.segment(s);
+        const int added = component.mesh.add_segment(
+            segment.edge,
+            {index_in(component.vertices, segment.vertices[0]), index_in(component.vertices, segment.vertices[1])},
+            segment.t);
+        for (const ClassifiedMesh::SegmentUse& use : segment.uses) {
+            component.mesh.bind(here(use.half_edge), added, use.use);
+        }
+    }
+    return component;
+}
+
+// The indices of a component's entities in the whole mesh: the former ones keep theirs, the others are appended.
+std::vector<int> indices(std::vector<int> former, int count, int& next) {
+    while (static_cast<int>(former.size()) < count) {
+        former.push_back(next++);
+    }
+    return former;
+}
+
+/// Joins components one entity after the other.
+class Joining {
+  public:
+    Joining(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed)
+        : divided_(divided), changed_(changed) {
+        int vertex = divided.vertex_count();
+        int site = divided.site_count();
+        int segment = divided.segment_count();
+        for (const MeshComponent* of : changed) {
+            vertices_.push_back(indices(of->vertices, of->mesh.vertex_count(), vertex));
+            sites_.push_back(indices(of->sites, of->mesh.site_count(), site));
+            segments_.push_back(indices(of->segments, of->mesh.segment_count(), segment));
+        }
+        add_vertices(vertex);
+        add_sites(site);
+        add_triangles();
+        add_segments(segment);
+    }
+
+    JoinedComponents take() {
+        result_.vertices = std::move(vertices_);
+        return std::move(result_);
+    }
+
+  private:
+    // Calls `see(component, index there, index in the whole)` for the entities of all components.
+    template <typename See>
+    void for_each(const std::vector<std::vector<int>>& indices, const See& see) const {
+        for (std::size_t c = 0; c < changed_.size(); ++c) {
+            for (std::size_t i = 0; i < indices[c].size(); ++i) {
+                see(c, static_cast<int>(i), indices[c][i]);
+            }
+        }
+    }
+
+    void add_vertices(int count) {
+        std::vector<const ClassifiedMesh::Vertex*> from(static_cast<std::size_t>(count));
+        for (int v = 0; v < divided_.vertex_count(); ++v) {
+            from[static_cast<std::size_t>(v)] = &divided_.vertex(v);
+        }
+        for_each(vertices_, [&](std::size_t c, int here, int whole) {
+            from[static_cast<std::size_t>(whole)] = &changed_[c]->mesh.vertex(here);
+        });
+        for (const ClassifiedMesh::Vertex* vertex : from) {
+            result_.mesh.add_vertex(vertex->point, vertex->entity);
+        }
+    }
+
+    void add_sites(int count) {
+        std::vector<ClassifiedMesh::VertexUse> sites(static_cast<std::size_t>(count));
+        for (int s = 0; s < divided_.site_count(); ++s) {
+            sites[static_cast<std::size_t>(s)] = divided_.site(s);
+        }
+        for_each(sites_, [&](std::size_t c, int here, int whole) {
+            ClassifiedMesh::VertexUse site = changed_[c]->mesh.site(here);
+            site.vertex = vertices_[c][static_cast<std::size_t>(site.vertex)];
+            sites[static_cast<std::size_t>(whole)] = site;
+        });
+        for (const ClassifiedMesh::VertexUse& site : sites) {
+            result_.mesh.add_site(site);
+        }
+    }
+
+    void add_triangles() {
+        for (std::size_t c = 0; c < changed_.size(); ++c) {
+            const ClassifiedMesh& mesh = changed_[c]->mesh;
+            result_.first.push_back(result_.mesh.triangle_count());
+            for (int t = 0; t < mesh.triangle_count(); ++t) {
+                std::array<int, 3> corners{};
+                for (int k = 0; k < 3; ++k) {
+                    corners[static_cast<std::size_t>(k)] = sites_[c][static_cast<std::size_t>(mesh.site_of(3 * t + k))];
+                }
+                result_.mesh.add_triangle(corners, mesh.face_of(t));
+            }
+            const int base = 3 * result_.first.back();
+            for (int h = 0; h < mesh.half_edge_count(); ++h) {
+                if (h < mesh.twin(h)) {
+                    result_.mesh.link(base + h, base + mesh.twin(h));
+                }
+            }
+        }
+    }
+
+    void add_segments(int count) {
+        std::vector<ClassifiedMesh::Segment> segments(static_cast<std::size_t>(count));
+        for (int s = 0; s < divided_.segment_count(); ++s) {
+            segments[static_cast<std::size_t>(s)] = divided_.segment(s);
+        }
+        for_each(segments_, [&](std::size_t c, int here, int whole) {
+            ClassifiedMesh::Segment segment = changed_[c]->mesh.segment(here);
+            for (int& v : segment.vertices) {
+                v = vertices_[c][static_cast<std::size_t>(v)];
+            }
+            for (ClassifiedMesh::SegmentUse& use : segment.uses) {
+                use.half_edge += 3 * result_.first[c];
+            }
+            segments[static_cast<std::size_t>(whole)] = std::move(segment);
+        });
+        for (const ClassifiedMesh::Segment& segment : segments) {
+            const int added = result_.mesh.add_segment(segment.edge, segment.vertices, segment.t);
+            for (const ClassifiedMesh::SegmentUse& use : segment.uses) {
+                result_.mesh.bind(use.half_edge, added, use.use);
+            }
+        }
+    }
+
+    const ClassifiedMesh& divided_;
+    const std::vector<const MeshComponent*>& changed_;
+    std::vector<std::vector<int>> vertices_;  // by component and index there: index in the whole
+    std::vector<std::vector<int>> sites_;
+    std::vector<std::vector<int>> segments_;
+    JoinedComponents result_;
+};
+
+}  // namespace
+
+std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, std::size_t most) {
+    std::vector<std::vector<int>> triangles = triangles_of_components(mesh, most);
+    std::vector<MeshComponent> result(triangles.size());
+    parallel_for(static_cast<int>(result.size()), [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        result[i] = component_of(mesh, std::move(triangles[i]));
+    });
+    return result;
+}
+
+JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed) {
+    return Joining(divided, changed).take();
+}
+
+}  // namespace mq::triangulate
