@@ -293,6 +293,7 @@ STAGES = {
     "winding numbers": "looking for the inside of open operands",
     "refining angles": "refining angles",
     "refining to the chord height": "refining to the max. deviation",
+    "refining bodies": "refining the bodies",
     "separating crossings": "separating faces that cross",
     "mending": "improving the remaining triangles",
     "taking out vertices": "removing vertices",

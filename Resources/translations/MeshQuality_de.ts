@@ -2914,6 +2914,10 @@
         <source>fast</source>
         <translation>schnell</translation>
     </message>
+    <message>
+        <source>refining the bodies</source>
+        <translation>Körper verfeinern</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

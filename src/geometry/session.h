@@ -134,7 +134,7 @@ class Session final : public Oracle {
                     });
                 }
             } catch (...) {
-                failure = std::current_exception();  // of the engine, or Cancelled: thrown again below
+                failure = std::current_exception();  // Thrown again below.
                 door.close();
             }
         });

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "triangulate/work_mesh/mesh_components.h"
+#include "triangulate/components/mesh_components.h"
 
 namespace mq::triangulate {
 
@@ -103,10 +103,11 @@ class ComponentWork {
 
 using Works = std::vector<std::unique_ptr<ComponentWork>>;
 
-// Whether the components can be refined for themselves, and all threads have something to do.
-bool worth_dividing(const std::vector<MeshComponent>& components, const Refinement& whole, int triangles) {
-    return !whole.options().record_angles && whole.options().insertion != Insertion::Paper &&
-           static_cast<double>(components.front().triangles.size()) <= kLargest * triangles;
+// Whether components may be refined for themselves: a limit that the caller sets concerns all of them, and a record of
+// angles and the paper's insertions have one order.
+bool may_divide(const Workspace& work, const TriangulateOptions& options) {
+    return !work.over_budget() && options.max_triangles == 0 && !options.record_angles &&
+           options.insertion != Insertion::Paper;
 }
 
 // @return none where all together would have more triangles than the budget
@@ -152,11 +153,12 @@ void join_into(Refinement& whole, const Works& works) {
 
 bool refine_components(Refinement& whole, StageTimes& stages) {
     Workspace& work = whole.work();
-    std::vector<MeshComponent> components = divide(work.mesh, kMost);
-    if (work.over_budget() || components.empty() || !worth_dividing(components, whole, work.mesh.triangle_count())) {
+    std::vector<MeshComponent> components =
+        may_divide(work, whole.options()) ? divide(work.mesh, kMost, kLargest) : std::vector<MeshComponent>();
+    if (components.empty()) {
         return false;
     }
-    work.progress.stage("refining", share_before_refinement(whole.options()), 0.88);
+    work.progress.stage("refining bodies", share_before_refinement(whole.options()), 0.88);
     const Works works = refined(whole, std::move(components));
     if (works.empty()) {
         return false;

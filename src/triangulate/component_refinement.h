@@ -6,9 +6,9 @@
 
 namespace mq::triangulate {
 
-/// Refines the connected components of the mesh of `whole` at a time, each on one thread, where none of them has most
-/// of the triangles; else, or where one needs all others' room in the budget, leaves it as it is. The result does not
-/// depend on the number of threads.
+/// Refines the connected components of the mesh of `whole` at a time, each on one thread. Leaves it as it is where one
+/// of them has most of the triangles, and where they would have more together than the budget allows. The result does
+/// not depend on the number of threads.
 /// @param stages  receives the seconds of the stages, summed over the components
 /// @return whether the mesh was refined, so that only Refinement::finish is left to do
 /// @throws Cancelled

@@ -21,7 +21,7 @@ STAGES = {
     "mesh": [["mesh"], ["mesh/io", "mesh/intersection"], ["mesh/quality"]],
     "triangulate": [
         ["triangulate/edges", "triangulate/work_mesh"],
-        ["triangulate/initial"],
+        ["triangulate/initial", "triangulate/components"],
         ["triangulate/measure", "triangulate/operators", "triangulate/spacing"],
         ["triangulate/front"],
         ["triangulate/sampling"],

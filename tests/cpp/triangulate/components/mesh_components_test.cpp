@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/work_mesh/mesh_components.h"
+#include "triangulate/components/mesh_components.h"
 
 #include <gtest/gtest.h>
 
@@ -76,7 +76,7 @@ std::vector<std::size_t> sizes(const std::vector<MeshComponent>& components) {
 }
 
 TEST(MeshComponents, TheLargestComponentIsTheFirst) {
-    const std::vector<MeshComponent> found = divide(rings({3, 5, 4, 5}), 10);
+    const std::vector<MeshComponent> found = divide(rings({3, 5, 4, 5}), 10, 1.0);
     EXPECT_EQ(sizes(found), (std::vector<std::size_t>{5, 5, 4, 3}));
     EXPECT_EQ(found[0].mesh.face_of(0), 1);
     EXPECT_EQ(found[1].mesh.face_of(0), 3);
@@ -89,16 +89,22 @@ TEST(MeshComponents, TheLargestComponentIsTheFirst) {
 }
 
 TEST(MeshComponents, SmallOnesAreTogetherWhereThereAreMany) {
-    const std::vector<MeshComponent> found = divide(rings({3, 8, 4, 5, 3, 3}), 3);
+    const std::vector<MeshComponent> found = divide(rings({3, 8, 4, 5, 3, 3}), 3, 1.0);
     EXPECT_EQ(sizes(found), (std::vector<std::size_t>{10, 8, 8}));
     for (const MeshComponent& component : found) {
         EXPECT_EQ(component.mesh.inconsistency(), "");
     }
 }
 
+TEST(MeshComponents, NoneWhereOneHasMoreTrianglesThanAllowed) {
+    EXPECT_TRUE(divide(rings({9, 3}), 10, 0.74).empty());
+    EXPECT_EQ(divide(rings({9, 3}), 10, 0.75).size(), 2U);
+    EXPECT_TRUE(divide(ClassifiedMesh(), 10, 1.0).empty());
+}
+
 TEST(MeshComponents, JoinedUnchangedTheyAreTheMesh) {
     const ClassifiedMesh mesh = rings({3, 5, 4});
-    const std::vector<MeshComponent> found = divide(mesh, 10);
+    const std::vector<MeshComponent> found = divide(mesh, 10, 1.0);
     const JoinedComponents joined = join(mesh, all(found));
     EXPECT_EQ(joined.mesh.inconsistency(), "");
     EXPECT_EQ(joined.first, (std::vector<int>{0, 5, 9}));
@@ -120,7 +126,7 @@ TEST(MeshComponents, JoinedUnchangedTheyAreTheMesh) {
 
 TEST(MeshComponents, ChangesOfSeveralAreJoined) {
     const ClassifiedMesh mesh = rings({3, 5});
-    std::vector<MeshComponent> found = divide(mesh, 10);
+    std::vector<MeshComponent> found = divide(mesh, 10, 1.0);
     for (MeshComponent& component : found) {
         ClassifiedMesh& own = component.mesh;
         const int inside =

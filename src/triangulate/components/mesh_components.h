@@ -19,7 +19,8 @@ struct MeshComponent {
 
 /// Divides a mesh into its connected components, the largest one first: triangles with a common vertex are in the same
 /// one. Where there are more of them than `most`, small ones are together. No index may be unused.
-std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, std::size_t most);
+/// @param largest  fraction of the triangles that one component may have; none are returned where one has more
+std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, std::size_t most, double largest);
 
 /// The mesh of which components were taken, with the changes that were made to them. Its former vertices, sites and
 /// segments keep their indices.

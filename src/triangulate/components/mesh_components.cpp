@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/work_mesh/mesh_components.h"
+#include "triangulate/components/mesh_components.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,7 @@ std::vector<std::vector<int>> triangles_of_components(const ClassifiedMesh& mesh
     }
     const auto larger = [](const auto& a, const auto& b) { return a.size() > b.size(); };
     std::stable_sort(result.begin(), result.end(), larger);
-    for (; result.size() > most; result.pop_back()) {  // each to the smallest one so far
+    for (; result.size() > most; result.pop_back()) {  // goes to the smallest one that stays
         const auto end = result.begin() + static_cast<std::ptrdiff_t>(most);
         std::vector<int>& smallest =
             *std::min_element(result.begin(), end, [](const auto& a, const auto& b) { return a.size() < b.size(); });
@@ -234,8 +234,11 @@ class Joining {
 
 }  // namespace
 
-std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, std::size_t most) {
+std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, std::size_t most, double largest) {
     std::vector<std::vector<int>> triangles = triangles_of_components(mesh, most);
+    if (triangles.empty() || static_cast<double>(triangles.front().size()) > largest * mesh.triangle_count()) {
+        return {};
+    }
     std::vector<MeshComponent> result(triangles.size());
     parallel_for(static_cast<int>(result.size()), [&](int k) {
         const auto i = static_cast<std::size_t>(k);
