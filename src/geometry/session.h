@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -62,9 +63,12 @@ class Session final : public Oracle {
         return answerer_->answer(query);
     }
     /// Calls `work(model)` on the engine's thread. Predicates count for the caller's, whose limit of threads holds.
-    /// @throws Cancelled.
+    /// @throws Cancelled, std::logic_error in a session of run_apart
     template <typename Work>
     void run(const Work& work) {
+        if (answerer_ != nullptr) {
+            throw std::logic_error("a session of run_apart does not reach the engine's thread");
+        }
         check();
         PredicateCount& callers = predicate_count();
         const int threads = thread_count();

@@ -107,7 +107,10 @@ void CavityOptimiser::count_attempt() {
 // Tries perturbations. On success the transaction remains open.
 bool CavityOptimiser::escape(int triangle) {
     std::vector<Perturbation> tries;
-    work_.session.run([&](geometry::Model&) { tries = kicks(triangle); });
+    work_.session.repeat([&] {
+        tries = kicks(triangle);
+        return false;
+    });
     auto kick = tries.begin();
     bool escaped = false;
     work_.session.repeat([&] {
