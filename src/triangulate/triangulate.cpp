@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/angle.h"
 #include "base/parallel.h"
 #include "base/predicates.h"
 #include "base/stopwatch.h"
@@ -146,7 +147,7 @@ void refine_angles(Workspace& work, AngleRefinement& refiner, const TriangulateO
 std::string refine(Workspace& work, MeasurementCache& findings, const TriangulateOptions& options, double chord,
                    StageMeshes& clock) {
     const int first = work.mesh.vertex_count();
-    SegmentSplitter segments(work, options.insertion != Insertion::Paper);
+    SegmentSplitter segments(work, options.insertion != Insertion::Paper, options.min_angle * kDegree);
     std::vector<int> touched;
     remove_encroaching_vertices(work);
     use_interior_normals(work);
