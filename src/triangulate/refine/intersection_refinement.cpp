@@ -2,6 +2,7 @@
 #include "triangulate/refine/intersection_refinement.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "triangulate/measure/deviation_estimate.h"
 #include "triangulate/refine/tuning.h"
@@ -37,17 +38,23 @@ std::vector<IntersectionRefinement::Crossing> IntersectionRefinement::crossings(
     return result;
 }
 
-// Marks pairs of faces of which most crossings are deeper than chords explain: there the shape's own faces cross.
+// Marks pairs of faces of which most crossings are deeper than chords explain, or which cross deeper in total since
+// their triangles were split: there the shape's own faces cross.
 void IntersectionRefinement::judge(const std::vector<Crossing>& crossings) {
     std::map<SelfIntersections::Faces, int> balance;
+    std::map<SelfIntersections::Faces, double> depths;
     for (const Crossing& crossing : crossings) {
-        balance[finder_.faces_of(crossing.pair)] += crossing.by_chords ? 1 : -1;
+        const SelfIntersections::Faces faces = finder_.faces_of(crossing.pair);
+        balance[faces] += crossing.by_chords ? 1 : -1;
+        depths[faces] += finder_.depth(crossing.pair);
     }
     for (const auto& [faces, more] : balance) {
-        if (more < 0) {
+        const auto before = depths_.find(faces);
+        if (more < 0 || (before != depths_.end() && depths[faces] > before->second)) {
             of_the_part_.insert(faces);
         }
     }
+    depths_ = std::move(depths);
 }
 
 // Returns the heights over their curves, mm, of segments of crossing triangles, except those that cannot be split.

@@ -54,6 +54,7 @@ class IntersectionRefinement {
     SegmentSplitter& segments_;
     SelfIntersections& finder_;
     std::set<SelfIntersections::Faces> of_the_part_;
+    std::map<SelfIntersections::Faces, double> depths_;  // of all crossings in the last round, mm
 };
 
 }  // namespace mq::triangulate
