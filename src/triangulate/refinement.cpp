@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/angle.h"
 #include "triangulate/operators/border_normals.h"
 #include "triangulate/optimise/cavity_optimiser.h"
 #include "triangulate/optimise/vertex_removal.h"
@@ -54,7 +55,7 @@ Refinement::Refinement(Workspace& work, MeasurementCache& findings, const Triang
       first_vertex_(first_vertex),
       end_stage_(std::move(end_stage)),
       sizing_(sizing_of(options, chord, work.session.topology())),
-      segments_(work, options.insertion != Insertion::Paper),
+      segments_(work, options.insertion != Insertion::Paper, options.min_angle * kDegree),
       angles_(work, segments_, options.min_angle, options.insertion, chord, options.sites_in_round),
       chords_(work, segments_, findings.chords, sizing_),
       crossings_(work, segments_, findings.crossings) {}

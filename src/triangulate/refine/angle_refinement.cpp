@@ -198,7 +198,7 @@ std::vector<AngleRefinement::Job> AngleRefinement::take_jobs() {
             take_turned(bad, jobs);
             continue;
         }
-        if (exempt_narrow_corner(bad) || insert_apex_ring(bad)) {
+        if (exempt_narrow_corner(bad) || exempt_where_narrow(bad) || insert_apex_ring(bad)) {
             continue;
         }
         int segment = -1;
@@ -257,6 +257,14 @@ bool AngleRefinement::exempt_narrow_corner(const QueuedTriangle& bad) {
         exempt(bad, Cause::NarrowCorner, work_.mesh.vertex_of(h), segment);
     }
     return true;
+}
+
+bool AngleRefinement::exempt_where_narrow(const QueuedTriangle& bad) {
+    const bool narrow = segments_.floors().too_narrow(bad.triangle);
+    if (narrow) {
+        exempt(bad, work_.too_short());
+    }
+    return narrow;
 }
 
 // The angle between chords of curved edges can be smaller than that between the edges, until the chords are short

@@ -70,6 +70,7 @@ class AngleRefinement {
     void remember_shrinks(int first_vertex, int shrinks);
     void exempt(const QueuedTriangle& bad, Cause cause, int vertex = -1, int segment = -1);
     bool exempt_narrow_corner(const QueuedTriangle& bad);
+    bool exempt_where_narrow(const QueuedTriangle& bad);
     bool request_finer_chords(int a, int b, int vertex);
     bool slender_apex(int h) const;
     bool insert_apex_ring(const QueuedTriangle& bad);

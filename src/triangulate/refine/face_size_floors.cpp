@@ -2,8 +2,11 @@
 #include "triangulate/refine/face_size_floors.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "triangulate/refine/tuning.h"
+#include "triangulate/work_mesh/corner_classification.h"
+#include "triangulate/work_mesh/triangle_measures.h"
 
 namespace mq::triangulate {
 
@@ -22,8 +25,6 @@ bool for_want_of_resolution(Cause cause) {
 
 }  // namespace
 
-FaceSizeFloors::FaceSizeFloors(const Workspace& work) : work_(work) {}
-
 double FaceSizeFloors::of(int face) const {
     const auto found = raised_.find(face);
     return work_.shortest_allowed() * (found != raised_.end() ? found->second.factor : 1.0);
@@ -38,6 +39,29 @@ bool FaceSizeFloors::too_short_to_split(int segment, double length) const {
         const double floor = of(work_.mesh.face_of(ClassifiedMesh::triangle_of(use.half_edge)));
         return floor > work_.shortest_allowed() && length < 2.0 * floor;
     });
+}
+
+bool FaceSizeFloors::joins_near_sides(int triangle) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    const double least = work_.shortest_allowed() * std::tan(bound_);
+    const double area = doubled_area(mesh, triangle).squaredNorm();
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        if (mesh.segment_of(h) >= 0 && work_.maxmin.on_border(mesh.vertex_of(ClassifiedMesh::prev(h))) &&
+            area < least * least * squared_length(mesh, h)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Where the face becomes wider, its boundary is divided further.
+bool FaceSizeFloors::too_narrow(int triangle) const {
+    const int h = 3 * triangle;
+    const auto near = [&](int side) {
+        const int g = work_.mesh.twin(side);
+        return g < 0 || joins_near_sides(ClassifiedMesh::triangle_of(g));
+    };
+    return joins_near_sides(triangle) && near(h) && near(h + 1) && near(h + 2);
 }
 
 void FaceSizeFloors::look(std::size_t added) {

@@ -2,16 +2,21 @@
 #include "triangulate/refine/intersection_refinement.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "triangulate/measure/deviation_estimate.h"
 #include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
+#include "triangulate/work_mesh/triangle_measures.h"
 
 namespace mq::triangulate {
 
 namespace {
 
 using geometry::Query;
+
+// Factor by which heights over squared lengths grow with each halving that leaves the heights as they are.
+constexpr double kNoChords = 4.0;
 
 }  // namespace
 
@@ -37,14 +42,24 @@ std::vector<IntersectionRefinement::Crossing> IntersectionRefinement::crossings(
     return result;
 }
 
-// Marks pairs of faces of which most crossings are deeper than chords explain: there the shape's own faces cross.
+// Marks pairs of faces of which most crossings are deeper than chords explain, or whose crossings become more while the
+// heights are no chords': there the shape's own faces cross. A chord half as long has a quarter of the height, so that
+// heights over squared lengths stay the same.
 void IntersectionRefinement::judge(const std::vector<Crossing>& crossings) {
     std::map<SelfIntersections::Faces, int> balance;
+    std::map<SelfIntersections::Faces, Bends> bends;
     for (const Crossing& crossing : crossings) {
-        balance[finder_.faces_of(crossing.pair)] += crossing.by_chords ? 1 : -1;
+        const SelfIntersections::Faces faces = finder_.faces_of(crossing.pair);
+        const Side& higher = crossing.sides[crossing.sides[1].height > crossing.sides[0].height ? 1 : 0];
+        balance[faces] += crossing.by_chords ? 1 : -1;
+        ++bends[faces].crossings;
+        bends[faces].sum += higher.height / squared_length(work_.mesh, higher.half_edge);
     }
     for (const auto& [faces, more] : balance) {
-        if (more < 0) {
+        const Bends& now = bends.at(faces);
+        const Bends& first = first_.emplace(faces, now).first->second;
+        if (more < 0 ||
+            (now.crossings > first.crossings && now.sum * first.crossings > kNoChords * first.sum * now.crossings)) {
             of_the_part_.insert(faces);
         }
     }

@@ -37,6 +37,11 @@ class IntersectionRefinement {
         std::array<Side, 2> sides;  ///< the highest side of each triangle
         bool by_chords;             ///< no deeper than the heights explain
     };
+    /// The higher sides of the crossings of two faces.
+    struct Bends {
+        double crossings = 0.0;  ///< their number
+        double sum = 0.0;        ///< of heights over squared lengths, 1/mm
+    };
     struct SideToSplit {
         int half_edge;
         std::uint32_t stamp;
@@ -54,6 +59,7 @@ class IntersectionRefinement {
     SegmentSplitter& segments_;
     SelfIntersections& finder_;
     std::set<SelfIntersections::Faces> of_the_part_;
+    std::map<SelfIntersections::Faces, Bends> first_;  // in the round that found crossings first
 };
 
 }  // namespace mq::triangulate

@@ -27,8 +27,8 @@ constexpr double kOnShell = 1.01;  // tolerance of the intersection of a curve w
 
 }  // namespace
 
-SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes)
-    : work_(work), floors_(work), guard_apexes_(guard_apexes), room_(measure_room(work.mesh)) {
+SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes, double bound)
+    : work_(work), floors_(work, bound), guard_apexes_(guard_apexes), room_(measure_room(work.mesh)) {
     for (double& radius : room_.innermost) {
         radius = std::max(radius, kAboveFloor * work.shortest_allowed());
     }
@@ -48,7 +48,8 @@ double SegmentSplitter::chord(int segment) const {
 bool SegmentSplitter::encroached(int segment) const {
     const auto& uses = work_.mesh.segment(segment).uses;
     return std::any_of(uses.begin(), uses.end(), [&](const ClassifiedMesh::SegmentUse& use) {
-        return apex_encroaches(work_.mesh, use.half_edge);
+        return apex_encroaches(work_.mesh, use.half_edge) &&
+               !floors_.too_narrow(ClassifiedMesh::triangle_of(use.half_edge));
     });
 }
 

@@ -22,9 +22,11 @@ class SegmentSplitter {
   public:
     /// To be constructed before refinement: measures the innermost shells around all CAD nodes. With `guard_apexes`,
     /// seams that end in a guarded apex are not split for the sake of angles (see ApexRings).
-    explicit SegmentSplitter(Workspace& work, bool guard_apexes = true);
+    /// `bound` as for FaceSizeFloors.
+    explicit SegmentSplitter(Workspace& work, bool guard_apexes = true, double bound = 0.0);
 
-    /// Evaluates Φ_encroached for the apexes of the triangles beside the segment.
+    /// Evaluates Φ_encroached for the apexes of the triangles beside the segment, except where the face is too narrow
+    /// (see FaceSizeFloors).
     bool encroached(int segment) const;
     /// Whether the segment is an innermost piece at a small input angle, which is not split any more once it is short
     /// compared with its surroundings. Pieces on one shell could otherwise encroach on each other through their

@@ -3,8 +3,12 @@
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <gp_Circ.hxx>
 
 #include "geometry/occt/shape_model.h"
@@ -53,6 +57,57 @@ TEST(FaceSizeFloors, ARingWithoutAHoleIsNoRunAway) {
     EXPECT_TRUE(result.report.complete);
     EXPECT_TRUE(result.report.closed && result.report.oriented);
     EXPECT_LT(result.mesh.triangles.size(), 50000U);
+}
+
+/// A box of 1 m beside a face of two squares that a strip joins, 200 times as long as the least distance of vertices.
+std::shared_ptr<geometry::Model> strip_beside_a_box(double width) {
+    BRepBuilderAPI_MakePolygon outline;
+    for (const auto& [x, y] : std::vector<std::array<double, 2>>{{0.0, -0.1},
+                                                                 {0.2, -0.1},
+                                                                 {0.2, -0.5 * width},
+                                                                 {0.4, -0.5 * width},
+                                                                 {0.4, -0.1},
+                                                                 {0.6, -0.1},
+                                                                 {0.6, 0.1},
+                                                                 {0.4, 0.1},
+                                                                 {0.4, 0.5 * width},
+                                                                 {0.2, 0.5 * width},
+                                                                 {0.2, 0.1},
+                                                                 {0.0, 0.1}}) {
+        outline.Add(gp_Pnt(x, y, 0.0));
+    }
+    outline.Close();
+    TopoDS_Compound both;
+    const BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(0.0, 0.0, 1.0), 1000.0, 1000.0, 1000.0).Shape());
+    builder.Add(both, BRepBuilderAPI_MakeFace(outline.Wire()).Face());
+    return geometry::make_shape_model(both, nullptr);
+}
+
+TEST(FaceSizeFloors, TheBoundaryOfAFaceTooNarrowForTheBoundIsNotDivided) {
+    const double bound = 25.0 * M_PI / 180.0;
+    const double floor = SinglePrecisionGrid(strip_beside_a_box(0.1)->topology().box).shortest_side();
+    for (const double share : {0.5, 0.9, 2.1}) {
+        SCOPED_TRACE(share);
+        const Result result = mesh_of(strip_beside_a_box(share * floor * std::tan(bound)));
+        for (const auto& [triangle, reason] : result.report.exempt) {
+            EXPECT_EQ(reason.cause, Cause::Resolution);
+        }
+        std::size_t in_strip = 0;
+        for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
+            const auto corners = corners_of(result.mesh, t);
+            in_strip += std::all_of(corners.begin(), corners.end(),
+                                    [](const Vec3& p) { return p.z() < 0.5 && p.x() > 0.21 && p.x() < 0.39; });
+        }
+        if (share < 1.0) {
+            EXPECT_GT(result.report.exempt.size(), 0U);
+            EXPECT_LT(in_strip, 20U) << "only near its ends, where the face becomes wider";
+        } else {
+            EXPECT_TRUE(result.report.exempt.empty());
+            EXPECT_GT(in_strip, 100U);
+        }
+    }
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ mesh::TriangleMesh welded(mesh::TriangleMesh mesh) {
 }
 
 TEST(Crossings, ThinWallsAreRefinedUntilTheirSidesAreApart) {
-    for (const double wall : {0.3, 0.05}) {
+    for (const double wall : {0.3, 0.1, 0.05, 0.02}) {
         SCOPED_TRACE(wall);
         const Result result = mesh_of(geometry::make_shape_model(two_spheres(10.0, 10.0 - wall, 0.0)));
         EXPECT_TRUE(result.report.closed);
