@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "base/vec.h"
 #include "mesh/triangle_mesh.h"
 
@@ -121,8 +122,8 @@ class AabbTree {
 
     const std::vector<Vec3>* vertices_;
     const std::vector<Triangle>* triangles_;
-    std::vector<Item> items_;
-    std::vector<Node> nodes_;
+    LargeVector<Item> items_;
+    LargeVector<Node> nodes_;
 
   private:
     class Ray;
@@ -130,6 +131,11 @@ class AabbTree {
     Bounds bounds_of(std::int32_t triangle) const;
     void build();
     void sort_items();
+    struct Key {
+        std::uint32_t code;
+        std::uint32_t item;
+    };
+    void put_in_order(LargeVector<Key> keys);
     void build_node(std::int32_t node, std::size_t begin, std::size_t end);
     std::size_t split(std::size_t begin, std::size_t end);
 
@@ -159,7 +165,7 @@ class AabbTree {
 
     double slack_ = 0.0;
     /// The common group of all triangles of a node, else -1; empty without groups.
-    std::vector<std::int32_t> node_group_;
+    LargeVector<std::int32_t> node_group_;
 };
 
 /// Tests a ray against boxes: the slabs of Kay and Kajiya, with divisions rounded so that no box is missed.

@@ -15,7 +15,7 @@ class VolumeWriter {
   public:
     VolumeWriter(const ClassifiedMesh& mesh, const geometry::Topology& topology, const geometry::Volume& volume,
                  std::vector<char>& flipped, std::vector<char>& present, DisjointSets<int>& corners,
-                 std::vector<int>& vertex_of_root, const Progress& progress)
+                 LargeVector<int>& vertex_of_root, const Progress& progress)
         : mesh_(mesh),
           topology_(topology),
           volume_(volume),
@@ -175,7 +175,7 @@ class VolumeWriter {
     std::vector<char>& flipped_;  // by face, for this volume
     std::vector<char>& present_;
     DisjointSets<int>& corners_;  // corners joined to vertices
-    std::vector<int>& vertex_of_root_;
+    LargeVector<int>& vertex_of_root_;
     CancelPace pace_;
 };
 
@@ -202,7 +202,7 @@ Output write_out(const ClassifiedMesh& mesh, const geometry::Topology& topology,
     std::vector<char> flipped(topology.faces.size(), 0);
     std::vector<char> present(topology.faces.size(), 0);
     DisjointSets<int> corners(mesh.half_edge_count());
-    std::vector<int> vertex_of_root(mesh.half_edge_count());
+    LargeVector<int> vertex_of_root(mesh.half_edge_count());
     for (const geometry::Volume& volume : topology.volumes) {
         VolumeWriter(mesh, topology, volume, flipped, present, corners, vertex_of_root, progress)
             .run(triangles_of_face, out);

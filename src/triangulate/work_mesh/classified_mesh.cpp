@@ -14,13 +14,17 @@ constexpr int kLoose = -0x7fffffff;
 }  // namespace
 
 int ClassifiedMesh::add_vertex(const Vec3& point, mesh::VertexEntity entity) {
-    vertices_.push_back({point, entity});
+    points_.push_back(point);
+    entities_.push_back(entity);
     return vertex_count() - 1;
 }
 
 int ClassifiedMesh::add_site(const VertexUse& site) {
-    sites_.push_back(site);
-    sites_.back().point = vertices_[site.vertex].point;
+    const Vec3& p = points_[site.vertex];
+    sites_.push_back({site.vertex,
+                      {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())},
+                      site.uv,
+                      site.normal});
     return site_count() - 1;
 }
 
@@ -55,6 +59,35 @@ void ClassifiedMesh::bind(int half_edge, int segment, int use) {
     twin_[half_edge] = ~segment;
     number_[half_edge] = numbers_++;
     segments_[segment].uses.push_back({half_edge, use});
+}
+
+int ClassifiedMesh::edge_count() const {
+    std::size_t on_segments = 0;
+    for (const Segment& segment : segments_) {
+        on_segments += segment.uses.size();
+    }
+    return (3 * used_triangle_count() + static_cast<int>(on_segments)) / 2;
+}
+
+LargeVector<int> ClassifiedMesh::renumber_edges() {
+    LargeVector<int> renewed(static_cast<std::size_t>(numbers_), -1);
+    for (int h = 0; h < half_edge_count(); ++h) {
+        if (!gone(triangle_of(h))) {
+            renewed[number_[h]] = 0;
+        }
+    }
+    dropped_ += numbers_;
+    numbers_ = 0;
+    for (int& number : renewed) {
+        number = number < 0 ? -1 : numbers_++;
+    }
+    dropped_ -= numbers_;
+    for (int h = 0; h < half_edge_count(); ++h) {
+        if (!gone(triangle_of(h))) {
+            number_[h] = renewed[number_[h]];
+        }
+    }
+    return renewed;
 }
 
 ClassifiedMesh::Link ClassifiedMesh::take(int h) const {
