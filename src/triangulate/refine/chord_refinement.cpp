@@ -210,7 +210,6 @@ void ChordRefinement::measure_growth(Violations& found) {
 // Returns the worst first, and equal ones as they were found.
 ChordRefinement::Violations ChordRefinement::violations() {
     Violations found;
-    known_points_.clear();
     measure_segments(found);
     if (found.empty()) {
         measure_edges(found);
@@ -287,6 +286,7 @@ void ChordRefinement::split(const Violations& found) {
             split_one(inner[i], points[i - from]);
         }
     }
+    known_points_ = {};
     segments_.run(touched_);
     touched_.clear();
 }

@@ -307,6 +307,7 @@ void ClassifiedMesh::replace_between(int near, int far, int vertex, double t,
 
 std::vector<std::pair<int, int>> ClassifiedMesh::compact() {
     std::vector<std::pair<int, int>> moved;
+    const int before = triangle_count();
     for (int hole = 0; hole < triangle_count(); ++hole) {
         while (triangle_count() > hole && gone(triangle_count() - 1)) {
             drop_last_triangle();
@@ -326,6 +327,14 @@ std::vector<std::pair<int, int>> ClassifiedMesh::compact() {
         drop_last_triangle();
     }
     gone_ = 0;
+    // The memory of triangles that are gone, where they are so many that it is worth a copy of the rest.
+    constexpr int kWorthACopy = 16;
+    if (before - triangle_count() > before / kWorthACopy) {
+        corner_.shrink_to_fit();
+        twin_.shrink_to_fit();
+        number_.shrink_to_fit();
+        face_.shrink_to_fit();
+    }
     return moved;
 }
 
@@ -373,7 +382,14 @@ std::vector<int> ClassifiedMesh::star(int h, std::size_t most) const {
 }
 
 std::vector<std::vector<int>> ClassifiedMesh::triangles_by_face(std::size_t faces) const {
+    std::vector<std::size_t> counts(faces, 0);
+    for (const int face : face_) {
+        ++counts[static_cast<std::size_t>(face)];
+    }
     std::vector<std::vector<int>> result(faces);
+    for (std::size_t f = 0; f < faces; ++f) {
+        result[f].reserve(counts[f]);
+    }
     for (int t = 0; t < triangle_count(); ++t) {
         result[face_of(t)].push_back(t);
     }
