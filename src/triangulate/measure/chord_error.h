@@ -63,8 +63,11 @@ class ChordErrorCache {
 
     /// Follows ClassifiedMesh::renumber_edges.
     void renumber(const LargeVector<int>& renewed) { move_to_numbers(renewed, known_); }
-    /// Discards all measurements by edge, and frees their memory.
-    void clear() { known_ = {}; }
+    /// Discards all measurements of edges and vertices, and frees their memory.
+    void clear() {
+        known_ = {};
+        site_offsets_ = {};
+    }
     /// Discards the measurements of an edge, or of a segment by any of its half-edges.
     void forget(int half_edge);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSinglePrecision = 1.0 - 1e-6;
 
 // Pieces measured at a time: the results for all would be larger than the mesh.
-constexpr std::size_t kAtOnce = 16384;
+constexpr std::size_t kAtOnce = 8192;
 
 struct Pieces {
     std::vector<int> segments;

@@ -86,8 +86,7 @@ double SelfIntersections::depth(const std::array<int, 2>& pair) const {
     return std::min(reach(pair[0], pair[1]), reach(pair[1], pair[0]));
 }
 
-// Searches again if the mesh changed: every change creates an edge, or reduces the number of
-// triangles.
+// Searches again if the mesh changed: every change creates an edge, or reduces the number of triangles.
 void SelfIntersections::find_where_changed() {
     const std::array<std::int64_t, 2> state{work_.mesh.edges_made(), work_.mesh.triangle_count()};
     if (state != state_) {
@@ -105,7 +104,10 @@ void SelfIntersections::find() {
     }
     pairs_.clear();
     others_.clear();
-    for (const mesh::ContactPair& pair : mesh::self_intersections(mesh.points(), triangles, kMostPairs, &work_.progress)) {
+    // Memory is at its peak here: the rest of the working mesh and what is known of it stay.
+    const std::vector<mesh::ContactPair> found = mesh::self_intersections(
+        mesh.points(), triangles, kMostPairs, &work_.progress, nullptr, mesh::Preparation::InTurn);
+    for (const mesh::ContactPair& pair : found) {
         if (one_volume(faces_of({pair.a, pair.b}))) {
             pairs_.push_back({pair.a, pair.b});
         } else if (pair.contact == mesh::Contact::Crossing) {

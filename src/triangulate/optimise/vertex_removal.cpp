@@ -178,8 +178,8 @@ std::vector<std::optional<VertexRemoval::RemovalPlan>> VertexRemoval::plans_for(
 // Returns plans that share no triangles and keep the tolerance. Candidates whose triangles others took are left for
 // later rounds.
 LargeVector<VertexRemoval::RemovalPlan> VertexRemoval::plans(std::vector<int>& candidates) {
-    // Plans that are made at a time, a few MB: most are dropped as soon as their triangles are compared, or measured.
-    constexpr std::size_t kAtOnce = 8192;
+    // Plans that are made at a time, about a MB: most are dropped as soon as their triangles are compared, or measured.
+    constexpr std::size_t kAtOnce = 4096;
     LargeVector<char> taken(static_cast<std::size_t>(work_.mesh.triangle_count()), 0);
     LargeVector<RemovalPlan> result;
     std::vector<int> later;

@@ -25,7 +25,7 @@ std::array<std::uint32_t, 2> stamps_beside(const ClassifiedMesh& mesh, int h) {
 }
 
 // Pieces measured, or surface points found, at a time: their results are larger than the mesh if all are kept.
-constexpr std::size_t kAtOnce = 16384;
+constexpr std::size_t kAtOnce = 8192;
 
 }  // namespace
 
@@ -231,7 +231,7 @@ ChordRefinement::Violations ChordRefinement::violations() {
 
 // Edges that are gone would leave the larger share of what is stored by number without use.
 void ChordRefinement::forget_gone_edges() {
-    constexpr double kWorthRenumbering = 1.25;  // numbers for each edge
+    constexpr double kWorthRenumbering = 1.125;  // numbers for each edge
     if (work_.mesh.number_count() <= kWorthRenumbering * work_.mesh.edge_count()) {
         return;
     }
