@@ -6,6 +6,8 @@
 #include <numeric>
 #include <vector>
 
+#include "base/large_vector.h"
+
 namespace mq {
 
 /// Disjoint sets of 0 .. count - 1 with path halving. The root of a set is always its lowest member, so that results do
@@ -47,7 +49,7 @@ class DisjointSets {
   private:
     Index& up(Index i) { return parent_[static_cast<std::size_t>(i)]; }
 
-    std::vector<Index> parent_;
+    LargeVector<Index> parent_;
 };
 
 }  // namespace mq

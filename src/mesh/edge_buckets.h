@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "base/parallel.h"
 #include "mesh/triangle_mesh.h"
 
@@ -26,8 +27,8 @@ struct EdgeEntry {
 /// The corners (directed edges, 3 * triangle + i) of a triangle soup in buckets by the lower vertex of their edges,
 /// each sorted by the higher one, then by the corner. Triangles that name a vertex twice are left out.
 struct EdgeBuckets {
-    std::vector<std::uint32_t> begin;  ///< first entry of each vertex; the number of entries at the end
-    std::vector<EdgeEntry> entries;
+    LargeVector<std::uint32_t> begin;  ///< first entry of each vertex; the number of entries at the end
+    LargeVector<EdgeEntry> entries;
 };
 
 inline void sort_bucket(EdgeEntry* first, EdgeEntry* last) {
@@ -78,7 +79,7 @@ EdgeBuckets edge_buckets(const std::vector<Triangle>& triangles, std::size_t ver
         }
     };
     EdgeBuckets buckets;
-    std::vector<std::uint32_t>& begin = buckets.begin;
+    LargeVector<std::uint32_t>& begin = buckets.begin;
     begin.assign(vertex_count + 2, 0);
     in_blocks([&](std::int32_t first, std::int32_t last) {
         for_each_edge(first, last, [&](std::size_t low, const EdgeEntry&) { ++begin[low + 2]; });

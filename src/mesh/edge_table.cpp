@@ -2,23 +2,12 @@
 #include "mesh/edge_table.h"
 
 #include <string>
-#include <utility>
 
 #include "base/error.h"
-#include "mesh/edge_buckets.h"
-
 namespace mq::mesh {
 
-EdgeTable::EdgeTable(const std::vector<Triangle>& triangles, std::size_t vertex_count) {
-    EdgeBuckets buckets = edge_buckets(triangles, vertex_count, [](const EdgeEntry*, const EdgeEntry*) {});
-    begin_ = std::move(buckets.begin);
-    high_.reserve(buckets.entries.size());
-    corners_.reserve(buckets.entries.size());
-    for (const EdgeEntry& entry : buckets.entries) {
-        high_.push_back(entry.high);
-        corners_.push_back(entry.corner());
-    }
-}
+EdgeTable::EdgeTable(const std::vector<Triangle>& triangles, std::size_t vertex_count)
+    : buckets_(edge_buckets(triangles, vertex_count, [](const EdgeEntry*, const EdgeEntry*) {})) {}
 
 void require_valid(const TriangleMesh& mesh) {
     const auto count = static_cast<std::int64_t>(mesh.vertices.size());

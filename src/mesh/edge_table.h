@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/edge_buckets.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::mesh {
@@ -22,23 +23,22 @@ class EdgeTable {
     /// are its corners in ascending order.
     template <typename Visit>
     void for_each(Visit&& visit) const {
-        for (std::size_t low = 0; low + 1 < begin_.size(); ++low) {
-            std::size_t i = begin_[low];
-            while (i < begin_[low + 1]) {
-                std::size_t j = i + 1;
-                while (j < begin_[low + 1] && high_[j] == high_[i]) {
-                    ++j;
+        std::vector<std::uint32_t> corners;
+        for (std::size_t low = 0; low + 1 < buckets_.begin.size(); ++low) {
+            const EdgeEntry* const last = buckets_.entries.data() + buckets_.begin[low + 1];
+            for (const EdgeEntry* i = buckets_.entries.data() + buckets_.begin[low]; i != last;) {
+                const std::int32_t high = i->high;
+                corners.clear();
+                for (; i != last && i->high == high; ++i) {
+                    corners.push_back(i->corner());
                 }
-                visit(static_cast<std::int32_t>(low), high_[i], corners_.data() + i, corners_.data() + j);
-                i = j;
+                visit(static_cast<std::int32_t>(low), high, corners.data(), corners.data() + corners.size());
             }
         }
     }
 
   private:
-    std::vector<std::uint32_t> begin_;  ///< first entry of each lower vertex in the two arrays below
-    std::vector<std::int32_t> high_;    ///< the other vertex
-    std::vector<std::uint32_t> corners_;
+    EdgeBuckets buckets_;
 };
 
 /// Throws InvalidInput unless every index is in range, every coordinate a number, and the optional arrays are either

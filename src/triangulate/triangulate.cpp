@@ -125,7 +125,7 @@ void report_first(const SampledTriangulation& first, const geometry::Topology& t
         report.missing.emplace_back(topology.of_shape({2, failure.first}).index, failure.second);
         report.notes.push_back(topology.name_of({2, failure.first}) + " is missing: " + failure.second);
     }
-    for (int face = 0; face < static_cast<int>(first.faces.faces.size()); ++face) {
+    for (int face = 0; face < static_cast<int>(topology.faces.size()); ++face) {
         if (first.faces.chains.is_a_point(face)) {
             report.notes.push_back(topology.name_of({2, face}) + " is a point in single precision: left out");
         }
@@ -236,10 +236,11 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     const TriangulateOptions& options = task.options;
     const geometry::Topology& topology = task.session.topology();
     StageClock& clock = task.costs.clock();
-    const SampledTriangulation first =
+    SampledTriangulation first =
         initial_or_sampled(task.session, task.grid, options, task.chord, recall, task.progress, clock);
     check_failures(first.faces, topology, options);
     ClassifiedMesh surface = assemble(first.faces, topology);
+    first.faces.faces = {};  // samples may be many
     StageMeshes stages(surface, topology, task.grid.origin(), clock);
     MaxMinSwaps maxmin(surface);
     Workspace work = workspace_of(task, first.faces.chains, surface, maxmin);
@@ -258,10 +259,14 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
 
     task.progress.stage("checking", 0.9, 1.0);
     task.progress.check();
+    const MaxChordError farthest = measure_against_part(work, findings, task.chord);
+    if (left == nullptr) {
+        findings.chords.clear();  // before there is the mesh once more
+    }
     Output out = write_out(surface, topology, task.grid.origin(), task.progress);
     task.progress.check();
     Result result;
-    result.report = final_report(work, findings, out, options, task.chord);
+    result.report = final_report(work, findings.crossings, farthest, out, options, task.chord);
     result.mesh = std::move(out.mesh);
     result.angle_history = work.angle_history.entries();
     result.report.reused_faces = recall != nullptr ? count(recall->kept(surface), topology) : 0;

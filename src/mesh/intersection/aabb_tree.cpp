@@ -5,12 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <utility>
 
 namespace mq::mesh {
 namespace {
-
-/// Triangles in a leaf at most; a leaf is tested triangle by triangle.
-constexpr std::size_t kLeafSize = 4;
 
 /// The next single-precision number toward minus infinity; std::nextafter, but inlined.
 float next_below(float x) {
@@ -70,8 +68,13 @@ AabbTree::Bounds AabbTree::bounds_of(std::int32_t triangle) const {
     return bounds;
 }
 
-AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack)
-    : vertices_(&vertices), triangles_(&triangles), items_(triangles.size()), slack_(slack) {
+AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack,
+                   std::size_t leaf_size)
+    : vertices_(&vertices),
+      triangles_(&triangles),
+      items_(triangles.size()),
+      slack_(slack),
+      leaf_size_(leaf_size) {
     for (std::size_t i = 0; i < items_.size(); ++i) {
         items_[i].triangle = static_cast<std::int32_t>(i);
     }
@@ -126,11 +129,7 @@ void AabbTree::sort_items() {
     // Buckets of one pass of the radix sort.
     constexpr std::size_t kBuckets = std::size_t{1} << kBits;
     std::array<std::array<std::uint32_t, kBuckets + 1>, 3> begin{};
-    struct Key {
-        std::uint32_t code;
-        std::uint32_t item;
-    };
-    std::vector<Key> keys(items_.size());
+    LargeVector<Key> keys(items_.size());
     for (std::size_t k = 0; k < items_.size(); ++k) {
         const Bounds& bounds = items_[k].bounds;
         std::uint32_t code = 0;
@@ -146,7 +145,7 @@ void AabbTree::sort_items() {
             ++begin[pass][((code >> (kBits * pass)) & (kBuckets - 1)) + 1];
         }
     }
-    std::vector<Key> sorted(keys.size());
+    LargeVector<Key> sorted(keys.size());
     for (int pass = 0; pass < 3; ++pass) {
         std::partial_sum(begin[pass].begin(), begin[pass].end(), begin[pass].begin());
         for (const Key& key : keys) {
@@ -154,15 +153,27 @@ void AabbTree::sort_items() {
         }
         keys.swap(sorted);
     }
-    std::vector<Item> items(items_.size());
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-        items[k] = items_[keys[k].item];
+    sorted = {};
+    put_in_order(std::move(keys));
+}
+
+/// Moves items to their places along the cycles of the permutation: a copy of all would double the memory.
+void AabbTree::put_in_order(LargeVector<Key> keys) {
+    for (std::uint32_t start = 0; start < keys.size(); ++start) {
+        const Item first = items_[start];
+        std::uint32_t place = start;
+        while (keys[place].item != start) {
+            const std::uint32_t from = std::exchange(keys[place].item, place);
+            items_[place] = items_[from];
+            place = from;
+        }
+        items_[place] = first;
+        keys[place].item = place;
     }
-    items_.swap(items);
 }
 
 void AabbTree::build_node(std::int32_t node, std::size_t begin, std::size_t end) {
-    if (end - begin <= kLeafSize) {
+    if (end - begin <= leaf_size_) {
         Bounds bounds = items_[begin].bounds;
         for (std::size_t i = begin + 1; i < end; ++i) {
             bounds.add(items_[i].bounds);

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "base/vec.h"
 #include "mesh/triangle_mesh.h"
 
@@ -24,8 +25,12 @@ namespace mq::mesh {
 /// indices must be in range and all coordinates finite.
 class AabbTree {
   public:
+    /// Triangles in a leaf at most; a leaf is tested triangle by triangle.
+    static constexpr std::size_t kLeafSize = 4;
     /// @param slack  mm, by which boxes are larger than their triangles on all sides: for vertices with rounding errors
-    AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack = 0.0);
+    /// @param leaf_size  larger leaves take less memory: 26 bytes a triangle for nodes with 4, 13 with 8
+    AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack = 0.0,
+             std::size_t leaf_size = kLeafSize);
     /// A tree over some of the triangles only, each named once.
     AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
              const std::vector<std::int32_t>& subset, double slack = 0.0);
@@ -121,8 +126,8 @@ class AabbTree {
 
     const std::vector<Vec3>* vertices_;
     const std::vector<Triangle>* triangles_;
-    std::vector<Item> items_;
-    std::vector<Node> nodes_;
+    LargeVector<Item> items_;
+    LargeVector<Node> nodes_;
 
   private:
     class Ray;
@@ -130,6 +135,11 @@ class AabbTree {
     Bounds bounds_of(std::int32_t triangle) const;
     void build();
     void sort_items();
+    struct Key {
+        std::uint32_t code;
+        std::uint32_t item;
+    };
+    void put_in_order(LargeVector<Key> keys);
     void build_node(std::int32_t node, std::size_t begin, std::size_t end);
     std::size_t split(std::size_t begin, std::size_t end);
 
@@ -158,8 +168,9 @@ class AabbTree {
     void descend(const Meets& meets, Visit& visit) const;
 
     double slack_ = 0.0;
+    std::size_t leaf_size_ = kLeafSize;
     /// The common group of all triangles of a node, else -1; empty without groups.
-    std::vector<std::int32_t> node_group_;
+    LargeVector<std::int32_t> node_group_;
 };
 
 /// Tests a ray against boxes: the slabs of Kay and Kajiya, with divisions rounded so that no box is missed.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/large_vector.h"
 #include "base/predicates.h"
 #include "mesh/corner_table.h"
 
@@ -208,8 +209,7 @@ class PatchFinder {
           fewest_(fewest),
           twins_(edge_twins(triangles, vertices.size())),
           patch_(triangles.size(), kNone),
-          tried_(triangles.size(), kNone),
-          number_(3 * triangles.size(), kNone) {}
+          tried_(triangles.size(), kNone) {}
 
     std::vector<std::int32_t> run(const Progress* progress) {
         std::int32_t trial = 0;
@@ -286,21 +286,24 @@ class PatchFinder {
 
     bool proven(const View& view, std::int32_t trial) {
         std::vector<std::int32_t> corners;
+        std::vector<std::array<std::int32_t, 2>> numbers;  // corners on the border, ascending, and their places
         for (const std::int32_t t : members_) {
             for (std::int32_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
                 if (!inside(twin(corner), trial)) {
-                    number_[static_cast<std::size_t>(corner)] = static_cast<std::int32_t>(corners.size());
+                    numbers.push_back({corner, static_cast<std::int32_t>(corners.size())});
                     corners.push_back(corner);
                 }
             }
         }
+        std::sort(numbers.begin(), numbers.end());
         std::vector<Border::Edge> edges;
         for (const std::int32_t corner : corners) {
             std::int32_t next = next_corner(corner);
             while (inside(twin(next), trial)) {
                 next = next_corner(twin(next));
             }
-            edges.push_back({vertex(corner), vertex(next_corner(corner)), number_[static_cast<std::size_t>(next)]});
+            const auto found = std::lower_bound(numbers.begin(), numbers.end(), std::array<std::int32_t, 2>{next, 0});
+            edges.push_back({vertex(corner), vertex(next_corner(corner)), (*found)[1]});
         }
         return Border(vertices_, view, std::move(edges)).winds_once();
     }
@@ -310,9 +313,8 @@ class PatchFinder {
     std::size_t fewest_;
     std::vector<std::int32_t> twins_;  ///< twin of each corner
     std::vector<std::int32_t> patch_;
-    std::vector<std::int32_t> tried_;  ///< for each triangle the trial in which it was tested
+    LargeVector<std::int32_t> tried_;  ///< for each triangle the trial in which it was tested
     std::vector<std::int32_t> members_;
-    std::vector<std::int32_t> number_;  ///< for each corner its number on the border of the present patch
 };
 
 }  // namespace

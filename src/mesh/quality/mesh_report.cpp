@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "base/disjoint_sets.h"
+#include "base/large_vector.h"
 #include "base/predicates.h"
 #include "mesh/edge_table.h"
 #include "mesh/quality/exemptions.h"
@@ -70,7 +71,7 @@ void unite_fans(const TriangleMesh& mesh, std::int32_t low, const std::uint32_t*
 }
 
 void measure_fans(const TriangleMesh& mesh, std::size_t edges, Sets& fans, Sets& bodies, MeshReport& report) {
-    std::vector<std::uint8_t> fans_at(mesh.vertices.size(), 0);
+    LargeVector<std::uint8_t> fans_at(mesh.vertices.size(), 0);
     long faces = 0;
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
         if (is_collapsed(mesh.triangles[k])) {
@@ -91,8 +92,8 @@ void measure_fans(const TriangleMesh& mesh, std::size_t edges, Sets& fans, Sets&
 }
 
 /// By triangle.
-std::vector<double> squared_longest_edges(const TriangleMesh& mesh) {
-    std::vector<double> longest;
+LargeVector<double> squared_longest_edges(const TriangleMesh& mesh) {
+    LargeVector<double> longest;
     longest.reserve(mesh.triangles.size());
     for (const Triangle& t : mesh.triangles) {
         const Vec3& a = mesh.vertices[t[0]];
@@ -104,7 +105,7 @@ std::vector<double> squared_longest_edges(const TriangleMesh& mesh) {
 }
 
 /// Largest ratio of the longest edges of triangles that share an edge, squared.
-double squared_stretching(const std::vector<double>& longest, const std::uint32_t* first, const std::uint32_t* last) {
+double squared_stretching(const LargeVector<double>& longest, const std::uint32_t* first, const std::uint32_t* last) {
     const auto [least, most] = std::minmax_element(
         first, last, [&](std::uint32_t a, std::uint32_t b) { return longest[a / 3] < longest[b / 3]; });
     return longest[*most / 3] / longest[*least / 3];
@@ -117,13 +118,13 @@ void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progre
     Sets fans(3 * mesh.triangles.size());
     Sets bodies(mesh.triangles.size());
     std::vector<std::int32_t> opposite;
-    std::vector<std::size_t> degrees(mesh.vertices.size(), 0);
-    const std::vector<double> longest = squared_longest_edges(mesh);
+    LargeVector<std::uint32_t> degrees(mesh.vertices.size(), 0);
+    const LargeVector<double> longest = squared_longest_edges(mesh);
     double stretching = 0.0;
     std::size_t edges = 0;
     table.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
         ++edges;
-        report.max_degree = std::max({report.max_degree, ++degrees[low], ++degrees[high]});
+        report.max_degree = std::max<std::size_t>({report.max_degree, ++degrees[low], ++degrees[high]});
         pace.step();
         const auto count = last - first;
         if (count == 1) {

@@ -61,6 +61,13 @@ class ChordErrorCache {
     Measured measured(int half_edge) const;
     void take(int half_edge, const Measured& measured);
 
+    /// Follows ClassifiedMesh::renumber_edges.
+    void renumber(const LargeVector<int>& renewed) { move_to_numbers(renewed, known_); }
+    /// Discards all measurements of edges and vertices, and frees their memory.
+    void clear() {
+        known_ = {};
+        site_offsets_ = {};
+    }
     /// Discards the measurements of an edge, or of a segment by any of its half-edges.
     void forget(int half_edge);
 
@@ -89,8 +96,8 @@ class ChordErrorCache {
 
     Workspace& work_;
     // By site: distance of vertices on CAD edges from the surface, mm; below 0: not measured.
-    std::vector<double> site_offsets_;
-    std::vector<Known> known_;  // by the number of the edge; for a segment, of its first half-edge
+    LargeVector<double> site_offsets_;
+    LargeVector<Known> known_;  // by the number of the edge; for a segment, of its first half-edge
     std::vector<SurfaceProjection> feet_;
     using Offset = std::array<double, 3>;
     KeyMap<Offset> offsets_;  // by their vertices: offsets of the middles of segments from their curves, mm

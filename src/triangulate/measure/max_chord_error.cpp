@@ -14,12 +14,24 @@ namespace {
 // Cached distances have single precision: those above this fraction of the largest one are measured again.
 constexpr double kSinglePrecision = 1.0 - 1e-6;
 
+// Pieces measured at a time: the results for all would be larger than the mesh.
+constexpr std::size_t kAtOnce = 8192;
+
 struct Pieces {
     std::vector<int> segments;
     std::vector<int> sides;  // first half-edges of the segments
-    std::vector<int> edges;
-    std::vector<int> triangles;
+    LargeVector<int> edges;
+    LargeVector<int> triangles;
 };
+
+// Calls `see` for blocks of pieces.
+template <typename See>
+void in_blocks(const LargeVector<int>& pieces, const See& see) {
+    for (std::size_t from = 0; from < pieces.size(); from += kAtOnce) {
+        const int* const first = pieces.data() + from;
+        see(std::vector<int>(first, first + std::min(kAtOnce, pieces.size() - from)));
+    }
+}
 
 // Collects all pieces except those that are measured from several faces.
 Pieces pieces_of(const Workspace& work) {
@@ -79,21 +91,29 @@ class Farthest {
 
     const MaxChordError& worst() const { return worst_; }
 
-    void see_triangles(const std::vector<int>& triangles, double tolerance) {
-        const std::vector<Distance> distances = measure_.of_triangles(triangles, tolerance);
-        for (std::size_t i = 0; i < distances.size(); ++i) {
-            see(distances[i], triangles[i]);
-        }
+    void see_triangles(const LargeVector<int>& all, double tolerance) {
+        in_blocks(all, [&](const std::vector<int>& triangles) {
+            const std::vector<Distance> distances = measure_.of_triangles(triangles, tolerance);
+            for (std::size_t i = 0; i < distances.size(); ++i) {
+                see(distances[i], triangles[i]);
+            }
+        });
     }
 
-    void see_edges(const std::vector<int>& edges, double tolerance) {
-        see_all(edges, edges, measure_.of_edges(edges, tolerance),
-                [&](const std::vector<int>& far) { return measure_.of_edges(far, tolerance); });
+    void see_edges(const LargeVector<int>& all, double tolerance) {
+        double largest = worst_.distance;
+        std::vector<Recalled> recalled;
+        in_blocks(all, [&](const std::vector<int>& edges) {
+            see_all(edges, edges, measure_.of_edges(edges, tolerance), largest, recalled);
+        });
+        see_again(recalled, largest, [&](const std::vector<int>& far) { return measure_.of_edges(far, tolerance); });
     }
 
     void see_segments(const Pieces& pieces, double tolerance) {
-        see_all(pieces.segments, pieces.sides, measure_.of_segments(pieces.segments, tolerance),
-                [&](const std::vector<int>& far) { return measure_.of_segments(far, tolerance); });
+        double largest = worst_.distance;
+        std::vector<Recalled> recalled;
+        see_all(pieces.segments, pieces.sides, measure_.of_segments(pieces.segments, tolerance), largest, recalled);
+        see_again(recalled, largest, [&](const std::vector<int>& far) { return measure_.of_segments(far, tolerance); });
     }
 
   private:
@@ -104,23 +124,38 @@ class Farthest {
         }
     }
 
-    // Cached distances are measured again if they may be the largest, since the cache lacks their points.
-    template <typename Again>
+    // A cached distance, which lacks its point.
+    struct Recalled {
+        double distance;
+        int piece;
+        int side;
+    };
+
+    // Sees what was measured, and keeps the cached distances that may be the largest.
     void see_all(const std::vector<int>& pieces, const std::vector<int>& sides, const std::vector<Distance>& distances,
-                 Again again) {
-        double largest = worst_.distance;
+                 double& largest, std::vector<Recalled>& recalled) {
         for (const Distance& distance : distances) {
             largest = std::max(largest, distance.distance);
         }
-        std::vector<int> far;
-        std::vector<int> far_sides;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             if (!distances[i].recalled) {
                 see(distances[i], sides[i] / 3);
             } else if (distances[i].distance >= kSinglePrecision * largest) {
-                far.push_back(pieces[i]);
-                far_sides.push_back(sides[i]);
-                measure_.forget(sides[i]);
+                recalled.push_back({distances[i].distance, pieces[i], sides[i]});
+            }
+        }
+    }
+
+    // Measures the largest of the cached distances again.
+    template <typename Again>
+    void see_again(const std::vector<Recalled>& recalled, double largest, const Again& again) {
+        std::vector<int> far;
+        std::vector<int> far_sides;
+        for (const Recalled& piece : recalled) {
+            if (piece.distance >= kSinglePrecision * largest) {
+                far.push_back(piece.piece);
+                far_sides.push_back(piece.side);
+                measure_.forget(piece.side);
             }
         }
         const std::vector<Distance> once_more = again(far);

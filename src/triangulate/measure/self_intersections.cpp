@@ -86,10 +86,9 @@ double SelfIntersections::depth(const std::array<int, 2>& pair) const {
     return std::min(reach(pair[0], pair[1]), reach(pair[1], pair[0]));
 }
 
-// Searches again if the mesh changed: every change creates an edge with a new number, or reduces the number of
-// triangles.
+// Searches again if the mesh changed: every change creates an edge, or reduces the number of triangles.
 void SelfIntersections::find_where_changed() {
-    const std::array<int, 2> state{work_.mesh.number_count(), work_.mesh.triangle_count()};
+    const std::array<std::int64_t, 2> state{work_.mesh.edges_made(), work_.mesh.triangle_count()};
     if (state != state_) {
         find();
         state_ = state;
@@ -98,17 +97,17 @@ void SelfIntersections::find_where_changed() {
 
 void SelfIntersections::find() {
     const ClassifiedMesh& mesh = work_.mesh;
-    std::vector<Vec3> vertices;
     std::vector<mesh::Triangle> triangles;
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        vertices.push_back(mesh.vertex(v).point);
-    }
+    triangles.reserve(static_cast<std::size_t>(mesh.triangle_count()));
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         triangles.push_back({mesh.vertex_of(3 * t), mesh.vertex_of(3 * t + 1), mesh.vertex_of(3 * t + 2)});
     }
     pairs_.clear();
     others_.clear();
-    for (const mesh::ContactPair& pair : mesh::self_intersections(vertices, triangles, kMostPairs, &work_.progress)) {
+    // Memory is at its peak here: the rest of the working mesh and what is known of it stay.
+    const std::vector<mesh::ContactPair> found = mesh::self_intersections(
+        mesh.points(), triangles, kMostPairs, &work_.progress, nullptr, mesh::Preparation::InTurn);
+    for (const mesh::ContactPair& pair : found) {
         if (one_volume(faces_of({pair.a, pair.b}))) {
             pairs_.push_back({pair.a, pair.b});
         } else if (pair.contact == mesh::Contact::Crossing) {

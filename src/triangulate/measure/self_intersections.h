@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -45,7 +46,7 @@ class SelfIntersections {
     std::vector<std::vector<int>> volumes_of_face_;
     std::vector<std::array<int, 2>> pairs_;   // pairs within one volume
     std::vector<std::array<int, 2>> others_;  // crossing pairs of entities that nothing joins
-    std::array<int, 2> state_{-1, -1};        // numbers of edges and triangles of the mesh at the last search
+    std::array<std::int64_t, 2> state_{-1, -1};  // edges made and triangles of the mesh at the last search
 };
 
 }  // namespace mq::triangulate

@@ -175,19 +175,27 @@ std::vector<std::optional<VertexRemoval::RemovalPlan>> VertexRemoval::plans_for(
     return result;
 }
 
-// Returns plans that share no triangles; the remaining candidates are left for later rounds.
-std::vector<VertexRemoval::RemovalPlan> VertexRemoval::plans(std::vector<int>& candidates) {
-    // Plans that are kept at a time, a few MB: most are dropped as soon as their triangles are compared.
-    constexpr std::size_t kAtOnce = 8192;
-    std::vector<char> taken(static_cast<std::size_t>(work_.mesh.triangle_count()), 0);
-    std::vector<RemovalPlan> result;
+// Returns plans that share no triangles and keep the tolerance. Candidates whose triangles others took are left for
+// later rounds.
+LargeVector<VertexRemoval::RemovalPlan> VertexRemoval::plans(std::vector<int>& candidates) {
+    // Plans that are made at a time, about a MB: most are dropped as soon as their triangles are compared, or measured.
+    constexpr std::size_t kAtOnce = 4096;
+    LargeVector<char> taken(static_cast<std::size_t>(work_.mesh.triangle_count()), 0);
+    LargeVector<RemovalPlan> result;
     std::vector<int> later;
     for (std::size_t from = 0; from < candidates.size(); from += kAtOnce) {
         work_.progress.check();
         const std::size_t to = std::min(from + kAtOnce, candidates.size());
+        std::vector<RemovalPlan> chosen;
         for (std::optional<RemovalPlan>& plan : plans_for(candidates.data() + from, candidates.data() + to)) {
             if (plan) {
-                choose(std::move(*plan), taken, result, later);
+                choose(std::move(*plan), taken, chosen, later);
+            }
+        }
+        const std::vector<char> good = within_tolerance(chosen);
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            if (good[i]) {
+                result.push_back(std::move(chosen[i]));
             }
         }
     }
@@ -196,7 +204,7 @@ std::vector<VertexRemoval::RemovalPlan> VertexRemoval::plans(std::vector<int>& c
 }
 
 // Adds a plan to the chosen ones and takes its triangles, or leaves its vertex for later where others took them.
-void VertexRemoval::choose(RemovalPlan plan, std::vector<char>& taken, std::vector<RemovalPlan>& chosen,
+void VertexRemoval::choose(RemovalPlan plan, LargeVector<char>& taken, std::vector<RemovalPlan>& chosen,
                            std::vector<int>& later) {
     std::vector<int> triangles;
     for (const RemovalCavity& cavity : plan.cavities) {
@@ -383,11 +391,9 @@ bool VertexRemoval::run() {
     bool changed = false;
     for (int round = 0; round < OptimisationTuning::kMaxRemovalRounds && !candidates.empty(); ++round) {
         work_.progress.check();
-        const std::vector<RemovalPlan> found = plans(candidates);
-        const std::vector<char> good = within_tolerance(found);
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            if (good[i] && is_valid(found[i])) {
-                apply(found[i], candidates);
+        for (const RemovalPlan& plan : plans(candidates)) {
+            if (is_valid(plan)) {
+                apply(plan, candidates);
                 changed = true;
             }
         }

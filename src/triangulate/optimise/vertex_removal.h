@@ -47,8 +47,8 @@ class VertexRemoval {
     bool lengths_allowed(int half_edge, const RemovalCavity& cavity, const Fan& fan) const;
     bool heights_expected(const RemovalCavity& cavity, const Fan& fan) const;
     std::vector<std::optional<RemovalPlan>> plans_for(const int* first, const int* last) const;
-    std::vector<RemovalPlan> plans(std::vector<int>& candidates);
-    static void choose(RemovalPlan plan, std::vector<char>& taken, std::vector<RemovalPlan>& chosen,
+    LargeVector<RemovalPlan> plans(std::vector<int>& candidates);
+    static void choose(RemovalPlan plan, LargeVector<char>& taken, std::vector<RemovalPlan>& chosen,
                        std::vector<int>& later);
     double way_back_to_new(const RemovalPlan& plan) const;
     std::optional<double> distance_kept(geometry::Answerer& answerer, const RemovalPlan& plan) const;

@@ -55,30 +55,35 @@ std::optional<AngleRefinement::QueuedTriangle> AngleRefinement::if_bad(int trian
 void AngleRefinement::push_touched() {
     // Triangles that are worth a thread: about half a millisecond.
     constexpr int kWorthAThread = 2048;
+    // Triangles looked at at a time: what is found for all would take as much memory as the mesh.
+    constexpr std::size_t kAtOnce = 16384;
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
     struct Found {
         std::optional<QueuedTriangle> bad;
         std::array<int, 3> encroached{-1, -1, -1};  // segments
     };
-    std::vector<Found> found(touched_.size());
-    for_chunks(static_cast<int>(touched_.size()), kWorthAThread, [&](int k) {
-        const int t = touched_[static_cast<std::size_t>(k)];
-        Found& of_triangle = found[static_cast<std::size_t>(k)];
-        of_triangle.bad = if_bad(t);
-        for (int side = 0; side < 3; ++side) {
-            const int s = work_.mesh.segment_of(3 * t + side);
-            of_triangle.encroached[static_cast<std::size_t>(side)] = s >= 0 && segments_.encroached(s) ? s : -1;
-        }
-    });
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        looked_at_.mark(work_.mesh, touched_[i]);
-        if (found[i].bad) {
-            queue_.push(*found[i].bad);
-        }
-        for (const int s : found[i].encroached) {
-            if (s >= 0) {
-                segments_.request(s);
+    std::vector<Found> found;
+    for (std::size_t from = 0; from < touched_.size(); from += kAtOnce) {
+        found.assign(std::min(kAtOnce, touched_.size() - from), {});
+        for_chunks(static_cast<int>(found.size()), kWorthAThread, [&](int k) {
+            const int t = touched_[from + static_cast<std::size_t>(k)];
+            Found& of_triangle = found[static_cast<std::size_t>(k)];
+            of_triangle.bad = if_bad(t);
+            for (int side = 0; side < 3; ++side) {
+                const int s = work_.mesh.segment_of(3 * t + side);
+                of_triangle.encroached[static_cast<std::size_t>(side)] = s >= 0 && segments_.encroached(s) ? s : -1;
+            }
+        });
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            looked_at_.mark(work_.mesh, touched_[from + i]);
+            if (found[i].bad) {
+                queue_.push(*found[i].bad);
+            }
+            for (const int s : found[i].encroached) {
+                if (s >= 0) {
+                    segments_.request(s);
+                }
             }
         }
     }

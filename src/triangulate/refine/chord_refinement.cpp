@@ -24,22 +24,8 @@ std::array<std::uint32_t, 2> stamps_beside(const ClassifiedMesh& mesh, int h) {
     return {mesh.stamp(first / 3), mesh.stamp(mesh.twin(first) / 3)};
 }
 
-// Sorts indices instead of violations, which are several times as large.
-template <typename Violation>
-std::vector<Violation> worst_first(const std::vector<Violation>& found) {
-    std::vector<std::pair<double, std::size_t>> order;
-    order.reserve(found.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        order.emplace_back(-found[i].excess, i);
-    }
-    std::sort(order.begin(), order.end());
-    std::vector<Violation> sorted;
-    sorted.reserve(found.size());
-    for (const auto& [excess, i] : order) {
-        sorted.push_back(found[i]);
-    }
-    return sorted;
-}
+// Pieces measured, or surface points found, at a time: their results are larger than the mesh if all are kept.
+constexpr std::size_t kAtOnce = 8192;
 
 }  // namespace
 
@@ -73,7 +59,7 @@ std::vector<double> ChordRefinement::turns_of(const std::vector<int>& segments) 
     return turns;
 }
 
-void ChordRefinement::measure_segments(std::vector<Violation>& found) {
+void ChordRefinement::measure_segments(Violations& found) {
     std::vector<int> segments;
     std::vector<int> sides;
     for (int s = 0; s < work_.mesh.segment_count(); ++s) {
@@ -90,14 +76,14 @@ void ChordRefinement::measure_segments(std::vector<Violation>& found) {
         double e = excess_of_edge(distances[i].avoidable, sides[i]);
         e = sizing_.turn > 0.0 ? std::max(e, turns[i] / sizing_.turn) : e;
         if (e > 1.0) {
-            found.push_back({sides[i], 0, e, {}});
+            found.push_back({sides[i], 0, e});
         } else {
             passed_.mark(work_.mesh, sides[i]);
         }
     }
 }
 
-void ChordRefinement::measure_edges(std::vector<Violation>& found) {
+void ChordRefinement::measure_edges(Violations& found) {
     std::vector<int> edges;
     CancelPace pace(work_.progress);
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
@@ -119,27 +105,34 @@ void ChordRefinement::measure_edges(std::vector<Violation>& found) {
             edges_passed_.mark(work_.mesh, t);
         }
     }
+    for (std::size_t from = 0; from < edges.size(); from += kAtOnce) {
+        measure_edges(edges.data() + from, edges.data() + std::min(from + kAtOnce, edges.size()), found);
+    }
+}
+
+void ChordRefinement::measure_edges(const int* first, const int* last, Violations& found) {
+    const std::vector<int> edges(first, last);
     const std::vector<Distance> distances =
         sizing_.tolerance > 0.0 ? measure_.of_edges(edges, sizing_.tolerance) : std::vector<Distance>(edges.size());
     const auto last_foot = measure_.projections_of_far_midpoints().end();
     auto foot = sizing_.tolerance > 0.0 ? measure_.projections_of_far_midpoints().begin() : last_foot;
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        pace.step();
         const int h = edges[i];
         const double e = excess_of_edge(distances[i].avoidable, h);
         if (!(e > 1.0)) {
             passed_.mark(work_.mesh, h);
             continue;
         }
-        found.push_back({h, work_.mesh.stamp(h / 3), e, edge_middle_site(work_.mesh, h)});
+        found.push_back({h, work_.mesh.stamp(h / 3), e});
         foot = std::find_if(foot, last_foot, [&](const ChordErrorCache::SurfaceProjection& f) { return f.index >= i; });
         if (foot != last_foot && foot->index == i) {
-            found.back().surface_point = surface_point(work_, found.back().candidate, foot->nearest);
+            found.back().surface_point = static_cast<int>(known_points_.size());
+            known_points_.push_back(surface_point(work_, edge_middle_site(work_.mesh, h), foot->nearest));
         }
     }
 }
 
-void ChordRefinement::measure_triangles(std::vector<Violation>& found) {
+void ChordRefinement::measure_triangles(Violations& found) {
     std::vector<int> triangles;
     CancelPace pace(work_.progress);
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
@@ -148,13 +141,21 @@ void ChordRefinement::measure_triangles(std::vector<Violation>& found) {
             triangles.push_back(t);
         }
     }
+    for (std::size_t from = 0; from < triangles.size(); from += kAtOnce) {
+        const auto begin = triangles.begin() + static_cast<std::ptrdiff_t>(from);
+        const auto count = static_cast<std::ptrdiff_t>(std::min(kAtOnce, triangles.size() - from));
+        measure_triangles(std::vector<int>(begin, begin + count), found);
+    }
+}
+
+void ChordRefinement::measure_triangles(const std::vector<int>& triangles, Violations& found) {
     const std::vector<Distance> distances = measure_.of_triangles(triangles, sizing_.tolerance);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const int t = triangles[i];
         const double e = excess(distances[i].avoidable);
         const std::optional<int> h = e > 1.0 ? side_to_split(t) : std::nullopt;
         if (h) {
-            found.push_back({*h, work_.mesh.stamp(t), e, edge_middle_site(work_.mesh, *h)});
+            found.push_back({*h, work_.mesh.stamp(t), e});
         } else {
             measured_.mark(work_.mesh, t);
         }
@@ -184,14 +185,14 @@ void ChordRefinement::refuse(int half_edge) {
     refused_[work_.mesh.number_of(half_edge)] = stamps_beside(work_.mesh, half_edge);
 }
 
-void ChordRefinement::measure_growth(std::vector<Violation>& found) {
+void ChordRefinement::measure_growth(Violations& found) {
     const ClassifiedMesh& mesh = work_.mesh;
     const std::vector<double> sizes = graded_sizes(mesh, sizing_.growth);
     const auto check = [&](int h) {
         const double size = std::max(sizes[mesh.vertex_of(h)], sizes[mesh.vertex_of(ClassifiedMesh::next(h))]);
         const double e = side_length(mesh, h) / (RefinementTuning::kLongestEdge * size);
         if (e > 1.0) {
-            found.push_back({h, mesh.stamp(h / 3), e, edge_middle_site(mesh, h)});
+            found.push_back({h, mesh.stamp(h / 3), e});
         }
     };
     for (int s = 0; s < mesh.segment_count(); ++s) {
@@ -206,8 +207,9 @@ void ChordRefinement::measure_growth(std::vector<Violation>& found) {
     }
 }
 
-std::vector<ChordRefinement::Violation> ChordRefinement::violations() {
-    std::vector<Violation> found;
+// Returns the worst first, and equal ones as they were found.
+ChordRefinement::Violations ChordRefinement::violations() {
+    Violations found;
     measure_segments(found);
     if (found.empty()) {
         measure_edges(found);
@@ -218,7 +220,31 @@ std::vector<ChordRefinement::Violation> ChordRefinement::violations() {
     if (found.empty() && sizing_.growth > 0.0) {
         measure_growth(found);
     }
-    return worst_first(found);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        found[i].place = static_cast<int>(i);
+    }
+    std::sort(found.begin(), found.end(), [](const Violation& a, const Violation& b) {
+        return a.excess != b.excess ? a.excess > b.excess : a.place < b.place;
+    });
+    return found;
+}
+
+// Edges that are gone would leave the larger share of what is stored by number without use.
+void ChordRefinement::forget_gone_edges() {
+    constexpr double kWorthRenumbering = 1.125;  // numbers for each edge
+    if (work_.mesh.number_count() <= kWorthRenumbering * work_.mesh.edge_count()) {
+        return;
+    }
+    const LargeVector<int> renewed = work_.mesh.renumber_edges();
+    measure_.renumber(renewed);
+    passed_.renumber(renewed);
+    std::map<int, Stamps> refused;
+    for (const auto& [number, stamps] : refused_) {
+        if (renewed[static_cast<std::size_t>(number)] >= 0) {
+            refused.emplace(renewed[static_cast<std::size_t>(number)], stamps);
+        }
+    }
+    refused_ = std::move(refused);
 }
 
 bool ChordRefinement::run() {
@@ -226,7 +252,8 @@ bool ChordRefinement::run() {
     for (int round = 0; round < RefinementTuning::kMaxSplitRounds && !work_.over_budget(); ++round) {
         work_.progress.check();
         const int before = work_.mesh.vertex_count();
-        const std::vector<Violation> found = violations();
+        forget_gone_edges();
+        const Violations found = violations();
         work_.progress.check();
         if (found.empty()) {
             break;
@@ -240,48 +267,59 @@ bool ChordRefinement::run() {
     return changed_;
 }
 
-void ChordRefinement::split(const std::vector<Violation>& found) {
-    std::vector<const Violation*> inner;
+void ChordRefinement::split(const Violations& found) {
+    Violations inner;
     for (const Violation& violation : found) {
         const int s = work_.mesh.segment_of(violation.half_edge);
         if (s >= 0) {
             segments_.request(s, true);
         } else {
-            inner.push_back(&violation);
+            inner.push_back(violation);
         }
     }
-    const auto points = surface_points_of(inner);
     CancelPace pace(work_.progress);
-    for (std::size_t i = 0; i < inner.size() && !work_.over_budget(); ++i) {
-        pace.step();
-        split_one(*inner[i], points[i]);
+    for (std::size_t from = 0; from < inner.size() && !work_.over_budget(); from += kAtOnce) {
+        const std::size_t to = std::min(from + kAtOnce, inner.size());
+        const SurfacePoints points = surface_points_of(inner.data() + from, inner.data() + to);
+        for (std::size_t i = from; i < to && !work_.over_budget(); ++i) {
+            pace.step();
+            split_one(inner[i], points[i - from]);
+        }
     }
+    known_points_ = {};
     segments_.run(touched_);
     touched_.clear();
 }
 
-// Projects the candidates whose surface points are not known.
-std::vector<std::optional<SurfacePoint>> ChordRefinement::surface_points_of(
-    const std::vector<const Violation*>& found) {
+bool ChordRefinement::changed(const Violation& violation) const {
+    return work_.mesh.stamp(violation.half_edge / 3) != violation.stamp || work_.mesh.twin(violation.half_edge) < 0;
+}
+
+// Projects the middles of those edges whose surface points are not known, and that are still there.
+ChordRefinement::SurfacePoints ChordRefinement::surface_points_of(const Violation* first, const Violation* last) {
     std::vector<Candidate> unknown;
-    for (const Violation* violation : found) {
-        if (!violation->surface_point) {
-            unknown.push_back(violation->candidate);
+    for (const Violation* violation = first; violation != last; ++violation) {
+        if (violation->surface_point < 0 && !changed(*violation)) {
+            unknown.push_back(edge_middle_site(work_.mesh, violation->half_edge));
         }
     }
-    const auto asked = surface_points(work_, unknown);
+    const SurfacePoints asked = surface_points(work_, unknown);
     auto next = asked.begin();
-    std::vector<std::optional<SurfacePoint>> result;
-    result.reserve(found.size());
-    for (const Violation* violation : found) {
-        result.push_back(violation->surface_point ? violation->surface_point : *next++);
+    SurfacePoints result;
+    result.reserve(static_cast<std::size_t>(last - first));
+    for (const Violation* violation = first; violation != last; ++violation) {
+        if (violation->surface_point >= 0) {
+            result.push_back(known_points_[static_cast<std::size_t>(violation->surface_point)]);
+        } else {
+            result.push_back(changed(*violation) ? std::nullopt : *next++);
+        }
     }
     return result;
 }
 
 void ChordRefinement::split_one(const Violation& violation, const std::optional<SurfacePoint>& p) {
     const int h = violation.half_edge;
-    if (work_.mesh.stamp(h / 3) != violation.stamp || work_.mesh.twin(h) < 0) {
+    if (changed(violation)) {
         return;
     }
     if (!p) {

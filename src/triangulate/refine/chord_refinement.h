@@ -33,23 +33,29 @@ class ChordRefinement {
     struct Violation {
         int half_edge;
         std::uint32_t stamp;
-        double excess;  // ratio of the measured value to its bound
-        Candidate candidate;
-        std::optional<SurfacePoint> surface_point{};  // surface point of the candidate, if known already
+        double excess;           // ratio of the measured value to its bound
+        int surface_point = -1;  // index of the surface point of its middle; -1: not known yet
+        int place = 0;           // among the violations as they were found
     };
-    std::vector<Violation> violations();
-    void measure_segments(std::vector<Violation>& found);
-    void measure_edges(std::vector<Violation>& found);
-    void measure_triangles(std::vector<Violation>& found);
+    using Violations = LargeVector<Violation>;
+    using SurfacePoints = std::vector<std::optional<SurfacePoint>>;
+    Violations violations();
+    void forget_gone_edges();
+    void measure_segments(Violations& found);
+    void measure_edges(Violations& found);
+    void measure_edges(const int* first, const int* last, Violations& found);
+    void measure_triangles(Violations& found);
+    void measure_triangles(const std::vector<int>& triangles, Violations& found);
     std::optional<int> side_to_split(int triangle) const;
     bool refused(int half_edge) const;
     void refuse(int half_edge);
-    void measure_growth(std::vector<Violation>& found);
+    void measure_growth(Violations& found);
     double excess(double chord) const { return sizing_.tolerance > 0.0 ? chord / sizing_.tolerance : 0.0; }
     double excess_of_edge(double chord, int half_edge) const;
     std::vector<double> turns_of(const std::vector<int>& segments);
-    void split(const std::vector<Violation>& found);
-    std::vector<std::optional<SurfacePoint>> surface_points_of(const std::vector<const Violation*>& found);
+    void split(const Violations& found);
+    SurfacePoints surface_points_of(const Violation* first, const Violation* last);
+    bool changed(const Violation& violation) const;
     void split_one(const Violation& violation, const std::optional<SurfacePoint>& p);
 
     Workspace& work_;
@@ -62,6 +68,7 @@ class ChordRefinement {
     using Stamps = std::array<std::uint32_t, 2>;
     // Edges that could not be split, by number, and the versions of the triangles beside them.
     std::map<int, Stamps> refused_;
+    LargeVector<std::optional<SurfacePoint>> known_points_;  // of violations of this round
     std::vector<int> touched_;
     bool changed_ = false;
 };

@@ -98,7 +98,7 @@ class RoomSearch {
         return narrowest_corner(mesh_, segment, end).angle < kNarrowCorner;
     }
 
-    const Vec3& end_of(int segment, int end) const { return mesh_.vertex(mesh_.segment(segment).vertices[end]).point; }
+    Vec3 end_of(int segment, int end) const { return mesh_.vertex(mesh_.segment(segment).vertices[end]).point; }
 
     // Returns the distance to the nearest vertex outside the edges that meet in the node, at most `radius`, mm.
     double clear_of_vertices(int node, const Around& around, double radius) const {

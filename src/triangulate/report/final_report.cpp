@@ -6,7 +6,6 @@
 
 #include "base/angle.h"
 #include "base/message.h"
-#include "triangulate/measure/max_chord_error.h"
 #include "triangulate/measure/self_intersections.h"
 #include "triangulate/report/exemption.h"
 #include "triangulate/report/solid_contacts.h"
@@ -67,10 +66,9 @@ void report_spanning(const Workspace& work, const Output& out, mesh::MeshReport&
     }
 }
 
-void report_chord_height(Workspace& work, ChordErrorCache& measure, const Output& out, bool keeps_bounds,
+void report_chord_height(const Workspace& work, const MaxChordError& worst, const Output& out, bool keeps_bounds,
                          mesh::MeshReport& report) {
     const double asked = report.chord_height_asked;
-    const MaxChordError worst = measure_chord_height(work, measure, asked);
     report.max_chord_height = worst.distance;
     const auto found = std::find(out.source.begin(), out.source.end(), worst.triangle);
     if (found == out.source.end()) {
@@ -123,8 +121,16 @@ void report_crossings(SelfIntersections& finder, const geometry::Topology& topol
 
 }  // namespace
 
-mesh::MeshReport final_report(Workspace& work, MeasurementCache& findings, const Output& out,
-                              const TriangulateOptions& options, double chord) {
+MaxChordError measure_against_part(Workspace& work, MeasurementCache& findings, double chord) {
+    const MaxChordError farthest = measure_chord_height(work, findings.chords, chord);
+    if (!work.over_budget()) {
+        findings.crossings.pairs();
+    }
+    return farthest;
+}
+
+mesh::MeshReport final_report(const Workspace& work, SelfIntersections& crossings, const MaxChordError& farthest,
+                              const Output& out, const TriangulateOptions& options, double chord) {
     mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
     report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
     report.chord_height_asked = chord;
@@ -135,9 +141,9 @@ mesh::MeshReport final_report(Workspace& work, MeasurementCache& findings, const
     report_exemptions(work, out, report.min_angle_asked, report);
     report_spanning(work, out, report);
     report.notes = work.session.topology().faults;
-    report_chord_height(work, findings.chords, out, options.keeps_bounds(), report);
+    report_chord_height(work, farthest, out, options.keeps_bounds(), report);
     if (!work.over_budget()) {
-        report_crossings(findings.crossings, work.session.topology(), report);
+        report_crossings(crossings, work.session.topology(), report);
     }
     report.complete = !work.over_budget();
     if (work.left_by_mending > 0) {

@@ -3,6 +3,7 @@
 
 #include "mesh/quality/mesh_report.h"
 #include "triangulate/measure/chord_error.h"
+#include "triangulate/measure/max_chord_error.h"
 #include "triangulate/measure/self_intersections.h"
 #include "triangulate/report/manifold_output.h"
 #include "triangulate/work_mesh/options.h"
@@ -18,10 +19,15 @@ struct MeasurementCache {
     SelfIntersections crossings;
 };
 
-/// Measures the final mesh: angles, distances from the CAD model, self-intersections; names bounds that are not met,
-/// and why. `chord`: chord tolerance in mm; 0: none. Measurements in `findings` are reused.
+/// Measures what takes memory: distances from the CAD model and self-intersections, which stay in `findings`. `chord`:
+/// chord tolerance in mm; 0: none.
 /// @throws Cancelled
-mesh::MeshReport final_report(Workspace& work, MeasurementCache& findings, const Output& out,
-                              const TriangulateOptions& options, double chord);
+MaxChordError measure_against_part(Workspace& work, MeasurementCache& findings, double chord);
+
+/// Measures the final mesh: angles and topology; names bounds that are not met, and why. `farthest` is of
+/// measure_against_part, which must have been called.
+/// @throws Cancelled
+mesh::MeshReport final_report(const Workspace& work, SelfIntersections& crossings, const MaxChordError& farthest,
+                              const Output& out, const TriangulateOptions& options, double chord);
 
 }  // namespace mq::triangulate

@@ -15,7 +15,7 @@ class VolumeWriter {
   public:
     VolumeWriter(const ClassifiedMesh& mesh, const geometry::Topology& topology, const geometry::Volume& volume,
                  std::vector<char>& flipped, std::vector<char>& present, DisjointSets<int>& corners,
-                 std::vector<int>& vertex_of_root, const Progress& progress)
+                 LargeVector<int>& vertex_of_root, const Progress& progress)
         : mesh_(mesh),
           topology_(topology),
           volume_(volume),
@@ -26,7 +26,8 @@ class VolumeWriter {
           pace_(progress) {}
 
     void run(const std::vector<std::vector<int>>& triangles_of_face, Output& out) {
-        std::vector<int> triangles;
+        LargeVector<int> triangles;
+        triangles.reserve(count_of(triangles_of_face));
         for (const auto& side : volume_.sides) {
             present_[side.face] = 1;
             flipped_[side.face] = side.flipped ? 1 : 0;
@@ -49,6 +50,15 @@ class VolumeWriter {
         for (const auto& side : volume_.sides) {
             present_[side.face] = 0;
         }
+    }
+
+    /// Returns how many triangles it has.
+    std::size_t count_of(const std::vector<std::vector<int>>& triangles_of_face) const {
+        std::size_t count = 0;
+        for (const auto& side : volume_.sides) {
+            count += triangles_of_face[side.face].size();
+        }
+        return count;
     }
 
   private:
@@ -129,7 +139,7 @@ class VolumeWriter {
         return true;
     }
 
-    double signed_volume(const std::vector<int>& triangles) const {
+    double signed_volume(const LargeVector<int>& triangles) const {
         double sum = 0.0;
         for (const int t : triangles) {
             const double six = mesh_.point_of(3 * t).dot(mesh_.point_of(3 * t + 1).cross(mesh_.point_of(3 * t + 2)));
@@ -138,7 +148,7 @@ class VolumeWriter {
         return sum / 6.0;
     }
 
-    void write(const std::vector<int>& triangles, bool turn, Output& out) {
+    void write(const LargeVector<int>& triangles, bool turn, Output& out) {
         for (const int t : triangles) {
             pace_.step();
             mesh::Triangle corners{};
@@ -175,9 +185,19 @@ class VolumeWriter {
     std::vector<char>& flipped_;  // by face, for this volume
     std::vector<char>& present_;
     DisjointSets<int>& corners_;  // corners joined to vertices
-    std::vector<int>& vertex_of_root_;
+    LargeVector<int>& vertex_of_root_;
     CancelPace pace_;
 };
+
+// Without it, arrays that grow would take up to three times as much for a while. Pieces of faces are rare.
+void make_room(Output& out, std::size_t triangles, std::size_t vertices) {
+    out.mesh.vertices.reserve(vertices);
+    out.mesh.vertex_entity.reserve(vertices);
+    out.mesh.triangles.reserve(triangles);
+    out.mesh.triangle_face.reserve(triangles);
+    out.mesh.triangle_solid.reserve(triangles);
+    out.source.reserve(triangles);
+}
 
 bool any_face_has_two_sides(const geometry::Topology& topology) {
     std::vector<char> met(topology.faces.size(), 0);
@@ -202,10 +222,16 @@ Output write_out(const ClassifiedMesh& mesh, const geometry::Topology& topology,
     std::vector<char> flipped(topology.faces.size(), 0);
     std::vector<char> present(topology.faces.size(), 0);
     DisjointSets<int> corners(mesh.half_edge_count());
-    std::vector<int> vertex_of_root(mesh.half_edge_count());
+    LargeVector<int> vertex_of_root(mesh.half_edge_count());
+    std::vector<VolumeWriter> writers;
+    std::size_t triangles = 0;
     for (const geometry::Volume& volume : topology.volumes) {
-        VolumeWriter(mesh, topology, volume, flipped, present, corners, vertex_of_root, progress)
-            .run(triangles_of_face, out);
+        writers.emplace_back(mesh, topology, volume, flipped, present, corners, vertex_of_root, progress);
+        triangles += writers.back().count_of(triangles_of_face);
+    }
+    make_room(out, triangles, static_cast<std::size_t>(mesh.vertex_count()));
+    for (VolumeWriter& writer : writers) {
+        writer.run(triangles_of_face, out);
     }
     if (any_face_has_two_sides(topology)) {
         pair_opposite_triangles(out.mesh, out.source);

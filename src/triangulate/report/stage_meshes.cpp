@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/large_vector.h"
 #include "base/progress.h"
 #include "mesh/io/io.h"
 #include "triangulate/report/manifold_output.h"
@@ -19,6 +20,11 @@ StageMeshes::StageMeshes(const ClassifiedMesh& mesh, const geometry::Topology& t
 }
 
 void StageMeshes::end(const char* stage) {
+    // Triangles from which the memory is worth a millisecond.
+    constexpr int kLarge = 50'000;
+    if (mesh_.triangle_count() >= kLarge) {
+        release_freed_memory();
+    }
     clock_.end(stage);
     write(stage);
 }

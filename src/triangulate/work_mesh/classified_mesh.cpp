@@ -14,13 +14,17 @@ constexpr int kLoose = -0x7fffffff;
 }  // namespace
 
 int ClassifiedMesh::add_vertex(const Vec3& point, mesh::VertexEntity entity) {
-    vertices_.push_back({point, entity});
+    points_.push_back(point);
+    entities_.push_back(entity);
     return vertex_count() - 1;
 }
 
 int ClassifiedMesh::add_site(const VertexUse& site) {
-    sites_.push_back(site);
-    sites_.back().point = vertices_[site.vertex].point;
+    const Vec3& p = points_[site.vertex];
+    sites_.push_back({site.vertex,
+                      {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())},
+                      site.uv,
+                      site.normal});
     return site_count() - 1;
 }
 
@@ -55,6 +59,35 @@ void ClassifiedMesh::bind(int half_edge, int segment, int use) {
     twin_[half_edge] = ~segment;
     number_[half_edge] = numbers_++;
     segments_[segment].uses.push_back({half_edge, use});
+}
+
+int ClassifiedMesh::edge_count() const {
+    std::size_t on_segments = 0;
+    for (const Segment& segment : segments_) {
+        on_segments += segment.uses.size();
+    }
+    return (3 * used_triangle_count() + static_cast<int>(on_segments)) / 2;
+}
+
+LargeVector<int> ClassifiedMesh::renumber_edges() {
+    LargeVector<int> renewed(static_cast<std::size_t>(numbers_), -1);
+    for (int h = 0; h < half_edge_count(); ++h) {
+        if (!gone(triangle_of(h))) {
+            renewed[number_[h]] = 0;
+        }
+    }
+    dropped_ += numbers_;
+    numbers_ = 0;
+    for (int& number : renewed) {
+        number = number < 0 ? -1 : numbers_++;
+    }
+    dropped_ -= numbers_;
+    for (int h = 0; h < half_edge_count(); ++h) {
+        if (!gone(triangle_of(h))) {
+            number_[h] = renewed[number_[h]];
+        }
+    }
+    return renewed;
 }
 
 ClassifiedMesh::Link ClassifiedMesh::take(int h) const {
@@ -274,6 +307,7 @@ void ClassifiedMesh::replace_between(int near, int far, int vertex, double t,
 
 std::vector<std::pair<int, int>> ClassifiedMesh::compact() {
     std::vector<std::pair<int, int>> moved;
+    const int before = triangle_count();
     for (int hole = 0; hole < triangle_count(); ++hole) {
         while (triangle_count() > hole && gone(triangle_count() - 1)) {
             drop_last_triangle();
@@ -293,6 +327,14 @@ std::vector<std::pair<int, int>> ClassifiedMesh::compact() {
         drop_last_triangle();
     }
     gone_ = 0;
+    // The memory of triangles that are gone, where they are so many that it is worth a copy of the rest.
+    constexpr int kWorthACopy = 16;
+    if (before - triangle_count() > before / kWorthACopy) {
+        corner_.shrink_to_fit();
+        twin_.shrink_to_fit();
+        number_.shrink_to_fit();
+        face_.shrink_to_fit();
+    }
     return moved;
 }
 
@@ -340,7 +382,14 @@ std::vector<int> ClassifiedMesh::star(int h, std::size_t most) const {
 }
 
 std::vector<std::vector<int>> ClassifiedMesh::triangles_by_face(std::size_t faces) const {
+    std::vector<std::size_t> counts(faces, 0);
+    for (const int face : face_) {
+        ++counts[static_cast<std::size_t>(face)];
+    }
     std::vector<std::vector<int>> result(faces);
+    for (std::size_t f = 0; f < faces; ++f) {
+        result[f].reserve(counts[f]);
+    }
     for (int t = 0; t < triangle_count(); ++t) {
         result[face_of(t)].push_back(t);
     }

@@ -8,11 +8,26 @@
 #include <utility>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "base/vec.h"
 #include "mesh/corner_table.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::triangulate {
+
+/// Moves data by the numbers of edges to their new numbers, which `renumber_edges` has returned.
+template <typename Values>
+void move_to_numbers(const LargeVector<int>& renewed, Values& values) {
+    std::size_t count = 0;
+    for (std::size_t old = 0; old < values.size(); ++old) {
+        if (renewed[old] >= 0) {
+            count = static_cast<std::size_t>(renewed[old]) + 1;
+            values[count - 1] = values[old];
+        }
+    }
+    values.resize(count);
+    values.shrink_to_fit();
+}
 
 /// A triangle mesh under construction, classified on CAD entities.
 ///
@@ -37,8 +52,7 @@ class ClassifiedMesh {
         int vertex = -1;
         Vec2 uv = Vec2::Zero();
         Vec3 normal = Vec3::Zero();  ///< outward unit normal of the CAD face; zero where it has none
-        /// Point of the vertex, which `add_site` copies: this saves a look-up in inner loops.
-        Vec3 point = Vec3::Zero();
+        Vec3 point = Vec3::Zero();   ///< of the vertex
     };
     struct SegmentUse {
         int half_edge = -1;
@@ -51,6 +65,7 @@ class ClassifiedMesh {
         std::vector<SegmentUse> uses;
     };
 
+    /// The coordinates of the point must be single-precision numbers.
     int add_vertex(const Vec3& point, mesh::VertexEntity entity);
     int add_site(const VertexUse& site);
     int add_triangle(const std::array<int, 3>& sites, int face);
@@ -64,7 +79,7 @@ class ClassifiedMesh {
     /// Without the indices that `replace` left unused.
     int used_triangle_count() const { return triangle_count() - gone_; }
     int half_edge_count() const { return static_cast<int>(corner_.size()); }
-    int vertex_count() const { return static_cast<int>(vertices_.size()); }
+    int vertex_count() const { return static_cast<int>(points_.size()); }
     int segment_count() const { return static_cast<int>(segments_.size()); }
     int site_count() const { return static_cast<int>(sites_.size()); }
 
@@ -74,23 +89,33 @@ class ClassifiedMesh {
 
     int site_of(int h) const { return corner_[h]; }
     int vertex_of(int h) const { return sites_[corner_[h]].vertex; }
-    const Vec3& point_of(int h) const { return sites_[corner_[h]].point; }
+    Vec3 point_of(int h) const { return sites_[corner_[h]].at(); }
     /// Returns the other half-edge, or -1 if `h` lies on a segment.
     int twin(int h) const { return twin_[h] < 0 ? -1 : twin_[h]; }
     /// Returns the segment under `h`, or -1 if `h` has a twin.
     int segment_of(int h) const { return twin_[h] < 0 ? ~twin_[h] : -1; }
     int face_of(int triangle) const { return face_[triangle]; }
     /// Returns the number of the edge under `h`, on this face if it lies on a segment; the same for both half-edges.
-    /// An edge keeps it as long as it joins the same vertices, and no other edge ever gets it, so that data on an edge
-    /// can be stored by it.
+    /// An edge keeps it as long as it joins the same vertices, and no other edge gets it before `renumber_edges`, so
+    /// that data on an edge can be stored by it.
     int number_of(int h) const { return number_[h]; }
     /// Returns one more than the largest number given to an edge.
     int number_count() const { return numbers_; }
+    /// Returns how many edges there have ever been: it changes with every change of the mesh that creates an edge.
+    std::int64_t edges_made() const { return dropped_ + numbers_; }
+    /// Returns how many numbers are in use.
+    int edge_count() const;
+    /// Numbers the edges anew, without gaps and in the same order, so that data by number have none for edges that are
+    /// gone.
+    /// @return by old number: the new one; -1: no edge has it any more. See move_to_numbers
+    LargeVector<int> renumber_edges();
     /// Returns the version of the triangle, which changes whenever its corners change.
     std::uint32_t stamp(int triangle) const { return stamp_[triangle]; }
 
-    const Vertex& vertex(int v) const { return vertices_[v]; }
-    const VertexUse& site(int s) const { return sites_[s]; }
+    Vertex vertex(int v) const { return {points_[v], entities_[v]}; }
+    /// Returns the points of all vertices.
+    const std::vector<Vec3>& points() const { return points_; }
+    VertexUse site(int s) const { return {sites_[s].vertex, sites_[s].uv, sites_[s].normal, sites_[s].at()}; }
     void set_normal(int s, const Vec3& normal) { sites_[s].normal = normal; }
     const Segment& segment(int s) const { return segments_[s]; }
 
@@ -167,15 +192,27 @@ class ClassifiedMesh {
     void link_by_vertices(const std::map<std::pair<int, int>, int>& open,
                           const std::map<std::pair<int, int>, Link>& rim);
 
-    std::vector<Vertex> vertices_;
-    std::vector<VertexUse> sites_;
-    std::vector<Segment> segments_;
-    std::vector<int> corner_;  // site at the origin of each half-edge
-    std::vector<int> twin_;    // half-edge, or ~segment
-    std::vector<int> number_;  // number of the edge
-    std::vector<int> face_;
-    std::vector<std::uint32_t> stamp_;  // also for indices that were dropped from the end
+    // A site as it is stored, with the point of its vertex: this saves a look-up in inner loops.
+    struct Site {
+        int vertex;
+        std::array<float, 3> point;
+        Vec2 uv;
+        Vec3 normal;
+
+        Vec3 at() const { return {double(point[0]), double(point[1]), double(point[2])}; }
+    };
+
+    std::vector<Vec3> points_;  // by vertex
+    LargeVector<mesh::VertexEntity> entities_;
+    LargeVector<Site> sites_;
+    LargeVector<Segment> segments_;
+    LargeVector<int> corner_;  // site at the origin of each half-edge
+    LargeVector<int> twin_;    // half-edge, or ~segment
+    LargeVector<int> number_;  // number of the edge
+    LargeVector<int> face_;
+    LargeVector<std::uint32_t> stamp_;  // also for indices that were dropped from the end
     int numbers_ = 0;
+    std::int64_t dropped_ = 0;  // numbers that renumber_edges has dropped
     int gone_ = 0;  // number of unused indices
 };
 

@@ -33,7 +33,7 @@ class TriangleMarks {
     void clear() { marks_.clear(); }
 
   private:
-    std::vector<std::uint32_t> marks_;  // by triangle: 1 + its version when it was marked; 0: never
+    LargeVector<std::uint32_t> marks_;  // by triangle: 1 + its version when it was marked; 0: never
 };
 
 /// Marks on edges, each named by a half-edge, that last as long as the edge.
@@ -50,9 +50,11 @@ class EdgeMarks {
         }
         marks_[number] = 1;
     }
+    /// Follows ClassifiedMesh::renumber_edges.
+    void renumber(const LargeVector<int>& renewed) { move_to_numbers(renewed, marks_); }
 
   private:
-    std::vector<char> marks_;  // by the edge's number
+    LargeVector<char> marks_;  // by the edge's number
 };
 
 /// Returns a key of these triangles in their present state, which differs once any of them changes.

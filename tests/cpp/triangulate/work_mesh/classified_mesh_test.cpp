@@ -504,6 +504,37 @@ TEST(ClassifiedMesh, NumbersOfEdgesStayWithTheirVertices) {
     }
 }
 
+TEST(ClassifiedMesh, NewNumbersOfEdgesHaveNoGaps) {
+    for (const Sample& sample : all_samples()) {
+        SCOPED_TRACE(sample.name);
+        ClassifiedMesh mesh = sample.mesh;
+        Shaker shaker(mesh, 12);
+        for (int i = 0; i < 100; ++i) {
+            shaker.step();
+        }
+        std::vector<int> values(static_cast<std::size_t>(mesh.number_count()));
+        std::vector<int> old;
+        for (int h = 0; h < mesh.half_edge_count(); ++h) {
+            old.push_back(mesh.number_of(h));
+            values[static_cast<std::size_t>(old.back())] = 100 + old.back();
+        }
+        const std::int64_t made = mesh.edges_made();
+        ASSERT_GT(made, mesh.edge_count());
+        const mq::LargeVector<int> renewed = mesh.renumber_edges();
+        mq::triangulate::move_to_numbers(renewed, values);
+        EXPECT_EQ(mesh.number_count(), mesh.edge_count());
+        EXPECT_EQ(mesh.edges_made(), made);
+        EXPECT_EQ(values.size(), static_cast<std::size_t>(mesh.edge_count()));
+        EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
+        for (int h = 0; h < mesh.half_edge_count(); ++h) {
+            const auto before = static_cast<std::size_t>(old[static_cast<std::size_t>(h)]);
+            ASSERT_EQ(mesh.number_of(h), renewed[before]);
+            ASSERT_EQ(values[static_cast<std::size_t>(mesh.number_of(h))], 100 + static_cast<int>(before));
+        }
+        EXPECT_EQ(mesh.inconsistency(), "");
+    }
+}
+
 /// A triangle that reuses an index must not be mistaken for the earlier one.
 TEST(ClassifiedMesh, StampsGoOnWherePlacesAreTakenAgain) {
     ClassifiedMesh mesh = samples::sheet(3, 2);
