@@ -40,6 +40,7 @@ bool CavityInsertion::open(const Vec3& p, int cell) {
     inside_.resize(mesh_.cells.size(), 0);
     seen_.resize(mesh_.cells.size(), 0);
     grow(p, cell);
+    reached_ = cavity_;
     const bool found = shrink(p, cell) && collect_corners();
     for (const int c : cavity_) {
         inside_[c] = 0;
