@@ -11,6 +11,7 @@
 #include <cmath>
 #include <gp_Trsf.hxx>
 
+#include "base/parallel.h"
 #include "curve/volume/filled_solid.h"
 
 namespace mq::curve {
@@ -68,6 +69,56 @@ TEST(RepairTetrahedralMesh, WorkGrowsWithWhatIsInvalid) {
     }
 }
 
+TEST(RepairTetrahedralMesh, IsTheSameForAnyNumberOfThreads) {
+    for (int order = 2; order <= 3; ++order) {
+        const auto with = [&](int threads) {
+            const ThreadLimit limit(threads);
+            return curved(shells(4), of_order(order, true));
+        };
+        const CurvedMesh one = with(1);
+        EXPECT_GT(one.report.invalid_before, 0U);
+        for (const int threads : {2, 3, 8}) {
+            const CurvedMesh several = with(threads);
+            EXPECT_EQ(to_msh(several), to_msh(one)) << order << " " << threads;
+            EXPECT_EQ(several.report.repairs, one.report.repairs) << order << " " << threads;
+            EXPECT_EQ(several.tetrahedron_quality, one.tetrahedron_quality) << order << " " << threads;
+        }
+    }
+}
+
+TEST(FillSolids, TheFirstSolidThatCannotBeFilledIsNamed) {
+    use_fill_program();
+    // The tetrahedra beside each other, of which all but the first one are open.
+    constexpr int kSolids = 6;
+    CurvedSurface surface(2);
+    geometry::Topology topology;
+    topology.faces.resize(kSolids);
+    topology.volumes.resize(kSolids);
+    for (int i = 0; i < kSolids; ++i) {
+        std::array<int, 4> v{};
+        for (int k = 0; k < 4; ++k) {
+            v[k] = surface.add_vertex({Vec3(2.0 * i + (k == 1), k == 2, k == 3), {2, i}});
+        }
+        surface.add_triangle({v[0], v[2], v[1]}, i);
+        surface.add_triangle({v[0], v[1], v[3]}, i);
+        surface.add_triangle({v[1], v[2], v[3]}, i);
+        if (i == 0) {
+            surface.add_triangle({v[0], v[3], v[2]}, i);
+        }
+        surface.volume_faces.push_back({{i, false}});
+        topology.volumes[i].kind = geometry::Volume::Kind::Solid;
+    }
+    for (const int threads : {1, 2, 3, 8}) {
+        const ThreadLimit limit(threads);
+        try {
+            fill_solids(surface, surface.shapes, topology, Progress());
+            FAIL() << "nothing was thrown";
+        } catch (const MeshingFailed& error) {
+            EXPECT_NE(std::string(error.what()).find("Solid2"), std::string::npos) << error.what();
+        }
+    }
+}
+
 TEST(TetrahedralMesh, AFlatElementIsToHaveTheJacobianOfOneThatIsNot) {
     Filled filled(geometry::make_shape_model(BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape()), 2);
     std::vector<Vertex>& vertices = filled.volume.shapes().vertices;
@@ -84,9 +135,12 @@ TEST(TetrahedralMesh, AFlatElementIsToHaveTheJacobianOfOneThatIsNot) {
 }
 
 TEST(RepairTetrahedralMesh, CancelledAtOnce) {
-    Filled filled(shells(1), 3);
-    filled.progress.cancel();
-    EXPECT_THROW(repair_volume(filled.volume, filled.progress), Cancelled);
+    for (const int threads : {1, 3}) {
+        const ThreadLimit limit(threads);
+        Filled filled(shells(1), 3);
+        filled.progress.cancel();
+        EXPECT_THROW(repair_volume(filled.volume, filled.progress), Cancelled);
+    }
 }
 
 }  // namespace
