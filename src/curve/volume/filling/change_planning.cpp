@@ -10,15 +10,20 @@
 namespace mq::curve {
 
 void ChangePlanner::flip(int cell, Change& change) {
-    change.vertices.assign(mesh_.cells[cell].v.begin(), mesh_.cells[cell].v.end());
-    change.helps = remove_one_edge(cell) || flip_one_face(cell);
+    change.read = {cell};
+    for (const int other : mesh_.cells[cell].n) {
+        if (other >= 0) {
+            change.read.push_back(other);
+        }
+    }
+    change.helps = remove_one_edge(cell, change) || flip_one_face(cell);
     if (change.helps) {
         change.cells = flipper_.removed();
         change.added = flipper_.added();
     }
 }
 
-bool ChangePlanner::remove_one_edge(int cell) {
+bool ChangePlanner::remove_one_edge(int cell, Change& change) {
     const std::array<int, 4>& v = mesh_.cells[cell].v;
     FlipRule rule;
     rule.measure = &measure_;
@@ -28,8 +33,10 @@ bool ChangePlanner::remove_one_edge(int cell) {
             if (!mesh_.ring(cell, v[i], v[k], flipper_.ring())) {
                 continue;
             }
+            const std::vector<int>& ring = flipper_.ring().cells;
+            change.read.insert(change.read.end(), ring.begin(), ring.end());
             rule.floor = std::numeric_limits<double>::max();
-            for (const int c : flipper_.ring().cells) {
+            for (const int c : ring) {
                 rule.floor = std::min(rule.floor, quality(c));
             }
             rule.floor += FillingTuning::kLeastGain * std::abs(rule.floor);
@@ -58,8 +65,8 @@ bool ChangePlanner::flip_one_face(int cell) {
 }
 
 void ChangePlanner::move(int v, Change& change) {
-    change.vertices = {v};
     mesh_.star(v, change.cells, seen_);
+    change.read = change.cells;
     placing_.faces.clear();
     double worst = std::numeric_limits<double>::max();
     for (const int c : change.cells) {
@@ -74,22 +81,23 @@ void ChangePlanner::move(int v, Change& change) {
 
 void ChangePlanner::insert(int cell, Change& change) {
     change.helps = insert_near(cell, change);
-    change.vertices.clear();
-    for (const int c : insertion_.reached()) {
-        change.vertices.insert(change.vertices.end(), mesh_.cells[c].v.begin(), mesh_.cells[c].v.end());
-    }
 }
 
 bool ChangePlanner::insert_near(int cell, Change& change) {
     const std::array<int, 4>& v = mesh_.cells[cell].v;
     const Vec3 middle = 0.25 * (mesh_.point(v[0]) + mesh_.point(v[1]) + mesh_.point(v[2]) + mesh_.point(v[3]));
-    if (insertion_.open(middle, cell) && insert_into(insertion_.cavity(), middle, change)) {
+    const bool open = insertion_.open(middle, cell);
+    change.read = insertion_.seen();
+    if (open && insert_into(insertion_.cavity(), middle, change)) {
         return true;
     }
     for (int i = 0; i < 4; ++i) {
         for (int k = i + 1; k < 4; ++k) {
-            if (mesh_.ring(cell, v[i], v[k], ring_) &&
-                insert_into(ring_.cells, 0.5 * (mesh_.point(v[i]) + mesh_.point(v[k])), change)) {
+            if (!mesh_.ring(cell, v[i], v[k], ring_)) {
+                continue;
+            }
+            change.read.insert(change.read.end(), ring_.cells.begin(), ring_.cells.end());
+            if (insert_into(ring_.cells, 0.5 * (mesh_.point(v[i]) + mesh_.point(v[k])), change)) {
                 return true;
             }
         }

@@ -18,7 +18,7 @@ struct Change {
     std::vector<int> cells;                 ///< those that give way, or whose vertex moves
     std::vector<std::array<int, 4>> added;  ///< their corners, -1 for the new vertex
     Vec3 place = Vec3::Zero();              ///< of the vertex that moves or is new
-    std::vector<int> vertices;              ///< the plan holds as long as no cell at these changes
+    std::vector<int> read;                  ///< cells that were looked at: the plan holds until one of these changes
 };
 
 /// Looks for changes of a tetrahedralisation, which stays as it is: several threads may look at once, each with a
@@ -43,7 +43,7 @@ class ChangePlanner {
     void insert(int cell, Change& change);
 
   private:
-    bool remove_one_edge(int cell);
+    bool remove_one_edge(int cell, Change& change);
     bool flip_one_face(int cell);
     bool insert_near(int cell, Change& change);
     bool insert_into(const std::vector<int>& cavity, const Vec3& start, Change& change);

@@ -13,7 +13,7 @@ Optimisation::Optimisation(Tetrahedralisation& mesh, const EndTangents& tangents
     : mesh_(mesh), measure_(mesh, tangents), first_inner_(first_inner) {
     tried_.resize(mesh.cells.size(), 0);
     settled_.resize(mesh.points.size(), 0);
-    changed_in_.resize(mesh.points.size(), 0);
+    changed_in_.resize(mesh.cells.size(), 0);
     for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
         quality_.push_back(mesh.alive(static_cast<int>(c)) ? measure_.at(mesh.cells[c].v) : 1.0);
     }
@@ -38,9 +38,10 @@ void Optimisation::note(const std::vector<int>& changed) {
     quality_.resize(mesh_.cells.size(), 1.0);
     tried_.resize(mesh_.cells.size(), 0);
     settled_.resize(mesh_.points.size(), 0);
-    changed_in_.resize(mesh_.points.size(), 0);
+    changed_in_.resize(mesh_.cells.size(), 0);
     for (const int c : changed) {
         quality_[c] = measure_.at(mesh_.cells[c].v);
+        changed_in_[c] = block_;
         tried_[c] = 0;
         for (const int other : mesh_.cells[c].n) {
             if (other >= 0) {
@@ -49,7 +50,6 @@ void Optimisation::note(const std::vector<int>& changed) {
         }
         for (const int v : mesh_.cells[c].v) {
             settled_[v] = 0;
-            changed_in_[v] = block_;
         }
     }
 }
@@ -61,10 +61,10 @@ void Optimisation::note(const std::vector<int>& changed) {
 template <typename Wanted, typename Plan, typename Apply>
 bool Optimisation::sweep(std::size_t begin, std::size_t end, const Progress& progress, const Wanted& wanted,
                          const Plan& plan, const Apply& apply) {
-    // Plans of a thread in a block, so that its start pays. Blocks grow until one in kTouched is made again.
+    // Plans of a thread in a block, so that its start pays. Blocks grow until one in kAgain is made again.
     constexpr std::size_t kLeast = 4;
     constexpr std::size_t kMost = 256;
-    constexpr std::size_t kTouched = 8;
+    constexpr std::size_t kAgain = 8;
     const std::size_t threads = planners_.size();
     std::size_t ahead = threads > 1 ? kLeast * threads : 0;
     std::vector<Change> plans(kMost * threads + 1);
@@ -93,16 +93,16 @@ bool Optimisation::sweep(std::size_t begin, std::size_t end, const Progress& pro
                 continue;
             }
             progress.check();
-            const auto touched = [&](int v) { return changed_in_[v] == block_; };
-            if (!has_plan || std::any_of(change.vertices.begin(), change.vertices.end(), touched)) {
+            const auto changed = [&](int cell) { return changed_in_[cell] == block_; };
+            if (!has_plan || std::any_of(change.read.begin(), change.read.end(), changed)) {
                 plan(planners_.front(), begin, change);
                 ++again;
             }
             apply(begin, change);
             any = change.helps || any;
         }
-        ahead = kTouched * again > planned.size() ? std::max(ahead / 2, kLeast * threads)
-                                                  : std::min(2 * ahead, kMost * threads);
+        ahead = kAgain * again > planned.size() ? std::max(ahead / 2, kLeast * threads)
+                                                : std::min(2 * ahead, kMost * threads);
     }
     return any;
 }
@@ -180,6 +180,9 @@ bool Optimisation::insert_vertices(const Progress& progress) {
 }
 
 void Optimisation::replace(const Change& change) {
+    for (const int c : change.cells) {
+        changed_in_[c] = block_;
+    }
     mesh_.replace(change.cells, change.added, created_);
     note(created_);
 }

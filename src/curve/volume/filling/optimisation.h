@@ -41,7 +41,7 @@ class Optimisation {
     std::vector<char> tried_;              // cells that no flip has helped since something around them changed
     std::vector<char> settled_;            // vertices that no move has helped since then
     std::size_t block_ = 0;
-    std::vector<std::size_t> changed_in_;  // by vertex: the last block of plans in which a cell there changed
+    std::vector<std::size_t> changed_in_;  // by cell: the last block of plans in which it changed or went
     std::vector<int> created_;
 };
 
