@@ -177,27 +177,42 @@ class Repair {
         return result;
     }
 
-    /// Curves patches in parallel, some at a time, as each needs memory.
+    /// Curves large patches one after the other, since several threads work on each; the others in parallel, some at a
+    /// time, as each needs memory.
     void curve_patches(const std::vector<Around>& places, int degree, int round) {
+        constexpr std::size_t kLarge = 512;  // tetrahedra
         constexpr std::size_t kOfThread = 16;
-        const std::size_t most = kOfThread * static_cast<std::size_t>(thread_count());
-        for (std::size_t first = 0; first < places.size(); first += most) {
-            std::vector<std::optional<UntanglingPatch>> patches(std::min(most, places.size() - first));
-            std::vector<std::size_t> evaluations(patches.size());
-            parallel_for(static_cast<int>(patches.size()), [&](int k) {
-                progress_.check();
-                const auto i = static_cast<std::size_t>(k);
-                const Around& place = places[first + i];
-                UntanglingPatch& patch = patches[i].emplace(volume_, place.members, place.loose, degree, progress_);
-                if (round == 0) {
-                    patch.propagate_curvature(VolumeTuning::kInwardSweeps);
-                }
-                evaluations[i] = untangle(patch, VolumeTuning::kTargetJacobian, progress_);
-            });
-            for (std::size_t i = 0; i < patches.size(); ++i) {
-                done_.evaluations += evaluations[i];
-                done_.relocations += patches[i]->store(progress_);
+        std::vector<const Around*> small;
+        for (const Around& place : places) {
+            if (place.members.size() >= kLarge) {
+                curve_at_once({&place}, degree, round);
+                continue;
             }
+            small.push_back(&place);
+            if (small.size() == kOfThread * static_cast<std::size_t>(thread_count())) {
+                curve_at_once(small, degree, round);
+                small.clear();
+            }
+        }
+        curve_at_once(small, degree, round);
+    }
+
+    void curve_at_once(const std::vector<const Around*>& places, int degree, int round) {
+        std::vector<std::optional<UntanglingPatch>> patches(places.size());
+        std::vector<std::size_t> evaluations(places.size());
+        parallel_for(static_cast<int>(places.size()), [&](int k) {
+            progress_.check();
+            const auto i = static_cast<std::size_t>(k);
+            UntanglingPatch& patch =
+                patches[i].emplace(volume_, places[i]->members, places[i]->loose, degree, progress_);
+            if (round == 0) {
+                patch.propagate_curvature(VolumeTuning::kInwardSweeps);
+            }
+            evaluations[i] = untangle(patch, VolumeTuning::kTargetJacobian, progress_);
+        });
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            done_.evaluations += evaluations[i];
+            done_.relocations += patches[i]->store(progress_);
         }
     }
 
