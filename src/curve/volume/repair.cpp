@@ -177,24 +177,27 @@ class Repair {
         return result;
     }
 
-    /// Curves large patches one after the other, since several threads work on each; the others in parallel, some at a
-    /// time, as each needs memory.
+    /// Curves patches in parallel, some at a time, as each needs memory. Where there are fewer large ones than threads,
+    /// these come one after the other, since several threads work on each.
     void curve_patches(const std::vector<Around>& places, int degree, int round) {
         constexpr std::size_t kLarge = 512;  // tetrahedra
         constexpr std::size_t kOfThread = 16;
-        std::vector<const Around*> small;
+        const auto threads = static_cast<std::size_t>(thread_count());
+        const auto large = [](const Around& place) { return place.members.size() >= kLarge; };
+        const auto count = static_cast<std::size_t>(std::count_if(places.begin(), places.end(), large));
+        std::vector<const Around*> together;
         for (const Around& place : places) {
-            if (place.members.size() >= kLarge) {
+            if (count < threads && large(place)) {
                 curve_at_once({&place}, degree, round);
                 continue;
             }
-            small.push_back(&place);
-            if (small.size() == kOfThread * static_cast<std::size_t>(thread_count())) {
-                curve_at_once(small, degree, round);
-                small.clear();
+            together.push_back(&place);
+            if (together.size() == kOfThread * threads) {
+                curve_at_once(together, degree, round);
+                together.clear();
             }
         }
-        curve_at_once(small, degree, round);
+        curve_at_once(together, degree, round);
     }
 
     void curve_at_once(const std::vector<const Around*>& places, int degree, int round) {
