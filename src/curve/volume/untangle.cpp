@@ -266,7 +266,7 @@ class Objective {
 
     UntanglingPatch& patch_;
     const Progress& progress_;
-    std::size_t coefficients_;  // of the Jacobian of an element
+    std::size_t coefficients_;  // their number in the Jacobian of an element
     std::size_t evaluations_ = 0;
     std::vector<std::size_t> elements_;                // those of the patch that can change, four to a batch
     std::vector<Lanes> inverse_;                       // 1 / J that the element is to have

@@ -17,7 +17,7 @@ struct Change {
     bool helps = false;                     ///< otherwise there is none
     std::vector<int> cells;                 ///< those that give way, or whose vertex moves
     std::vector<std::array<int, 4>> added;  ///< their corners, -1 for the new vertex
-    Vec3 place = Vec3::Zero();              ///< of the vertex that moves or is new
+    Vec3 place = Vec3::Zero();              ///< where the vertex that moves or is new will be
     std::vector<int> read;                  ///< cells that were looked at: the plan holds until one of these changes
 };
 

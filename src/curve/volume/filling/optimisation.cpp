@@ -67,7 +67,7 @@ bool Optimisation::sweep(std::size_t begin, std::size_t end, const Progress& pro
     constexpr std::size_t kAgain = 8;
     const std::size_t threads = planners_.size();
     std::size_t ahead = threads > 1 ? kLeast * threads : 0;
-    std::vector<Change> plans(kMost * threads + 1);
+    std::vector<Change> plans;
     std::vector<std::size_t> planned;
     bool any = false;
     while (begin < end) {
@@ -78,6 +78,7 @@ bool Optimisation::sweep(std::size_t begin, std::size_t end, const Progress& pro
                 planned.push_back(last);
             }
         }
+        plans.resize(std::max(plans.size(), planned.size() + 1));  // the last one is for what has no plan yet
         ++block_;
         parallel_for_on_threads(static_cast<int>(planned.size()), [&](int thread, int k) {
             progress.check();
