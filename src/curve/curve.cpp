@@ -62,6 +62,9 @@ void CurveOptions::validate() const {
         throw volume ? InvalidInput(Message::of(phrases::kVolumeOrder, {{"count", range[0]}, {"count2", range[1]}}))
                      : InvalidInput("order is " + range[0] + ": it goes from 1 to " + range[1] + " for surfaces");
     }
+    if (threads < 0) {
+        throw InvalidInput("threads is " + std::to_string(threads) + ": it must be at least 0");
+    }
     if (volume && !repair) {
         throw InvalidInput("repair is off: only surfaces are curved without repairs, leave volume off");
     }

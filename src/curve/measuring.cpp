@@ -26,15 +26,17 @@ void measure_surface(SurfaceEditor& editor, const geometry::Topology& topology, 
     report.min_distortion = 1.0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const SurfaceTriangle& triangle = editor.triangle(triangles[i]);
-        const std::string name = "triangle " + std::to_string(i) + " on " + topology.name_of({2, triangle.face});
+        const auto name = [&] {
+            return "triangle " + std::to_string(i) + " on " + topology.name_of({2, triangle.face});
+        };
         if (straightened.count(triangles[i]) > 0) {
-            report.straightened.push_back(name);
+            report.straightened.push_back(name());
         }
         sum += triangle.quality;
         report.min_distortion = std::min(report.min_distortion, triangle.quality);
         if (!(triangle.quality > 0.0)) {
             ++report.invalid;
-            report.invalid_elements.push_back(name);
+            report.invalid_elements.push_back(name());
         }
     }
     report.elements = triangles.size();

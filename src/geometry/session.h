@@ -164,27 +164,29 @@ class Session final : public Oracle {
 
     /// Calls `work(answerer, from, to)` for chunks of the items 0 .. count - 1, as run_parallel does. The engine is
     /// open to others after each piece of the work.
+    /// @param queries  about how many an item asks
     /// @throws as parallel_for
     template <typename Work>
-    void for_chunks(std::size_t count, const Work& work) {
+    void for_chunks(std::size_t count, const Work& work, std::size_t queries = 1) {
         // Chunks of a thread in a piece: B-spline projections take about kOpenAfter.
         constexpr std::size_t kChunksOfThread = 16;
-        const std::size_t piece = kChunk * kChunksOfThread * static_cast<std::size_t>(thread_count());
+        const std::size_t chunk = std::max<std::size_t>(1, kChunk / queries);
+        const std::size_t piece = chunk * kChunksOfThread * static_cast<std::size_t>(thread_count());
         for (std::size_t begin = 0; begin < count; begin += piece) {
             const std::size_t end = std::min(begin + piece, count);
-            const int chunks = static_cast<int>((end - begin + kChunk - 1) / kChunk);
-            const auto chunk = [&](Answerer& answerer, int k) {
+            const int chunks = static_cast<int>((end - begin + chunk - 1) / chunk);
+            const auto one = [&](Answerer& answerer, int k) {
                 check();
-                const std::size_t from = begin + static_cast<std::size_t>(k) * kChunk;
-                work(answerer, from, std::min(from + kChunk, end));
+                const std::size_t from = begin + static_cast<std::size_t>(k) * chunk;
+                work(answerer, from, std::min(from + chunk, end));
             };
             if (answerer_ == nullptr) {
-                run_parallel(chunks, chunk);
+                run_parallel(chunks, one);
                 continue;
             }
             for (int k = 0; k < chunks; ++k) {
                 const EngineDoor::Pass pass(door_);
-                chunk(*answerer_, k);
+                one(*answerer_, k);
             }
         }
     }

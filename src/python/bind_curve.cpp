@@ -109,7 +109,8 @@ void bind_curve(py::module_& m) {
         .def_readwrite("order", &curve::CurveOptions::order)
         .def_readwrite("volume", &curve::CurveOptions::volume)
         .def_readwrite("straighten", &curve::CurveOptions::straighten)
-        .def_readwrite("repair", &curve::CurveOptions::repair, "off: surfaces as they are placed, to compare with");
+        .def_readwrite("repair", &curve::CurveOptions::repair, "off: surfaces as they are placed, to compare with")
+        .def_readwrite("threads", &curve::CurveOptions::threads);
     m.def("curve", &curve_shape, py::arg("shape"), py::arg("options"), py::arg("straight"),
           py::arg("progress") = py::none(), "Meshes and curves a Part.Shape; returns a Curved.");
     m.def("set_fill_program", &curve::set_fill_program, py::arg("path"), "Where the program lies that fills volumes.");

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "curve/given/curve_given.h"
 #include "curve/given/edge_discretisation.h"
@@ -155,6 +156,7 @@ CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, cons
                        const triangulate::TriangulateOptions& straight, Progress& progress) {
     options.validate();
     straight.validate();
+    const ThreadLimit threads(options.threads);
     const Stopwatch watch_all;
     StageTimes seconds;
     StageClock clock(seconds);
@@ -181,6 +183,7 @@ CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, cons
 CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, const triangulate::Result& surface,
                          const curve::CurveOptions& options, Progress& progress) {
     options.validate();
+    const ThreadLimit threads(options.threads);
     const bool pieces = !surface.mesh.triangle_piece.empty();
     const auto model = model_of(
         engine, shape, pieces ? geometry::Creases::Cut : geometry::Creases::Keep,
@@ -250,6 +253,7 @@ auto on_shape_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, boo
 
 CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
                             const curve::CurveOptions& options, bool imprint, Progress& progress) {
+    const ThreadLimit threads(options.threads);
     progress.stage("reading the shape", 0.0, 0.0);
     return on_shape_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
         CurvedMesh mesh = curve::curve_given(engine, model, given, options, &progress);
@@ -261,6 +265,7 @@ CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
 curve::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
                                         const curve::MixedMesh& given, const curve::CurveOptions& options, bool imprint,
                                         Progress& progress) {
+    const ThreadLimit threads(options.threads);
     progress.stage("reading the shape", 0.0, 0.0);
     return on_shape_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
         curve::CurvedMixedMesh mesh = curve::curve_mixed(engine, model, given, options, &progress);

@@ -9,6 +9,7 @@ import subprocess
 import unittest
 
 import helpers
+import parts
 
 import FreeCAD
 import numpy as np
@@ -148,8 +149,32 @@ class Curve(helpers.DocumentTest):
             mq.curve(Part.makePlane(10, 10), volume=True)
 
     def test_cancelling(self):
-        with self.assertRaises(mq.Cancelled):
-            mq.curve(Part.makeTorus(10, 3), volume=True, progress=lambda fraction, stage: False)
+        for threads in (1, 3):
+            with self.assertRaises(mq.Cancelled):
+                mq.curve(Part.makeTorus(10, 3), volume=True, progress=lambda fraction, stage: False, threads=threads)
+
+    def test_the_bytes_are_the_same_for_any_number_of_threads(self):
+        shell = Part.makeSphere(20).cut(Part.makeSphere(19))
+        apart = [shell.copy(), shell.copy(), Part.makeBox(5, 5, 5)]
+        for i, solid in enumerate(apart):
+            solid.translate(FreeCAD.Vector(50 * i, 0, 0))
+        cases = {"several solids": (Part.makeCompound(apart), {"volume": True, "chord_height": 0.4}),
+                 "one solid": (helpers.simple_parts()["fused"], {"volume": True, "order": 3}),
+                 "surface": (parts.bracket(), {"order": 3, "chord_height_relative": 0.001})}
+        for name, (shape, how) in cases.items():
+            with self.subTest(name):
+                one, *others = (mq.curve(shape, **how, threads=n) for n in (1, 2, 3, 8))
+                for several in others:
+                    for array in ("nodes", "elements", "edges", "triangle_quality", "tetrahedron_quality"):
+                        self.assertEqual(getattr(several, array).tobytes(), getattr(one, array).tobytes(), array)
+                    for figure in ("repairs", "notes", "invalid_before", "invalid", "max_deviation", "rms_deviation", "volume",
+                                   "max_shape_distortion", "min_distortion", "not_proven_apart"):
+                        self.assertEqual(getattr(several.report, figure), getattr(one.report, figure), figure)
+
+    def test_numbers_of_threads_that_are_none_are_refused(self):
+        for threads in (-1, 1025, 1.5, True, "all"):
+            with self.assertRaisesRegex(mq.InvalidInput, "threads"):
+                mq.curve(Part.makeBox(1, 1, 1), threads=threads)
 
     def test_files(self):
         mesh = mq.curve(Part.makeCylinder(5, 10), order=2, volume=True)
@@ -220,7 +245,7 @@ class Curve(helpers.DocumentTest):
         output = os.path.join(self.folder, "part.msh")
         Part.makeCylinder(5, 10).exportStep(step)
         done = subprocess.run([COMMAND, "curve", step, "-o", output, "--order", "3", "--volume",
-                               "--json"], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                               "--threads", "2", "--json"], stdin=subprocess.DEVNULL, capture_output=True, text=True,
                               timeout=300, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         report = json.loads(done.stdout)

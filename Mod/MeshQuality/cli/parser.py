@@ -26,7 +26,7 @@ OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXE
 WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
-TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": options.CURVE,
+TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*options.CURVE, options.THREADS),
           "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
           "verify": (), "thickness": inspection_options.THICKNESS, "clearance": inspection_options.CLEARANCE,
           "draft": inspection_options.DRAFT, "voids": inspection_options.VOIDS,

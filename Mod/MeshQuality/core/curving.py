@@ -309,7 +309,7 @@ def _curve_given(shape, mesh, curving, imprint, division, progress):
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
           min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False,
-          patches=None, patch_rest=None, mesh=None, mesh_scale=1.0):
+          patches=None, patch_rest=None, mesh=None, mesh_scale=1.0, threads=0):
     """A mesh of curved elements on a shape, proven valid element by element.
 
     shape_or_mesh  Part.Shape, a document object that has one, or a SurfaceMesh together with
@@ -332,6 +332,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
                    with prisms, pyramids, hexahedra or quadrilaterals keeps all of its elements, and its boundary layers
                    follow their walls. volume, patches and the options of the straight mesh do not apply
     mesh_scale     factor from the coordinates of that file to mm: 1000 for one in metres, 25.4 for inches
+    threads        that work at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any number
 
     Returns a CurvedMesh, of a mesh with other elements than triangles and tetrahedra a CurvedElementMesh; elements that
     stay invalid are in its report. The shape is only read.
@@ -342,6 +343,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         "order": order, "volume": volume, "straighten_invalid": straighten_invalid, "min_angle": min_angle,
         "chord_height": chord_height, "chord_height_relative": chord_height_relative, "max_edge": max_edge, "imprint": imprint,
     })
+    values["threads"] = options.THREADS.checked(threads)
     _check_given(mesh, mesh_scale, values, shape)
     division = None
     if shape is not None or not isinstance(shape_or_mesh, SurfaceMesh):
@@ -349,7 +351,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     module = extension()
     module.set_fill_program(program("meshquality_fill"))
     curving = module.CurveOptions()
-    options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
+    options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid", "threads")}, curving)
     if mesh is not None:
         elements = _given_on(shape_or_mesh, mesh, mesh_scale)
         return _curve_given(convert.shape_of(shape_or_mesh), elements, curving, values["imprint"], division, progress)

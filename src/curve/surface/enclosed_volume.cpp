@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "curve/bezier/jacobian.h"
 
 namespace mq::curve {
@@ -14,22 +15,26 @@ namespace {
 std::vector<double> cones_of_faces(const CurvedSurface& surface, std::size_t faces, const Vec3& apex,
                                    const Progress& progress) {
     const Lattice& lattice = Lattice::of(2, surface.shapes.order());
-    std::vector<double> cones(faces, 0.0);
-    std::vector<Vec3> control;
-    for (const SurfaceTriangle& triangle : surface.triangles) {
-        if (!triangle.alive) {
-            continue;
+    std::vector<double> of_triangles(surface.triangles.size(), 0.0);
+    for_chunks(static_cast<int>(of_triangles.size()), [&](int t) {
+        const auto k = static_cast<std::size_t>(t);
+        if (!surface.triangles[k].alive) {
+            return;
         }
         progress.check();
-        surface.shapes.triangle(triangle.corners, control);
+        std::vector<Vec3> control;
+        surface.shapes.triangle(surface.triangles[k].corners, control);
         for (Vec3& point : control) {
             point -= apex;
         }
         // The reference triangle has area 1/2; the mean of the coefficients is that of the polynomial.
         const std::vector<double> flux =
             normal_component(lattice, control, bezier_to_nodes(lattice, control)).coefficients;
-        cones[static_cast<std::size_t>(triangle.face)] +=
-            std::accumulate(flux.begin(), flux.end(), 0.0) / (6.0 * static_cast<double>(flux.size()));
+        of_triangles[k] = std::accumulate(flux.begin(), flux.end(), 0.0) / (6.0 * static_cast<double>(flux.size()));
+    });
+    std::vector<double> cones(faces, 0.0);
+    for (std::size_t t = 0; t < of_triangles.size(); ++t) {
+        cones[static_cast<std::size_t>(surface.triangles[t].face)] += of_triangles[t];
     }
     return cones;
 }

@@ -21,8 +21,7 @@ constexpr int kSampleDegree = 7;
 
 }  // namespace
 
-Placement::Placement(geometry::Session& session, CurvedSurface& surface)
-    : session_(session), surface_(surface), plane_normals_(session.topology().faces.size(), Vec3::Zero()) {}
+Placement::Placement(geometry::Session& session, CurvedSurface& surface) : session_(session), surface_(surface) {}
 
 bool Placement::planar(int face) const {
     return std::strcmp(session_.topology().faces[static_cast<std::size_t>(face)].surface, "plane") == 0;
@@ -201,101 +200,105 @@ void Placement::improve_faces(const std::vector<int>& triangles) {
     measure(worse);
 }
 
-Vec3 Placement::plane_normal(int face) {
-    Vec3& normal = plane_normals_[static_cast<std::size_t>(face)];
-    if (normal.isZero()) {
-        const auto& f = session_.topology().faces[static_cast<std::size_t>(face)];
-        normal = session_.ask(Query::face_point(face, f.low[0], f.low[1])).normal;
-    }
-    return normal;
-}
-
 /// The CAD normal at a point slightly inside the triangle from a corner.
-Vec3 Placement::normal_inside(const SurfaceTriangle& triangle, int corner) {
+Vec3 Placement::normal_inside(const SurfaceTriangle& triangle, int corner, geometry::Answerer& answerer) const {
     const std::array<Vec2, 3> uv = corner_uv(triangle);
     const Vec2 at = (1.0 - SurfaceTuning::kInsideCorner) * uv[static_cast<std::size_t>(corner)] +
                     SurfaceTuning::kInsideCorner / 3.0 * (uv[0] + uv[1] + uv[2]);
-    return session_.ask(Query::face_point(triangle.face, at.x(), at.y())).normal;
+    return answerer.answer(Query::face_point(triangle.face, at.x(), at.y())).normal;
+}
+
+/// The CAD normals at the nodes of a triangle, as the CAD face has them.
+std::vector<Vec3> Placement::normals_at(const SurfaceTriangle& triangle, const std::vector<Vec3>& control,
+                                        geometry::Answerer& answerer) const {
+    const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
+    if (planar(triangle.face)) {
+        const auto& face = session_.topology().faces[static_cast<std::size_t>(triangle.face)];
+        const Answer answer = answerer.answer(Query::face_point(triangle.face, face.low[0], face.low[1]));
+        return std::vector<Vec3>(static_cast<std::size_t>(lattice.size()), answer.normal);
+    }
+    const std::vector<Vec3> nodes = bezier_to_nodes(lattice, control);
+    const std::array<Vec2, 3> uv = corner_uv(triangle);
+    const auto off = [&](int v) { return surface_.off_cad.count(v) > 0; };
+    const bool loose = std::any_of(triangle.corners.begin(), triangle.corners.end(), off);
+    std::vector<Vec3> normals;
+    for (int i = 0; i < lattice.size(); ++i) {
+        const Barycentric b = lattice.node(i);
+        const Vec2 guess = b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2];
+        const Query query =
+            lattice.carriers(i) == 1 && !loose
+                ? Query::face_point(triangle.face, guess.x(), guess.y())
+                : Query::face_nearest(triangle.face, nodes[static_cast<std::size_t>(i)], guess.x(), guess.y());
+        normals.push_back(answerer.answer(query).normal);
+    }
+    return normals;
+}
+
+double Placement::quality_of(const SurfaceTriangle& triangle, geometry::Answerer& answerer) const {
+    const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
+    std::vector<Vec3> control;
+    surface_.shapes.triangle(triangle.corners, control);
+    const double sign = surface_.face_sign[static_cast<std::size_t>(triangle.face)];
+    std::vector<Vec3> normals = normals_at(triangle, control, answerer);
+    Vec3 sum = Vec3::Zero();
+    for (Vec3& normal : normals) {
+        normal *= sign;
+        sum += normal;
+    }
+    // At poles there is no normal, and in corners that are collapsed to within their tolerance it is noise.
+    const Vec3 mean = sum.normalized();
+    for (Vec3& normal : normals) {
+        if (normal.isZero()) {
+            normal = mean;
+        }
+    }
+    for (int corner = 0; corner < 3; ++corner) {
+        Vec3& normal = normals[static_cast<std::size_t>(lattice.corner(corner))];
+        if (normal.dot(mean) <= 0.0) {
+            normal = sign * normal_inside(triangle, corner, answerer);
+        }
+    }
+    return certified_ratio(normal_component(lattice, control, normals));
 }
 
 void Placement::measure(const std::vector<int>& triangles) {
-    const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
-    std::vector<Query> batch;
-    std::vector<std::vector<Vec3>> controls;
-    for (const int t : triangles) {
-        session_.check();
-        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
-        std::vector<Vec3> control;
-        surface_.shapes.triangle(triangle.corners, control);
-        if (!planar(triangle.face)) {
-            const std::vector<Vec3> nodes = bezier_to_nodes(lattice, control);
-            const std::array<Vec2, 3> uv = corner_uv(triangle);
-            const auto off = [&](int v) { return surface_.off_cad.count(v) > 0; };
-            const bool loose = std::any_of(triangle.corners.begin(), triangle.corners.end(), off);
-            for (int i = 0; i < lattice.size(); ++i) {
-                const Barycentric b = lattice.node(i);
-                const Vec2 guess = b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2];
-                batch.push_back(
-                    lattice.carriers(i) == 1 && !loose
-                        ? Query::face_point(triangle.face, guess.x(), guess.y())
-                        : Query::face_nearest(triangle.face, nodes[static_cast<std::size_t>(i)], guess.x(), guess.y()));
-            }
+    const auto work = [&](geometry::Answerer& answerer, std::size_t from, std::size_t to) {
+        for (std::size_t k = from; k < to; ++k) {
+            SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(triangles[k])];
+            triangle.quality = quality_of(triangle, answerer);
         }
-        controls.push_back(std::move(control));
-    }
-    const auto answers = session_.ask(std::move(batch));
-    std::size_t next = 0;
-    for (std::size_t k = 0; k < triangles.size(); ++k) {
-        session_.check();
-        SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(triangles[k])];
-        const double sign = surface_.face_sign[static_cast<std::size_t>(triangle.face)];
-        std::vector<Vec3> normals(static_cast<std::size_t>(lattice.size()), Vec3::Zero());
-        Vec3 sum = Vec3::Zero();
-        for (Vec3& normal : normals) {
-            normal = sign * (planar(triangle.face) ? plane_normal(triangle.face) : answers[next++].normal);
-            sum += normal;
-        }
-        // At poles there is no normal, and in corners that are collapsed to within their tolerance it is noise.
-        const Vec3 mean = sum.normalized();
-        for (Vec3& normal : normals) {
-            if (normal.isZero()) {
-                normal = mean;
-            }
-        }
-        for (int corner = 0; corner < 3; ++corner) {
-            Vec3& normal = normals[static_cast<std::size_t>(lattice.corner(corner))];
-            if (normal.dot(mean) <= 0.0) {
-                normal = sign * normal_inside(triangle, corner);
-            }
-        }
-        triangle.quality = certified_ratio(normal_component(lattice, controls[k], normals));
-    }
+    };
+    session_.for_chunks(triangles.size(), work,
+                        static_cast<std::size_t>(Lattice::of(2, surface_.shapes.order()).size()));
 }
 
 std::vector<double> Placement::deviations(const std::vector<int>& triangles) {
     const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
     const Lattice& samples = Lattice::of(2, kSampleDegree);
-    std::vector<Query> batch;
-    std::vector<Vec3> control;
-    for (const int t : triangles) {
-        session_.check();
-        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
-        surface_.shapes.triangle(triangle.corners, control);
-        const std::array<Vec2, 3> uv = corner_uv(triangle);
-        for (int i = 0; i < samples.size(); ++i) {
-            if (samples.carriers(i) > 1) {
+    const auto per = static_cast<std::size_t>(samples.size() - 3);  // but for the corners
+    constexpr double kNone = -1.0;
+    std::vector<double> result(per * triangles.size(), kNone);
+    const auto work = [&](geometry::Answerer& answerer, std::size_t from, std::size_t to) {
+        std::vector<Vec3> control;
+        for (std::size_t k = from; k < to; ++k) {
+            const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(triangles[k])];
+            surface_.shapes.triangle(triangle.corners, control);
+            const std::array<Vec2, 3> uv = corner_uv(triangle);
+            std::size_t next = per * k;
+            for (int i = 0; i < samples.size(); ++i) {
+                if (samples.carriers(i) == 1) {
+                    continue;
+                }
                 const Barycentric b = samples.node(i);
                 const Vec2 guess = b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2];
-                batch.push_back(Query::face_nearest(triangle.face, value(lattice, control, b), guess.x(), guess.y()));
+                const Answer answer = answerer.answer(
+                    Query::face_nearest(triangle.face, value(lattice, control, b), guess.x(), guess.y()));
+                result[next++] = answer.found() ? answer.distance : kNone;
             }
         }
-    }
-    std::vector<double> result;
-    for (const Answer& answer : session_.ask(std::move(batch))) {
-        if (answer.found()) {
-            result.push_back(answer.distance);
-        }
-    }
+    };
+    session_.for_chunks(triangles.size(), work, per);
+    result.erase(std::remove(result.begin(), result.end(), kNone), result.end());
     return result;
 }
 

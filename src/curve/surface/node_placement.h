@@ -111,12 +111,13 @@ class Placement {
     Vec2 unwrapped(int vertex, int face, const Vec2& near) const;
     void resolve_free(int vertex, int face, const Vec2& other, Vec2& uv) const;
     void set_edge_nodes(int a, int b, const std::vector<Vec3>& nodes);
-    Vec3 plane_normal(int face);
-    Vec3 normal_inside(const SurfaceTriangle& triangle, int corner);
+    Vec3 normal_inside(const SurfaceTriangle& triangle, int corner, geometry::Answerer& answerer) const;
+    std::vector<Vec3> normals_at(const SurfaceTriangle& triangle, const std::vector<Vec3>& control,
+                                 geometry::Answerer& answerer) const;
+    double quality_of(const SurfaceTriangle& triangle, geometry::Answerer& answerer) const;
 
     geometry::Session& session_;
     CurvedSurface& surface_;
-    std::vector<Vec3> plane_normals_;  // by face; zero: not queried yet
 };
 
 /// The edges of a surface as they are at order 2, whatever the order of its shapes.

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
+#include "base/parallel.h"
 #include "curve/bezier/locality.h"
 #include "curve/volume/editor.h"
 #include "curve/volume/tuning.h"
@@ -44,6 +47,12 @@ class Repair {
     }
 
   private:
+    /// The tetrahedra of a patch, and their vertices that may move.
+    struct Around {
+        std::vector<int> members;
+        std::unordered_set<int> loose;
+    };
+
     /// From this round on the topology may change, and inner vertices of bad elements may move: the mesher knew only
     /// the straight surface, and may have put them between it and the curved one. Orders above 2 have one more round
     /// before.
@@ -100,20 +109,32 @@ class Repair {
         }
     }
 
-    /// Bad elements whose surroundings meet share a patch.
+    /// Bad elements whose surroundings meet share a patch. Patches have no vertex in common.
     void curve_inside(const std::vector<int>& bad, int round) {
         std::vector<char> taken(volume_.tetrahedra.size(), 0);
         std::vector<char> marked(volume_.tetrahedra.size(), 0);
         for (const int t : bad) {
             mark_around(t, round == 0 ? VolumeTuning::kFirstLayers : VolumeTuning::kPatchLayers, marked);
         }
+        std::vector<Around> places;
         for (const int t : bad) {
-            if (taken[static_cast<std::size_t>(t)]) {
-                continue;
+            if (!taken[static_cast<std::size_t>(t)]) {
+                Around& place = places.emplace_back();
+                place.members = component(t, marked, taken);
+                place.loose = round >= moving_round() ? loose_vertices(place.members) : std::unordered_set<int>();
             }
-            progress_.check();
-            work_on(component(t, marked, taken), round);
         }
+        done_.patches += static_cast<int>(places.size());
+        const int order = volume_.shapes().order();
+        // Quadratics come first; higher orders start from what they have reached.
+        if (order > 2 && round != 1) {
+            curve_patches(places, 2, round);
+        }
+        if (order != 2) {
+            const auto left = [&](const Around& place) { return round == 0 || !any_poor(place.members); };
+            places.erase(std::remove_if(places.begin(), places.end(), left), places.end());
+        }
+        curve_patches(places, order, order > 2 ? 1 : round);
     }
 
     void mark_around(int t, int layers, std::vector<char>& marked) const {
@@ -156,27 +177,46 @@ class Repair {
         return result;
     }
 
-    void work_on(const std::vector<int>& members, int round) {
-        const std::unordered_set<int> loose =
-            round >= moving_round() ? loose_vertices(members) : std::unordered_set<int>();
-        const int order = volume_.shapes().order();
-        // Quadratics come first; higher orders start from what they have reached.
-        if (order > 2 && round != 1) {
-            done_.relocations += curve_patch(members, loose, 2, round);
+    /// Curves patches in parallel, some at a time, as each needs memory. Where there are fewer large ones than threads,
+    /// these come one after the other, since several threads work on each.
+    void curve_patches(const std::vector<Around>& places, int degree, int round) {
+        constexpr std::size_t kLarge = 512;  // tetrahedra
+        constexpr std::size_t kOfThread = 16;
+        const auto threads = static_cast<std::size_t>(thread_count());
+        const auto large = [](const Around& place) { return place.members.size() >= kLarge; };
+        const auto count = static_cast<std::size_t>(std::count_if(places.begin(), places.end(), large));
+        std::vector<const Around*> together;
+        for (const Around& place : places) {
+            if (count < threads && large(place)) {
+                curve_at_once({&place}, degree, round);
+                continue;
+            }
+            together.push_back(&place);
+            if (together.size() == kOfThread * threads) {
+                curve_at_once(together, degree, round);
+                together.clear();
+            }
         }
-        if (order == 2 || (round > 0 && any_poor(members))) {
-            done_.relocations += curve_patch(members, loose, order, order > 2 ? 1 : round);
-        }
-        ++done_.patches;
+        curve_at_once(together, degree, round);
     }
 
-    int curve_patch(const std::vector<int>& members, const std::unordered_set<int>& loose, int degree, int round) {
-        UntanglingPatch patch(volume_, members, loose, degree, progress_);
-        if (round == 0) {
-            patch.propagate_curvature(VolumeTuning::kInwardSweeps);
+    void curve_at_once(const std::vector<const Around*>& places, int degree, int round) {
+        std::vector<std::optional<UntanglingPatch>> patches(places.size());
+        std::vector<std::size_t> evaluations(places.size());
+        parallel_for(static_cast<int>(places.size()), [&](int k) {
+            progress_.check();
+            const auto i = static_cast<std::size_t>(k);
+            UntanglingPatch& patch =
+                patches[i].emplace(volume_, places[i]->members, places[i]->loose, degree, progress_);
+            if (round == 0) {
+                patch.propagate_curvature(VolumeTuning::kInwardSweeps);
+            }
+            evaluations[i] = untangle(patch, VolumeTuning::kTargetJacobian, progress_);
+        });
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            done_.evaluations += evaluations[i];
+            done_.relocations += patches[i]->store(progress_);
         }
-        done_.evaluations += untangle(patch, VolumeTuning::kTargetJacobian, progress_);
-        return patch.store(progress_);
     }
 
     bool any_poor(const std::vector<int>& members) const {

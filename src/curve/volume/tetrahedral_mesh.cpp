@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -266,31 +267,44 @@ Message in_solid(std::size_t solid, const Error& error, const std::string& place
 TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, const geometry::Topology& topology,
                             const Progress& progress) {
     constexpr double kUsualGrading = 1.0;
-    TetrahedralMesh volume(surface);
+    std::vector<std::size_t> solids;
     for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
-        progress.check();
-        if (topology.volumes[i].kind != geometry::Volume::Kind::Solid) {
-            continue;
+        if (topology.volumes[i].kind == geometry::Volume::Kind::Solid) {
+            solids.push_back(i);
         }
-        const Shell shell = shell_of(surface, edges, i);
+    }
+    struct Filled {
+        std::vector<int> vertices;
         TetrahedralFilling filling;
+    };
+    std::vector<Filled> filled(solids.size());
+    parallel_for(static_cast<int>(solids.size()), [&](int k) {
+        progress.check();
+        const std::size_t solid = solids[static_cast<std::size_t>(k)];
+        Shell shell = shell_of(surface, edges, solid);
+        Filled& result = filled[static_cast<std::size_t>(k)];
         try {
-            filling = fill(shell.points, shell.triangles, kUsualGrading, progress, shell.tangents);
+            result.filling = fill(shell.points, shell.triangles, kUsualGrading, progress, shell.tangents);
         } catch (const MeshingFailed& error) {
-            throw MeshingFailed(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
+            throw MeshingFailed(in_solid(solid, error, trouble_spot(surface, topology, solid, progress)));
         } catch (const GeometryError& error) {
-            throw GeometryError(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
+            throw GeometryError(in_solid(solid, error, trouble_spot(surface, topology, solid, progress)));
         }
+        result.vertices = std::move(shell.vertices);
+    });
+    TetrahedralMesh volume(surface);
+    for (std::size_t k = 0; k < solids.size(); ++k) {
+        const int solid = static_cast<int>(solids[k]);
+        auto& [number, filling] = filled[k];
         if (!filling.own_fault.empty()) {
-            volume.filled_by_netgen.push_back("Solid" + std::to_string(i + 1) + ": " + filling.own_fault);
+            volume.filled_by_netgen.push_back("Solid" + std::to_string(solid + 1) + ": " + filling.own_fault);
         }
-        std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {
-            number.push_back(volume.add_vertex(p, static_cast<int>(i)));
+            number.push_back(volume.add_vertex(p, solid));
         }
         for (const auto& t : filling.tetrahedra) {
-            const auto at = [&](std::size_t k) { return number[static_cast<std::size_t>(t[k])]; };
-            volume.add({at(0), at(1), at(2), at(3)}, static_cast<int>(i));
+            const auto at = [&](std::size_t corner) { return number[static_cast<std::size_t>(t[corner])]; };
+            volume.add({at(0), at(1), at(2), at(3)}, solid);
         }
     }
     return volume;

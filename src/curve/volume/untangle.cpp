@@ -6,6 +6,7 @@
 #include <deque>
 #include <limits>
 
+#include "base/parallel.h"
 #include "curve/bezier/blending.h"
 #include "curve/volume/jacobian_batch.h"
 #include "curve/volume/tuning.h"
@@ -26,9 +27,15 @@ std::size_t at(int i) {
 class Objective {
   public:
     Objective(UntanglingPatch& patch, const Progress& progress)
-        : patch_(patch), progress_(progress), jacobian_(patch.lattice()) {
-        weights_.resize(jacobian_.coefficients.size());
+        : patch_(patch),
+          progress_(progress),
+          coefficients_(at(Lattice::of(3, 3 * (patch.lattice().degree() - 1)).size())) {
         find_movable();
+        const int threads = threads_for(batches(), kOfThread);
+        at_once_ = threads > 1 ? kOfThread * at(threads) : 1;
+        workspaces_.assign(at(threads), Workspace(patch.lattice()));
+        sums_.resize(at_once_);
+        by_control_.resize(at_once_ * kLanes);
     }
 
     /// The least coefficients of the elements that can be changed, 1 at most.
@@ -40,12 +47,15 @@ class Objective {
     void find_least(const Eigen::VectorXd& x) {
         patch_.set_state(x);
         least_.assign(batches(), Lanes::Ones());
-        for (std::size_t batch = 0; batch < batches(); ++batch) {
-            evaluate(batch);
-            for (std::size_t k = 0; k < weights_.size(); ++k) {
-                least_[batch] = least_[batch].min(relative(batch, k));
-            }
+        for (std::size_t first = 0; first < batches(); first += at_once_) {
+            for_batches(first, [&](Workspace& work, std::size_t batch) {
+                evaluate(work, batch);
+                for (std::size_t k = 0; k < coefficients_; ++k) {
+                    least_[batch] = least_[batch].min(relative(work, batch, k));
+                }
+            });
         }
+        evaluations_ += elements_.size();
     }
 
     /// Sets each barrier below the least coefficient, but at `highest` at most.
@@ -58,43 +68,79 @@ class Objective {
     }
 
     /// The objective, or infinity where it is not defined or exceeds `bound`.
-    double value(const Eigen::VectorXd& x, double bound) {
+    /// @param gradient  gets the derivative, which is incomplete where the result is infinite; nullptr: only the value
+    double value(const Eigen::VectorXd& x, double bound, Eigen::VectorXd* gradient = nullptr) {
         patch_.set_state(x);
-        double sum = 0.0;
-        for (std::size_t batch = 0; batch < batches() && sum <= bound; ++batch) {
-            evaluate(batch);
-            sum += value_of(batch);
+        if (gradient != nullptr) {
+            gradient->setZero(x.size());
         }
-        return sum <= bound ? sum : kInfinity;
-    }
-
-    /// The same with the derivative, which is incomplete where the result is infinite.
-    double value(const Eigen::VectorXd& x, double bound, Eigen::VectorXd& gradient) {
-        patch_.set_state(x);
-        gradient.setZero(x.size());
         double sum = 0.0;
-        for (std::size_t batch = 0; batch < batches(); ++batch) {
-            evaluate(batch);
-            sum += value_of(batch);
-            if (!(sum <= bound)) {
-                return kInfinity;
+        for (std::size_t first = 0; first < batches(); first += at_once_) {
+            for_batches(first, [&](Workspace& work, std::size_t batch) {
+                evaluate(work, batch);
+                double& own = sums_[batch - first];
+                own = value_of(work, batch);
+                if (gradient != nullptr && own < kInfinity) {
+                    work.jacobian.differentiate_sum(work.weights, work.by_lanes);
+                    unpack(work, batch, first);
+                }
+            });
+            // In the order of the batches, so that rounding does not depend on the number of threads.
+            for (std::size_t batch = first; batch < std::min(first + at_once_, batches()); ++batch) {
+                evaluations_ += count(batch);
+                sum += sums_[batch - first];
+                if (!(sum <= bound)) {
+                    return kInfinity;
+                }
+                for (std::size_t lane = 0; lane < count(batch) && gradient != nullptr; ++lane) {
+                    patch_.scatter(elements_[batch * kLanes + lane], by_control_[(batch - first) * kLanes + lane],
+                                   *gradient);
+                }
             }
-            jacobian_.differentiate_sum(weights_, by_lanes_);
-            scatter(batch, gradient);
         }
         return sum;
     }
 
   private:
+    /// Batches for a thread, so that its start pays.
+    static constexpr std::size_t kOfThread = 64;
+
+    /// What one thread works with.
+    struct Workspace {
+        explicit Workspace(const Lattice& lattice) : jacobian(lattice), weights(jacobian.coefficients.size()) {}
+        JacobianBatch jacobian;
+        std::vector<Vec3> control;
+        std::vector<LaneVector> by_lanes;
+        std::vector<Lanes> weights;
+    };
+
+    /// Calls work(workspace, batch) for the batches that are done at once, from `first` on.
+    template <typename Work>
+    void for_batches(std::size_t first, const Work& work) {
+        const std::size_t end = std::min(first + at_once_, batches());
+        if (end == first + 1) {
+            work(workspaces_.front(), first);
+            return;
+        }
+        const ThreadLimit limit(static_cast<int>(workspaces_.size()));
+        constexpr std::size_t kChunk = 8;
+        parallel_for_on_threads(static_cast<int>((end - first + kChunk - 1) / kChunk), [&](int thread, int k) {
+            const std::size_t from = first + kChunk * at(k);
+            for (std::size_t batch = from; batch < std::min(from + kChunk, end); ++batch) {
+                work(workspaces_[at(thread)], batch);
+            }
+        });
+    }
+
     std::size_t batches() const { return inverse_.size(); }
     std::size_t count(std::size_t batch) const {
         return std::min<std::size_t>(kLanes, elements_.size() - batch * kLanes);
     }
 
     /// Coefficient k relative to the J that the element is to have; 1 where nothing can change it.
-    Lanes relative(std::size_t batch, std::size_t k) const {
+    Lanes relative(const Workspace& work, std::size_t batch, std::size_t k) const {
         const unsigned char movable = movable_[batch][k];
-        Lanes b = jacobian_.coefficients[k] * inverse_[batch];
+        Lanes b = work.jacobian.coefficients[k] * inverse_[batch];
         for (int lane = 0; lane < kLanes; ++lane) {
             b[lane] = (movable >> lane & 1) != 0 ? b[lane] : 1.0;
         }
@@ -102,51 +148,51 @@ class Objective {
     }
 
     /// The sum over one batch; sets the weights of its derivative.
-    double value_of(std::size_t batch) {
+    double value_of(Workspace& work, std::size_t batch) const {
         const Lanes& barrier = barrier_[batch];
         Lanes sum = Lanes::Zero();
-        for (std::size_t k = 0; k < weights_.size(); ++k) {
+        for (std::size_t k = 0; k < coefficients_; ++k) {
             if (movable_[batch][k] == 0) {
-                weights_[k].setZero();
+                work.weights[k].setZero();
                 continue;
             }
-            const Lanes b = relative(batch, k);
+            const Lanes b = relative(work, batch, k);
             const Lanes above = b - barrier;
             if (!(above > 0.0).all()) {
                 return kInfinity;
             }
             const Lanes log = (above / (1.0 - barrier)).log();
             sum += log * log + (b - 1.0) * (b - 1.0);
-            weights_[k] = (2.0 * log / above + 2.0 * (b - 1.0)) * inverse_[batch];
+            work.weights[k] = (2.0 * log / above + 2.0 * (b - 1.0)) * inverse_[batch];
         }
         return sum[0] + sum[1] + sum[2] + sum[3];
     }
 
     /// @throws Cancelled
-    void evaluate(std::size_t batch) {
+    void evaluate(Workspace& work, std::size_t batch) const {
         progress_.check();
-        evaluations_ += count(batch);
         for (std::size_t lane = 0; lane < count(batch); ++lane) {
-            patch_.gather(elements_[batch * kLanes + lane], control_);
+            patch_.gather(elements_[batch * kLanes + lane], work.control);
             const auto l = static_cast<Eigen::Index>(lane);
-            for (std::size_t p = 0; p < control_.size(); ++p) {
-                jacobian_.control[p].x[l] = control_[p].x();
-                jacobian_.control[p].y[l] = control_[p].y();
-                jacobian_.control[p].z[l] = control_[p].z();
+            for (std::size_t p = 0; p < work.control.size(); ++p) {
+                work.jacobian.control[p].x[l] = work.control[p].x();
+                work.jacobian.control[p].y[l] = work.control[p].y();
+                work.jacobian.control[p].z[l] = work.control[p].z();
             }
         }
-        jacobian_.evaluate();
+        work.jacobian.evaluate();
     }
 
-    void scatter(std::size_t batch, Eigen::VectorXd& gradient) {
-        by_control_.resize(by_lanes_.size());
+    /// The derivatives of the elements of a batch by their control points.
+    void unpack(const Workspace& work, std::size_t batch, std::size_t first) {
         for (std::size_t lane = 0; lane < count(batch); ++lane) {
+            std::vector<Vec3>& by_control = by_control_[(batch - first) * kLanes + lane];
+            by_control.resize(work.by_lanes.size());
             const auto l = static_cast<Eigen::Index>(lane);
-            for (std::size_t p = 0; p < by_lanes_.size(); ++p) {
-                by_control_[p] = {by_lanes_[p].x[l], by_lanes_[p].y[l], by_lanes_[p].z[l]};
+            for (std::size_t p = 0; p < by_control.size(); ++p) {
+                by_control[p] = {work.by_lanes[p].x[l], work.by_lanes[p].y[l], work.by_lanes[p].z[l]};
             }
-            spread_inner_gradient(patch_.lattice(), by_control_);
-            patch_.scatter(elements_[batch * kLanes + lane], by_control_, gradient);
+            spread_inner_gradient(patch_.lattice(), by_control);
         }
     }
 
@@ -160,7 +206,7 @@ class Objective {
         }
         for (std::size_t i = 0; i < patch_.elements(); ++i) {
             progress_.check();
-            std::vector<char> movable(weights_.size(), 0);
+            std::vector<char> movable(coefficients_, 0);
             bool any = false;
             for (int p = 0; p < points; ++p) {
                 if (!patch_.is_free(i, p)) {
@@ -181,7 +227,7 @@ class Objective {
         const std::size_t lane = elements_.size() % kLanes;
         if (lane == 0) {
             inverse_.push_back(Lanes::Ones());
-            movable_.emplace_back(weights_.size(), static_cast<unsigned char>(0));
+            movable_.emplace_back(coefficients_, static_cast<unsigned char>(0));
         }
         elements_.push_back(element);
         inverse_.back()[static_cast<Eigen::Index>(lane)] = 1.0 / patch_.reference(element);
@@ -220,17 +266,17 @@ class Objective {
 
     UntanglingPatch& patch_;
     const Progress& progress_;
-    JacobianBatch jacobian_;
+    std::size_t coefficients_;  // their number in the Jacobian of an element
     std::size_t evaluations_ = 0;
     std::vector<std::size_t> elements_;                // those of the patch that can change, four to a batch
     std::vector<Lanes> inverse_;                       // 1 / J that the element is to have
     std::vector<std::vector<unsigned char>> movable_;  // by batch and coefficient: a bit for each lane
     std::vector<Lanes> barrier_;
     std::vector<Lanes> least_;
-    std::vector<Vec3> control_;
-    std::vector<Vec3> by_control_;
-    std::vector<LaneVector> by_lanes_;
-    std::vector<Lanes> weights_;
+    std::size_t at_once_ = 1;                    // batches
+    std::vector<Workspace> workspaces_;          // by thread
+    std::vector<double> sums_;                   // by batch of those at once
+    std::vector<std::vector<Vec3>> by_control_;  // likewise, by element
 };
 
 /// Limited-memory BFGS with backtracking.
@@ -241,7 +287,7 @@ class Minimiser {
     /// @return whether x moved.
     bool run(Eigen::VectorXd& x, double scale) {
         Eigen::VectorXd gradient;
-        double value = objective_.value(x, kInfinity, gradient);
+        double value = objective_.value(x, kInfinity, &gradient);
         bool moved = false;
         pairs_.clear();
         for (int step = 0; step < VolumeTuning::kMinimisationSteps; ++step) {
@@ -258,9 +304,9 @@ class Minimiser {
                 next = x + length * direction;
                 const double bound = value + 1e-4 * length * direction.dot(gradient);
                 // Full steps are mostly taken; of shorter ones only the value is found before they are.
-                next_value = i == 0 ? objective_.value(next, bound, next_gradient) : objective_.value(next, bound);
+                next_value = i == 0 ? objective_.value(next, bound, &next_gradient) : objective_.value(next, bound);
                 if (i > 0 && next_value < kInfinity) {
-                    next_value = objective_.value(next, bound, next_gradient);
+                    next_value = objective_.value(next, bound, &next_gradient);
                 }
             }
             if (next_value == kInfinity) {

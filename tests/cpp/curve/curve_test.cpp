@@ -13,6 +13,7 @@
 #include <gp_Ax2.hxx>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "curve/checks.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/solid_volume.h"
@@ -154,7 +155,29 @@ TEST(CurveTetrahedralMesh, TheSameInputGivesTheSameBytes) {
     EXPECT_EQ(to_msh(curved(model, of_order(3, true))), to_msh(curved(model, of_order(3, true))));
 }
 
+TEST(CurveCurvedSurface, IsTheSameForAnyNumberOfThreads) {
+    for (const geometry::Part& part : geometry::shape_parts()) {
+        for (const int order : {2, 4}) {
+            const auto with = [&](int threads) {
+                const ThreadLimit limit(threads);
+                return curved(part.model, of_order(order));
+            };
+            const CurvedMesh one = with(1);
+            for (const int threads : {2, 3, 8}) {
+                const CurvedMesh several = with(threads);
+                EXPECT_EQ(to_msh(several), to_msh(one)) << part.name << " " << order << " " << threads;
+                EXPECT_EQ(several.triangle_quality, one.triangle_quality) << part.name;
+                EXPECT_EQ(several.report.rms_deviation, one.report.rms_deviation) << part.name;
+                EXPECT_EQ(several.report.volume, one.report.volume) << part.name;
+            }
+        }
+    }
+}
+
 TEST(Curve, RefusesWhatItCannotDo) {
+    CurveOptions no_threads = of_order(2);
+    no_threads.threads = -1;
+    EXPECT_THROW(curved(sphere(), no_threads), InvalidInput);
     EXPECT_THROW(curved(sphere(), of_order(0)), InvalidInput);
     EXPECT_THROW(curved(sphere(), of_order(6)), InvalidInput);
     EXPECT_THROW(curved(sphere(), of_order(5, true)), InvalidInput);

@@ -40,6 +40,8 @@ bool CavityInsertion::open(const Vec3& p, int cell) {
     inside_.resize(mesh_.cells.size(), 0);
     seen_.resize(mesh_.cells.size(), 0);
     grow(p, cell);
+    looked_at_ = cavity_;
+    looked_at_.insert(looked_at_.end(), corners_.begin(), corners_.end());
     const bool found = shrink(p, cell) && collect_corners();
     for (const int c : cavity_) {
         inside_[c] = 0;

@@ -33,6 +33,8 @@ class CavityInsertion {
     /// @return whether there is one
     bool open(const Vec3& p, int cell);
     const std::vector<int>& cavity() const { return cavity_; }
+    /// The cells that were looked at: the cavity is the same one as long as none of these changes.
+    const std::vector<int>& seen() const { return looked_at_; }
     /// The vertices of the cavity, without repetition.
     const std::vector<int>& corners() const { return corners_; }
     /// The new cells, with -1 in place of the new point as their last corner.
@@ -48,6 +50,7 @@ class CavityInsertion {
 
     Tetrahedralisation& mesh_;
     std::vector<int> cavity_;
+    std::vector<int> looked_at_;
     std::vector<int> corners_;
     std::vector<std::array<int, 4>> faces_;
     std::vector<int> created_;

@@ -2,25 +2,23 @@
 #include "curve/volume/filling/optimisation.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
+#include "base/parallel.h"
 #include "curve/volume/filling/tuning.h"
 
 namespace mq::curve {
 
 Optimisation::Optimisation(Tetrahedralisation& mesh, const EndTangents& tangents, int first_inner)
-    : mesh_(mesh),
-      measure_(mesh, tangents),
-      flipper_(mesh),
-      placing_(mesh, measure_),
-      insertion_(mesh),
-      first_inner_(first_inner) {
+    : mesh_(mesh), measure_(mesh, tangents), first_inner_(first_inner) {
     tried_.resize(mesh.cells.size(), 0);
     settled_.resize(mesh.points.size(), 0);
+    changed_in_.resize(mesh.cells.size(), 0);
     for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
         quality_.push_back(mesh.alive(static_cast<int>(c)) ? measure_.at(mesh.cells[c].v) : 1.0);
+    }
+    for (int thread = 0; thread < thread_count(); ++thread) {
+        planners_.emplace_back(mesh_, measure_, quality_);
     }
 }
 
@@ -40,8 +38,10 @@ void Optimisation::note(const std::vector<int>& changed) {
     quality_.resize(mesh_.cells.size(), 1.0);
     tried_.resize(mesh_.cells.size(), 0);
     settled_.resize(mesh_.points.size(), 0);
+    changed_in_.resize(mesh_.cells.size(), 0);
     for (const int c : changed) {
         quality_[c] = measure_.at(mesh_.cells[c].v);
+        changed_in_[c] = block_;
         tried_[c] = 0;
         for (const int other : mesh_.cells[c].n) {
             if (other >= 0) {
@@ -54,102 +54,99 @@ void Optimisation::note(const std::vector<int>& changed) {
     }
 }
 
-bool Optimisation::flip_cells(const Progress& progress) {
+/// Plans and applies one change after the other for those of the items begin .. end - 1 that are wanted. Several
+/// threads plan a block of changes ahead; a plan is made again where an earlier change of its block has touched what it
+/// rests on, so that the result is the same for any number of threads.
+/// @return whether anything was changed
+template <typename Wanted, typename Plan, typename Apply>
+bool Optimisation::sweep(std::size_t begin, std::size_t end, const Progress& progress, const Wanted& wanted,
+                         const Plan& plan, const Apply& apply) {
+    // Plans of a thread in a block, so that its start pays. Blocks grow until one in kAgain is made again.
+    constexpr std::size_t kLeast = 4;
+    constexpr std::size_t kMost = 256;
+    constexpr std::size_t kAgain = 8;
+    const std::size_t threads = planners_.size();
+    std::size_t ahead = threads > 1 ? kLeast * threads : 0;
+    std::vector<Change> plans;
+    std::vector<std::size_t> planned;
     bool any = false;
-    for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
-        const int cell = static_cast<int>(c);
-        if (mesh_.alive(cell) && quality(cell) < FillingTuning::kGoodSine && !tried_[cell]) {
-            progress.check();
-            if (improve_by_flip(cell)) {
-                any = true;
-            } else {
-                tried_[cell] = 1;
+    while (begin < end) {
+        planned.clear();
+        std::size_t last = ahead > 0 ? begin : end;
+        for (; last < end && planned.size() < ahead; ++last) {
+            if (wanted(last)) {
+                planned.push_back(last);
             }
         }
+        plans.resize(std::max(plans.size(), planned.size() + 1));  // the last one is for what has no plan yet
+        ++block_;
+        parallel_for_on_threads(static_cast<int>(planned.size()), [&](int thread, int k) {
+            progress.check();
+            const auto i = static_cast<std::size_t>(k);
+            plan(planners_[static_cast<std::size_t>(thread)], planned[i], plans[i]);
+        });
+        std::size_t next = 0;
+        std::size_t again = 0;
+        for (; begin < last; ++begin) {
+            const bool has_plan = next < planned.size() && planned[next] == begin;
+            Change& change = has_plan ? plans[next++] : plans.back();
+            if (!wanted(begin)) {
+                continue;
+            }
+            progress.check();
+            const auto changed = [&](int cell) { return changed_in_[cell] == block_; };
+            if (!has_plan || std::any_of(change.read.begin(), change.read.end(), changed)) {
+                plan(planners_.front(), begin, change);
+                ++again;
+            }
+            apply(begin, change);
+            any = change.helps || any;
+        }
+        ahead = kAgain * again > planned.size() ? std::max(ahead / 2, kLeast * threads)
+                                                : std::min(2 * ahead, kMost * threads);
     }
     return any;
 }
 
-bool Optimisation::improve_by_flip(int cell) {
-    return remove_one_edge(cell) || flip_one_face(cell);
-}
-
-bool Optimisation::remove_one_edge(int cell) {
-    const std::array<int, 4> v = mesh_.cells[cell].v;
-    FlipRule rule;
-    rule.measure = &measure_;
-    rule.most_around = FillingTuning::kMostAround;
-    for (int i = 0; i < 4; ++i) {
-        for (int k = i + 1; k < 4; ++k) {
-            if (!mesh_.ring(cell, v[i], v[k], flipper_.ring())) {
-                continue;
-            }
-            rule.floor = std::numeric_limits<double>::max();
-            for (const int c : flipper_.ring().cells) {
-                rule.floor = std::min(rule.floor, quality(c));
-            }
-            rule.floor += FillingTuning::kLeastGain * std::abs(rule.floor);
-            if (flipper_.remove_ring(v[i], v[k], rule)) {
-                note(flipper_.created());
-                return true;
-            }
+bool Optimisation::flip_cells(const Progress& progress) {
+    const auto wanted = [&](std::size_t c) {
+        const int cell = static_cast<int>(c);
+        return mesh_.alive(cell) && quality(cell) < FillingTuning::kGoodSine && !tried_[c];
+    };
+    const auto plan = [](ChangePlanner& planner, std::size_t c, Change& change) {
+        planner.flip(static_cast<int>(c), change);
+    };
+    const auto apply = [&](std::size_t c, const Change& change) {
+        if (change.helps) {
+            replace(change);
+        } else {
+            tried_[c] = 1;
         }
+    };
+    bool any = false;
+    // Flips add cells, which come last.
+    for (std::size_t from = 0; from < mesh_.cells.size();) {
+        const std::size_t end = mesh_.cells.size();
+        any = sweep(from, end, progress, wanted, plan, apply) || any;
+        from = end;
     }
-    return false;
-}
-
-bool Optimisation::flip_one_face(int cell) {
-    FlipRule rule;
-    rule.measure = &measure_;
-    for (int face = 0; face < 4; ++face) {
-        const int other = mesh_.cells[cell].n[face];
-        if (other < 0) {
-            continue;
-        }
-        rule.floor = std::min(quality(cell), quality(other)) * (1.0 + FillingTuning::kLeastGain);
-        if (flipper_.flip_face(cell, face, rule)) {
-            note(flipper_.created());
-            return true;
-        }
-    }
-    return false;
+    return any;
 }
 
 bool Optimisation::move_vertices(const Progress& progress) {
-    bool any = false;
-    for (std::size_t v = first_inner_; v < mesh_.points.size(); ++v) {
-        if (settled_[v]) {
-            continue;
-        }
-        progress.check();
-        mesh_.star(static_cast<int>(v), star_);
-        const bool poor =
-            std::any_of(star_.begin(), star_.end(), [&](int c) { return quality(c) < FillingTuning::kGoodSine; });
-        if (poor && move_vertex(static_cast<int>(v))) {
-            any = true;
+    const auto wanted = [&](std::size_t v) { return settled_[v] == 0; };
+    const auto plan = [](ChangePlanner& planner, std::size_t v, Change& change) {
+        planner.move(static_cast<int>(v), change);
+    };
+    const auto apply = [&](std::size_t v, const Change& change) {
+        if (change.helps) {
+            mesh_.move_point(static_cast<int>(v), change.place);
+            note(change.cells);
         } else {
             settled_[v] = 1;
         }
-    }
-    return any;
-}
-
-bool Optimisation::move_vertex(int v) {
-    placing_.faces.clear();
-    double worst = std::numeric_limits<double>::max();
-    for (const int c : star_) {
-        const Cell& cell = mesh_.cells[c];
-        const int(&f)[3] = kFaceOf[mesh_.index_of(c, v)];
-        placing_.faces.push_back({cell.v[f[0]], cell.v[f[1]], cell.v[f[2]]});
-        worst = std::min(worst, quality(c));
-    }
-    Vec3 place = mesh_.point(v);
-    if (!placing_.improve(place, worst)) {
-        return false;
-    }
-    mesh_.move_point(v, place);
-    note(star_);
-    return true;
+    };
+    return sweep(static_cast<std::size_t>(first_inner_), mesh_.points.size(), progress, wanted, plan, apply);
 }
 
 bool Optimisation::insert_vertices(const Progress& progress) {
@@ -164,77 +161,31 @@ bool Optimisation::insert_vertices(const Progress& progress) {
     const double share = FillingTuning::kInsertedShare * static_cast<double>(mesh_.cells.size());
     const auto most = static_cast<std::size_t>(share + FillingTuning::kInsertedAlways);
     poor.resize(std::min(poor.size(), most));
-    bool any = false;
-    for (const auto& [before, cell] : poor) {
-        progress.check();
-        // Other insertions may have changed the cell.
-        any = (mesh_.alive(cell) && quality(cell) == before && insert_near(cell)) || any;
-    }
-    return any;
+    // Other insertions may have changed the cell.
+    const auto wanted = [&](std::size_t i) {
+        return mesh_.alive(poor[i].second) && quality(poor[i].second) == poor[i].first;
+    };
+    const auto plan = [&](ChangePlanner& planner, std::size_t i, Change& change) {
+        planner.insert(poor[i].second, change);
+    };
+    const auto apply = [&](std::size_t /*i*/, Change& change) {
+        if (change.helps) {
+            const int vertex = mesh_.add_point(change.place);
+            for (auto& corners : change.added) {
+                corners[3] = vertex;
+            }
+            replace(change);
+        }
+    };
+    return sweep(0, poor.size(), progress, wanted, plan, apply);
 }
 
-/// Tries the cavity of the middle of a poor cell, then the cells around its edges and at its faces, until a new vertex
-/// in one of them makes the worst cell better.
-bool Optimisation::insert_near(int cell) {
-    const std::array<int, 4> v = mesh_.cells[cell].v;
-    const Vec3 middle = 0.25 * (mesh_.point(v[0]) + mesh_.point(v[1]) + mesh_.point(v[2]) + mesh_.point(v[3]));
-    if (insertion_.open(middle, cell) && insert_into(insertion_.cavity(), middle)) {
-        return true;
+void Optimisation::replace(const Change& change) {
+    for (const int c : change.cells) {
+        changed_in_[c] = block_;
     }
-    for (int i = 0; i < 4; ++i) {
-        for (int k = i + 1; k < 4; ++k) {
-            if (mesh_.ring(cell, v[i], v[k], ring_) &&
-                insert_into(ring_.cells, 0.5 * (mesh_.point(v[i]) + mesh_.point(v[k])))) {
-                return true;
-            }
-        }
-    }
-    for (int face = 0; face < 4; ++face) {
-        if (mesh_.cells[cell].n[face] >= 0) {
-            const int(&f)[3] = kFaceOf[face];
-            const Vec3 center = (mesh_.point(v[f[0]]) + mesh_.point(v[f[1]]) + mesh_.point(v[f[2]])) / 3.0;
-            if (insert_into({cell, mesh_.cells[cell].n[face]}, center)) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-bool Optimisation::insert_into(const std::vector<int>& cavity, const Vec3& start) {
-    placing_.faces.clear();
-    double before = std::numeric_limits<double>::max();
-    for (const int c : cavity) {
-        before = std::min(before, quality(c));
-        const Cell& cell = mesh_.cells[c];
-        for (int face = 0; face < 4; ++face) {
-            if (std::find(cavity.begin(), cavity.end(), cell.n[face]) == cavity.end()) {
-                const int(&f)[3] = kFaceOf[face];
-                placing_.faces.push_back({cell.v[f[0]], cell.v[f[1]], cell.v[f[2]]});
-            }
-        }
-    }
-    Vec3 place = start;
-    double worst = placing_.worst_at(place, -std::numeric_limits<double>::max());
-    placing_.improve(place, worst);
-    if (!(worst > std::max(CellMeasure::folded(), FillingTuning::kInsertionGain * before)) || !sees_all(place)) {
-        return false;
-    }
-    const int vertex = mesh_.add_point(place);
-    std::vector<std::array<int, 4>> added;
-    for (const auto& face : placing_.faces) {
-        added.push_back({face[0], face[1], face[2], vertex});
-    }
-    std::vector<int> created;
-    mesh_.replace(cavity, added, created);
-    note(created);
-    return true;
-}
-
-bool Optimisation::sees_all(const Vec3& place) const {
-    return std::all_of(placing_.faces.begin(), placing_.faces.end(), [&](const auto& face) {
-        return orient3d(mesh_.point(face[0]), mesh_.point(face[1]), mesh_.point(face[2]), place) > 0;
-    });
+    mesh_.replace(change.cells, change.added, created_);
+    note(created_);
 }
 
 }  // namespace mq::curve

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "base/progress.h"
 #include "curve/volume/filling/cells/cell_measure.h"
-#include "curve/volume/filling/cells/flips.h"
 #include "curve/volume/filling/cells/tetrahedralisation.h"
-#include "curve/volume/filling/delaunay.h"
-#include "curve/volume/filling/vertex_placing.h"
+#include "curve/volume/filling/change_planning.h"
 
 namespace mq::curve {
 
@@ -25,30 +23,26 @@ class Optimisation {
     void run(const Progress& progress);
 
   private:
+    template <typename Wanted, typename Plan, typename Apply>
+    bool sweep(std::size_t begin, std::size_t end, const Progress& progress, const Wanted& wanted, const Plan& plan,
+               const Apply& apply);
     bool flip_cells(const Progress& progress);
-    bool improve_by_flip(int cell);
-    bool remove_one_edge(int cell);
-    bool flip_one_face(int cell);
     bool move_vertices(const Progress& progress);
-    bool move_vertex(int v);
     bool insert_vertices(const Progress& progress);
-    bool insert_near(int cell);
-    bool insert_into(const std::vector<int>& cavity, const Vec3& start);
-    bool sees_all(const Vec3& place) const;
+    void replace(const Change& change);
     void note(const std::vector<int>& changed);
     double quality(int cell) const { return quality_[cell]; }
 
     Tetrahedralisation& mesh_;
     CellMeasure measure_;
-    Flipper flipper_;
-    VertexPlacing placing_;
-    CavityInsertion insertion_;
-    EdgeRing ring_;
     int first_inner_;
     std::vector<double> quality_;
-    std::vector<char> tried_;    // cells that no flip has helped since something around them changed
-    std::vector<char> settled_;  // vertices that no move has helped since then
-    std::vector<int> star_;
+    std::vector<ChangePlanner> planners_;  // by thread
+    std::vector<char> tried_;              // cells that no flip has helped since something around them changed
+    std::vector<char> settled_;            // vertices that no move has helped since then
+    std::size_t block_ = 0;
+    std::vector<std::size_t> changed_in_;  // by cell: the last block of plans in which it changed or went
+    std::vector<int> created_;
 };
 
 }  // namespace mq::curve

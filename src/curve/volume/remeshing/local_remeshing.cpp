@@ -11,6 +11,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
+#include "base/parallel.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 
 namespace mq::curve {
@@ -106,18 +107,27 @@ class Remesher {
         std::vector<std::pair<Cavity, TetrahedralFilling>> filled;
         for (int layer = 0;; ++layer) {
             filled.clear();
-            bool grown = false;
             for (Cavity& cavity : cavities()) {
+                filled.emplace_back(std::move(cavity), TetrahedralFilling());
+            }
+            std::vector<std::optional<std::string>> faults(filled.size());
+            parallel_for(static_cast<int>(filled.size()), [&](int k) {
                 progress_.check();
+                auto& [cavity, filling] = filled[static_cast<std::size_t>(k)];
                 try {
-                    filled.emplace_back(cavity, filling_of(cavity));
+                    filling = filling_of(cavity);
                 } catch (const MeshingFailed& error) {
-                    if (!grow(cavity, layer)) {
-                        throw MeshingFailed("Solid" + std::to_string(cavity.volume + 1) +
-                                            " cannot be filled anew after its surface was repaired: " + error.what());
-                    }
-                    grown = true;
+                    faults[static_cast<std::size_t>(k)] = error.what();
                 }
+            });
+            bool grown = false;
+            for (std::size_t k = 0; k < filled.size(); ++k) {
+                const Cavity& cavity = filled[k].first;
+                if (faults[k] && !grow(cavity, layer)) {
+                    throw MeshingFailed("Solid" + std::to_string(cavity.volume + 1) +
+                                        " cannot be filled anew after its surface was repaired: " + *faults[k]);
+                }
+                grown = grown || faults[k];
             }
             if (!grown) {
                 return assembled(filled);

@@ -2,15 +2,23 @@
 #include "curve/volume/repair.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
+#include <cerrno>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <future>
 #include <gp_Trsf.hxx>
+#include <thread>
 
+#include "base/parallel.h"
 #include "curve/volume/filled_solid.h"
 
 namespace mq::curve {
@@ -68,6 +76,86 @@ TEST(RepairTetrahedralMesh, WorkGrowsWithWhatIsInvalid) {
     }
 }
 
+TEST(RepairTetrahedralMesh, IsTheSameForAnyNumberOfThreads) {
+    for (int order = 2; order <= 3; ++order) {
+        const auto with = [&](int threads) {
+            const ThreadLimit limit(threads);
+            return curved(shells(4), of_order(order, true));
+        };
+        const CurvedMesh one = with(1);
+        EXPECT_GT(one.report.invalid_before, 0U);
+        for (const int threads : {2, 3, 8}) {
+            const CurvedMesh several = with(threads);
+            EXPECT_EQ(to_msh(several), to_msh(one)) << order << " " << threads;
+            EXPECT_EQ(several.report.repairs, one.report.repairs) << order << " " << threads;
+            EXPECT_EQ(several.tetrahedron_quality, one.tetrahedron_quality) << order << " " << threads;
+        }
+    }
+}
+
+/// Six tetrahedra beside each other, of which all but the first one are open, as solids.
+struct OpenSolids {
+    OpenSolids() : surface(2) {
+        topology.faces.resize(6);
+        topology.volumes.resize(6);
+        for (int i = 0; i < 6; ++i) {
+            std::array<int, 4> v{};
+            for (std::size_t k = 0; k < 4; ++k) {
+                v[k] = surface.add_vertex({Vec3(2.0 * i + (k == 1 ? 1.0 : 0.0), k == 2, k == 3), {2, i}});
+            }
+            surface.add_triangle({v[0], v[2], v[1]}, i);
+            surface.add_triangle({v[0], v[1], v[3]}, i);
+            surface.add_triangle({v[1], v[2], v[3]}, i);
+            if (i == 0) {
+                surface.add_triangle({v[0], v[3], v[2]}, i);
+            }
+            surface.volume_faces.push_back({{i, false}});
+            topology.volumes[static_cast<std::size_t>(i)].kind = geometry::Volume::Kind::Solid;
+        }
+    }
+
+    TetrahedralMesh fill(const Progress& progress) { return fill_solids(surface, surface.shapes, topology, progress); }
+
+    CurvedSurface surface;
+    geometry::Topology topology;
+};
+
+TEST(FillSolids, TheFirstSolidThatCannotBeFilledIsNamed) {
+    use_fill_program();
+    OpenSolids solids;
+    for (const int threads : {1, 2, 8}) {
+        const ThreadLimit limit(threads);
+        try {
+            solids.fill(Progress());
+            FAIL() << "nothing was thrown";
+        } catch (const MeshingFailed& error) {
+            EXPECT_NE(std::string(error.what()).find("Solid2"), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(FillSolids, CancellingEndsAllProcesses) {
+    const std::filesystem::path program = std::filesystem::temp_directory_path() / "meshquality_sleep_test";
+    std::ofstream(program) << "#!/bin/sh\nexec sleep 100\n";
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    set_fill_program(program.string());
+    OpenSolids solids;
+    Progress progress;
+    auto filling = std::async(std::launch::async, [&] {
+        const ThreadLimit limit(3);
+        EXPECT_THROW(solids.fill(progress), Cancelled);
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const auto start = std::chrono::steady_clock::now();
+    progress.cancel();
+    filling.get();
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+    EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
+    EXPECT_EQ(errno, ECHILD) << "a process is left";
+    std::filesystem::remove(program);
+    use_fill_program();
+}
+
 TEST(TetrahedralMesh, AFlatElementIsToHaveTheJacobianOfOneThatIsNot) {
     Filled filled(geometry::make_shape_model(BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape()), 2);
     std::vector<Vertex>& vertices = filled.volume.shapes().vertices;
@@ -84,9 +172,12 @@ TEST(TetrahedralMesh, AFlatElementIsToHaveTheJacobianOfOneThatIsNot) {
 }
 
 TEST(RepairTetrahedralMesh, CancelledAtOnce) {
-    Filled filled(shells(1), 3);
-    filled.progress.cancel();
-    EXPECT_THROW(repair_volume(filled.volume, filled.progress), Cancelled);
+    for (const int threads : {1, 3}) {
+        const ThreadLimit limit(threads);
+        Filled filled(shells(1), 3);
+        filled.progress.cancel();
+        EXPECT_THROW(repair_volume(filled.volume, filled.progress), Cancelled);
+    }
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ double Flipper::quality(const std::array<int, 4>& v, const FlipRule& rule) const
                : volume_quality(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3]));
 }
 
-bool Flipper::flip_face(int cell, int face, const FlipRule& rule) {
+bool Flipper::plan_face(int cell, int face, const FlipRule& rule) {
     const int other = mesh_.cells[cell].n[face];
     if (other < 0) {
         return false;
@@ -67,11 +67,10 @@ bool Flipper::flip_face(int cell, int face, const FlipRule& rule) {
         added_.push_back({bottom, top, x, y});
     }
     removed_ = {cell, other};
-    mesh_.replace(removed_, added_, created_);
     return true;
 }
 
-bool Flipper::remove_ring(int a, int b, const FlipRule& rule) {
+bool Flipper::plan_ring(int a, int b, const FlipRule& rule) {
     if (ring_.x.size() > std::min(rule.most_around, kMost)) {
         return false;
     }
@@ -99,7 +98,6 @@ bool Flipper::remove_ring(int a, int b, const FlipRule& rule) {
         }
     }
     removed_ = ring_.cells;
-    mesh_.replace(removed_, added_, created_);
     return true;
 }
 

@@ -31,17 +31,28 @@ class Flipper {
     explicit Flipper(Tetrahedralisation& mesh) : mesh_(mesh) {}
 
     /// Replaces two cells that share a face by three around the edge of their other corners.
-    bool flip_face(int cell, int face, const FlipRule& rule);
+    bool flip_face(int cell, int face, const FlipRule& rule) { return plan_face(cell, face, rule) && apply(); }
     /// Replaces the cells around an edge by the best ones without it (Shewchuk 2002: edge removal by dynamic
     /// programming over the triangulations of the ring).
-    bool remove_edge(int a, int b, const FlipRule& rule) { return mesh_.ring(a, b, ring_) && remove_ring(a, b, rule); }
-    /// The same with the ring that has been found last.
-    bool remove_ring(int a, int b, const FlipRule& rule);
+    bool remove_edge(int a, int b, const FlipRule& rule) {
+        return mesh_.ring(a, b, ring_) && plan_ring(a, b, rule) && apply();
+    }
     EdgeRing& ring() { return ring_; }
     /// The cells that the last flip has made.
     const std::vector<int>& created() const { return created_; }
 
+    /// Whether a face can be flipped, or the edge be removed whose ring has been found last; the mesh stays as it is.
+    bool plan_face(int cell, int face, const FlipRule& rule);
+    bool plan_ring(int a, int b, const FlipRule& rule);
+    /// The cells that the flip planned last would remove and add.
+    const std::vector<int>& removed() const { return removed_; }
+    const std::vector<std::array<int, 4>>& added() const { return added_; }
+
   private:
+    bool apply() {
+        mesh_.replace(removed_, added_, created_);
+        return true;
+    }
     bool best_triangulation(int a, int b, const FlipRule& rule);
     double quality(const std::array<int, 4>& v, const FlipRule& rule) const;
     double triangle_quality(int a, int b, int i, int k, int j, const FlipRule& rule) const;

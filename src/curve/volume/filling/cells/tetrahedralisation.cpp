@@ -36,7 +36,7 @@ int Tetrahedralisation::new_cell(const std::array<int, 4>& v) {
     int cell = static_cast<int>(cells.size());
     if (free_.empty()) {
         cells.emplace_back();
-        stamp_.push_back(0);
+        goes_.push_back(0);
     } else {
         cell = free_.back();
         free_.pop_back();
@@ -80,13 +80,12 @@ void Tetrahedralisation::meet(int cell, int face) {
 void Tetrahedralisation::replace(const std::vector<int>& removed, const std::vector<std::array<int, 4>>& added,
                                  std::vector<int>& created) {
     prepare_table(4 * (removed.size() + added.size()));
-    const std::uint32_t mark = next_stamp();
     for (const int c : removed) {
-        stamp_[c] = mark;
+        goes_[c] = 1;
     }
     for (const int c : removed) {
         for (const int other : cells[c].n) {
-            if (other >= 0 && stamp_[other] != mark) {
+            if (other >= 0 && goes_[other] == 0) {
                 const int face = face_towards(other, c);
                 cells[other].n[face] = -1;
                 meet(other, face);
@@ -97,6 +96,7 @@ void Tetrahedralisation::replace(const std::vector<int>& removed, const std::vec
         }
     }
     for (const int c : removed) {
+        goes_[c] = 0;
         cells[c].v = {-1, -1, -1, -1};
         free_.push_back(c);
     }
@@ -110,27 +110,26 @@ void Tetrahedralisation::replace(const std::vector<int>& removed, const std::vec
     }
 }
 
-std::uint32_t Tetrahedralisation::next_stamp() const {
-    return ++stamp_round_;
-}
-
-void Tetrahedralisation::star(int v, std::vector<int>& found) const {
+void Tetrahedralisation::star(int v, std::vector<int>& found, std::vector<char>& seen) const {
     found.clear();
     if (at_vertex_[v] < 0 || !has(at_vertex_[v], v)) {
         return;
     }
-    const std::uint32_t mark = next_stamp();
+    seen.resize(cells.size(), 0);
     found.push_back(at_vertex_[v]);
-    stamp_[at_vertex_[v]] = mark;
+    seen[at_vertex_[v]] = 1;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const Cell& cell = cells[found[i]];
         for (int k = 0; k < 4; ++k) {
             const int other = cell.n[k];
-            if (cell.v[k] != v && other >= 0 && stamp_[other] != mark) {
-                stamp_[other] = mark;
+            if (cell.v[k] != v && other >= 0 && seen[other] == 0) {
+                seen[other] = 1;
                 found.push_back(other);
             }
         }
+    }
+    for (const int c : found) {
+        seen[c] = 0;
     }
 }
 

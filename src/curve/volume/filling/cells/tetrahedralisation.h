@@ -48,7 +48,9 @@ class Tetrahedralisation {
     /// A cell with this vertex, or -1.
     int cell_at(int v) const { return at_vertex_[v]; }
     /// All cells with this vertex.
-    void star(int v, std::vector<int>& found) const;
+    void star(int v, std::vector<int>& found) const { star(v, found, seen_); }
+    /// The same for threads that look at once, each with scratch memory of its own.
+    void star(int v, std::vector<int>& found, std::vector<char>& seen) const;
     /// A cell with this edge, or -1.
     int cell_with(int a, int b) const;
     /// A cell with this face, or -1.
@@ -80,14 +82,13 @@ class Tetrahedralisation {
     int new_cell(const std::array<int, 4>& v);
     void prepare_table(std::size_t faces);
     void meet(int cell, int face);
-    std::uint32_t next_stamp() const;
 
     std::vector<int> at_vertex_;
     std::vector<int> free_;
     std::vector<Open> table_;
     std::uint32_t round_ = 0;
-    mutable std::vector<std::uint32_t> stamp_;
-    mutable std::uint32_t stamp_round_ = 0;
+    std::vector<char> goes_;  // by cell: while it is removed
+    mutable std::vector<char> seen_;
     mutable std::vector<int> queue_;
 };
 

@@ -8,6 +8,7 @@
 #include <future>
 #include <thread>
 
+#include "base/parallel.h"
 #include "base/predicates.h"
 #include "curve/volume/filling/cells/flips.h"
 #include "curve/volume/filling/closed_surfaces.h"
@@ -127,21 +128,39 @@ TEST(SurfaceFilling, WhatHasNoInsideIsRefused) {
     EXPECT_THROW(filled(twice), MeshingFailed);
 }
 
+TEST(SurfaceFilling, IsTheSameForAnyNumberOfThreads) {
+    for (const ClosedSurface& surface : {sphere(1.0, 12), torus(3.0, 1.0, 40, 14), box(Vec3(1.0, 2.0, 0.1), 9)}) {
+        const auto with = [&](int threads) {
+            const ThreadLimit limit(threads);
+            return filled(surface);
+        };
+        const TetrahedralFilling one = with(1);
+        for (const int threads : {2, 3, 8}) {
+            const TetrahedralFilling several = with(threads);
+            EXPECT_EQ(several.inner_points, one.inner_points) << threads;
+            EXPECT_EQ(several.tetrahedra, one.tetrahedra) << threads;
+        }
+    }
+}
+
 TEST(SurfaceFilling, CanBeCancelledAtAnyTime) {
     const ClosedSurface surface = sphere(1.0, 20);
-    for (const int milliseconds : {0, 3, 10, 30}) {
-        Progress progress;
-        auto filling = std::async(std::launch::async, [&] {
-            try {
-                fill_surface(surface.points, surface.triangles, 0.1, progress);
-            } catch (const Cancelled&) {
-                return true;
-            }
-            return false;
-        });
-        std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-        progress.cancel();
-        EXPECT_TRUE(filling.get()) << milliseconds;
+    for (const int threads : {1, 3}) {
+        for (const int milliseconds : {0, 3, 10, 30}) {
+            Progress progress;
+            auto filling = std::async(std::launch::async, [&] {
+                const ThreadLimit limit(threads);
+                try {
+                    fill_surface(surface.points, surface.triangles, 0.1, progress);
+                } catch (const Cancelled&) {
+                    return true;
+                }
+                return false;
+            });
+            std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+            progress.cancel();
+            EXPECT_TRUE(filling.get()) << threads << " " << milliseconds;
+        }
     }
 }
 
