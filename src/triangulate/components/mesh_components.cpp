@@ -154,15 +154,15 @@ class Joining {
     }
 
     void add_vertices(int count) {
-        std::vector<const ClassifiedMesh::Vertex*> from(static_cast<std::size_t>(count));
+        std::vector<ClassifiedMesh::Vertex> vertices(static_cast<std::size_t>(count));
         for (int v = 0; v < divided_.vertex_count(); ++v) {
-            from[static_cast<std::size_t>(v)] = &divided_.vertex(v);
+            vertices[static_cast<std::size_t>(v)] = divided_.vertex(v);
         }
         for_each(vertices_, [&](std::size_t c, int here, int whole) {
-            from[static_cast<std::size_t>(whole)] = &changed_[c]->mesh.vertex(here);
+            vertices[static_cast<std::size_t>(whole)] = changed_[c]->mesh.vertex(here);
         });
-        for (const ClassifiedMesh::Vertex* vertex : from) {
-            result_.mesh.add_vertex(vertex->point, vertex->entity);
+        for (const ClassifiedMesh::Vertex& vertex : vertices) {
+            result_.mesh.add_vertex(vertex.point, vertex.entity);
         }
     }
 
