@@ -63,9 +63,9 @@ struct OptimisationTuning {
     MESHQUALITY_TUNED(std::size_t, kMaxPositions, 3);
     /// Attempts without success, perturbations and repairs after them, that end the search by perturbations. The
     /// triangles left share them.
-    MESHQUALITY_TUNED(int, kSearchAttempts, 10'000);
+    MESHQUALITY_TUNED(int, kSearchAttempts, 20'000);
     /// Least share of a triangle.
-    MESHQUALITY_TUNED(int, kLeastShare, 300);
+    MESHQUALITY_TUNED(int, kLeastShare, 600);
     /// Local repairs of each kind after a perturbation.
     MESHQUALITY_TUNED(int, kAttemptsAfter, 75);
     /// A perturbation is kept only if the total angle deficit falls to this fraction of its former value.
