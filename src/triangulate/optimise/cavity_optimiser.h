@@ -125,7 +125,7 @@ class CavityOptimiser {
     bool move_corner(int triangle);
     bool cut_ear(const std::vector<int>& fan, int ear_site, int apex_site);
     bool reopens_ear(const Cavity& disc, int apex_site) const;
-    void follow(const std::function<bool(int)>& change);
+    void follow(const std::function<bool(int)>& change, double worst);
     std::vector<Perturbation> kicks(int triangle) const;
     void add_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const;
     void add_eared_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const;

@@ -143,11 +143,12 @@ bool CavityOptimiser::try_perturbation(const Perturbation& kick) {
                                           : apply(kick.fan);
     least_aligned_ = kAlignedSwap;
     if (done) {
-        follow([&](int t) { return move_corner(t); });
+        follow([&](int t) { return move_corner(t); }, -1.0);
         for (const int t : undo_.now()) {
             push_if_bad(t);
         }
-        follow([&](int t) { return mend(t); });
+        const std::vector<double> before = undo_.angles_before();
+        follow([&](int t) { return mend(t); }, *std::min_element(before.begin(), before.end()));
     }
     queue_ = {};
     return done;
@@ -283,8 +284,9 @@ bool CavityOptimiser::reopens_ear(const Cavity& disc, int apex_site) const {
     return after > before;
 }
 
-// Repairs what a perturbation has made worse, by one kind of change.
-void CavityOptimiser::follow(const std::function<bool(int)>& change) {
+// Repairs what a perturbation has made worse, by one kind of change, up to a triangle with an angle below `worst`
+// (radians) that it cannot improve: the result would be worse than before.
+void CavityOptimiser::follow(const std::function<bool(int)>& change, double worst) {
     TriangleMarks tried;
     for (int n = 0; n < OptimisationTuning::kAttemptsAfter && !queue_.empty() && !budget_spent(); ++n) {
         const QueuedTriangle bad = queue_.top();
@@ -292,6 +294,9 @@ void CavityOptimiser::follow(const std::function<bool(int)>& change) {
         count_attempt();
         if (work_.mesh.stamp(bad.triangle) == bad.stamp && !tried.marked(work_.mesh, bad.triangle) &&
             !change(bad.triangle)) {
+            if (bad.angle < worst) {
+                return;
+            }
             tried.mark(work_.mesh, bad.triangle);
         }
     }
