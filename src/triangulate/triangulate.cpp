@@ -198,6 +198,7 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
     if (options.insertion != Insertion::Paper) {
         work.progress.stage("mending", 0.85, 0.9);
         mend(work, options.min_angle, sizing);
+        clock.release_memory();
         separate_crossings();  // crossings of triangles that were changed for better angles
         clock.end("mending");
     }

@@ -18,9 +18,10 @@ class StageMeshes {
     /// @throws IoError naming the file that cannot be written, as does `end`
     StageMeshes(const ClassifiedMesh& mesh, const geometry::Topology& topology, const Vec3& origin, StageClock& clock);
 
-    /// Ends the running stage and names it, and frees what the allocator keeps of its memory where the mesh is large. The
-    /// time for writing counts for the next one.
+    /// Ends the running stage and names it, and releases memory. The time for writing counts for the next one.
     void end(const char* stage);
+    /// Gives back what the allocator keeps of freed memory, where the mesh is large.
+    void release_memory() const;
 
   private:
     void write(const std::string& stage);
