@@ -3,7 +3,7 @@
 """Our triangulation beside Gmsh, Netgen and BRepMesh: same parts, same distance, same run.
 
     /usr/bin/python3 benchmarks/quality_peers.py [-n 3] [--judge PROGRAM] [--model FILE] [--level 1e-3]
-    /usr/bin/python3 benchmarks/quality_peers.py --growth [--model FILE]
+    /usr/bin/python3 benchmarks/quality_peers.py --growth [--model FILE] [--most 1e7]
 
 A level is a distance as a fraction of L, the part's largest dimension. We and BRepMesh (FreeCAD's
 Shape.tessellate) are asked for it; Gmsh (sizes from curvature, algorithms 5 and 6) and Netgen
@@ -331,10 +331,12 @@ def growth(arguments):
     print(f"{part.name}\n| chord height / L | triangles | CPU s | ktri/s | bytes per triangle |\n"
           "|---|---:|---:|---:|---:|")
     while not rows or rows[-1]["triangles"] * GROWTH ** 0.5 < arguments.most:
+        mesh = None  # the one before is not to count
         forget_peak()
         shape = part.shape.copy()
         start = time.process_time()
-        mesh = mq.triangulate(shape, min_angle=arguments.angle, chord_height=chord * part.size)
+        mesh = mq.triangulate(shape, min_angle=arguments.angle, chord_height=chord * part.size,
+                              max_triangles=int(GROWTH * arguments.most))
         seconds = time.process_time() - start
         count = len(mesh.triangles)
         rows.append({"chord": chord, "triangles": count, "seconds": seconds,

@@ -70,11 +70,7 @@ AabbTree::Bounds AabbTree::bounds_of(std::int32_t triangle) const {
 
 AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack,
                    std::size_t leaf_size)
-    : vertices_(&vertices),
-      triangles_(&triangles),
-      items_(triangles.size()),
-      slack_(slack),
-      leaf_size_(leaf_size) {
+    : vertices_(&vertices), triangles_(&triangles), items_(triangles.size()), slack_(slack), leaf_size_(leaf_size) {
     for (std::size_t i = 0; i < items_.size(); ++i) {
         items_[i].triangle = static_cast<std::int32_t>(i);
     }

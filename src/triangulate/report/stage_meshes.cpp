@@ -20,16 +20,21 @@ StageMeshes::StageMeshes(const ClassifiedMesh& mesh, const geometry::Topology& t
 }
 
 void StageMeshes::end(const char* stage) {
+    release_memory();
+    clock_.end(stage);
+    write(stage);
+}
+
+void StageMeshes::release_memory() const {
     // Triangles from which the memory is worth a millisecond.
     constexpr int kLarge = 50'000;
     if (mesh_.triangle_count() >= kLarge) {
         release_freed_memory();
     }
-    clock_.end(stage);
-    write(stage);
 }
 
 void StageMeshes::end_together(const StageTimes& stages) {
+    release_memory();
     clock_.end_together(stages);
     write("refinement");
 }

@@ -18,13 +18,14 @@ class StageMeshes {
     /// @throws IoError naming the file that cannot be written, as does `end`
     StageMeshes(const ClassifiedMesh& mesh, const geometry::Topology& topology, const Vec3& origin, StageClock& clock);
 
-    /// Ends the running stage and names it, and frees what the allocator keeps of its memory where the mesh is large.
-    /// The time for writing counts for the next one.
+    /// Ends the running stage and names it, and releases memory. The time for writing counts for the next one.
     void end(const char* stage);
     /// Ends the running stage, in which stages ran side by side (see StageClock::end_together), and writes one mesh.
     void end_together(const StageTimes& stages);
 
   private:
+    // Gives back what the allocator keeps of freed memory, where the mesh is large.
+    void release_memory() const;
     void write(const std::string& stage);
 
     const ClassifiedMesh& mesh_;

@@ -20,11 +20,8 @@ int ClassifiedMesh::add_vertex(const Vec3& point, mesh::VertexEntity entity) {
 }
 
 int ClassifiedMesh::add_site(const VertexUse& site) {
-    const Vec3& p = points_[site.vertex];
-    sites_.push_back({site.vertex,
-                      {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())},
-                      site.uv,
-                      site.normal});
+    sites_.push_back(site);
+    sites_.back().point = points_[site.vertex];
     return site_count() - 1;
 }
 

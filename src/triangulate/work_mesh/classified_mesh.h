@@ -52,7 +52,8 @@ class ClassifiedMesh {
         int vertex = -1;
         Vec2 uv = Vec2::Zero();
         Vec3 normal = Vec3::Zero();  ///< outward unit normal of the CAD face; zero where it has none
-        Vec3 point = Vec3::Zero();   ///< of the vertex
+        /// Point of the vertex, which `add_site` copies: this saves a look-up in inner loops.
+        Vec3 point = Vec3::Zero();
     };
     struct SegmentUse {
         int half_edge = -1;
@@ -65,7 +66,6 @@ class ClassifiedMesh {
         std::vector<SegmentUse> uses;
     };
 
-    /// The coordinates of the point must be single-precision numbers.
     int add_vertex(const Vec3& point, mesh::VertexEntity entity);
     int add_site(const VertexUse& site);
     int add_triangle(const std::array<int, 3>& sites, int face);
@@ -89,7 +89,7 @@ class ClassifiedMesh {
 
     int site_of(int h) const { return corner_[h]; }
     int vertex_of(int h) const { return sites_[corner_[h]].vertex; }
-    Vec3 point_of(int h) const { return sites_[corner_[h]].at(); }
+    const Vec3& point_of(int h) const { return sites_[corner_[h]].point; }
     /// Returns the other half-edge, or -1 if `h` lies on a segment.
     int twin(int h) const { return twin_[h] < 0 ? -1 : twin_[h]; }
     /// Returns the segment under `h`, or -1 if `h` has a twin.
@@ -115,7 +115,7 @@ class ClassifiedMesh {
     Vertex vertex(int v) const { return {points_[v], entities_[v]}; }
     /// Returns the points of all vertices.
     const std::vector<Vec3>& points() const { return points_; }
-    VertexUse site(int s) const { return {sites_[s].vertex, sites_[s].uv, sites_[s].normal, sites_[s].at()}; }
+    const VertexUse& site(int s) const { return sites_[s]; }
     void set_normal(int s, const Vec3& normal) { sites_[s].normal = normal; }
     const Segment& segment(int s) const { return segments_[s]; }
 
@@ -192,19 +192,9 @@ class ClassifiedMesh {
     void link_by_vertices(const std::map<std::pair<int, int>, int>& open,
                           const std::map<std::pair<int, int>, Link>& rim);
 
-    // A site as it is stored, with the point of its vertex: this saves a look-up in inner loops.
-    struct Site {
-        int vertex;
-        std::array<float, 3> point;
-        Vec2 uv;
-        Vec3 normal;
-
-        Vec3 at() const { return {double(point[0]), double(point[1]), double(point[2])}; }
-    };
-
     std::vector<Vec3> points_;  // by vertex
     LargeVector<mesh::VertexEntity> entities_;
-    LargeVector<Site> sites_;
+    LargeVector<VertexUse> sites_;
     LargeVector<Segment> segments_;
     LargeVector<int> corner_;  // site at the origin of each half-edge
     LargeVector<int> twin_;    // half-edge, or ~segment
@@ -213,7 +203,7 @@ class ClassifiedMesh {
     LargeVector<std::uint32_t> stamp_;  // also for indices that were dropped from the end
     int numbers_ = 0;
     std::int64_t dropped_ = 0;  // numbers that renumber_edges has dropped
-    int gone_ = 0;  // number of unused indices
+    int gone_ = 0;              // number of unused indices
 };
 
 }  // namespace mq::triangulate
