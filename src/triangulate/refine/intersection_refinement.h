@@ -40,7 +40,7 @@ class IntersectionRefinement {
     /// The higher sides of the crossings of two faces.
     struct Bends {
         double crossings = 0.0;  ///< their number
-        double sum = 0.0;        ///< of heights over squared lengths, 1/mm
+        double sum = 0.0;        ///< sum of heights over squared lengths, 1/mm
     };
     struct SideToSplit {
         int half_edge;
