@@ -142,6 +142,12 @@ void refine_angles(Workspace& work, AngleRefinement& refiner, const TriangulateO
     work.angle_history.stop();
 }
 
+// Also releases the memory of the search.
+void mend_angles(Workspace& work, const TriangulateOptions& options, const Sizing& sizing, const StageMeshes& clock) {
+    mend(work, options.min_angle, sizing);
+    clock.release_memory();
+}
+
 // @return what was done about smooth edges, for the report
 std::string refine(Workspace& work, MeasurementCache& findings, const TriangulateOptions& options, double chord,
                    StageMeshes& clock) {
@@ -197,8 +203,7 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
     clock.end("crossings");
     if (options.insertion != Insertion::Paper) {
         work.progress.stage("mending", 0.85, 0.9);
-        mend(work, options.min_angle, sizing);
-        clock.release_memory();
+        mend_angles(work, options, sizing, clock);
         separate_crossings();  // crossings of triangles that were changed for better angles
         clock.end("mending");
     }
