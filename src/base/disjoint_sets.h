@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 
 namespace mq {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "base/parallel.h"
 #include "mesh/triangle_mesh.h"
 

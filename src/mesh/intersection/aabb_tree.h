@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "base/vec.h"
 #include "mesh/triangle_mesh.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "base/predicates.h"
 #include "mesh/corner_table.h"
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "base/disjoint_sets.h"
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "base/predicates.h"
 #include "mesh/edge_table.h"
 #include "mesh/quality/exemptions.h"

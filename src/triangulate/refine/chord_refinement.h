@@ -68,7 +68,7 @@ class ChordRefinement {
     using Stamps = std::array<std::uint32_t, 2>;
     // Edges that could not be split, by number, and the versions of the triangles beside them.
     std::map<int, Stamps> refused_;
-    LargeVector<std::optional<SurfacePoint>> known_points_;  // of violations of this round
+    LargeVector<std::optional<SurfacePoint>> known_points_;  // surface points of this round's violations
     std::vector<int> touched_;
     bool changed_ = false;
 };

@@ -190,7 +190,7 @@ class VolumeWriter {
 };
 
 // Without it, arrays that grow would take up to three times as much for a while. Pieces of faces are rare.
-void make_room(Output& out, std::size_t triangles, std::size_t vertices) {
+void reserve_arrays(Output& out, std::size_t triangles, std::size_t vertices) {
     out.mesh.vertices.reserve(vertices);
     out.mesh.vertex_entity.reserve(vertices);
     out.mesh.triangles.reserve(triangles);
@@ -229,7 +229,7 @@ Output write_out(const ClassifiedMesh& mesh, const geometry::Topology& topology,
         writers.emplace_back(mesh, topology, volume, flipped, present, corners, vertex_of_root, progress);
         triangles += writers.back().count_of(triangles_of_face);
     }
-    make_room(out, triangles, static_cast<std::size_t>(mesh.vertex_count()));
+    reserve_arrays(out, triangles, static_cast<std::size_t>(mesh.vertex_count()));
     for (VolumeWriter& writer : writers) {
         writer.run(triangles_of_face, out);
     }

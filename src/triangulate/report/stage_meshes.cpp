@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "base/progress.h"
 #include "mesh/io/io.h"
 #include "triangulate/report/manifold_output.h"

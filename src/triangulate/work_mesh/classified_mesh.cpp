@@ -324,8 +324,8 @@ std::vector<std::pair<int, int>> ClassifiedMesh::compact() {
         drop_last_triangle();
     }
     gone_ = 0;
-    // The memory of triangles that are gone, where they are so many that it is worth a copy of the rest.
-    constexpr int kWorthACopy = 16;
+    // Releases the memory of triangles that are gone, where they are this fraction of all or more: it takes a copy.
+    constexpr int kWorthACopy = 16;  // one in
     if (before - triangle_count() > before / kWorthACopy) {
         corner_.shrink_to_fit();
         twin_.shrink_to_fit();

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "base/vec.h"
 #include "mesh/corner_table.h"
 #include "mesh/triangle_mesh.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 
 #ifdef __linux__
 #include <sys/mman.h>
