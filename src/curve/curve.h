@@ -15,7 +15,7 @@ struct CurveOptions {
     bool volume = false;      ///< fill the solids with tetrahedra
     bool straighten = false;  ///< make elements straight that stay invalid after all repairs
     bool repair = true;       ///< false: surfaces as they are first placed on the CAD, for comparison
-    int threads = 0;          ///< that work at a time; 0: as many as ThreadLimit says. They change no byte of the result
+    int threads = 0;  ///< that work at a time; 0: as many as ThreadLimit says. They change no byte of the result
 
     /// @throws InvalidInput naming the option, its value and its range.
     void validate() const;

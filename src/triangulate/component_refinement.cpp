@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "triangulate/components/mesh_components.h"
 
 namespace mq::triangulate {
@@ -110,6 +111,24 @@ bool may_divide(const Workspace& work, const TriangulateOptions& options) {
            options.insertion != Insertion::Paper;
 }
 
+// Triangles of one volume, or of one face of the shape, must not cross: such faces are refined together.
+std::vector<int> bodies_of_faces(const geometry::Topology& topology) {
+    DisjointSets<int> together(topology.faces.size());
+    std::map<int, int> first;  // by face of the shape
+    for (int face = 0; face < static_cast<int>(topology.faces.size()); ++face) {
+        together.unite(first.emplace(topology.of_shape({2, face}).index, face).first->second, face);
+    }
+    for (const geometry::Volume& volume : topology.volumes) {
+        for (const geometry::Volume::Side& side : volume.sides) {
+            if (volume.kind != geometry::Volume::Kind::Faces) {
+                together.unite(volume.sides.front().face, side.face);
+            }
+        }
+    }
+    int count = 0;
+    return together.number(count);
+}
+
 // @return none where all together would have more triangles than the budget
 Works refined(Refinement& whole, std::vector<MeshComponent> components) {
     Works works(components.size());
@@ -154,7 +173,8 @@ void join_into(Refinement& whole, const Works& works) {
 bool refine_components(Refinement& whole, StageTimes& stages) {
     Workspace& work = whole.work();
     std::vector<MeshComponent> components =
-        may_divide(work, whole.options()) ? divide(work.mesh, kMost, kLargest) : std::vector<MeshComponent>();
+        may_divide(work, whole.options()) ? divide(work.mesh, bodies_of_faces(work.session.topology()), kMost, kLargest)
+                                          : std::vector<MeshComponent>();
     if (components.empty()) {
         return false;
     }

@@ -25,10 +25,17 @@ int index_in(const std::vector<int>& list, int value) {
 }
 
 // Returns the triangles of each component, ascending, the largest one first.
-std::vector<std::vector<int>> triangles_of_components(const ClassifiedMesh& mesh, std::size_t most) {
+std::vector<std::vector<int>> triangles_of_components(const ClassifiedMesh& mesh, const std::vector<int>& bodies,
+                                                      std::size_t most) {
     DisjointSets<int> joined(static_cast<std::size_t>(mesh.vertex_count()));
     for (int h = 0; h < mesh.half_edge_count(); ++h) {
         joined.unite(mesh.vertex_of(h), mesh.vertex_of(ClassifiedMesh::next(h)));
+    }
+    std::vector<int> first(bodies.size(), -1);  // by body: a vertex
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        int& vertex = first[static_cast<std::size_t>(bodies[static_cast<std::size_t>(mesh.face_of(t))])];
+        vertex = vertex < 0 ? mesh.vertex_of(3 * t) : vertex;
+        joined.unite(vertex, mesh.vertex_of(3 * t));
     }
     std::vector<int> component_at(static_cast<std::size_t>(mesh.vertex_count()), -1);
     std::vector<std::vector<int>> result;
@@ -234,8 +241,9 @@ class Joining {
 
 }  // namespace
 
-std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, std::size_t most, double largest) {
-    std::vector<std::vector<int>> triangles = triangles_of_components(mesh, most);
+std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, const std::vector<int>& bodies, std::size_t most,
+                                  double largest) {
+    std::vector<std::vector<int>> triangles = triangles_of_components(mesh, bodies, most);
     if (triangles.empty() || static_cast<double>(triangles.front().size()) > largest * mesh.triangle_count()) {
         return {};
     }
