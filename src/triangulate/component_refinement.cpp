@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,29 +26,30 @@ constexpr double kLargest = 0.75;
 /// A component of a mesh and all that refines it.
 class ComponentWork {
   public:
-    ComponentWork(MeshComponent component, Refinement& whole, const geometry::Session& session)
+    ComponentWork(MeshComponent component, Refinement& whole, const ChordErrorCache& measured,
+                  const geometry::Session& session)
         : component_(std::move(component)),
           session_(session),
           progress_(whole.work().progress),
           maxmin_(component_.mesh),
           work_{session_,  whole.work().grid,  component_.mesh,       maxmin_,
                 progress_, whole.work().floor, whole.work().min_edge, whole.work().budget},
-          findings_(work_),
-          refinement_(work_, findings_, whole.options(), whole.chord(), first_vertex(whole.first_vertex()),
-                      [this](const char* stage) { clock_.end(stage); }) {
-        take(whole.work());
+          findings_(work_) {
+        take(whole.work(), measured);
+        refinement_.emplace(work_, findings_, whole.options(), whole.chord(), first_vertex(whole.first_vertex()),
+                            [this](const char* stage) { clock_.end(stage); });
     }
 
-    void run() { refinement_.run(); }
+    void run() { refinement_->run(); }
 
     const MeshComponent& component() const { return component_; }
-    const Refinement& refinement() const { return refinement_; }
     const StageTimes& stages() const { return stages_; }
     const Workspace& work() const { return work_; }
 
-    /// Passes what is known of triangles and vertices on to the whole mesh, where the component's first triangle is
-    /// `first` and its vertices are `vertices`.
-    void give(Workspace& whole, int first, const std::vector<int>& vertices) {
+    /// Passes what is known of triangles, edges and vertices on to the whole mesh, where the component's first triangle
+    /// is `first` and its vertices are `vertices`.
+    void give(Workspace& whole, ChordErrorCache& measured, int first, const std::vector<int>& vertices) {
+        measured.take_over(findings_.chords, 3 * first);
         for (const auto& [triangle, exemption] : work_.exempt) {
             if (exemption.stamp == work_.mesh.stamp(triangle)) {
                 const int vertex = exemption.vertex < 0 ? -1 : vertices[static_cast<std::size_t>(exemption.vertex)];
@@ -73,11 +75,14 @@ class ComponentWork {
         return static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), of_whole) - vertices.begin());
     }
 
-    void take(const Workspace& whole) {
+    void take(const Workspace& whole, const ChordErrorCache& measured) {
         work_.unresolved = whole.unresolved;
         work_.unseen = whole.unseen;
         for (std::size_t i = 0; i < component_.triangles.size(); ++i) {
             const int t = static_cast<int>(i);
+            for (int k = 0; k < 3; ++k) {
+                findings_.chords.take(3 * t + k, measured.measured(3 * component_.triangles[i] + k));
+            }
             if (const Exemption* exemption = whole.exemption_of(component_.triangles[i])) {
                 const std::vector<int>& vertices = component_.vertices;
                 const auto vertex = std::lower_bound(vertices.begin(), vertices.end(), exemption->vertex);
@@ -99,7 +104,7 @@ class ComponentWork {
     MaxMinSwaps maxmin_;
     Workspace work_;
     MeasurementCache findings_;
-    Refinement refinement_;
+    std::optional<Refinement> refinement_;
 };
 
 using Works = std::vector<std::unique_ptr<ComponentWork>>;
@@ -130,7 +135,7 @@ std::vector<int> bodies_of_faces(const geometry::Topology& topology) {
 }
 
 // @return none where all together would have more triangles than the budget
-Works refined(Refinement& whole, std::vector<MeshComponent> components) {
+Works refined(Refinement& whole, const ChordErrorCache& measured, std::vector<MeshComponent> components) {
     Works works(components.size());
     const Workspace& work = whole.work();
     std::atomic<std::size_t> triangles{0};
@@ -141,7 +146,7 @@ Works refined(Refinement& whole, std::vector<MeshComponent> components) {
             return;
         }
         begun += components[i].triangles.size();
-        works[i] = std::make_unique<ComponentWork>(std::move(components[i]), whole, session);
+        works[i] = std::make_unique<ComponentWork>(std::move(components[i]), whole, measured, session);
         works[i]->run();
         const Workspace& refined = works[i]->work();
         triangles += refined.over_budget() ? work.budget + 1 : refined.triangles();
@@ -150,7 +155,7 @@ Works refined(Refinement& whole, std::vector<MeshComponent> components) {
     return triangles > work.budget ? Works() : std::move(works);
 }
 
-void join_into(Refinement& whole, const Works& works) {
+void join_into(Refinement& whole, ChordErrorCache& measured, const Works& works) {
     Workspace& work = whole.work();
     std::vector<const MeshComponent*> changed;
     for (const auto& of_component : works) {
@@ -159,18 +164,18 @@ void join_into(Refinement& whole, const Works& works) {
     JoinedComponents joined = join(work.mesh, changed);
     work.mesh = std::move(joined.mesh);
     work.maxmin.rebuild();
+    measured.clear();
     work.exempt.clear();
     work.settled.clear();
     work.shrinks.resize(static_cast<std::size_t>(work.mesh.vertex_count()), 0);
     for (std::size_t i = 0; i < works.size(); ++i) {
-        works[i]->give(work, joined.first[i], joined.vertices[i]);
-        whole.take_over(works[i]->refinement(), joined.first[i]);
+        works[i]->give(work, measured, joined.first[i], joined.vertices[i]);
     }
 }
 
 }  // namespace
 
-bool refine_components(Refinement& whole, StageTimes& stages) {
+bool refine_components(Refinement& whole, ChordErrorCache& measured, StageTimes& stages) {
     Workspace& work = whole.work();
     std::vector<MeshComponent> components =
         may_divide(work, whole.options()) ? divide(work.mesh, bodies_of_faces(work.session.topology()), kMost, kLargest)
@@ -178,12 +183,12 @@ bool refine_components(Refinement& whole, StageTimes& stages) {
     if (components.empty()) {
         return false;
     }
-    work.progress.stage("refining bodies", share_before_refinement(whole.options()), 0.88);
-    const Works works = refined(whole, std::move(components));
+    work.progress.stage("refining bodies", share_before_refinement(whole.options()), 0.9);
+    const Works works = refined(whole, measured, std::move(components));
     if (works.empty()) {
         return false;
     }
-    join_into(whole, works);
+    join_into(whole, measured, works);
     for (const auto& of_component : works) {
         stages.insert(stages.end(), of_component->stages().begin(), of_component->stages().end());
     }

@@ -89,30 +89,22 @@ void Refinement::run() {
     separate_crossings();
     end_stage_("crossings");
     if (options_.insertion != Insertion::Paper) {
-        work_.progress.stage("mending", 0.85, 0.88);
+        work_.progress.stage("mending", 0.85, 0.9);
         mend(work_, options_.min_angle, sizing_);
         end_stage_("mending");
+        separate_crossings();  // those of triangles that were changed for better angles
+        end_stage_("crossings");
     }
 }
 
-std::string Refinement::finish() {
-    if (work_.over_budget()) {
-        return "";
-    }
-    separate_crossings();  // also those of triangles that were changed for better angles
-    end_stage_("crossings");
-    if (options_.keep_edges != KeepEdges::Feature) {
+std::string Refinement::release_smooth_edges() {
+    if (options_.keep_edges != KeepEdges::Feature || work_.over_budget()) {
         return "";
     }
     work_.progress.stage("releasing smooth edges", 0.88, 0.9);
     const std::string released = remove_smooth_edges(work_, options_, sizing_);
     end_stage_("smooth edges");
     return released;
-}
-
-void Refinement::take_over(const Refinement& component, int first) {
-    chords_.take_over(component.chords_, first);
-    angles_.take_over(component.angles_, first);
 }
 
 // The first run of Algorithm M.

@@ -30,13 +30,10 @@ class Refinement {
     /// Refines the mesh.
     /// @throws Cancelled
     void run();
-    /// Separates triangles that cross, refines again where that changed the mesh, and removes smooth edges if they are
-    /// not to be kept. Nothing once the budget has ended the work.
-    /// @return what was done about smooth edges, for the report
+    /// Removes smooth edges if they are not to be kept. Nothing once the budget has ended the work.
+    /// @return what was done about them, for the report
     /// @throws Cancelled
-    std::string finish();
-    /// Takes over what the refinement of a component knows, whose triangles are `first`, first + 1, ... here.
-    void take_over(const Refinement& component, int first);
+    std::string release_smooth_edges();
 
     Workspace& work() { return work_; }
     const TriangulateOptions& options() const { return options_; }

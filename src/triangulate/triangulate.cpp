@@ -221,12 +221,12 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
                           [&](const char* stage) { clock.end(stage); });
     refinement.prepare();
     StageTimes together;
-    if (refine_components(refinement, together)) {
+    if (refine_components(refinement, findings.chords, together)) {
         clock.end_together(together);
     } else {
         refinement.run();
     }
-    return refinement.finish();
+    return refinement.release_smooth_edges();
 }
 
 // @param recall  the cached run to start with; null: none

@@ -101,6 +101,12 @@ void ChordErrorCache::take(int half_edge, const Measured& measured) {
     }
 }
 
+void ChordErrorCache::take_over(const ChordErrorCache& other, int first) {
+    for (int h = 0; h < other.work_.mesh.half_edge_count(); ++h) {
+        take(first + h, other.measured(h));
+    }
+}
+
 std::uint64_t ChordErrorCache::ends_key(int half_edge) const {
     return pair_key(work_.mesh.vertex_of(half_edge), work_.mesh.vertex_of(ClassifiedMesh::next(half_edge)));
 }

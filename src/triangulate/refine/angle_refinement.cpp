@@ -27,18 +27,6 @@ AngleRefinement::AngleRefinement(Workspace& work, SegmentSplitter& segments, dou
       turned_(work.settled),
       looked_at_(work.settled) {}
 
-void AngleRefinement::take_over(const AngleRefinement& other, int first) {
-    const ClassifiedMesh& theirs = other.work_.mesh;
-    for (int t = 0; t < theirs.triangle_count(); ++t) {
-        if (other.looked_at_.marked(theirs, t)) {
-            looked_at_.mark(work_.mesh, first + t);
-        }
-        if (other.turned_.marked(theirs, t)) {
-            turned_.mark(work_.mesh, first + t);
-        }
-    }
-}
-
 // Tells what is to be queued for a triangle, if anything.
 std::optional<AngleRefinement::QueuedTriangle> AngleRefinement::if_bad(int triangle) const {
     const double aligned = alignment(work_.mesh, triangle);

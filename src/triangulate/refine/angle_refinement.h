@@ -30,9 +30,6 @@ class AngleRefinement {
                     double chord_height = 0.0, std::size_t sites_in_round = 0);
 
     void run();  ///< without a bound on angles it does nothing
-    /// Takes over what another refinement knows of the same triangles, which are `first`, first + 1, ... here. Nothing
-    /// may be known of them.
-    void take_over(const AngleRefinement& other, int first);
 
   private:
     struct QueuedTriangle {

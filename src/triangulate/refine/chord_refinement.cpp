@@ -338,25 +338,4 @@ void ChordRefinement::split_one(const Violation& violation, const std::optional<
     }
 }
 
-void ChordRefinement::take_over(const ChordRefinement& other, int first) {
-    const ClassifiedMesh& theirs = other.work_.mesh;
-    for (int h = 0; h < theirs.half_edge_count(); ++h) {
-        const int here = 3 * first + h;
-        measure_.take(here, other.measure_.measured(h));
-        if (other.passed_.marked(theirs, h)) {
-            passed_.mark(work_.mesh, here);
-        } else if (theirs.twin(h) > h && other.refused(h)) {
-            refuse(here);
-        }
-    }
-    for (int t = 0; t < theirs.triangle_count(); ++t) {
-        if (other.edges_passed_.marked(theirs, t)) {
-            edges_passed_.mark(work_.mesh, first + t);
-        }
-        if (other.measured_.marked(theirs, t)) {
-            measured_.mark(work_.mesh, first + t);
-        }
-    }
-}
-
 }  // namespace mq::triangulate

@@ -24,9 +24,6 @@ class ChordRefinement {
 
     /// @return whether anything was split.
     bool run();
-    /// Takes over what another refinement knows of the same triangles, which are `first`, first + 1, ... here. Nothing
-    /// may be known of them.
-    void take_over(const ChordRefinement& other, int first);
 
   private:
     /// A side or an inside that deviates more than allowed.
