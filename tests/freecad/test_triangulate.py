@@ -19,6 +19,12 @@ import MeshQuality as mq
 from MeshQuality.core import verdict
 
 
+def several_bodies():
+    """Four solids that do not touch, none of which takes most of the triangles."""
+    bodies = [Part.makeSphere(5), Part.makeCylinder(4, 10), Part.makeTorus(6, 2), Part.makeCone(4, 2, 8)]
+    return Part.makeCompound([body.translate(FreeCAD.Vector(20 * i, 0, 0)) or body for i, body in enumerate(bodies)])
+
+
 class Details(unittest.TestCase):
     """Edges and faces below what is asked for."""
 
@@ -228,7 +234,8 @@ class SimpleParts(unittest.TestCase):
         self.assertEqual(first.triangles.tobytes(), second.triangles.tobytes())
 
     def test_the_bytes_are_the_same_for_any_number_of_threads(self):
-        shapes = {**helpers.simple_parts(), "bracket": parts.bracket(), "flap": parts.flap(), "helix": parts.helix()}
+        shapes = {**helpers.simple_parts(), "bracket": parts.bracket(), "flap": parts.flap(), "helix": parts.helix(),
+                  "bodies": several_bodies()}
         for name, shape in shapes.items():
             with self.subTest(name):
                 one, *others = (mq.triangulate(shape, chord_height_relative=0.0005, threads=n) for n in (1, 2, 3, 8))
@@ -237,6 +244,22 @@ class SimpleParts(unittest.TestCase):
                         self.assertEqual(getattr(several, array).tobytes(), getattr(one, array).tobytes(), array)
                     for figure in ("max_chord_height", "exempt", "notes", "queries", "predicates", "exact_predicates"):
                         self.assertEqual(getattr(several.report, figure), getattr(one.report, figure), figure)
+
+    def test_bodies_that_do_not_touch_get_what_one_alone_gets(self):
+        shape = several_bodies()
+        mesh = self.check(shape, chord_height=0.02)
+        alone = [mq.triangulate(body, chord_height=0.02) for body in shape.Solids]
+        self.assertEqual(mesh.report.euler, sum(one.report.euler for one in alone))
+        self.assertEqual(mesh.report.exempt, [])
+        faces = np.cumsum([0] + [len(body.Faces) for body in shape.Solids])
+        for first, end, one in zip(faces[:-1], faces[1:], alone):
+            own = (mesh.triangle_face >= first) & (mesh.triangle_face < end)
+            self.assertAlmostEqual(own.sum() / len(one.triangles), 1.0, delta=0.1)
+
+    def test_a_limit_concerns_all_bodies_together(self):
+        mesh = mq.triangulate(several_bodies(), chord_height=0.001, max_triangles=2000)
+        self.assertLessEqual(len(mesh.triangles), 2000)
+        self.assertFalse(mesh.report.complete)
 
     def test_numbers_of_threads_that_are_none_are_refused(self):
         for threads in (-1, 1025, 1.5, True, "all"):
