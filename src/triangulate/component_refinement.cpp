@@ -11,8 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/angle.h"
 #include "base/disjoint_sets.h"
 #include "triangulate/components/mesh_components.h"
+#include "triangulate/work_mesh/corner_classification.h"
+#include "triangulate/work_mesh/triangle_measures.h"
 
 namespace mq::triangulate {
 
@@ -20,7 +23,7 @@ namespace {
 
 // Components that are refined apart: enough for the cores of a large computer; each has tables of all CAD entities.
 constexpr std::size_t kMost = 64;
-// Largest fraction of the triangles in one component: otherwise its steps gain more from several threads.
+// Largest fraction of the work on one component: otherwise its steps gain more from several threads.
 constexpr double kLargest = 0.75;
 
 /// A component of a mesh and all that refines it.
@@ -134,6 +137,28 @@ std::vector<int> bodies_of_faces(const geometry::Topology& topology) {
     return together.number(count);
 }
 
+// Estimates how many triangles one becomes. Edges over a surface that bends by k per mm get a length of sqrt(8 h / k)
+// at the chord tolerance h; equilateral triangles with these have an area of 3.5 h / k.
+double triangles_expected(const ClassifiedMesh& mesh, int triangle, double chord) {
+    double bend = 0.0;
+    for (int h = 3 * triangle; chord > 0.0 && h < 3 * triangle + 3; ++h) {
+        const Vec3& normal = mesh.site(mesh.site_of(h)).normal;
+        const Vec3& other = mesh.site(mesh.site_of(ClassifiedMesh::next(h))).normal;
+        const double length = side_length(mesh, h);
+        bend = length > 0.0 ? std::max(bend, angle_between(normal, other) / length) : bend;
+    }
+    const double area = 0.5 * doubled_area(mesh, triangle).norm();
+    return chord > 0.0 ? 1.0 + area * bend / (3.5 * chord) : 1.0;
+}
+
+std::vector<double> work_expected(const ClassifiedMesh& mesh, double chord) {
+    std::vector<double> work;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        work.push_back(triangles_expected(mesh, t, chord));
+    }
+    return work;
+}
+
 // @return none where all together would have more triangles than the budget
 Works refined(Refinement& whole, const ChordErrorCache& measured, std::vector<MeshComponent> components) {
     Works works(components.size());
@@ -177,9 +202,10 @@ void join_into(Refinement& whole, ChordErrorCache& measured, const Works& works)
 
 bool refine_components(Refinement& whole, ChordErrorCache& measured, StageTimes& stages) {
     Workspace& work = whole.work();
-    std::vector<MeshComponent> components =
-        may_divide(work, whole.options()) ? divide(work.mesh, bodies_of_faces(work.session.topology()), kMost, kLargest)
-                                          : std::vector<MeshComponent>();
+    std::vector<MeshComponent> components = may_divide(work, whole.options())
+                                                ? divide(work.mesh, bodies_of_faces(work.session.topology()),
+                                                         work_expected(work.mesh, whole.chord()), kMost, kLargest)
+                                                : std::vector<MeshComponent>();
     if (components.empty()) {
         return false;
     }

@@ -7,7 +7,7 @@
 namespace mq::triangulate {
 
 /// Refines the connected components of the mesh of `whole` at a time, each on one thread. Leaves it as it is where one
-/// of them has most of the triangles, and where they would have more together than the budget allows. The result does
+/// of them is most of the work, and where they would have more together than the budget allows. The result does
 /// not depend on the number of threads.
 /// @param measured  measurements of the mesh, before and after
 /// @param stages  receives the seconds of the stages, component by component

@@ -10,6 +10,8 @@
 namespace mq::mesh {
 namespace {
 
+/// Triangles in a leaf at most; a leaf is tested triangle by triangle.
+constexpr std::size_t kLeafSize = 4;
 /// The next single-precision number toward minus infinity; std::nextafter, but inlined.
 float next_below(float x) {
     if (x == 0.0f) {
@@ -68,9 +70,8 @@ AabbTree::Bounds AabbTree::bounds_of(std::int32_t triangle) const {
     return bounds;
 }
 
-AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack,
-                   std::size_t leaf_size)
-    : vertices_(&vertices), triangles_(&triangles), items_(triangles.size()), slack_(slack), leaf_size_(leaf_size) {
+AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack)
+    : vertices_(&vertices), triangles_(&triangles), items_(triangles.size()), slack_(slack) {
     for (std::size_t i = 0; i < items_.size(); ++i) {
         items_[i].triangle = static_cast<std::int32_t>(i);
     }
@@ -169,7 +170,7 @@ void AabbTree::put_in_order(LargeVector<Key> keys) {
 }
 
 void AabbTree::build_node(std::int32_t node, std::size_t begin, std::size_t end) {
-    if (end - begin <= leaf_size_) {
+    if (end - begin <= kLeafSize) {
         Bounds bounds = items_[begin].bounds;
         for (std::size_t i = begin + 1; i < end; ++i) {
             bounds.add(items_[i].bounds);

@@ -25,12 +25,8 @@ namespace mq::mesh {
 /// indices must be in range and all coordinates finite.
 class AabbTree {
   public:
-    /// Triangles in a leaf at most; a leaf is tested triangle by triangle.
-    static constexpr std::size_t kLeafSize = 4;
     /// @param slack  mm, by which boxes are larger than their triangles on all sides: for vertices with rounding errors
-    /// @param leaf_size  larger leaves take less memory: 26 bytes a triangle for nodes with 4, 13 with 8
-    AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack = 0.0,
-             std::size_t leaf_size = kLeafSize);
+    AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack = 0.0);
     /// A tree over some of the triangles only, each named once.
     AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
              const std::vector<std::int32_t>& subset, double slack = 0.0);
@@ -168,7 +164,6 @@ class AabbTree {
     void descend(const Meets& meets, Visit& visit) const;
 
     double slack_ = 0.0;
-    std::size_t leaf_size_ = kLeafSize;
     /// The common group of all triangles of a node, else -1; empty without groups.
     LargeVector<std::int32_t> node_group_;
 };

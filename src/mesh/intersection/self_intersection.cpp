@@ -259,30 +259,23 @@ std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std
 }  // namespace
 
 std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                            std::size_t limit, const Progress* progress, CoplanarPairs* flush,
-                                            Preparation preparation) {
+                                            std::size_t limit, const Progress* progress, CoplanarPairs* flush) {
     // Triangles from which a patch saves more pairs than its proof costs.
     constexpr std::size_t kWorthAProof = 64;
     std::vector<std::int32_t> patch;
     std::vector<char> embedded;
     std::optional<NeedleFrame> frame;
     std::optional<AabbTree> built;
-    const auto find_patches = [&] {
-        patch = height_fields(vertices, triangles, kWorthAProof, progress);
-        embedded = embedded_vertices(vertices, triangles, patch, progress);
-    };
-    const auto build_tree = [&] {
-        frame.emplace(vertices, triangles);
-        check_cancelled(progress);
-        built.emplace(frame->vertices(), triangles, frame->slack(),
-                      (preparation == Preparation::InTurn ? 2 : 1) * AabbTree::kLeafSize);
-    };
-    if (preparation == Preparation::InTurn) {
-        find_patches();
-        build_tree();
-    } else {
-        do_both(triangles.size(), [&](int task) { task == 0 ? find_patches() : build_tree(); });
-    }
+    do_both(triangles.size(), [&](int task) {
+        if (task == 0) {
+            patch = height_fields(vertices, triangles, kWorthAProof, progress);
+            embedded = embedded_vertices(vertices, triangles, patch, progress);
+        } else {
+            frame.emplace(vertices, triangles);
+            check_cancelled(progress);
+            built.emplace(frame->vertices(), triangles, frame->slack());
+        }
+    });
     AabbTree& tree = *built;
     check_cancelled(progress);
     tree.set_groups(patch);

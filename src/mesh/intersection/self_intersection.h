@@ -32,10 +32,6 @@ struct CoplanarPairs {
     std::vector<std::array<std::int32_t, 2>> beside;
 };
 
-/// How a search is prepared: its steps at the same time, in two threads, or in turn and with larger leaves of the tree,
-/// which takes half of the memory.
-enum class Preparation { AtOnce, InTurn };
-
 /// All pairs of triangles of a mesh that touch or cross each other, in ascending order; at most `limit` of them. If
 /// fewer are returned the list is complete.
 ///
@@ -47,8 +43,7 @@ enum class Preparation { AtOnce, InTurn };
 /// @throws Cancelled.
 std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                                             std::size_t limit = kAllPairs, const Progress* progress = nullptr,
-                                            CoplanarPairs* flush = nullptr,
-                                            Preparation preparation = Preparation::AtOnce);
+                                            CoplanarPairs* flush = nullptr);
 
 /// The pairs of which at least one triangle is in `subset` (indices, each once). The time is proportional to the subset
 /// and the triangles near it, plus 50 ns for every other one.

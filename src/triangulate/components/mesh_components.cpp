@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "base/disjoint_sets.h"
@@ -24,9 +25,17 @@ int index_in(const std::vector<int>& list, int value) {
     return static_cast<int>(std::lower_bound(list.begin(), list.end(), value) - list.begin());
 }
 
-// Returns the triangles of each component, ascending, the largest one first.
-std::vector<std::vector<int>> triangles_of_components(const ClassifiedMesh& mesh, const std::vector<int>& bodies,
-                                                      std::size_t most) {
+/// Triangles of one component, and the work that is expected on them.
+struct Share {
+    double work = 0.0;
+    std::vector<int> triangles;
+};
+
+bool more_work(const Share& a, const Share& b) {
+    return a.work > b.work;
+}
+
+DisjointSets<int> joined_vertices(const ClassifiedMesh& mesh, const std::vector<int>& bodies) {
     DisjointSets<int> joined(static_cast<std::size_t>(mesh.vertex_count()));
     for (int h = 0; h < mesh.half_edge_count(); ++h) {
         joined.unite(mesh.vertex_of(h), mesh.vertex_of(ClassifiedMesh::next(h)));
@@ -37,28 +46,37 @@ std::vector<std::vector<int>> triangles_of_components(const ClassifiedMesh& mesh
         vertex = vertex < 0 ? mesh.vertex_of(3 * t) : vertex;
         joined.unite(vertex, mesh.vertex_of(3 * t));
     }
+    return joined;
+}
+
+// Returns the components, the one with most work first, with the smallest ones together where there are many.
+std::vector<Share> shares(const ClassifiedMesh& mesh, const std::vector<int>& bodies, const std::vector<double>& work,
+                          std::size_t most) {
+    DisjointSets<int> joined = joined_vertices(mesh, bodies);
     std::vector<int> component_at(static_cast<std::size_t>(mesh.vertex_count()), -1);
-    std::vector<std::vector<int>> result;
+    std::vector<Share> result;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         int& component = component_at[static_cast<std::size_t>(joined.find(mesh.vertex_of(3 * t)))];
         if (component < 0) {
             component = static_cast<int>(result.size());
             result.emplace_back();
         }
-        result[static_cast<std::size_t>(component)].push_back(t);
+        Share& share = result[static_cast<std::size_t>(component)];
+        share.work += work[static_cast<std::size_t>(t)];
+        share.triangles.push_back(t);
     }
-    const auto larger = [](const auto& a, const auto& b) { return a.size() > b.size(); };
-    std::stable_sort(result.begin(), result.end(), larger);
+    std::stable_sort(result.begin(), result.end(), more_work);
     for (; result.size() > most; result.pop_back()) {  // goes to the smallest one that stays
-        const auto end = result.begin() + static_cast<std::ptrdiff_t>(most);
-        std::vector<int>& smallest =
-            *std::min_element(result.begin(), end, [](const auto& a, const auto& b) { return a.size() < b.size(); });
-        smallest.insert(smallest.end(), result.back().begin(), result.back().end());
+        const Share& last = result.back();
+        Share& smallest =
+            *std::max_element(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(most), more_work);
+        smallest.work += last.work;
+        smallest.triangles.insert(smallest.triangles.end(), last.triangles.begin(), last.triangles.end());
     }
-    for (std::vector<int>& triangles : result) {
-        std::sort(triangles.begin(), triangles.end());
+    for (Share& share : result) {
+        std::sort(share.triangles.begin(), share.triangles.end());
     }
-    std::stable_sort(result.begin(), result.end(), larger);
+    std::stable_sort(result.begin(), result.end(), more_work);
     return result;
 }
 
@@ -241,16 +259,16 @@ class Joining {
 
 }  // namespace
 
-std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, const std::vector<int>& bodies, std::size_t most,
-                                  double largest) {
-    std::vector<std::vector<int>> triangles = triangles_of_components(mesh, bodies, most);
-    if (triangles.empty() || static_cast<double>(triangles.front().size()) > largest * mesh.triangle_count()) {
+std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, const std::vector<int>& bodies,
+                                  const std::vector<double>& work, std::size_t most, double largest) {
+    std::vector<Share> divided = shares(mesh, bodies, work, most);
+    if (divided.empty() || divided.front().work > largest * std::accumulate(work.begin(), work.end(), 0.0)) {
         return {};
     }
-    std::vector<MeshComponent> result(triangles.size());
+    std::vector<MeshComponent> result(divided.size());
     parallel_for(static_cast<int>(result.size()), [&](int k) {
         const auto i = static_cast<std::size_t>(k);
-        result[i] = component_of(mesh, std::move(triangles[i]));
+        result[i] = component_of(mesh, std::move(divided[i].triangles));
     });
     return result;
 }

@@ -17,13 +17,14 @@ struct MeshComponent {
     std::vector<int> segments;   ///< the same of its segments
 };
 
-/// Divides a mesh into its connected components, the largest one first: triangles with a common vertex, or on faces of
-/// one body, are in the same one. Where there are more of them than `most`, small ones are together. No index may be
-/// unused.
+/// Divides a mesh into its connected components, the most laborious one first: triangles with a common vertex, or on
+/// faces of one body, are in the same one. Where there are more of them than `most`, small ones are together. No index
+/// may be unused.
 /// @param bodies  by CAD face: a number from 0 on, the same for the faces of a body, below the number of faces
-/// @param largest  fraction of the triangles that one component may have; none are returned where one has more
-std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, const std::vector<int>& bodies, std::size_t most,
-                                  double largest);
+/// @param work  by triangle: the work that is expected on it, in any unit
+/// @param largest  fraction of the work that one component may have; none are returned where one has more
+std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, const std::vector<int>& bodies,
+                                  const std::vector<double>& work, std::size_t most, double largest);
 
 /// The mesh of which components were taken, with the changes that were made to them. Its former vertices, sites and
 /// segments keep their indices.

@@ -104,9 +104,8 @@ void SelfIntersections::find() {
     }
     pairs_.clear();
     others_.clear();
-    // Memory is at its peak here: the rest of the working mesh and what is known of it stay.
-    const std::vector<mesh::ContactPair> found = mesh::self_intersections(
-        mesh.points(), triangles, kMostPairs, &work_.progress, nullptr, mesh::Preparation::InTurn);
+    const std::vector<mesh::ContactPair> found =
+        mesh::self_intersections(mesh.points(), triangles, kMostPairs, &work_.progress);
     for (const mesh::ContactPair& pair : found) {
         if (one_volume(faces_of({pair.a, pair.b}))) {
             pairs_.push_back({pair.a, pair.b});

@@ -67,6 +67,13 @@ std::vector<int> apart(int faces) {
     return bodies;
 }
 
+/// The same work is expected on all triangles.
+std::vector<MeshComponent> divide_evenly(const ClassifiedMesh& mesh, const std::vector<int>& bodies, std::size_t most,
+                                         double largest) {
+    return divide(mesh, bodies, std::vector<double>(static_cast<std::size_t>(mesh.triangle_count()), 2.0), most,
+                  largest);
+}
+
 std::vector<const MeshComponent*> all(const std::vector<MeshComponent>& components) {
     std::vector<const MeshComponent*> result;
     for (const MeshComponent& component : components) {
@@ -84,7 +91,7 @@ std::vector<std::size_t> sizes(const std::vector<MeshComponent>& components) {
 }
 
 TEST(MeshComponents, TheLargestComponentIsTheFirst) {
-    const std::vector<MeshComponent> found = divide(rings({3, 5, 4, 5}), apart(4), 10, 1.0);
+    const std::vector<MeshComponent> found = divide_evenly(rings({3, 5, 4, 5}), apart(4), 10, 1.0);
     EXPECT_EQ(sizes(found), (std::vector<std::size_t>{5, 5, 4, 3}));
     EXPECT_EQ(found[0].mesh.face_of(0), 1);
     EXPECT_EQ(found[1].mesh.face_of(0), 3);
@@ -97,7 +104,7 @@ TEST(MeshComponents, TheLargestComponentIsTheFirst) {
 }
 
 TEST(MeshComponents, SmallOnesAreTogetherWhereThereAreMany) {
-    const std::vector<MeshComponent> found = divide(rings({3, 8, 4, 5, 3, 3}), apart(6), 3, 1.0);
+    const std::vector<MeshComponent> found = divide_evenly(rings({3, 8, 4, 5, 3, 3}), apart(6), 3, 1.0);
     EXPECT_EQ(sizes(found), (std::vector<std::size_t>{10, 8, 8}));
     for (const MeshComponent& component : found) {
         EXPECT_EQ(component.mesh.inconsistency(), "");
@@ -105,22 +112,29 @@ TEST(MeshComponents, SmallOnesAreTogetherWhereThereAreMany) {
 }
 
 TEST(MeshComponents, FacesOfABodyAreTogether) {
-    const std::vector<MeshComponent> found = divide(rings({3, 5, 4, 5}), {0, 1, 0, 2}, 10, 1.0);
+    const std::vector<MeshComponent> found = divide_evenly(rings({3, 5, 4, 5}), {0, 1, 0, 2}, 10, 1.0);
     EXPECT_EQ(sizes(found), (std::vector<std::size_t>{7, 5, 5}));
     EXPECT_EQ(found[0].mesh.inconsistency(), "");
     EXPECT_EQ(found[0].mesh.face_of(0), 0);
     EXPECT_EQ(found[0].mesh.face_of(6), 2);
 }
 
+TEST(MeshComponents, TheMostLaboriousOneIsTheFirst) {
+    std::vector<double> work(7, 1.0);
+    work[5] = 4.0;
+    EXPECT_EQ(sizes(divide(rings({4, 3}), apart(2), work, 10, 1.0)), (std::vector<std::size_t>{3, 4}));
+    EXPECT_TRUE(divide(rings({4, 3}), apart(2), work, 10, 0.59).empty());
+}
+
 TEST(MeshComponents, NoneWhereOneHasMoreTrianglesThanAllowed) {
-    EXPECT_TRUE(divide(rings({9, 3}), apart(2), 10, 0.74).empty());
-    EXPECT_EQ(divide(rings({9, 3}), apart(2), 10, 0.75).size(), 2U);
-    EXPECT_TRUE(divide(ClassifiedMesh(), {}, 10, 1.0).empty());
+    EXPECT_TRUE(divide_evenly(rings({9, 3}), apart(2), 10, 0.74).empty());
+    EXPECT_EQ(divide_evenly(rings({9, 3}), apart(2), 10, 0.75).size(), 2U);
+    EXPECT_TRUE(divide_evenly(ClassifiedMesh(), {}, 10, 1.0).empty());
 }
 
 TEST(MeshComponents, JoinedUnchangedTheyAreTheMesh) {
     const ClassifiedMesh mesh = rings({3, 5, 4});
-    const std::vector<MeshComponent> found = divide(mesh, apart(3), 10, 1.0);
+    const std::vector<MeshComponent> found = divide_evenly(mesh, apart(3), 10, 1.0);
     const JoinedComponents joined = join(mesh, all(found));
     EXPECT_EQ(joined.mesh.inconsistency(), "");
     EXPECT_EQ(joined.first, (std::vector<int>{0, 5, 9}));
@@ -142,7 +156,7 @@ TEST(MeshComponents, JoinedUnchangedTheyAreTheMesh) {
 
 TEST(MeshComponents, ChangesOfSeveralAreJoined) {
     const ClassifiedMesh mesh = rings({3, 5});
-    std::vector<MeshComponent> found = divide(mesh, apart(3), 10, 1.0);
+    std::vector<MeshComponent> found = divide_evenly(mesh, apart(3), 10, 1.0);
     for (MeshComponent& component : found) {
         ClassifiedMesh& own = component.mesh;
         const int inside =
