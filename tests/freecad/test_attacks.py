@@ -429,6 +429,13 @@ class LeavingInTheMiddle(unittest.TestCase):
                 done = freecad(LEAVE.replace("WORK", work) + "sys.exit(7)\n")
                 self.assertEqual(done.returncode, 7, done.stderr[-500:])
 
+    def test_tables_of_the_work_outlive_it(self):
+        """The exit destroys static objects, at any time within the work."""
+        for seconds in (0.8, 0.9, 1.0, 1.1):
+            with self.subTest(seconds):
+                done = freecad(LEAVE.replace("WORK", WORKS["curve"]).replace("0.7", str(seconds)) + "sys.exit(7)\n")
+                self.assertEqual(done.returncode, 7, done.stderr[-500:])
+
     def test_python_with_freecad_as_a_module(self):
         library = os.path.join(FreeCAD.getHomePath(), "lib")
         script = f"import sys; sys.path[:0] = [{library!r}, {MOD!r}]\n{LEAVE}sys.exit(7)\n"

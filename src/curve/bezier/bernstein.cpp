@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include "base/error.h"
+#include "base/immortal.h"
 
 namespace mq::curve {
 
@@ -54,7 +55,7 @@ Conversion conversion_of(const Lattice& lattice) {
 }
 
 const Conversion& conversion(const Lattice& lattice) {
-    static const std::vector<Conversion> all = [] {
+    static const auto& all = immortal([] {
         std::vector<Conversion> list;
         for (int dimension = 1; dimension <= 3; ++dimension) {
             for (int order = 1; order <= kMaxOrder; ++order) {
@@ -62,7 +63,7 @@ const Conversion& conversion(const Lattice& lattice) {
             }
         }
         return list;
-    }();
+    }());
     if (lattice.degree() < 1 || lattice.degree() > kMaxOrder) {
         throw InvalidInput("elements have an order of 1 to " + std::to_string(kMaxOrder) + ", not " +
                            std::to_string(lattice.degree()));
@@ -139,7 +140,7 @@ ProductTable::ProductTable(int dimension, int m, int n) {
 }
 
 const ProductTable& ProductTable::of(int dimension, int m, int n) {
-    static const std::vector<ProductTable> all = all_products();
+    static const auto& all = immortal(all_products());
     if (m > kMaxFactor || n > kMaxFactor || m + n > kMaxDegree) {
         throw InvalidInput("no table for a product of degrees " + std::to_string(m) + " and " + std::to_string(n));
     }

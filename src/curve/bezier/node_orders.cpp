@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/immortal.h"
+
 namespace mq::curve {
 
 namespace {
@@ -16,14 +18,14 @@ struct Convention {
 };
 
 const Convention& gmsh_convention() {
-    static const Convention convention{{{0, 1}, {1, 2}, {2, 0}, {3, 0}, {3, 2}, {3, 1}},
-                                       {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {3, 1, 2}}};
+    static const auto& convention = immortal<Convention>(
+        {{{0, 1}, {1, 2}, {2, 0}, {3, 0}, {3, 2}, {3, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {3, 1, 2}}});
     return convention;
 }
 
 const Convention& vtk_convention() {
-    static const Convention convention{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}},
-                                       {{0, 1, 3}, {2, 3, 1}, {0, 3, 2}, {0, 2, 1}}};
+    static const auto& convention = immortal<Convention>(
+        {{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}, {{0, 1, 3}, {2, 3, 1}, {0, 3, 2}, {0, 2, 1}}});
     return convention;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/immortal.h"
 #include "curve/bezier/simplex_lattice.h"
 #include "curve/elements/reference_nodes.h"
 
@@ -61,7 +62,7 @@ Cells cells_of(ElementKind kind, int order) {
 }  // namespace
 
 const Cells& node_cells(ElementKind kind, int order) {
-    static const std::vector<Cells> all = [] {
+    static const auto& all = immortal([] {
         std::vector<Cells> cells;
         for (const ElementKind solid : kSolids) {
             for (int p = 1; p <= kMaxOrder; ++p) {
@@ -69,7 +70,7 @@ const Cells& node_cells(ElementKind kind, int order) {
             }
         }
         return cells;
-    }();
+    }());
     if (dimension_of(kind) != 3 || order < 1 || order > kMaxOrder) {
         throw InvalidInput("a " + std::string(name_of(kind)) + " of order " + std::to_string(order) +
                            " is not divided: give solid elements of orders 1 to " + std::to_string(kMaxOrder));

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/immortal.h"
+
 namespace mq::curve {
 
 namespace {
@@ -10,13 +12,13 @@ namespace {
 /// The lattice of a factor. Lines need degrees beyond those of simplices: the Jacobian of a hexahedron of order 5 has
 /// degree 14 along each axis.
 const Lattice& lattice_of(const ProductLattice::Factor& factor) {
-    static const std::vector<Lattice> lines = [] {
+    static const auto& lines = immortal([] {
         std::vector<Lattice> all;
         for (int degree = 0; degree < 3 * kMaxOrder; ++degree) {
             all.emplace_back(1, degree);
         }
         return all;
-    }();
+    }());
     return factor.dimension == 1 ? lines.at(static_cast<std::size_t>(factor.degree))
                                  : Lattice::of(factor.dimension, factor.degree);
 }

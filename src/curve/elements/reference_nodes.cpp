@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/immortal.h"
 #include "curve/bezier/node_orders.h"
 
 namespace mq::curve {
@@ -184,7 +185,7 @@ void append_solid(ElementKind kind, const Points& corners, int order, Points& ou
 }  // namespace
 
 const ElementSides& sides_of(ElementKind kind) {
-    static const std::array<ElementSides, 6> sides{{
+    static const auto& sides = immortal<std::array<ElementSides, 6>>({{
         {{{0, 1}, {1, 2}, {2, 0}}, {{0, 1, 2}}},
         {{{0, 1}, {1, 2}, {2, 3}, {3, 0}}, {{0, 1, 2, 3}}},
         {{{0, 1}, {1, 2}, {2, 0}, {3, 0}, {3, 2}, {3, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {3, 1, 2}}},
@@ -194,7 +195,7 @@ const ElementSides& sides_of(ElementKind kind) {
          {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {0, 3, 5, 2}, {1, 2, 5, 4}}},
         {{{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 5}, {2, 3}, {2, 6}, {3, 7}, {4, 5}, {4, 7}, {5, 6}, {6, 7}},
          {{0, 3, 2, 1}, {0, 1, 5, 4}, {0, 4, 7, 3}, {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}}},
-    }};
+    }});
     return sides[static_cast<std::size_t>(kind)];
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/immortal.h"
 #include "curve/elements/reference_nodes.h"
 
 namespace mq::curve {
@@ -96,11 +97,11 @@ std::size_t orient_elements(MixedMesh& mesh) {
     if (!mesh.has_volume()) {
         return 0;
     }
-    static const std::map<ElementKind, std::array<std::size_t, 8>> mirrored{
-        {ElementKind::Tetrahedron, {0, 1, 3, 2, 4, 5, 6, 7}},
-        {ElementKind::Pyramid, {0, 3, 2, 1, 4, 5, 6, 7}},
-        {ElementKind::Prism, {3, 4, 5, 0, 1, 2, 6, 7}},
-        {ElementKind::Hexahedron, {4, 5, 6, 7, 0, 1, 2, 3}}};
+    static const auto& mirrored = immortal<std::map<ElementKind, std::array<std::size_t, 8>>>(
+        {{ElementKind::Tetrahedron, {0, 1, 3, 2, 4, 5, 6, 7}},
+         {ElementKind::Pyramid, {0, 3, 2, 1, 4, 5, 6, 7}},
+         {ElementKind::Prism, {3, 4, 5, 0, 1, 2, 6, 7}},
+         {ElementKind::Hexahedron, {4, 5, 6, 7, 0, 1, 2, 3}}});
     Simplices simplices = divided_into_simplices(mesh);
     const std::vector<std::array<int, 4>> before = simplices.mesh.tetrahedra;
     orient_tetrahedra(simplices.mesh);

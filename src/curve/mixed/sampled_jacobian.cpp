@@ -7,6 +7,7 @@
 #include <mutex>
 #include <utility>
 
+#include "base/immortal.h"
 #include "curve/bezier/bernstein.h"
 #include "curve/elements/element_derivatives.h"
 
@@ -66,7 +67,7 @@ SampledJacobian::SampledJacobian(ElementKind kind, int order) {
 
 const SampledJacobian& SampledJacobian::of(ElementKind kind, int order) {
     static std::mutex mutex;
-    static std::map<std::pair<ElementKind, int>, std::unique_ptr<SampledJacobian>> known;
+    static auto& known = immortal<std::map<std::pair<ElementKind, int>, std::unique_ptr<SampledJacobian>>>({});
     const std::lock_guard<std::mutex> lock(mutex);
     std::unique_ptr<SampledJacobian>& made = known[{kind, order}];
     if (!made) {

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/immortal.h"
 #include "base/key_set.h"
 #include "curve/elements/reference_nodes.h"
 
@@ -116,12 +117,12 @@ class EdgeRows {
 /// The face of a prism or a hexahedron that lies opposite to one with these corners, with its corners in the same
 /// columns; empty where it is a side of a prism, or the element has no such faces.
 Corners opposite_face(const MixedElement& element, const Corners& face) {
-    static const std::vector<std::array<std::size_t, 2>> prism{{0, 3}, {1, 4}, {2, 5}};
-    static const std::array<std::vector<std::array<std::size_t, 2>>, 3> hexahedron{{
+    static const auto& prism = immortal<std::vector<std::array<std::size_t, 2>>>({{0, 3}, {1, 4}, {2, 5}});
+    static const auto& hexahedron = immortal<std::array<std::vector<std::array<std::size_t, 2>>, 3>>({{
         {{0, 1}, {3, 2}, {4, 5}, {7, 6}},
         {{0, 3}, {1, 2}, {4, 7}, {5, 6}},
         {{0, 4}, {1, 5}, {2, 6}, {3, 7}},
-    }};
+    }});
     const auto across = [&](const std::vector<std::array<std::size_t, 2>>& columns) {
         Corners result;
         for (const std::int32_t corner : face) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/child_process.h"
+#include "base/immortal.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/volume/mesher/filling_answer.h"
 #include "curve/volume/mesher/filling_check.h"
@@ -15,7 +16,7 @@ namespace mq::curve {
 namespace {
 
 std::string& fill_program() {
-    static std::string path;
+    static auto& path = immortal<std::string>({});
     return path;
 }
 
