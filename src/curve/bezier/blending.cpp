@@ -3,7 +3,7 @@
 
 #include <Eigen/QR>
 
-#include "base/immortal.h"
+#include "base/memory/immortal.h"
 
 namespace mq::curve {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/immortal.h"
+#include "base/memory/immortal.h"
 
 namespace mq::curve {
 

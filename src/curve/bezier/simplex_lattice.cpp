@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/immortal.h"
+#include "base/memory/immortal.h"
 
 namespace mq::curve {
 

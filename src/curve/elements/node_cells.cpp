@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/immortal.h"
+#include "base/memory/immortal.h"
 #include "curve/bezier/simplex_lattice.h"
 #include "curve/elements/reference_nodes.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/immortal.h"
+#include "base/memory/immortal.h"
 #include "curve/bezier/node_orders.h"
 
 namespace mq::curve {

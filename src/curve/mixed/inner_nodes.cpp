@@ -6,7 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include "base/immortal.h"
+#include "base/memory/immortal.h"
 #include "curve/bezier/blending.h"
 #include "curve/bezier/node_orders.h"
 #include "curve/elements/reference_nodes.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/immortal.h"
+#include "base/memory/immortal.h"
 #include "curve/elements/reference_nodes.h"
 
 namespace mq::curve {

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <utility>
 
-#include "base/immortal.h"
+#include "base/memory/immortal.h"
 #include "curve/bezier/bernstein.h"
 #include "curve/elements/element_derivatives.h"
 

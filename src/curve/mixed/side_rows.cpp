@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/immortal.h"
+#include "base/memory/immortal.h"
 #include "base/key_set.h"
 #include "curve/elements/reference_nodes.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/child_process.h"
-#include "base/immortal.h"
+#include "base/memory/immortal.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/volume/mesher/filling_answer.h"
 #include "curve/volume/mesher/filling_check.h"
