@@ -43,7 +43,11 @@ class ComponentWork {
                             [this](const char* stage) { clock_.end(stage); });
     }
 
-    void run() { refinement_->run(); }
+    /// Of what was known for refinement, only that which `give` passes on takes memory afterwards.
+    void run() {
+        refinement_->run();
+        refinement_.reset();
+    }
 
     const MeshComponent& component() const { return component_; }
     const StageTimes& stages() const { return stages_; }
