@@ -43,7 +43,7 @@ class ComponentWork {
                             [this](const char* stage) { clock_.end(stage); });
     }
 
-    /// Of what was known for refinement, only that which `give` passes on takes memory afterwards.
+    /// Frees what was known for refinement only: `give` passes the rest on.
     void run() {
         refinement_->run();
         refinement_.reset();
