@@ -16,7 +16,8 @@ class Progress {
   public:
     Progress() = default;
     /// A piece of the work of another operation, which ends with it; its stages do not show there.
-    explicit Progress(const Progress& whole) : whole_(&whole) {}
+    explicit Progress(const Progress* whole) : whole_(whole) {}
+    Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     /// Worker: starts stage `name` (a string literal), which covers the fractions [from, to] of the whole; where less
@@ -27,12 +28,12 @@ class Progress {
         to_.store(to, std::memory_order_relaxed);
         advance(0.0);
     }
-    /// Worker: `done` in [0, 1] of the current stage. The fraction never runs backwards.
+    /// Worker, in any of its threads: `done` in [0, 1] of the current stage. The fraction never runs backwards.
     void advance(double done) {
         const double from = from_.load(std::memory_order_relaxed);
         const double value = from + done * (to_.load(std::memory_order_relaxed) - from);
-        if (value > fraction_.load(std::memory_order_relaxed)) {
-            fraction_.store(value, std::memory_order_relaxed);
+        double before = fraction_.load(std::memory_order_relaxed);
+        while (value > before && !fraction_.compare_exchange_weak(before, value, std::memory_order_relaxed)) {
         }
     }
     /// Worker: throws Cancelled once the watcher has requested it. Cheap: call it in every round.

@@ -28,13 +28,24 @@ class Stopwatch {
 /// Stages of an operation in their order, each with its wall-clock seconds.
 using StageTimes = std::vector<std::pair<std::string, double>>;
 
+/// Adds seconds to a stage, which is appended where it has not run yet.
+inline void add_time(StageTimes& times, const std::string& stage, double seconds) {
+    const auto named = [&](const auto& entry) { return entry.first == stage; };
+    const auto found = std::find_if(times.begin(), times.end(), named);
+    if (found != times.end()) {
+        found->second += seconds;
+    } else {
+        times.emplace_back(stage, seconds);
+    }
+}
+
 /// Records how long consecutive stages take. The first begins with the clock.
 class StageClock {
   public:
     explicit StageClock(StageTimes& times) : times_(times) {}
 
     /// Ends the running stage and names it. A stage that runs again adds to its time.
-    void end(const std::string& stage) { add(stage, since_last()); }
+    void end(const std::string& stage) { add_time(times_, stage, since_last()); }
     /// Ends the running stage, in which stages ran side by side that took these times. Each gets its share.
     void end_together(const StageTimes& stages) {
         const double seconds = since_last();
@@ -43,7 +54,7 @@ class StageClock {
             sum += time;
         }
         for (const auto& [stage, time] : stages) {
-            add(stage, sum > 0.0 ? seconds * time / sum : 0.0);
+            add_time(times_, stage, sum > 0.0 ? seconds * time / sum : 0.0);
         }
     }
 
@@ -51,15 +62,6 @@ class StageClock {
     double since_last() {
         const auto now = std::chrono::steady_clock::now();
         return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-    }
-    void add(const std::string& stage, double seconds) {
-        const auto named = [&](const auto& entry) { return entry.first == stage; };
-        const auto found = std::find_if(times_.begin(), times_.end(), named);
-        if (found != times_.end()) {
-            found->second += seconds;
-        } else {
-            times_.emplace_back(stage, seconds);
-        }
     }
 
     StageTimes& times_;
@@ -83,12 +85,7 @@ class StageWatch {
     /// Ends the running stage. A stage that runs again adds to its time.
     void end() {
         if (name_ != nullptr) {
-            const auto named = [this](const auto& entry) { return entry.first == name_; };
-            auto entry = std::find_if(times_.begin(), times_.end(), named);
-            if (entry == times_.end()) {
-                entry = times_.insert(entry, {name_, 0.0});
-            }
-            entry->second += watch_.wall();
+            add_time(times_, name_, watch_.wall());
         }
         watch_ = Stopwatch();
         name_ = nullptr;

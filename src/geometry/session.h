@@ -18,7 +18,7 @@
 #include "base/progress.h"
 #include "base/waits.h"
 #include "geometry/engine.h"
-#include "geometry/engine_door.h"
+#include "geometry/engine_gate.h"
 #include "geometry/oracle.h"
 
 namespace mq::geometry {
@@ -59,7 +59,7 @@ class Session final : public Oracle {
         if (answerer_ == nullptr) {
             return engine_.ask(model_, query, progress_);
         }
-        const EngineDoor::Pass pass(door_);
+        const EngineGate::Entry entry(gate_);
         return answerer_->answer(query);
     }
     /// Calls `work(model)` on the engine's thread. Predicates count for the caller's, whose limit of threads holds.
@@ -83,7 +83,7 @@ class Session final : public Oracle {
 
     /// Repeats a step as long as it returns true, on the engine's thread, which is open to others after each step that
     /// ends kOpenAfter or more after the last opening. So the batches of a step are answered in place: handing a small
-    /// one from thread to thread takes longer than its answers.
+    /// one from thread to thread takes longer than its answers. In a session of run_apart: in the calling thread.
     /// @throws Cancelled.
     template <typename Step>
     void repeat(const Step& step) {
@@ -120,40 +120,40 @@ class Session final : public Oracle {
     }
 
     /// Calls `work(session, k)` for k = 0 .. count - 1, in no particular order, on as many threads as the caller may
-    /// use. A call asks its own session, which answers in the call's thread; only `run` must not be called. The
+    /// use. A call asks its own session, which answers in the call's thread; `run` must not be called there. The
     /// engine is open to others every kOpenAfter. Not to be called on the engine's thread.
     /// @throws as parallel_for
     template <typename Work>
     void run_apart(int count, const Work& work) {
         std::vector<CountingAnswerer> answerers;
         run([&](Model& model) { answerers = answerers_of(model, std::min(count, thread_count())); });
-        EngineDoor door;
+        EngineGate gate;
         std::exception_ptr failure;
-        std::thread doorkeeper([&] {
+        std::thread keeper([&] {
             try {
                 for (bool more = true; more;) {
                     run([&](Model&) {
                         const OpenCascadeWait wait(progress_, progress_ != nullptr ? progress_->name() : "");
-                        more = door.let_in(kOpenAfter);
+                        more = gate.open_for(kOpenAfter);
                     });
                 }
             } catch (...) {
                 failure = std::current_exception();  // Thrown again below.
-                door.close();
+                gate.close();
             }
         });
         std::exception_ptr raised;
         try {
             const ThreadLimit limit(static_cast<int>(answerers.size()));
             parallel_for_on_threads(count, [&](int thread, int k) {
-                Session apart(*this, answerers[static_cast<std::size_t>(thread)], door);
+                Session apart(*this, answerers[static_cast<std::size_t>(thread)], gate);
                 work(apart, k);
             });
         } catch (...) {
             raised = std::current_exception();
         }
-        door.close();
-        doorkeeper.join();
+        gate.close();
+        keeper.join();
         for (const CountingAnswerer& answerer : answerers) {
             engine_.count_answered(answerer.count());
         }
@@ -185,7 +185,7 @@ class Session final : public Oracle {
                 continue;
             }
             for (int k = 0; k < chunks; ++k) {
-                const EngineDoor::Pass pass(door_);
+                const EngineGate::Entry entry(gate_);
                 one(*answerer_, k);
             }
         }
@@ -224,12 +224,12 @@ class Session final : public Oracle {
         std::uint64_t count_ = 0;
     };
 
-    Session(const Session& session, Answerer& answerer, EngineDoor& door)
+    Session(const Session& session, Answerer& answerer, EngineGate& gate)
         : engine_(session.engine_),
           model_(session.model_),
           progress_(session.progress_),
           answerer_(&answerer),
-          door_(&door) {}
+          gate_(&gate) {}
 
     static std::vector<CountingAnswerer> answerers_of(Model& model, int most) {
         std::vector<CountingAnswerer> answerers;
@@ -244,7 +244,7 @@ class Session final : public Oracle {
     std::shared_ptr<Model> model_;
     const Progress* progress_;
     Answerer* answerer_ = nullptr;  // null: the engine's thread answers
-    EngineDoor* door_ = nullptr;
+    EngineGate* gate_ = nullptr;
 };
 
 }  // namespace mq::geometry

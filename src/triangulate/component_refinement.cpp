@@ -33,7 +33,7 @@ class ComponentWork {
                   const geometry::Session& session)
         : component_(std::move(component)),
           session_(session),
-          progress_(whole.work().progress),
+          progress_(&whole.work().progress),
           maxmin_(component_.mesh),
           work_{session_,  whole.work().grid,  component_.mesh,       maxmin_,
                 progress_, whole.work().floor, whole.work().min_edge, whole.work().budget},
@@ -168,18 +168,19 @@ Works refined(Refinement& whole, const ChordErrorCache& measured, std::vector<Me
     Works works(components.size());
     const Workspace& work = whole.work();
     std::atomic<std::size_t> triangles{0};
-    std::atomic<std::size_t> begun{0};
+    std::atomic<std::size_t> done{0};  // triangles before refinement
     work.session.run_apart(static_cast<int>(works.size()), [&](geometry::Session& session, int k) {
         const auto i = static_cast<std::size_t>(k);
         if (triangles > work.budget) {
             return;
         }
-        begun += components[i].triangles.size();
+        const std::size_t before = components[i].triangles.size();
         works[i] = std::make_unique<ComponentWork>(std::move(components[i]), whole, measured, session);
         works[i]->run();
         const Workspace& refined = works[i]->work();
         triangles += refined.over_budget() ? work.budget + 1 : refined.triangles();
-        whole.work().progress.advance(static_cast<double>(begun) / static_cast<double>(work.triangles()));
+        done += before;
+        whole.work().progress.advance(static_cast<double>(done) / static_cast<double>(work.triangles()));
     });
     return triangles > work.budget ? Works() : std::move(works);
 }

@@ -2,10 +2,6 @@
 #include "triangulate/triangulate.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -29,7 +25,6 @@
 #include "triangulate/report/manifold_output.h"
 #include "triangulate/report/stage_meshes.h"
 #include "triangulate/sampling/sampling.h"
-#include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
 

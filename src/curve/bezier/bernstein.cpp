@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 
 #include "base/error.h"
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 
 namespace mq::curve {
 
@@ -55,7 +55,7 @@ Conversion conversion_of(const Lattice& lattice) {
 }
 
 const Conversion& conversion(const Lattice& lattice) {
-    static const auto& all = immortal([] {
+    static const auto& all = never_destroyed([] {
         std::vector<Conversion> list;
         for (int dimension = 1; dimension <= 3; ++dimension) {
             for (int order = 1; order <= kMaxOrder; ++order) {
@@ -140,7 +140,7 @@ ProductTable::ProductTable(int dimension, int m, int n) {
 }
 
 const ProductTable& ProductTable::of(int dimension, int m, int n) {
-    static const auto& all = immortal(all_products());
+    static const auto& all = never_destroyed(all_products());
     if (m > kMaxFactor || n > kMaxFactor || m + n > kMaxDegree) {
         throw InvalidInput("no table for a product of degrees " + std::to_string(m) + " and " + std::to_string(n));
     }

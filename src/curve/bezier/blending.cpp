@@ -3,7 +3,7 @@
 
 #include <Eigen/QR>
 
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 
 namespace mq::curve {
 
@@ -139,12 +139,12 @@ std::vector<Blend> for_orders(int dimension, Make&& make) {
 }
 
 const Blend& triangle_blend_of(int order) {
-    static const auto& all = immortal(for_orders(2, triangle_blend));
+    static const auto& all = never_destroyed(for_orders(2, triangle_blend));
     return all[static_cast<std::size_t>(order)];
 }
 
 const Blend& tetrahedron_blend_of(int order) {
-    static const auto& all = immortal(for_orders(3, tetrahedron_blend));
+    static const auto& all = never_destroyed(for_orders(3, tetrahedron_blend));
     return all[static_cast<std::size_t>(order)];
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 
 namespace mq::curve {
 
@@ -18,13 +18,13 @@ struct Convention {
 };
 
 const Convention& gmsh_convention() {
-    static const auto& convention = immortal<Convention>(
+    static const auto& convention = never_destroyed<Convention>(
         {{{0, 1}, {1, 2}, {2, 0}, {3, 0}, {3, 2}, {3, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {3, 1, 2}}});
     return convention;
 }
 
 const Convention& vtk_convention() {
-    static const auto& convention = immortal<Convention>(
+    static const auto& convention = never_destroyed<Convention>(
         {{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}, {{0, 1, 3}, {2, 3, 1}, {0, 3, 2}, {0, 2, 1}}});
     return convention;
 }

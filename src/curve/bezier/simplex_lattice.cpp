@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 
 namespace mq::curve {
 
@@ -57,7 +57,7 @@ Lattice::Lattice(int dimension, int degree) : dimension_(dimension), degree_(deg
 }
 
 const Lattice& Lattice::of(int dimension, int degree) {
-    static const auto& all = immortal(all_lattices());
+    static const auto& all = never_destroyed(all_lattices());
     if (dimension < 1 || dimension > 3 || degree < 0 || degree > kMaxDegree) {
         throw InvalidInput("no polynomials of degree " + std::to_string(degree) + " on simplices of dimension " +
                            std::to_string(dimension) + ": degrees go from 0 to " + std::to_string(kMaxDegree));

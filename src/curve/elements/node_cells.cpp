@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 #include "curve/bezier/simplex_lattice.h"
 #include "curve/elements/reference_nodes.h"
 
@@ -62,7 +62,7 @@ Cells cells_of(ElementKind kind, int order) {
 }  // namespace
 
 const Cells& node_cells(ElementKind kind, int order) {
-    static const auto& all = immortal([] {
+    static const auto& all = never_destroyed([] {
         std::vector<Cells> cells;
         for (const ElementKind solid : kSolids) {
             for (int p = 1; p <= kMaxOrder; ++p) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 
 namespace mq::curve {
 
@@ -12,7 +12,7 @@ namespace {
 /// The lattice of a factor. Lines need degrees beyond those of simplices: the Jacobian of a hexahedron of order 5 has
 /// degree 14 along each axis.
 const Lattice& lattice_of(const ProductLattice::Factor& factor) {
-    static const auto& lines = immortal([] {
+    static const auto& lines = never_destroyed([] {
         std::vector<Lattice> all;
         for (int degree = 0; degree < 3 * kMaxOrder; ++degree) {
             all.emplace_back(1, degree);

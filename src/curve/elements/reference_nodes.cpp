@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 #include "curve/bezier/node_orders.h"
 
 namespace mq::curve {
@@ -185,7 +185,7 @@ void append_solid(ElementKind kind, const Points& corners, int order, Points& ou
 }  // namespace
 
 const ElementSides& sides_of(ElementKind kind) {
-    static const auto& sides = immortal<std::array<ElementSides, 6>>({{
+    static const auto& sides = never_destroyed<std::array<ElementSides, 6>>({{
         {{{0, 1}, {1, 2}, {2, 0}}, {{0, 1, 2}}},
         {{{0, 1}, {1, 2}, {2, 3}, {3, 0}}, {{0, 1, 2, 3}}},
         {{{0, 1}, {1, 2}, {2, 0}, {3, 0}, {3, 2}, {3, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {3, 1, 2}}},

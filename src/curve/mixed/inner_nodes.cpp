@@ -6,7 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 #include "curve/bezier/blending.h"
 #include "curve/bezier/node_orders.h"
 #include "curve/elements/reference_nodes.h"
@@ -168,7 +168,7 @@ std::vector<int> inner_of(ElementKind kind, int order) {
 
 const Blending& Blending::of(ElementKind kind, int order) {
     static std::mutex mutex;
-    static auto& known = immortal<std::map<std::pair<ElementKind, int>, Blending>>({});
+    static auto& known = never_destroyed<std::map<std::pair<ElementKind, int>, Blending>>({});
     const std::lock_guard<std::mutex> lock(mutex);
     const auto [found, fresh] = known.try_emplace({kind, order});
     if (fresh) {

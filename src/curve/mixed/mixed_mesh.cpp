@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 #include "curve/elements/reference_nodes.h"
 
 namespace mq::curve {
@@ -97,7 +97,7 @@ std::size_t orient_elements(MixedMesh& mesh) {
     if (!mesh.has_volume()) {
         return 0;
     }
-    static const auto& mirrored = immortal<std::map<ElementKind, std::array<std::size_t, 8>>>(
+    static const auto& mirrored = never_destroyed<std::map<ElementKind, std::array<std::size_t, 8>>>(
         {{ElementKind::Tetrahedron, {0, 1, 3, 2, 4, 5, 6, 7}},
          {ElementKind::Pyramid, {0, 3, 2, 1, 4, 5, 6, 7}},
          {ElementKind::Prism, {3, 4, 5, 0, 1, 2, 6, 7}},

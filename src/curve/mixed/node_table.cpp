@@ -7,7 +7,7 @@
 #include <mutex>
 #include <utility>
 
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 #include "curve/elements/reference_nodes.h"
 
 namespace mq::curve {
@@ -71,7 +71,7 @@ Eigen::MatrixXd weights_of(ElementKind kind, int order) {
 
 const Eigen::MatrixXd& corner_weights(ElementKind kind, int order) {
     static std::mutex mutex;
-    static auto& known = immortal<std::map<std::pair<ElementKind, int>, Eigen::MatrixXd>>({});
+    static auto& known = never_destroyed<std::map<std::pair<ElementKind, int>, Eigen::MatrixXd>>({});
     const std::lock_guard<std::mutex> lock(mutex);
     const auto [at, fresh] = known.try_emplace({kind, order});
     if (fresh) {

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <utility>
 
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 #include "curve/bezier/bernstein.h"
 #include "curve/elements/element_derivatives.h"
 
@@ -67,7 +67,7 @@ SampledJacobian::SampledJacobian(ElementKind kind, int order) {
 
 const SampledJacobian& SampledJacobian::of(ElementKind kind, int order) {
     static std::mutex mutex;
-    static auto& known = immortal<std::map<std::pair<ElementKind, int>, std::unique_ptr<SampledJacobian>>>({});
+    static auto& known = never_destroyed<std::map<std::pair<ElementKind, int>, std::unique_ptr<SampledJacobian>>>({});
     const std::lock_guard<std::mutex> lock(mutex);
     std::unique_ptr<SampledJacobian>& made = known[{kind, order}];
     if (!made) {

@@ -8,8 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/memory/immortal.h"
 #include "base/key_set.h"
+#include "base/memory/never_destroyed.h"
 #include "curve/elements/reference_nodes.h"
 
 namespace mq::curve {
@@ -117,8 +117,8 @@ class EdgeRows {
 /// The face of a prism or a hexahedron that lies opposite to one with these corners, with its corners in the same
 /// columns; empty where it is a side of a prism, or the element has no such faces.
 Corners opposite_face(const MixedElement& element, const Corners& face) {
-    static const auto& prism = immortal<std::vector<std::array<std::size_t, 2>>>({{0, 3}, {1, 4}, {2, 5}});
-    static const auto& hexahedron = immortal<std::array<std::vector<std::array<std::size_t, 2>>, 3>>({{
+    static const auto& prism = never_destroyed<std::vector<std::array<std::size_t, 2>>>({{0, 3}, {1, 4}, {2, 5}});
+    static const auto& hexahedron = never_destroyed<std::array<std::vector<std::array<std::size_t, 2>>, 3>>({{
         {{0, 1}, {3, 2}, {4, 5}, {7, 6}},
         {{0, 3}, {1, 2}, {4, 7}, {5, 6}},
         {{0, 4}, {1, 5}, {2, 6}, {3, 7}},

@@ -17,9 +17,9 @@ struct MeshComponent {
     std::vector<int> segments;   ///< the same of its segments
 };
 
-/// Divides a mesh into its connected components, the most laborious one first: triangles with a common vertex, or on
-/// faces of one body, are in the same one. Where there are more of them than `most`, small ones are together. No index
-/// may be unused.
+/// Divides a mesh into its connected components, the one with most expected work first: triangles with a common vertex,
+/// or on faces of one body, are in the same one. Where there are more of them than `most`, small ones are together. No
+/// index may be unused.
 /// @param bodies  by CAD face: a number from 0 on, the same for the faces of a body, below the number of faces
 /// @param work  by triangle: the work that is expected on it, in any unit
 /// @param largest  fraction of the work that one component may have; none are returned where one has more

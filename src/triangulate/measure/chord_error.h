@@ -65,7 +65,7 @@ class ChordErrorCache {
 
     /// Follows ClassifiedMesh::renumber_edges.
     void renumber(const LargeVector<int>& renewed) { move_to_numbers(renewed, known_); }
-    /// Discards all measurements of edges and vertices, and frees their memory.
+    /// Discards the measurements of edges by number and those of vertices, and frees their memory.
     void clear() {
         known_ = {};
         site_offsets_ = {};

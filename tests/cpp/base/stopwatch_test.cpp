@@ -35,5 +35,28 @@ TEST(Stopwatch, WaitingTakesWallClockTimeOnly) {
     EXPECT_LT(watch.cpu(), watch.wall());
 }
 
+TEST(StageClock, AStageThatRunsAgainAddsToItsTime) {
+    StageTimes times;
+    StageClock clock(times);
+    clock.end("first");
+    clock.end("second");
+    const double before = times[0].second;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    clock.end("first");
+    ASSERT_EQ(times.size(), 2U);
+    EXPECT_EQ(times[0].first, "first");
+    EXPECT_GE(times[0].second, before + 0.005);
+}
+
+TEST(StageClock, StagesThatRanSideBySideShareTheTime) {
+    StageTimes times;
+    StageClock clock(times);
+    std::this_thread::sleep_for(std::chrono::milliseconds(8));
+    clock.end_together({{"first", 1.0}, {"second", 2.0}, {"first", 1.0}});
+    ASSERT_EQ(times.size(), 2U);
+    EXPECT_GE(times[0].second, 0.004);
+    EXPECT_DOUBLE_EQ(times[0].second, times[1].second);
+}
+
 }  // namespace
 }  // namespace mq

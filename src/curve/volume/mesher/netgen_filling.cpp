@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/child_process.h"
-#include "base/memory/immortal.h"
+#include "base/memory/never_destroyed.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/volume/mesher/filling_answer.h"
 #include "curve/volume/mesher/filling_check.h"
@@ -16,7 +16,7 @@ namespace mq::curve {
 namespace {
 
 std::string& fill_program() {
-    static auto& path = immortal<std::string>({});
+    static auto& path = never_destroyed<std::string>({});
     return path;
 }
 

@@ -119,14 +119,14 @@ TEST(MeshComponents, FacesOfABodyAreTogether) {
     EXPECT_EQ(found[0].mesh.face_of(6), 2);
 }
 
-TEST(MeshComponents, TheMostLaboriousOneIsTheFirst) {
+TEST(MeshComponents, TheOneWithMostWorkIsTheFirst) {
     std::vector<double> work(7, 1.0);
     work[5] = 4.0;
     EXPECT_EQ(sizes(divide(rings({4, 3}), apart(2), work, 10, 1.0)), (std::vector<std::size_t>{3, 4}));
     EXPECT_TRUE(divide(rings({4, 3}), apart(2), work, 10, 0.59).empty());
 }
 
-TEST(MeshComponents, NoneWhereOneHasMoreTrianglesThanAllowed) {
+TEST(MeshComponents, NoneWhereOneIsMoreWorkThanAllowed) {
     EXPECT_TRUE(divide_evenly(rings({9, 3}), apart(2), 10, 0.74).empty());
     EXPECT_EQ(divide_evenly(rings({9, 3}), apart(2), 10, 0.75).size(), 2U);
     EXPECT_TRUE(divide_evenly(ClassifiedMesh(), {}, 10, 1.0).empty());
@@ -156,7 +156,7 @@ TEST(MeshComponents, JoinedUnchangedTheyAreTheMesh) {
 
 TEST(MeshComponents, ChangesOfSeveralAreJoined) {
     const ClassifiedMesh mesh = rings({3, 5});
-    std::vector<MeshComponent> found = divide_evenly(mesh, apart(3), 10, 1.0);
+    std::vector<MeshComponent> found = divide_evenly(mesh, apart(2), 10, 1.0);
     for (MeshComponent& component : found) {
         ClassifiedMesh& own = component.mesh;
         const int inside =

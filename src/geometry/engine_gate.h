@@ -9,34 +9,34 @@
 
 namespace mq::geometry {
 
-/// Lets threads answer queries themselves while the engine's thread waits at the door, for a short time after which it
+/// Lets threads answer queries themselves while the engine's thread waits at the gate, for a short time after which it
 /// is open to others. In between they wait with their next question.
-class EngineDoor {
+class EngineGate {
   public:
-    /// Keeps the engine's thread waiting while the object lives; none if there is no door.
-    class Pass {
+    /// Keeps the engine's thread waiting while the object lives, if there is a gate. A thread has one at a time.
+    class Entry {
       public:
         /// @throws Cancelled when the engine's thread does not come any more
-        explicit Pass(EngineDoor* door) : door_(door) {
-            if (door_ != nullptr) {
-                door_->enter();
+        explicit Entry(EngineGate* gate) : gate_(gate) {
+            if (gate_ != nullptr) {
+                gate_->enter();
             }
         }
-        ~Pass() {
-            if (door_ != nullptr) {
-                door_->leave();
+        ~Entry() {
+            if (gate_ != nullptr) {
+                gate_->leave();
             }
         }
-        Pass(const Pass&) = delete;
-        Pass& operator=(const Pass&) = delete;
+        Entry(const Entry&) = delete;
+        Entry& operator=(const Entry&) = delete;
 
       private:
-        EngineDoor* door_;
+        EngineGate* gate_;
     };
 
     /// On the engine's thread: lets the others in for this time, or until `close`, and waits until all have left.
     /// @return whether they will come again
-    bool let_in(std::chrono::milliseconds time) {
+    bool open_for(std::chrono::milliseconds time) {
         std::unique_lock<std::mutex> lock(mutex_);
         open_ = true;
         changed_.notify_all();
