@@ -396,11 +396,11 @@ Answer AnalyticModel::face_nearest(const Query& query, bool global) const {
             box.high[1] = face.high[1];
         }
     }
-    const auto uv = surfaces_[i].nearest(query.point, box, guess);
-    if (!uv) {
+    const auto foot = surfaces_[i].nearest(query.point, box, guess);
+    if (!foot) {
         return with_status(Status::NotFound);
     }
-    Answer answer = face_point(query.index, uv->x(), uv->y());
+    Answer answer = face_point(query.index, foot->uv.x(), foot->uv.y());
     answer.distance = (answer.point - query.point).norm();
     return answer;
 }

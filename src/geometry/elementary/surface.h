@@ -18,6 +18,12 @@ struct SurfacePoint {
     Vec3 svv = Vec3::Zero();
 };
 
+/// The nearest point of a surface.
+struct SurfaceFoot {
+    Vec2 uv = Vec2::Zero();
+    SurfacePoint at;  ///< point and first derivatives
+};
+
 /// A box of the parameter domain.
 struct ParameterBox {
     std::array<double, 2> low{0.0, 0.0};
@@ -40,10 +46,10 @@ struct ElementarySurface {
 
     SurfacePoint at(double u, double v) const;
 
-    /// (u, v) of the point of the surface within `box` that is nearest to `p`; the box is no wider than a period. Where
+    /// The point of the surface within `box` that is nearest to `p`; the box is no wider than a period. Where
     /// every u or v is equally near (on an axis) that of `guess` is taken. Empty where all points of the surface are
     /// equally near: at the centre of a sphere.
-    std::optional<Vec2> nearest(const Vec3& p, const ParameterBox& box, const Vec2& guess) const;
+    std::optional<SurfaceFoot> nearest(const Vec3& p, const ParameterBox& box, const Vec2& guess) const;
 };
 
 /// `angle` moved by multiples of `period` into [near - period/2, near + period/2].

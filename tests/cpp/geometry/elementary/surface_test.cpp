@@ -57,10 +57,13 @@ TEST(ElementarySurface, APointAboveItIsNearestToWhereItStands) {
         for (int i = 0; i < 200; ++i) {
             const Vec2 uv(turn(random), latitude(random));
             const SurfacePoint at = s.at(uv.x(), uv.y());
-            const std::optional<Vec2> found =
+            const std::optional<SurfaceFoot> found =
                 s.nearest(at.point + height(random) * at.su.cross(at.sv).normalized(), box, uv);
             ASSERT_TRUE(found);
-            EXPECT_LT((*found - uv).norm(), 1e-9) << static_cast<int>(kind);
+            EXPECT_LT((found->uv - uv).norm(), 1e-9) << static_cast<int>(kind);
+            EXPECT_LT((found->at.point - at.point).norm(), 1e-12);
+            EXPECT_LT((found->at.su - at.su).norm(), 1e-12);
+            EXPECT_LT((found->at.sv - at.sv).norm(), 1e-12);
         }
     }
 }
@@ -68,20 +71,21 @@ TEST(ElementarySurface, APointAboveItIsNearestToWhereItStands) {
 TEST(ElementarySurface, AnswersLieWithinTheBox) {
     const ElementarySurface cylinder = surface_of(Kind::Cylinder);
     const ParameterBox box{{0.0, 0.0}, {1.0, 2.0}};
-    const std::optional<Vec2> above = cylinder.nearest(cylinder.at(0.5, 7.0).point, box, Vec2(0.5, 1.0));
+    const std::optional<SurfaceFoot> above = cylinder.nearest(cylinder.at(0.5, 7.0).point, box, Vec2(0.5, 1.0));
     ASSERT_TRUE(above);
-    EXPECT_LT((*above - Vec2(0.5, 2.0)).norm(), 1e-12);
-    const std::optional<Vec2> aside = cylinder.nearest(cylinder.at(1.3, 1.0).point, box, Vec2(0.5, 1.0));
+    EXPECT_LT((above->uv - Vec2(0.5, 2.0)).norm(), 1e-12);
+    const std::optional<SurfaceFoot> aside = cylinder.nearest(cylinder.at(1.3, 1.0).point, box, Vec2(0.5, 1.0));
     ASSERT_TRUE(aside);
-    EXPECT_LT((*aside - Vec2(1.0, 1.0)).norm(), 1e-12);
+    EXPECT_LT((aside->uv - Vec2(1.0, 1.0)).norm(), 1e-12);
+    EXPECT_LT((aside->at.point - cylinder.at(1.0, 1.0).point).norm(), 1e-12);
 }
 
 TEST(ElementarySurface, WhereAllPointsAreEquallyNearTheGuessDecidesOrNothing) {
     const ParameterBox box{{0.0, -1.5}, {2.0 * M_PI, 1.5}};
     const ElementarySurface cylinder = surface_of(Kind::Cylinder);
-    const std::optional<Vec2> on_axis = cylinder.nearest(cylinder.origin + 0.5 * cylinder.z, box, Vec2(2.5, 0.0));
+    const std::optional<SurfaceFoot> on_axis = cylinder.nearest(cylinder.origin + 0.5 * cylinder.z, box, Vec2(2.5, 0.0));
     ASSERT_TRUE(on_axis);
-    EXPECT_DOUBLE_EQ(on_axis->x(), 2.5);
+    EXPECT_DOUBLE_EQ(on_axis->uv.x(), 2.5);
     const ElementarySurface sphere = surface_of(Kind::Sphere);
     EXPECT_FALSE(sphere.nearest(sphere.origin, box, Vec2(1.0, 0.0)));
 }
