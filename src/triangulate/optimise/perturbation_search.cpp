@@ -48,10 +48,11 @@ std::vector<double> angles_now(const ClassifiedMesh& mesh, const EditTransaction
 
 }  // namespace
 
-// Perturbs at all remaining triangles, the smallest deficit first, since it is the easiest to remove.
+// Perturbs at all remaining triangles, the smallest deficit first, since it is the easiest to remove. Ends when attempts
+// in vain exceed a multiple of those that led to a change, so that the search takes at most that multiple of the time
+// of its useful part, besides a constant.
 bool CavityOptimiser::perturb_all() {
     bool changed = false;
-    int left = OptimisationTuning::kSearchAttempts;
     for (bool again = true; again;) {  // undoing changes the indices of triangles
         again = false;
         std::vector<std::pair<double, int>> bad;
@@ -62,7 +63,7 @@ bool CavityOptimiser::perturb_all() {
         const int share = std::max(OptimisationTuning::kLeastShare,
                                    OptimisationTuning::kSearchAttempts / std::max(1, static_cast<int>(bad.size())));
         for (const auto& [angle, triangle] : bad) {
-            if (left <= 0 || attempts_of_all_ == 0 || work_.over_budget()) {
+            if (vain_attempts_left_ <= 0 || attempts_of_all_ == 0 || work_.over_budget()) {
                 return changed;
             }
             const int t = triangle;
@@ -75,9 +76,9 @@ bool CavityOptimiser::perturb_all() {
             if (escape(t)) {
                 keep(reason);
                 changed = true;
-                left = OptimisationTuning::kSearchAttempts;
+                vain_attempts_left_ += OptimisationTuning::kVainAttempts * (share - attempts_of_search_);
             } else {
-                left -= share - attempts_of_search_;
+                vain_attempts_left_ -= share - attempts_of_search_;
             }
         }
     }

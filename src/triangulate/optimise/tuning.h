@@ -61,9 +61,11 @@ struct OptimisationTuning {
     static constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};
     /// Positions tried for one vertex on a CAD edge.
     MESHQUALITY_TUNED(std::size_t, kMaxPositions, 3);
-    /// Attempts without success, perturbations and repairs after them, that end the search by perturbations. The
-    /// triangles left share them.
+    /// Attempts in vain, perturbations and repairs after them, that the search by perturbations may make besides a
+    /// multiple of the useful ones. The triangles left share them.
     MESHQUALITY_TUNED(int, kSearchAttempts, 20'000);
+    /// That multiple: attempts in vain for each one that led to a change.
+    MESHQUALITY_TUNED(int, kVainAttempts, 4);
     /// Least share of a triangle.
     MESHQUALITY_TUNED(int, kLeastShare, 600);
     /// Local repairs of each kind after a perturbation.
