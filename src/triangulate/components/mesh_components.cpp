@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 #include "base/disjoint_sets.h"
-#include "base/parallel.h"
 
 namespace mq::triangulate {
 
@@ -25,59 +23,23 @@ int index_in(const std::vector<int>& list, int value) {
     return static_cast<int>(std::lower_bound(list.begin(), list.end(), value) - list.begin());
 }
 
-/// Triangles of one component, and the work that is expected on them.
-struct Share {
-    double work = 0.0;
-    std::vector<int> triangles;
-};
-
-bool more_work(const Share& a, const Share& b) {
+template <typename Item>
+bool more_work(const Item& a, const Item& b) {
     return a.work > b.work;
 }
 
-DisjointSets<int> joined_vertices(const ClassifiedMesh& mesh, const std::vector<int>& bodies) {
+DisjointSets<int> joined_vertices(const ClassifiedMesh& mesh, const std::vector<int>& together) {
     DisjointSets<int> joined(static_cast<std::size_t>(mesh.vertex_count()));
     for (int h = 0; h < mesh.half_edge_count(); ++h) {
         joined.unite(mesh.vertex_of(h), mesh.vertex_of(ClassifiedMesh::next(h)));
     }
-    std::vector<int> first(bodies.size(), -1);  // by body: a vertex
+    std::vector<int> first(together.size(), -1);  // by number of faces: a vertex
     for (int t = 0; t < mesh.triangle_count(); ++t) {
-        int& vertex = first[static_cast<std::size_t>(bodies[static_cast<std::size_t>(mesh.face_of(t))])];
+        int& vertex = first[static_cast<std::size_t>(together[static_cast<std::size_t>(mesh.face_of(t))])];
         vertex = vertex < 0 ? mesh.vertex_of(3 * t) : vertex;
         joined.unite(vertex, mesh.vertex_of(3 * t));
     }
     return joined;
-}
-
-// Returns the components, the one with most work first, with the smallest ones together where there are many.
-std::vector<Share> shares(const ClassifiedMesh& mesh, const std::vector<int>& bodies, const std::vector<double>& work,
-                          std::size_t most) {
-    DisjointSets<int> joined = joined_vertices(mesh, bodies);
-    std::vector<int> component_at(static_cast<std::size_t>(mesh.vertex_count()), -1);
-    std::vector<Share> result;
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-        int& component = component_at[static_cast<std::size_t>(joined.find(mesh.vertex_of(3 * t)))];
-        if (component < 0) {
-            component = static_cast<int>(result.size());
-            result.emplace_back();
-        }
-        Share& share = result[static_cast<std::size_t>(component)];
-        share.work += work[static_cast<std::size_t>(t)];
-        share.triangles.push_back(t);
-    }
-    std::stable_sort(result.begin(), result.end(), more_work);
-    for (; result.size() > most; result.pop_back()) {  // goes to the smallest one that stays
-        const Share& last = result.back();
-        Share& smallest =
-            *std::max_element(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(most), more_work);
-        smallest.work += last.work;
-        smallest.triangles.insert(smallest.triangles.end(), last.triangles.begin(), last.triangles.end());
-    }
-    for (Share& share : result) {
-        std::sort(share.triangles.begin(), share.triangles.end());
-    }
-    std::stable_sort(result.begin(), result.end(), more_work);
-    return result;
 }
 
 void add_corners(const ClassifiedMesh& mesh, MeshComponent& component) {
@@ -103,42 +65,11 @@ void add_corners(const ClassifiedMesh& mesh, MeshComponent& component) {
     }
 }
 
-MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles) {
-    MeshComponent component;
-    component.triangles = std::move(triangles);
-    add_corners(mesh, component);
-    const auto here = [&](int h) { return 3 * index_in(component.triangles, ClassifiedMesh::triangle_of(h)) + h % 3; };
-    for (const int t : component.triangles) {
-        std::array<int, 3> corners{};
-        for (int k = 0; k < 3; ++k) {
-            corners[static_cast<std::size_t>(k)] = index_in(component.sites, mesh.site_of(3 * t + k));
-        }
-        component.mesh.add_triangle(corners, mesh.face_of(t));
-    }
-    for (const int t : component.triangles) {
-        for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            if (h < mesh.twin(h)) {
-                component.mesh.link(here(h), here(mesh.twin(h)));
-            }
-        }
-    }
-    for (const int s : component.segments) {
-        const ClassifiedMesh::Segment& segment = mesh.segment(s);
-        const int added = component.mesh.add_segment(
-            segment.edge,
-            {index_in(component.vertices, segment.vertices[0]), index_in(component.vertices, segment.vertices[1])},
-            segment.t);
-        for (const ClassifiedMesh::SegmentUse& use : segment.uses) {
-            component.mesh.bind(here(use.half_edge), added, use.use);
-        }
-    }
-    return component;
-}
-
 // The indices of a component's entities in the whole mesh: the former ones keep theirs, the others are appended.
 std::vector<int> indices(std::vector<int> former, int count, int& next) {
-    while (static_cast<int>(former.size()) < count) {
-        former.push_back(next++);
+    former.resize(static_cast<std::size_t>(count), -1);
+    for (int& index : former) {
+        index = index < 0 ? next++ : index;
     }
     return former;
 }
@@ -229,7 +160,8 @@ class Joining {
     void add_segments(int count) {
         std::vector<ClassifiedMesh::Segment> segments(static_cast<std::size_t>(count));
         for (int s = 0; s < divided_.segment_count(); ++s) {
-            segments[static_cast<std::size_t>(s)] = divided_.segment(s);
+            const ClassifiedMesh::Segment& segment = divided_.segment(s);
+            segments[static_cast<std::size_t>(s)] = {segment.edge, segment.vertices, segment.t, {}};
         }
         for_each(segments_, [&](std::size_t c, int here, int whole) {
             ClassifiedMesh::Segment segment = changed_[c]->mesh.segment(here);
@@ -259,18 +191,78 @@ class Joining {
 
 }  // namespace
 
-std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, const std::vector<int>& bodies,
-                                  const std::vector<double>& work, std::size_t most, double largest) {
-    std::vector<Share> divided = shares(mesh, bodies, work, most);
-    if (divided.empty() || divided.front().work > largest * std::accumulate(work.begin(), work.end(), 0.0)) {
-        return {};
+std::vector<MeshBody> bodies_of(const ClassifiedMesh& mesh, const std::vector<int>& together,
+                                const std::vector<double>& work) {
+    DisjointSets<int> joined = joined_vertices(mesh, together);
+    std::vector<int> body_at(static_cast<std::size_t>(mesh.vertex_count()), -1);
+    std::vector<MeshBody> result;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        int& body = body_at[static_cast<std::size_t>(joined.find(mesh.vertex_of(3 * t)))];
+        if (body < 0) {
+            body = static_cast<int>(result.size());
+            result.emplace_back();
+        }
+        result[static_cast<std::size_t>(body)].work += work[static_cast<std::size_t>(t)];
+        result[static_cast<std::size_t>(body)].triangles.push_back(t);
     }
-    std::vector<MeshComponent> result(divided.size());
-    parallel_for(static_cast<int>(result.size()), [&](int k) {
-        const auto i = static_cast<std::size_t>(k);
-        result[i] = component_of(mesh, std::move(divided[i].triangles));
-    });
+    std::stable_sort(result.begin(), result.end(), more_work<MeshBody>);
     return result;
+}
+
+std::vector<std::vector<int>> groups_of(const std::vector<double>& work, std::size_t most) {
+    struct Group {
+        double work;
+        std::vector<int> items;
+    };
+    std::vector<Group> groups;
+    for (std::size_t i = 0; i < work.size(); ++i) {
+        groups.push_back({work[i], {static_cast<int>(i)}});
+    }
+    for (; groups.size() > most; groups.pop_back()) {  // goes to the smallest one that stays
+        const Group& last = groups.back();
+        Group& smallest =
+            *std::max_element(groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(most), more_work<Group>);
+        smallest.work += last.work;
+        smallest.items.insert(smallest.items.end(), last.items.begin(), last.items.end());
+    }
+    std::stable_sort(groups.begin(), groups.end(), more_work<Group>);
+    std::vector<std::vector<int>> result;
+    for (Group& group : groups) {
+        result.push_back(std::move(group.items));
+    }
+    return result;
+}
+
+MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles) {
+    MeshComponent component;
+    component.triangles = std::move(triangles);
+    add_corners(mesh, component);
+    const auto here = [&](int h) { return 3 * index_in(component.triangles, ClassifiedMesh::triangle_of(h)) + h % 3; };
+    for (const int t : component.triangles) {
+        std::array<int, 3> corners{};
+        for (int k = 0; k < 3; ++k) {
+            corners[static_cast<std::size_t>(k)] = index_in(component.sites, mesh.site_of(3 * t + k));
+        }
+        component.mesh.add_triangle(corners, mesh.face_of(t));
+    }
+    for (const int t : component.triangles) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (h < mesh.twin(h)) {
+                component.mesh.link(here(h), here(mesh.twin(h)));
+            }
+        }
+    }
+    for (const int s : component.segments) {
+        const ClassifiedMesh::Segment& segment = mesh.segment(s);
+        const int added = component.mesh.add_segment(
+            segment.edge,
+            {index_in(component.vertices, segment.vertices[0]), index_in(component.vertices, segment.vertices[1])},
+            segment.t);
+        for (const ClassifiedMesh::SegmentUse& use : segment.uses) {
+            component.mesh.bind(here(use.half_edge), added, use.use);
+        }
+    }
+    return component;
 }
 
 JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed) {
