@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -59,23 +61,31 @@ std::vector<int> faces_together(const geometry::Topology& topology) {
 }
 
 // Estimates how many triangles one becomes. Edges over a surface that bends by k per mm get a length of sqrt(8 h / k)
-// at the chord tolerance h; equilateral triangles with these have an area of 3.5 h / k.
-double triangles_expected(const ClassifiedMesh& mesh, int triangle, double chord) {
+// at the chord tolerance h, and of w / k at the largest turn w; bounds on edges are lengths themselves. Equilateral
+// triangles with edges of length l have an area of 0.43 l^2.
+double triangles_expected(const ClassifiedMesh& mesh, int triangle, const Sizing& sizing) {
+    constexpr double kOfEquilateral = 0.25 * 1.7320508075688772;
     double bend = 0.0;
-    for (int h = 3 * triangle; chord > 0.0 && h < 3 * triangle + 3; ++h) {
+    double longest = std::numeric_limits<double>::infinity();
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         const Vec3& normal = mesh.site(mesh.site_of(h)).normal;
         const Vec3& other = mesh.site(mesh.site_of(ClassifiedMesh::next(h))).normal;
         const double length = side_length(mesh, h);
         bend = length > 0.0 ? std::max(bend, angle_between(normal, other) / length) : bend;
+        longest = sizing.bounds.any() ? std::min(longest, sizing.bounds.of(mesh, h)) : longest;
+    }
+    if (bend > 0.0) {
+        longest = sizing.tolerance > 0.0 ? std::min(longest, std::sqrt(8.0 * sizing.tolerance / bend)) : longest;
+        longest = sizing.turn > 0.0 ? std::min(longest, sizing.turn / bend) : longest;
     }
     const double area = 0.5 * doubled_area(mesh, triangle).norm();
-    return chord > 0.0 ? 1.0 + area * bend / (3.5 * chord) : 1.0;
+    return 1.0 + area / (kOfEquilateral * longest * longest);
 }
 
-std::vector<double> work_expected(const ClassifiedMesh& mesh, double chord) {
+std::vector<double> work_expected(const ClassifiedMesh& mesh, const Sizing& sizing) {
     std::vector<double> work;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
-        work.push_back(triangles_expected(mesh, t, chord));
+        work.push_back(triangles_expected(mesh, t, sizing));
     }
     return work;
 }
@@ -150,7 +160,13 @@ class BodyRefinement {
             return {};
         }
         cut_out_originals(works);
+        if (count_triangles(works) + triangles_of_copies() > work_.budget) {
+            return {};
+        }
         std::vector<Works> copies(copies_.size());
+        if (copies_.empty()) {
+            return works;
+        }
         for_each(copies_, [&](geometry::Session& session, const Progress& progress, std::size_t i) {
             copies[i] = place(session, progress, copies_[i]);
         });
@@ -161,13 +177,13 @@ class BodyRefinement {
     }
 
   private:
-    using Group = std::vector<int>;  // of bodies
+    using Group = std::vector<int>;  // bodies
 
     std::vector<Group> groups(bool of_copies) const {
         std::vector<double> work;
         Group members;
         for (std::size_t b = 0; b < bodies_.size(); ++b) {
-            if ((equal_.original[b] >= 0) == of_copies) {
+            if (is_copy(b) == of_copies) {
                 members.push_back(static_cast<int>(b));
                 work.push_back(bodies_[b].work);
             }
@@ -178,6 +194,13 @@ class BodyRefinement {
                            [&](int i) { return members[static_cast<std::size_t>(i)]; });
         }
         return result;
+    }
+
+    // Bodies with triangles from an earlier run are nearly done, and keep these.
+    bool is_copy(std::size_t b) const {
+        const std::vector<int>& triangles = bodies_[b].triangles;
+        return equal_.original[b] >= 0 && std::none_of(triangles.begin(), triangles.end(),
+                                                       [&](int t) { return work_.settled.marked(work_.mesh, t); });
     }
 
     const MeshBody& body(int b) const { return bodies_[static_cast<std::size_t>(b)]; }
@@ -211,6 +234,20 @@ class BodyRefinement {
         return triangles;
     }
 
+    const RefinedBody& original_of(int copy) const {
+        return refined_[static_cast<std::size_t>(equal_.original[static_cast<std::size_t>(copy)])];
+    }
+
+    std::size_t triangles_of_copies() const {
+        std::size_t triangles = 0;
+        for (const Group& group : copies_) {
+            for (const int b : group) {
+                triangles += static_cast<std::size_t>(original_of(b).mesh.triangle_count());
+            }
+        }
+        return triangles;
+    }
+
     bool over_budget(const Works& works) const {
         return count_triangles(works) > work_.budget ||
                std::any_of(works.begin(), works.end(),
@@ -225,15 +262,15 @@ class BodyRefinement {
         for (std::size_t i = 0; i < groups.size(); ++i) {
             progress.push_back(std::make_unique<Progress>(&work_.progress));
         }
-        if (groups.empty()) {
-            return;
-        }
+        const auto end_from = [&](int k) {
+            std::for_each(progress.begin() + k, progress.end(), [](const auto& later) { later->cancel(); });
+        };
         work_.session.run_apart(static_cast<int>(groups.size()), [&](geometry::Session& session, int k) {
             const auto i = static_cast<std::size_t>(k);
             try {
                 refine(session, *progress[i], i);
             } catch (...) {
-                std::for_each(progress.begin() + k, progress.end(), [](const auto& later) { later->cancel(); });
+                end_from(k);
                 throw;
             }
             for (const int b : groups[i]) {
@@ -245,7 +282,12 @@ class BodyRefinement {
 
     // Cuts out the bodies that have copies.
     void cut_out_originals(const Works& works) {
-        const std::set<int> wanted(equal_.original.begin(), equal_.original.end());
+        std::set<int> wanted;
+        for (const Group& group : copies_) {
+            for (const int b : group) {
+                wanted.insert(equal_.original[static_cast<std::size_t>(b)]);
+            }
+        }
         refined_.resize(bodies_.size());
         for (std::size_t i = 0; i < works.size(); ++i) {
             for (const int b : originals_[i]) {
@@ -256,21 +298,20 @@ class BodyRefinement {
         }
     }
 
-    // Places copies. Those that cannot be placed are refined by themselves.
+    // Places copies, whose triangles the budget has to allow together. Those that cannot be placed are refined by
+    // themselves.
     Works place(geometry::Session& session, const Progress& progress, const Group& group) const {
         PlacedBodies placed(equal_);
         Group others;
         for (const int b : group) {
-            const auto original = static_cast<std::size_t>(equal_.original[static_cast<std::size_t>(b)]);
-            if (!placed.add(session, work_.grid, refined_[original], b, work_.mesh, body(b).triangles)) {
+            if (!placed.add(session, work_.grid, original_of(b), b, work_.mesh, body(b).triangles)) {
                 others.push_back(b);
             }
         }
         Works works;
         if (others.size() < group.size()) {
-            ComponentWork::Common all = common(session, progress, group);
-            all.budget = std::max(all.budget, work_.budget);
-            works.push_back(std::make_unique<ComponentWork>(placed, all));
+            works.push_back(std::make_unique<ComponentWork>(
+                placed, ComponentWork::Common{whole_, measured_, session, progress, work_.budget}));
         }
         if (!others.empty()) {
             works.push_back(std::make_unique<ComponentWork>(component_of(work_.mesh, triangles_of(others)),
@@ -319,7 +360,7 @@ bool refine_components(Refinement& whole, ChordErrorCache& measured, StageTimes&
     if (!may_divide(work, whole.options())) {
         return false;
     }
-    const std::vector<double> expected = work_expected(work.mesh, whole.chord());
+    const std::vector<double> expected = work_expected(work.mesh, whole.sizing());
     std::vector<MeshBody> bodies = bodies_of(work.mesh, faces_together(work.session.topology()), expected);
     if (bodies.empty() || bodies.front().work > kLargest * std::accumulate(expected.begin(), expected.end(), 0.0)) {
         return false;

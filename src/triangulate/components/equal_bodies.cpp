@@ -63,11 +63,11 @@ Fingerprint outline_of(const Topology& topology, const Faces& faces) {
 }
 
 /// Adds what defines bodies.
-class Definitions {
+class BodyFingerprints {
   public:
     using AddMore = std::function<void(geometry::Entity, Fingerprint&)>;
 
-    Definitions(const Topology& topology, const AddMore& add_more)
+    BodyFingerprints(const Topology& topology, const AddMore& add_more)
         : topology_(topology), add_more_(add_more), sides_(topology.faces.size()) {
         for (std::size_t v = 0; v < topology.volumes.size(); ++v) {
             for (const geometry::Volume::Side& side : topology.volumes[v].sides) {
@@ -116,8 +116,8 @@ class Definitions {
 /// Compares bodies with the same outline.
 class Comparison {
   public:
-    Comparison(const Definitions& definitions, const std::vector<Faces>& bodies, EqualBodies& result)
-        : definitions_(definitions), bodies_(bodies), result_(result) {}
+    Comparison(const BodyFingerprints& fingerprints, const std::vector<Faces>& bodies, EqualBodies& result)
+        : fingerprints_(fingerprints), bodies_(bodies), result_(result) {}
 
     void compare(geometry::Model& model, int body) {
         const auto b = static_cast<std::size_t>(body);
@@ -125,7 +125,7 @@ class Comparison {
         if (!place) {
             return;
         }
-        const Fingerprint key = definitions_.of(model, bodies_[b], result_.entities[b]);
+        const Fingerprint key = fingerprints_.of(model, bodies_[b], result_.entities[b]);
         const auto [entry, fresh] = first_.emplace(key, First{body, *place});
         if (!fresh) {
             result_.original[b] = entry->second.body;
@@ -138,7 +138,7 @@ class Comparison {
         int body;
         geometry::RigidMotion place;
     };
-    const Definitions& definitions_;
+    const BodyFingerprints& fingerprints_;
     const std::vector<Faces>& bodies_;
     EqualBodies& result_;
     std::map<Fingerprint, First> first_;
@@ -189,9 +189,9 @@ EqualBodies find_equal_bodies(geometry::Session& session, const std::vector<Face
             by_outline[outline_of(session.topology(), faces)].push_back(b);
         }
     }
-    const Definitions definitions(session.topology(), add_more);
+    const BodyFingerprints fingerprints(session.topology(), add_more);
     for (const auto& alike : by_outline) {
-        Comparison comparison(definitions, bodies, result);
+        Comparison comparison(fingerprints, bodies, result);
         for (std::size_t i = 0; alike.second.size() > 1 && i < alike.second.size(); ++i) {
             session.run([&](geometry::Model& model) { comparison.compare(model, alike.second[i]); });
         }

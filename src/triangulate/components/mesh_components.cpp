@@ -87,6 +87,7 @@ class Joining {
             sites_.push_back(indices(of->sites, of->mesh.site_count(), site));
             segments_.push_back(indices(of->segments, of->mesh.segment_count(), segment));
         }
+        segment = leave_out_unused(segment);
         add_vertices(vertex);
         add_sites(site);
         add_triangles();
@@ -107,6 +108,27 @@ class Joining {
                 see(c, static_cast<int>(i), indices[c][i]);
             }
         }
+    }
+
+    // Numbers segments without those that no component has.
+    // @return the new count
+    int leave_out_unused(int count) {
+        std::vector<int> renewed(static_cast<std::size_t>(count), -1);
+        for (const std::vector<int>& of_component : segments_) {
+            for (const int s : of_component) {
+                renewed[static_cast<std::size_t>(s)] = 0;
+            }
+        }
+        int next = 0;
+        for (int& number : renewed) {
+            number = number < 0 ? -1 : next++;
+        }
+        for (std::vector<int>& of_component : segments_) {
+            for (int& s : of_component) {
+                s = renewed[static_cast<std::size_t>(s)];
+            }
+        }
+        return next;
     }
 
     void add_vertices(int count) {
@@ -159,10 +181,6 @@ class Joining {
 
     void add_segments(int count) {
         std::vector<ClassifiedMesh::Segment> segments(static_cast<std::size_t>(count));
-        for (int s = 0; s < divided_.segment_count(); ++s) {
-            const ClassifiedMesh::Segment& segment = divided_.segment(s);
-            segments[static_cast<std::size_t>(s)] = {segment.edge, segment.vertices, segment.t, {}};
-        }
         for_each(segments_, [&](std::size_t c, int here, int whole) {
             ClassifiedMesh::Segment segment = changed_[c]->mesh.segment(here);
             for (int& v : segment.vertices) {

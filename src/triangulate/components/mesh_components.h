@@ -40,8 +40,8 @@ struct MeshComponent {
 /// @param triangles  all those of some bodies, ascending
 MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles);
 
-/// The mesh of which components were taken, with the changes that were made to them. Its former vertices, sites and
-/// segments keep their indices; nothing uses those that no component has.
+/// The mesh of which components were taken, with the changes that were made to them. Its former vertices and sites keep
+/// their indices; nothing uses those that no component has. Segments keep theirs where all have a component.
 struct JoinedComponents {
     ClassifiedMesh mesh;
     std::vector<int> first;  ///< by component: index of its first triangle; the others follow in the component's order
