@@ -20,6 +20,7 @@
 #include "triangulate/component_work.h"
 #include "triangulate/components/equal_bodies.h"
 #include "triangulate/components/mesh_components.h"
+#include "triangulate/components/run_apart.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
@@ -164,9 +165,6 @@ class BodyRefinement {
             return {};
         }
         std::vector<Works> copies(copies_.size());
-        if (copies_.empty()) {
-            return works;
-        }
         for_each(copies_, [&](geometry::Session& session, const Progress& progress, std::size_t i) {
             copies[i] = place(session, progress, copies_[i]);
         });
@@ -196,11 +194,12 @@ class BodyRefinement {
         return result;
     }
 
-    // Bodies with triangles from an earlier run are nearly done, and keep these.
+    // Samples are drawn for each body. Those with triangles from an earlier run are nearly done, and keep these.
     bool is_copy(std::size_t b) const {
         const std::vector<int>& triangles = bodies_[b].triangles;
-        return equal_.original[b] >= 0 && std::none_of(triangles.begin(), triangles.end(),
-                                                       [&](int t) { return work_.settled.marked(work_.mesh, t); });
+        return equal_.original[b] >= 0 && whole_.options().method == Method::Refine &&
+               std::none_of(triangles.begin(), triangles.end(),
+                            [&](int t) { return work_.settled.marked(work_.mesh, t); });
     }
 
     const MeshBody& body(int b) const { return bodies_[static_cast<std::size_t>(b)]; }
@@ -254,30 +253,18 @@ class BodyRefinement {
                            [](const auto& of_component) { return of_component->work().over_budget(); });
     }
 
-    // Calls `refine(session, progress, index)` for groups, in parallel. Where one fails, those after it end soon: the
-    // failure of the first one is the one that is thrown, for any number of threads.
+    // Calls `refine(session, progress, index)` for groups, in parallel.
     template <typename Refine>
     void for_each(const std::vector<Group>& groups, const Refine& refine) {
-        std::vector<std::unique_ptr<Progress>> progress;
-        for (std::size_t i = 0; i < groups.size(); ++i) {
-            progress.push_back(std::make_unique<Progress>(&work_.progress));
-        }
-        const auto end_from = [&](int k) {
-            std::for_each(progress.begin() + k, progress.end(), [](const auto& later) { later->cancel(); });
-        };
-        work_.session.run_apart(static_cast<int>(groups.size()), [&](geometry::Session& session, int k) {
-            const auto i = static_cast<std::size_t>(k);
-            try {
-                refine(session, *progress[i], i);
-            } catch (...) {
-                end_from(k);
-                throw;
-            }
-            for (const int b : groups[i]) {
-                done_ += body(b).triangles.size();
-            }
-            work_.progress.advance(static_cast<double>(done_) / static_cast<double>(work_.triangles()));
-        });
+        run_apart(work_.session, work_.progress, static_cast<int>(groups.size()),
+                  [&](geometry::Session& session, const Progress& progress, int k) {
+                      const auto i = static_cast<std::size_t>(k);
+                      refine(session, progress, i);
+                      for (const int b : groups[i]) {
+                          done_ += body(b).triangles.size();
+                      }
+                      work_.progress.advance(static_cast<double>(done_) / static_cast<double>(work_.triangles()));
+                  });
     }
 
     // Cuts out the bodies that have copies.

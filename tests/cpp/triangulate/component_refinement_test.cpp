@@ -89,6 +89,7 @@ TEST(ComponentRefinement, CopiesHaveTheMeshOfTheirOriginal) {
     const double resolution = SinglePrecisionGrid(model->topology().box).resolution();
     const Result result = mesh_of(model, options_for(0.002));
     expect_good(result);
+    expect_sound(result, 6, true);  // three balls and a ring
     const auto original = triangles_on(result, 0, 3);
     EXPECT_GT(original.size(), 500U);
     EXPECT_LE(difference(original, triangles_on(result, 4, 7), motion_of(at_place(cone(), 20.0, 0.7))),
@@ -119,13 +120,23 @@ TEST(ComponentRefinement, ALocalSizeConcernsItsBodyOnly) {
     EXPECT_GT(triangles_on(result, 4, 7).size(), triangles_on(before, 4, 7).size() + 100);
 }
 
+TEST(ComponentRefinement, SamplesAreDrawnForEachBody) {
+    TriangulateOptions options = options_for(0.02);
+    options.method = Method::Sprinkle;
+    const Result result = mesh_of(geometry::make_shape_model(assembly()), options);
+    EXPECT_TRUE(result.report.closed);
+    EXPECT_GT(
+        difference(triangles_on(result, 0, 3), triangles_on(result, 7, 10), motion_of(at_place(cone(), 30.0, 0.0))),
+        1e-3);
+}
+
 TEST(ComponentRefinement, TheNumberOfThreadsChangesNothing) {
     std::vector<TopoDS_Shape> shapes{assembly()};
     for (int i = 0; i < 70; ++i) {  // more than are refined apart
         shapes.push_back(at_place(BRepPrimAPI_MakeCone(2.0, 1.0, 3.0 + i % 35).Shape(), 8.0 * i, 0.3 * i));
     }
     const auto model = geometry::make_shape_model(compound_of(shapes));
-    TriangulateOptions options = options_for(0.02);
+    TriangulateOptions options = options_for(0.05);
     options.threads = 1;
     const Result one = mesh_of(model, options, geometry::Engine::Mode::Threaded);
     for (const int threads : {2, 3, 8}) {
