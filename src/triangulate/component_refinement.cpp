@@ -147,21 +147,24 @@ class BodyRefinement {
         });
         originals_ = groups(false);
         copies_ = groups(true);
+        for (const Group& group : copies_) {
+            for (const int b : group) {
+                has_copies_.insert(equal_.original[static_cast<std::size_t>(b)]);
+            }
+        }
+        refined_.resize(bodies_.size());
     }
 
     /// @return none where all together would have more triangles than the budget
     Works run() {
         Works works(originals_.size());
         for_each(originals_, [&](const geometry::Session& session, const Progress& progress, std::size_t i) {
-            works[i] = std::make_unique<ComponentWork>(component_of(work_.mesh, triangles_of(originals_[i])),
+            works[i] = std::make_unique<ComponentWork>(component_of(work_.mesh, triangles_of(originals_[i]), &progress),
                                                        common(session, progress, originals_[i]));
             works[i]->run();
+            cut_out(*works[i], originals_[i]);
         });
-        if (over_budget(works)) {
-            return {};
-        }
-        cut_out_originals(works);
-        if (count_triangles(works) + triangles_of_copies() > work_.budget) {
+        if (over_budget(works) || count_triangles(works) + triangles_of_copies() > work_.budget) {
             return {};
         }
         std::vector<Works> copies(copies_.size());
@@ -267,20 +270,11 @@ class BodyRefinement {
                   });
     }
 
-    // Cuts out the bodies that have copies.
-    void cut_out_originals(const Works& works) {
-        std::set<int> wanted;
-        for (const Group& group : copies_) {
-            for (const int b : group) {
-                wanted.insert(equal_.original[static_cast<std::size_t>(b)]);
-            }
-        }
-        refined_.resize(bodies_.size());
-        for (std::size_t i = 0; i < works.size(); ++i) {
-            for (const int b : originals_[i]) {
-                if (wanted.count(b) > 0) {
-                    refined_[static_cast<std::size_t>(b)] = works[i]->body(faces_of(work_.mesh, body(b)));
-                }
+    // Cuts out the bodies of a group that have copies.
+    void cut_out(const ComponentWork& refined, const Group& group) {
+        for (const int b : group) {
+            if (has_copies_.count(b) > 0) {
+                refined_[static_cast<std::size_t>(b)] = refined.body(faces_of(work_.mesh, body(b)));
             }
         }
     }
@@ -301,7 +295,7 @@ class BodyRefinement {
                 placed, ComponentWork::Common{whole_, measured_, session, progress, work_.budget}));
         }
         if (!others.empty()) {
-            works.push_back(std::make_unique<ComponentWork>(component_of(work_.mesh, triangles_of(others)),
+            works.push_back(std::make_unique<ComponentWork>(component_of(work_.mesh, triangles_of(others), &progress),
                                                             common(session, progress, group)));
         }
         for (const auto& of_component : works) {
@@ -318,6 +312,7 @@ class BodyRefinement {
     EqualBodies equal_;
     std::vector<Group> originals_;
     std::vector<Group> copies_;
+    std::set<int> has_copies_;          // bodies
     std::vector<RefinedBody> refined_;  // by body: those that have copies
     std::atomic<std::size_t> done_{0};  // triangles before refinement
 };

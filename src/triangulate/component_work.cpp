@@ -150,7 +150,7 @@ RefinedBody ComponentWork::body(const std::vector<int>& faces) const {
             triangles.push_back(t);
         }
     }
-    MeshComponent cut = component_of(work_.mesh, std::move(triangles));
+    MeshComponent cut = component_of(work_.mesh, std::move(triangles), &work_.progress);
     RefinedBody body;
     for (std::size_t i = 0; i < cut.triangles.size(); ++i) {
         if (const Exemption* exemption = work_.exemption_of(cut.triangles[i])) {

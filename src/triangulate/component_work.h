@@ -80,7 +80,7 @@ class ComponentWork {
     const StageTimes& stages() const { return stages_; }
     const Workspace& work() const { return work_; }
 
-    /// Cuts out a body by its faces, ascending.
+    /// Cuts out a body by its faces, ascending. @throws Cancelled
     RefinedBody body(const std::vector<int>& faces) const;
     /// Passes what is known of triangles, edges and vertices on to the whole mesh, where the component's first triangle
     /// is `first` and its vertices are `vertices`.

@@ -12,17 +12,6 @@ namespace mq::triangulate {
 
 namespace {
 
-std::vector<int> sorted_once(std::vector<int> values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    return values;
-}
-
-// Returns the index of a value in an ascending list that has it.
-int index_in(const std::vector<int>& list, int value) {
-    return static_cast<int>(std::lower_bound(list.begin(), list.end(), value) - list.begin());
-}
-
 template <typename Item>
 bool more_work(const Item& a, const Item& b) {
     return a.work > b.work;
@@ -42,28 +31,116 @@ DisjointSets<int> joined_vertices(const ClassifiedMesh& mesh, const std::vector<
     return joined;
 }
 
-void add_corners(const ClassifiedMesh& mesh, MeshComponent& component) {
-    for (const int t : component.triangles) {
-        for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            component.sites.push_back(mesh.site_of(h));
-            component.vertices.push_back(mesh.vertex_of(h));
-            if (mesh.segment_of(h) >= 0) {
-                component.segments.push_back(mesh.segment_of(h));
+/// Copies triangles of a mesh, with all that they use, into a mesh of their own.
+class Cutting {
+  public:
+    Cutting(const ClassifiedMesh& mesh, std::vector<int> triangles, const Progress* progress)
+        : mesh_(mesh),
+          pace_(progress),
+          triangles_(static_cast<std::size_t>(mesh.triangle_count()), -1),
+          vertices_(static_cast<std::size_t>(mesh.vertex_count()), -1),
+          sites_(static_cast<std::size_t>(mesh.site_count()), -1),
+          segments_(static_cast<std::size_t>(mesh.segment_count()), -1) {
+        result_.triangles = std::move(triangles);
+        mark();
+        result_.vertices = numbered(vertices_);
+        result_.sites = numbered(sites_);
+        result_.segments = numbered(segments_);
+        add_corners();
+        add_triangles();
+        add_segments();
+    }
+
+    MeshComponent take() { return std::move(result_); }
+
+  private:
+    using Numbers = std::vector<int>;  // by index in the mesh: the index here, or -1
+
+    static int& at(Numbers& numbers, int index) { return numbers[static_cast<std::size_t>(index)]; }
+
+    void mark() {
+        int count = 0;
+        for (const int t : result_.triangles) {
+            pace_.step();
+            at(triangles_, t) = count++;
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                at(sites_, mesh_.site_of(h)) = 0;
+                at(vertices_, mesh_.vertex_of(h)) = 0;
+                if (mesh_.segment_of(h) >= 0) {
+                    at(segments_, mesh_.segment_of(h)) = 0;
+                }
             }
         }
     }
-    component.sites = sorted_once(std::move(component.sites));
-    component.vertices = sorted_once(std::move(component.vertices));
-    component.segments = sorted_once(std::move(component.segments));
-    for (const int v : component.vertices) {
-        component.mesh.add_vertex(mesh.vertex(v).point, mesh.vertex(v).entity);
+
+    // Numbers what is marked in the order of the mesh.
+    // @return the indices of these in the mesh
+    std::vector<int> numbered(Numbers& numbers) {
+        std::vector<int> marked;
+        for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
+            pace_.step();
+            if (at(numbers, i) >= 0) {
+                at(numbers, i) = static_cast<int>(marked.size());
+                marked.push_back(i);
+            }
+        }
+        return marked;
     }
-    for (const int s : component.sites) {
-        ClassifiedMesh::VertexUse site = mesh.site(s);
-        site.vertex = index_in(component.vertices, site.vertex);
-        component.mesh.add_site(site);
+
+    int half_edge(int h) { return 3 * at(triangles_, ClassifiedMesh::triangle_of(h)) + h % 3; }
+
+    void add_corners() {
+        for (const int v : result_.vertices) {
+            pace_.step();
+            result_.mesh.add_vertex(mesh_.vertex(v).point, mesh_.vertex(v).entity);
+        }
+        for (const int s : result_.sites) {
+            pace_.step();
+            ClassifiedMesh::VertexUse site = mesh_.site(s);
+            site.vertex = at(vertices_, site.vertex);
+            result_.mesh.add_site(site);
+        }
     }
-}
+
+    void add_triangles() {
+        for (const int t : result_.triangles) {
+            pace_.step();
+            std::array<int, 3> corners{};
+            for (int k = 0; k < 3; ++k) {
+                corners[static_cast<std::size_t>(k)] = at(sites_, mesh_.site_of(3 * t + k));
+            }
+            result_.mesh.add_triangle(corners, mesh_.face_of(t));
+        }
+        for (const int t : result_.triangles) {
+            pace_.step();
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                if (h < mesh_.twin(h)) {
+                    result_.mesh.link(half_edge(h), half_edge(mesh_.twin(h)));
+                }
+            }
+        }
+    }
+
+    void add_segments() {
+        for (const int s : result_.segments) {
+            pace_.step();
+            const ClassifiedMesh::Segment& segment = mesh_.segment(s);
+            const int added = result_.mesh.add_segment(
+                segment.edge, {at(vertices_, segment.vertices[0]), at(vertices_, segment.vertices[1])}, segment.t);
+            for (const ClassifiedMesh::SegmentUse& use : segment.uses) {
+                result_.mesh.bind(half_edge(use.half_edge), added, use.use);
+            }
+        }
+    }
+
+    const ClassifiedMesh& mesh_;
+    CancelPace pace_;
+    Numbers triangles_;
+    Numbers vertices_;
+    Numbers sites_;
+    Numbers segments_;
+    MeshComponent result_;
+};
 
 // The indices of a component's entities in the whole mesh: the former ones keep theirs, the others are appended.
 std::vector<int> indices(std::vector<int> former, int count, int& next) {
@@ -251,36 +328,8 @@ std::vector<std::vector<int>> groups_of(const std::vector<double>& work, std::si
     return result;
 }
 
-MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles) {
-    MeshComponent component;
-    component.triangles = std::move(triangles);
-    add_corners(mesh, component);
-    const auto here = [&](int h) { return 3 * index_in(component.triangles, ClassifiedMesh::triangle_of(h)) + h % 3; };
-    for (const int t : component.triangles) {
-        std::array<int, 3> corners{};
-        for (int k = 0; k < 3; ++k) {
-            corners[static_cast<std::size_t>(k)] = index_in(component.sites, mesh.site_of(3 * t + k));
-        }
-        component.mesh.add_triangle(corners, mesh.face_of(t));
-    }
-    for (const int t : component.triangles) {
-        for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            if (h < mesh.twin(h)) {
-                component.mesh.link(here(h), here(mesh.twin(h)));
-            }
-        }
-    }
-    for (const int s : component.segments) {
-        const ClassifiedMesh::Segment& segment = mesh.segment(s);
-        const int added = component.mesh.add_segment(
-            segment.edge,
-            {index_in(component.vertices, segment.vertices[0]), index_in(component.vertices, segment.vertices[1])},
-            segment.t);
-        for (const ClassifiedMesh::SegmentUse& use : segment.uses) {
-            component.mesh.bind(here(use.half_edge), added, use.use);
-        }
-    }
-    return component;
+MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles, const Progress* progress) {
+    return Cutting(mesh, std::move(triangles), progress).take();
 }
 
 JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed) {

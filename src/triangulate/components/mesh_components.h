@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/progress.h"
 #include "triangulate/work_mesh/classified_mesh.h"
 
 namespace mq::triangulate {
@@ -38,7 +39,8 @@ struct MeshComponent {
 };
 
 /// @param triangles  all those of some bodies, ascending
-MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles);
+/// @throws Cancelled
+MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles, const Progress* progress = nullptr);
 
 /// The mesh of which components were taken, with the changes that were made to them. Its former vertices and sites keep
 /// their indices; nothing uses those that no component has. Segments keep theirs where all have a component.
