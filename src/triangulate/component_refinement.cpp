@@ -323,7 +323,7 @@ void join_into(Refinement& whole, ChordErrorCache& measured, const Works& works)
     for (const auto& of_component : works) {
         changed.push_back(&of_component->component());
     }
-    JoinedComponents joined = join(work.mesh, changed);
+    JoinedComponents joined = join(work.mesh, changed, &work.progress);
     work.mesh = std::move(joined.mesh);
     work.maxmin.rebuild();
     measured.clear();
@@ -331,6 +331,7 @@ void join_into(Refinement& whole, ChordErrorCache& measured, const Works& works)
     work.settled.clear();
     work.shrinks.resize(static_cast<std::size_t>(work.mesh.vertex_count()), 0);
     for (std::size_t i = 0; i < works.size(); ++i) {
+        work.progress.check();
         works[i]->give(work, measured, joined.first[i], joined.vertices[i]);
     }
 }

@@ -98,6 +98,7 @@ void ComponentWork::take(const Workspace& whole, const ChordErrorCache& measured
 
 void ComponentWork::take(const PlacedBodies& placed) {
     for (const PlacedBodies::Copy& copy : placed.copies()) {
+        progress_.check();
         work_.shrinks.insert(work_.shrinks.end(), copy.original.shrinks.begin(), copy.original.shrinks.end());
         for (const auto& [triangle, of_original] : copy.original.exempt) {
             const int t = copy.first_triangle + triangle;

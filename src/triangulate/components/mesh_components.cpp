@@ -154,8 +154,8 @@ std::vector<int> indices(std::vector<int> former, int count, int& next) {
 /// Joins components one entity after the other.
 class Joining {
   public:
-    Joining(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed)
-        : divided_(divided), changed_(changed) {
+    Joining(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed, const Progress* progress)
+        : divided_(divided), changed_(changed), pace_(progress) {
         int vertex = divided.vertex_count();
         int site = divided.site_count();
         int segment = divided.segment_count();
@@ -179,9 +179,10 @@ class Joining {
   private:
     // Calls `see(component, index there, index in the whole)` for the entities of all components.
     template <typename See>
-    void for_each(const std::vector<std::vector<int>>& indices, const See& see) const {
+    void for_each(const std::vector<std::vector<int>>& indices, const See& see) {
         for (std::size_t c = 0; c < changed_.size(); ++c) {
             for (std::size_t i = 0; i < indices[c].size(); ++i) {
+                pace_.step();
                 see(c, static_cast<int>(i), indices[c][i]);
             }
         }
@@ -241,6 +242,7 @@ class Joining {
             const ClassifiedMesh& mesh = changed_[c]->mesh;
             result_.first.push_back(result_.mesh.triangle_count());
             for (int t = 0; t < mesh.triangle_count(); ++t) {
+                pace_.step();
                 std::array<int, 3> corners{};
                 for (int k = 0; k < 3; ++k) {
                     corners[static_cast<std::size_t>(k)] = sites_[c][static_cast<std::size_t>(mesh.site_of(3 * t + k))];
@@ -249,6 +251,7 @@ class Joining {
             }
             const int base = 3 * result_.first.back();
             for (int h = 0; h < mesh.half_edge_count(); ++h) {
+                pace_.step();
                 if (h < mesh.twin(h)) {
                     result_.mesh.link(base + h, base + mesh.twin(h));
                 }
@@ -278,6 +281,7 @@ class Joining {
 
     const ClassifiedMesh& divided_;
     const std::vector<const MeshComponent*>& changed_;
+    CancelPace pace_;
     std::vector<std::vector<int>> vertices_;  // by component and index there: index in the whole
     std::vector<std::vector<int>> sites_;
     std::vector<std::vector<int>> segments_;
@@ -332,8 +336,9 @@ MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangle
     return Cutting(mesh, std::move(triangles), progress).take();
 }
 
-JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed) {
-    return Joining(divided, changed).take();
+JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed,
+                      const Progress* progress) {
+    return Joining(divided, changed, progress).take();
 }
 
 }  // namespace mq::triangulate

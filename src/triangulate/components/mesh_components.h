@@ -50,6 +50,8 @@ struct JoinedComponents {
     std::vector<std::vector<int>> vertices;  ///< by component: indices of its vertices
 };
 /// @param changed  all components of `divided` after their changes, or what takes their place; no index may be unused
-JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed);
+/// @throws Cancelled
+JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed,
+                      const Progress* progress = nullptr);
 
 }  // namespace mq::triangulate

@@ -164,6 +164,7 @@ bool add_placed(geometry::Session& session, const SinglePrecisionGrid& grid, con
     if (!placement.place(whole, nodes) || !placement.take_points(session) || !placement.keeps_sides()) {
         return false;
     }
+    session.check();
     placement.add_to(component);
     return true;
 }
