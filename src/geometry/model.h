@@ -39,9 +39,12 @@ class Model : public Answerer {
 
     /// The placement of the whole model: the motion from its own frame to that of the topology and the answers.
     const RigidMotion& place() const { return place_; }
-    /// Adds all numbers that define the geometry of a face (its surface), an edge (its curve) or a node (its point), in
-    /// the model's own frame.
-    virtual void add_definition(Entity entity, Fingerprint& key) = 0;
+    /// The placement of a face: the motion from the frame of its own definition to that of the topology and the
+    /// answers. None where that is no rigid motion.
+    virtual std::optional<RigidMotion> place_of_face(int /*face*/) { return std::nullopt; }
+    /// Adds all numbers that define the geometry of a face (its surface), an edge (its curve) or a node (its point).
+    /// @param frame  a face with a placement, in whose frame they are; -1: in the model's own frame
+    virtual void add_definition(Entity entity, int frame, Fingerprint& key) = 0;
     /// The same for the curve of an edge use in (u, v).
     virtual void add_definition_of_use(int use, Fingerprint& key) = 0;
 

@@ -38,6 +38,7 @@ class Refinement {
     Workspace& work() { return work_; }
     const TriangulateOptions& options() const { return options_; }
     double chord() const { return chord_; }
+    const Sizing& sizing() const { return sizing_; }
     int first_vertex() const { return first_vertex_; }
 
   private:

@@ -46,7 +46,7 @@ class AnalyticModel final : public Model {
 
     Answer answer(const Query& query) noexcept override;
     std::optional<Surface> elementary_surface(int i) override { return surfaces_[static_cast<std::size_t>(i)]; }
-    void add_definition(Entity entity, Fingerprint& key) override;
+    void add_definition(Entity entity, int frame, Fingerprint& key) override;
     void add_definition_of_use(int use, Fingerprint& key) override;
 
   private:
@@ -80,7 +80,7 @@ void add_curve_to(Fingerprint& key, const Curve<Vector>& curve) {
     add_to(key, curve.radius);
 }
 
-void AnalyticModel::add_definition(Entity entity, Fingerprint& key) {
+void AnalyticModel::add_definition(Entity entity, int /*frame*/, Fingerprint& key) {
     const auto i = static_cast<std::size_t>(entity.index);
     if (entity.dimension == 0) {
         add_to(key, topology_.nodes[i].point);

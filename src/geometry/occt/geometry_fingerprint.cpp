@@ -41,20 +41,30 @@ Fingerprint like_nothing_else() {
 
 GeometryFingerprint::GeometryFingerprint(const TopoDS_Shape& part) {
     text_.precision(std::numeric_limits<double>::max_digits10);
-    const gp_Trsf trsf = part.Location().Transformation();
-    if (!is_rigid(trsf)) {
-        return;
+    if (const auto motion = motion_of(part.Location())) {
+        to_own_frame_ = part.Location().Inverted();
+        place_ = *motion;
     }
-    to_own_frame_ = part.Location().Inverted();
-    const gp_Mat turn = trsf.VectorialPart();
-    for (int i = 0; i < 3; ++i) {
-        place_.turn.col(i) = to_vec(turn.Column(i + 1));
-    }
-    place_.shift = to_vec(trsf.TranslationPart());
 }
 
-void GeometryFingerprint::add_location(const TopLoc_Location& location, Fingerprint& key) const {
-    const gp_Trsf trsf = (to_own_frame_ * location).Transformation();
+std::optional<RigidMotion> GeometryFingerprint::motion_of(const TopLoc_Location& location) {
+    const gp_Trsf trsf = location.Transformation();
+    if (!is_rigid(trsf)) {
+        return std::nullopt;
+    }
+    RigidMotion motion;
+    const gp_Mat turn = trsf.VectorialPart();
+    for (int i = 0; i < 3; ++i) {
+        motion.turn.col(i) = to_vec(turn.Column(i + 1));
+    }
+    motion.shift = to_vec(trsf.TranslationPart());
+    return motion;
+}
+
+// The locations of an entity and of a face of the same solid begin alike, which cancels without any rounding.
+void GeometryFingerprint::add_location(const TopLoc_Location& location, const TopLoc_Location* frame,
+                                       Fingerprint& key) const {
+    const gp_Trsf trsf = ((frame != nullptr ? frame->Inverted() : to_own_frame_) * location).Transformation();
     for (int row = 1; row <= 3; ++row) {
         for (int column = 1; column <= 4; ++column) {
             add_to(key, trsf.Value(row, column));
@@ -77,31 +87,32 @@ void GeometryFingerprint::add_geometry(const Geometry& geometry, const Print& pr
     add_to(key, entry->second);
 }
 
-void GeometryFingerprint::add_face(const TopoDS_Face& face, Fingerprint& key) {
+void GeometryFingerprint::add_face(const TopoDS_Face& face, const TopLoc_Location* frame, Fingerprint& key) {
     TopLoc_Location location;
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
-    add_location(location, key);
+    add_location(location, frame, key);
     add_geometry(
         surface, [](const auto& s, std::ostream& out) { GeomTools_SurfaceSet::PrintSurface(s, out, true); }, key);
 }
 
-void GeometryFingerprint::add_edge(const TopoDS_Edge& edge, Fingerprint& key) {
+void GeometryFingerprint::add_edge(const TopoDS_Edge& edge, const TopLoc_Location* frame, Fingerprint& key) {
     TopLoc_Location location;
     double first = 0.0;
     double last = 0.0;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, first, last);
-    add_location(location, key);
+    add_location(location, frame, key);
     add_geometry(
         curve, [](const auto& c, std::ostream& out) { GeomTools_CurveSet::PrintCurve(c, out, true); }, key);
 }
 
 // The point of a vertex is defined before its location is applied.
-void GeometryFingerprint::add_node(const TopoDS_Vertex& node, Fingerprint& key) {
-    add_location(node.Location(), key);
+void GeometryFingerprint::add_node(const TopoDS_Vertex& node, const TopLoc_Location* frame, Fingerprint& key) {
+    add_location(node.Location(), frame, key);
     add_to(key, to_vec(BRep_Tool::Pnt(TopoDS::Vertex(node.Located(TopLoc_Location())))));
 }
 
 void GeometryFingerprint::add_use(const PCurve& use, Fingerprint& key) {
+    add_to(key, use.of_neighbour ? 1 : 0);
     add_to(key, use.first);
     add_to(key, use.last);
     add_geometry(

@@ -92,7 +92,10 @@ class ShapeModel final : public Model {
     Answer answer(const Query& query) noexcept override { return first_.answer(query); }
     Answerer* answerer(int thread) override;
     std::optional<ElementarySurface> elementary_surface(int index) override { return first_.face(index).elementary(); }
-    void add_definition(Entity entity, Fingerprint& key) override;
+    std::optional<RigidMotion> place_of_face(int face) override {
+        return GeometryFingerprint::motion_of(live_.faces[static_cast<std::size_t>(face)].Location());
+    }
+    void add_definition(Entity entity, int frame, Fingerprint& key) override;
     void add_definition_of_use(int use, Fingerprint& key) override;
 
   private:
@@ -184,14 +187,16 @@ Answerer* ShapeModel::answerer(int thread) {
     return further.get();
 }
 
-void ShapeModel::add_definition(Entity entity, Fingerprint& key) {
+void ShapeModel::add_definition(Entity entity, int frame, Fingerprint& key) {
     const auto i = static_cast<std::size_t>(entity.index);
+    const TopLoc_Location* const place =
+        frame >= 0 ? &live_.faces[static_cast<std::size_t>(frame)].Location() : nullptr;
     if (entity.dimension == 0) {
-        definitions_.add_node(live_.nodes[i], key);
+        definitions_.add_node(live_.nodes[i], place, key);
     } else if (entity.dimension == 1) {
-        definitions_.add_edge(live_.edges[i], key);
+        definitions_.add_edge(live_.edges[i], place, key);
     } else {
-        definitions_.add_face(live_.faces[i], key);
+        definitions_.add_face(live_.faces[i], place, key);
     }
 }
 

@@ -4,141 +4,149 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 #include "base/disjoint_sets.h"
-#include "base/parallel.h"
 
 namespace mq::triangulate {
 
 namespace {
 
-std::vector<int> sorted_once(std::vector<int> values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    return values;
-}
-
-// Returns the index of a value in an ascending list that has it.
-int index_in(const std::vector<int>& list, int value) {
-    return static_cast<int>(std::lower_bound(list.begin(), list.end(), value) - list.begin());
-}
-
-/// Triangles of one component, and the work that is expected on them.
-struct Share {
-    double work = 0.0;
-    std::vector<int> triangles;
-};
-
-bool more_work(const Share& a, const Share& b) {
+template <typename Item>
+bool more_work(const Item& a, const Item& b) {
     return a.work > b.work;
 }
 
-DisjointSets<int> joined_vertices(const ClassifiedMesh& mesh, const std::vector<int>& bodies) {
+DisjointSets<int> joined_vertices(const ClassifiedMesh& mesh, const std::vector<int>& together) {
     DisjointSets<int> joined(static_cast<std::size_t>(mesh.vertex_count()));
     for (int h = 0; h < mesh.half_edge_count(); ++h) {
         joined.unite(mesh.vertex_of(h), mesh.vertex_of(ClassifiedMesh::next(h)));
     }
-    std::vector<int> first(bodies.size(), -1);  // by body: a vertex
+    std::vector<int> first(together.size(), -1);  // by number of faces: a vertex
     for (int t = 0; t < mesh.triangle_count(); ++t) {
-        int& vertex = first[static_cast<std::size_t>(bodies[static_cast<std::size_t>(mesh.face_of(t))])];
+        int& vertex = first[static_cast<std::size_t>(together[static_cast<std::size_t>(mesh.face_of(t))])];
         vertex = vertex < 0 ? mesh.vertex_of(3 * t) : vertex;
         joined.unite(vertex, mesh.vertex_of(3 * t));
     }
     return joined;
 }
 
-// Returns the components, the one with most work first, with the smallest ones together where there are many.
-std::vector<Share> shares(const ClassifiedMesh& mesh, const std::vector<int>& bodies, const std::vector<double>& work,
-                          std::size_t most) {
-    DisjointSets<int> joined = joined_vertices(mesh, bodies);
-    std::vector<int> component_at(static_cast<std::size_t>(mesh.vertex_count()), -1);
-    std::vector<Share> result;
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-        int& component = component_at[static_cast<std::size_t>(joined.find(mesh.vertex_of(3 * t)))];
-        if (component < 0) {
-            component = static_cast<int>(result.size());
-            result.emplace_back();
-        }
-        Share& share = result[static_cast<std::size_t>(component)];
-        share.work += work[static_cast<std::size_t>(t)];
-        share.triangles.push_back(t);
+/// Copies triangles of a mesh, with all that they use, into a mesh of their own.
+class Cutting {
+  public:
+    Cutting(const ClassifiedMesh& mesh, std::vector<int> triangles, const Progress* progress)
+        : mesh_(mesh),
+          pace_(progress),
+          triangles_(static_cast<std::size_t>(mesh.triangle_count()), -1),
+          vertices_(static_cast<std::size_t>(mesh.vertex_count()), -1),
+          sites_(static_cast<std::size_t>(mesh.site_count()), -1),
+          segments_(static_cast<std::size_t>(mesh.segment_count()), -1) {
+        result_.triangles = std::move(triangles);
+        mark();
+        result_.vertices = numbered(vertices_);
+        result_.sites = numbered(sites_);
+        result_.segments = numbered(segments_);
+        add_corners();
+        add_triangles();
+        add_segments();
     }
-    std::stable_sort(result.begin(), result.end(), more_work);
-    for (; result.size() > most; result.pop_back()) {  // goes to the smallest one that stays
-        const Share& last = result.back();
-        Share& smallest =
-            *std::max_element(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(most), more_work);
-        smallest.work += last.work;
-        smallest.triangles.insert(smallest.triangles.end(), last.triangles.begin(), last.triangles.end());
-    }
-    for (Share& share : result) {
-        std::sort(share.triangles.begin(), share.triangles.end());
-    }
-    std::stable_sort(result.begin(), result.end(), more_work);
-    return result;
-}
 
-void add_corners(const ClassifiedMesh& mesh, MeshComponent& component) {
-    for (const int t : component.triangles) {
-        for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            component.sites.push_back(mesh.site_of(h));
-            component.vertices.push_back(mesh.vertex_of(h));
-            if (mesh.segment_of(h) >= 0) {
-                component.segments.push_back(mesh.segment_of(h));
+    MeshComponent take() { return std::move(result_); }
+
+  private:
+    using Numbers = std::vector<int>;  // by index in the mesh: the index here, or -1
+
+    static int& at(Numbers& numbers, int index) { return numbers[static_cast<std::size_t>(index)]; }
+
+    void mark() {
+        int count = 0;
+        for (const int t : result_.triangles) {
+            pace_.step();
+            at(triangles_, t) = count++;
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                at(sites_, mesh_.site_of(h)) = 0;
+                at(vertices_, mesh_.vertex_of(h)) = 0;
+                if (mesh_.segment_of(h) >= 0) {
+                    at(segments_, mesh_.segment_of(h)) = 0;
+                }
             }
         }
     }
-    component.sites = sorted_once(std::move(component.sites));
-    component.vertices = sorted_once(std::move(component.vertices));
-    component.segments = sorted_once(std::move(component.segments));
-    for (const int v : component.vertices) {
-        component.mesh.add_vertex(mesh.vertex(v).point, mesh.vertex(v).entity);
-    }
-    for (const int s : component.sites) {
-        ClassifiedMesh::VertexUse site = mesh.site(s);
-        site.vertex = index_in(component.vertices, site.vertex);
-        component.mesh.add_site(site);
-    }
-}
 
-MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles) {
-    MeshComponent component;
-    component.triangles = std::move(triangles);
-    add_corners(mesh, component);
-    const auto here = [&](int h) { return 3 * index_in(component.triangles, ClassifiedMesh::triangle_of(h)) + h % 3; };
-    for (const int t : component.triangles) {
-        std::array<int, 3> corners{};
-        for (int k = 0; k < 3; ++k) {
-            corners[static_cast<std::size_t>(k)] = index_in(component.sites, mesh.site_of(3 * t + k));
+    // Numbers what is marked in the order of the mesh.
+    // @return the indices of these in the mesh
+    std::vector<int> numbered(Numbers& numbers) {
+        std::vector<int> marked;
+        for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
+            pace_.step();
+            if (at(numbers, i) >= 0) {
+                at(numbers, i) = static_cast<int>(marked.size());
+                marked.push_back(i);
+            }
         }
-        component.mesh.add_triangle(corners, mesh.face_of(t));
+        return marked;
     }
-    for (const int t : component.triangles) {
-        for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            if (h < mesh.twin(h)) {
-                component.mesh.link(here(h), here(mesh.twin(h)));
+
+    int half_edge(int h) { return 3 * at(triangles_, ClassifiedMesh::triangle_of(h)) + h % 3; }
+
+    void add_corners() {
+        for (const int v : result_.vertices) {
+            pace_.step();
+            result_.mesh.add_vertex(mesh_.vertex(v).point, mesh_.vertex(v).entity);
+        }
+        for (const int s : result_.sites) {
+            pace_.step();
+            ClassifiedMesh::VertexUse site = mesh_.site(s);
+            site.vertex = at(vertices_, site.vertex);
+            result_.mesh.add_site(site);
+        }
+    }
+
+    void add_triangles() {
+        for (const int t : result_.triangles) {
+            pace_.step();
+            std::array<int, 3> corners{};
+            for (int k = 0; k < 3; ++k) {
+                corners[static_cast<std::size_t>(k)] = at(sites_, mesh_.site_of(3 * t + k));
+            }
+            result_.mesh.add_triangle(corners, mesh_.face_of(t));
+        }
+        for (const int t : result_.triangles) {
+            pace_.step();
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                if (h < mesh_.twin(h)) {
+                    result_.mesh.link(half_edge(h), half_edge(mesh_.twin(h)));
+                }
             }
         }
     }
-    for (const int s : component.segments) {
-        const ClassifiedMesh::Segment& segment = mesh.segment(s);
-        const int added = component.mesh.add_segment(
-            segment.edge,
-            {index_in(component.vertices, segment.vertices[0]), index_in(component.vertices, segment.vertices[1])},
-            segment.t);
-        for (const ClassifiedMesh::SegmentUse& use : segment.uses) {
-            component.mesh.bind(here(use.half_edge), added, use.use);
+
+    void add_segments() {
+        for (const int s : result_.segments) {
+            pace_.step();
+            const ClassifiedMesh::Segment& segment = mesh_.segment(s);
+            const int added = result_.mesh.add_segment(
+                segment.edge, {at(vertices_, segment.vertices[0]), at(vertices_, segment.vertices[1])}, segment.t);
+            for (const ClassifiedMesh::SegmentUse& use : segment.uses) {
+                result_.mesh.bind(half_edge(use.half_edge), added, use.use);
+            }
         }
     }
-    return component;
-}
+
+    const ClassifiedMesh& mesh_;
+    CancelPace pace_;
+    Numbers triangles_;
+    Numbers vertices_;
+    Numbers sites_;
+    Numbers segments_;
+    MeshComponent result_;
+};
 
 // The indices of a component's entities in the whole mesh: the former ones keep theirs, the others are appended.
 std::vector<int> indices(std::vector<int> former, int count, int& next) {
-    while (static_cast<int>(former.size()) < count) {
-        former.push_back(next++);
+    former.resize(static_cast<std::size_t>(count), -1);
+    for (int& index : former) {
+        index = index < 0 ? next++ : index;
     }
     return former;
 }
@@ -146,8 +154,8 @@ std::vector<int> indices(std::vector<int> former, int count, int& next) {
 /// Joins components one entity after the other.
 class Joining {
   public:
-    Joining(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed)
-        : divided_(divided), changed_(changed) {
+    Joining(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed, const Progress* progress)
+        : divided_(divided), changed_(changed), pace_(progress) {
         int vertex = divided.vertex_count();
         int site = divided.site_count();
         int segment = divided.segment_count();
@@ -156,6 +164,7 @@ class Joining {
             sites_.push_back(indices(of->sites, of->mesh.site_count(), site));
             segments_.push_back(indices(of->segments, of->mesh.segment_count(), segment));
         }
+        segment = leave_out_unused(segment);
         add_vertices(vertex);
         add_sites(site);
         add_triangles();
@@ -170,12 +179,34 @@ class Joining {
   private:
     // Calls `see(component, index there, index in the whole)` for the entities of all components.
     template <typename See>
-    void for_each(const std::vector<std::vector<int>>& indices, const See& see) const {
+    void for_each(const std::vector<std::vector<int>>& indices, const See& see) {
         for (std::size_t c = 0; c < changed_.size(); ++c) {
             for (std::size_t i = 0; i < indices[c].size(); ++i) {
+                pace_.step();
                 see(c, static_cast<int>(i), indices[c][i]);
             }
         }
+    }
+
+    // Numbers segments without those that no component has.
+    // @return the new count
+    int leave_out_unused(int count) {
+        std::vector<int> renewed(static_cast<std::size_t>(count), -1);
+        for (const std::vector<int>& of_component : segments_) {
+            for (const int s : of_component) {
+                renewed[static_cast<std::size_t>(s)] = 0;
+            }
+        }
+        int next = 0;
+        for (int& number : renewed) {
+            number = number < 0 ? -1 : next++;
+        }
+        for (std::vector<int>& of_component : segments_) {
+            for (int& s : of_component) {
+                s = renewed[static_cast<std::size_t>(s)];
+            }
+        }
+        return next;
     }
 
     void add_vertices(int count) {
@@ -211,6 +242,7 @@ class Joining {
             const ClassifiedMesh& mesh = changed_[c]->mesh;
             result_.first.push_back(result_.mesh.triangle_count());
             for (int t = 0; t < mesh.triangle_count(); ++t) {
+                pace_.step();
                 std::array<int, 3> corners{};
                 for (int k = 0; k < 3; ++k) {
                     corners[static_cast<std::size_t>(k)] = sites_[c][static_cast<std::size_t>(mesh.site_of(3 * t + k))];
@@ -219,6 +251,7 @@ class Joining {
             }
             const int base = 3 * result_.first.back();
             for (int h = 0; h < mesh.half_edge_count(); ++h) {
+                pace_.step();
                 if (h < mesh.twin(h)) {
                     result_.mesh.link(base + h, base + mesh.twin(h));
                 }
@@ -228,9 +261,6 @@ class Joining {
 
     void add_segments(int count) {
         std::vector<ClassifiedMesh::Segment> segments(static_cast<std::size_t>(count));
-        for (int s = 0; s < divided_.segment_count(); ++s) {
-            segments[static_cast<std::size_t>(s)] = divided_.segment(s);
-        }
         for_each(segments_, [&](std::size_t c, int here, int whole) {
             ClassifiedMesh::Segment segment = changed_[c]->mesh.segment(here);
             for (int& v : segment.vertices) {
@@ -251,6 +281,7 @@ class Joining {
 
     const ClassifiedMesh& divided_;
     const std::vector<const MeshComponent*>& changed_;
+    CancelPace pace_;
     std::vector<std::vector<int>> vertices_;  // by component and index there: index in the whole
     std::vector<std::vector<int>> sites_;
     std::vector<std::vector<int>> segments_;
@@ -259,22 +290,55 @@ class Joining {
 
 }  // namespace
 
-std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, const std::vector<int>& bodies,
-                                  const std::vector<double>& work, std::size_t most, double largest) {
-    std::vector<Share> divided = shares(mesh, bodies, work, most);
-    if (divided.empty() || divided.front().work > largest * std::accumulate(work.begin(), work.end(), 0.0)) {
-        return {};
+std::vector<MeshBody> bodies_of(const ClassifiedMesh& mesh, const std::vector<int>& together,
+                                const std::vector<double>& work) {
+    DisjointSets<int> joined = joined_vertices(mesh, together);
+    std::vector<int> body_at(static_cast<std::size_t>(mesh.vertex_count()), -1);
+    std::vector<MeshBody> result;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        int& body = body_at[static_cast<std::size_t>(joined.find(mesh.vertex_of(3 * t)))];
+        if (body < 0) {
+            body = static_cast<int>(result.size());
+            result.emplace_back();
+        }
+        result[static_cast<std::size_t>(body)].work += work[static_cast<std::size_t>(t)];
+        result[static_cast<std::size_t>(body)].triangles.push_back(t);
     }
-    std::vector<MeshComponent> result(divided.size());
-    parallel_for(static_cast<int>(result.size()), [&](int k) {
-        const auto i = static_cast<std::size_t>(k);
-        result[i] = component_of(mesh, std::move(divided[i].triangles));
-    });
+    std::stable_sort(result.begin(), result.end(), more_work<MeshBody>);
     return result;
 }
 
-JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed) {
-    return Joining(divided, changed).take();
+std::vector<std::vector<int>> groups_of(const std::vector<double>& work, std::size_t most) {
+    struct Group {
+        double work;
+        std::vector<int> items;
+    };
+    std::vector<Group> groups;
+    for (std::size_t i = 0; i < work.size(); ++i) {
+        groups.push_back({work[i], {static_cast<int>(i)}});
+    }
+    for (; groups.size() > most; groups.pop_back()) {  // goes to the smallest one that stays
+        const Group& last = groups.back();
+        Group& smallest =
+            *std::max_element(groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(most), more_work<Group>);
+        smallest.work += last.work;
+        smallest.items.insert(smallest.items.end(), last.items.begin(), last.items.end());
+    }
+    std::stable_sort(groups.begin(), groups.end(), more_work<Group>);
+    std::vector<std::vector<int>> result;
+    for (Group& group : groups) {
+        result.push_back(std::move(group.items));
+    }
+    return result;
+}
+
+MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles, const Progress* progress) {
+    return Cutting(mesh, std::move(triangles), progress).take();
+}
+
+JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed,
+                      const Progress* progress) {
+    return Joining(divided, changed, progress).take();
 }
 
 }  // namespace mq::triangulate

@@ -4,36 +4,54 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/progress.h"
 #include "triangulate/work_mesh/classified_mesh.h"
 
 namespace mq::triangulate {
 
-/// Connected components of a mesh as a mesh of their own, which can be changed while other threads change the others.
+/// The triangles of a body: those with a common vertex, or on faces of one volume or one face of the shape.
+struct MeshBody {
+    std::vector<int> triangles;  ///< ascending
+    double work = 0.0;           ///< that is expected on them
+};
+
+/// Returns the bodies of a mesh without unused indices, the one with most expected work first.
+/// @param together  by CAD face: a number from 0 on, the same for faces that are to be in one body, below the number
+/// of faces
+/// @param work  by triangle: the work that is expected on it, in any unit
+std::vector<MeshBody> bodies_of(const ClassifiedMesh& mesh, const std::vector<int>& together,
+                                const std::vector<double>& work);
+
+/// Collects items, the one with most work first, in groups: one each, but small ones together where there are more than
+/// `most`.
+/// @param work  by item, descending
+/// @return by group, the one with most work first: its items
+std::vector<std::vector<int>> groups_of(const std::vector<double>& work, std::size_t most);
+
+/// Bodies of a mesh as a mesh of their own, which can be changed while other threads change the others.
 struct MeshComponent {
     ClassifiedMesh mesh;
     std::vector<int> triangles;  ///< indices in the whole mesh of the component's triangles at first, ascending
-    std::vector<int> vertices;   ///< the same of its vertices
-    std::vector<int> sites;      ///< the same of its sites
-    std::vector<int> segments;   ///< the same of its segments
+    /// By vertex at first: its index in the whole mesh, ascending but for those that have none, -1.
+    std::vector<int> vertices;
+    std::vector<int> sites;     ///< the same of its sites
+    std::vector<int> segments;  ///< the same of its segments
 };
 
-/// Divides a mesh into its connected components, the one with most expected work first: triangles with a common vertex,
-/// or on faces of one body, are in the same one. Where there are more of them than `most`, small ones are together. No
-/// index may be unused.
-/// @param bodies  by CAD face: a number from 0 on, the same for the faces of a body, below the number of faces
-/// @param work  by triangle: the work that is expected on it, in any unit
-/// @param largest  fraction of the work that one component may have; none are returned where one has more
-std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, const std::vector<int>& bodies,
-                                  const std::vector<double>& work, std::size_t most, double largest);
+/// @param triangles  all those of some bodies, ascending
+/// @throws Cancelled
+MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles, const Progress* progress = nullptr);
 
-/// The mesh of which components were taken, with the changes that were made to them. Its former vertices, sites and
-/// segments keep their indices.
+/// The mesh of which components were taken, with the changes that were made to them. Its former vertices and sites keep
+/// their indices; nothing uses those that no component has. Segments keep theirs where all have a component.
 struct JoinedComponents {
     ClassifiedMesh mesh;
     std::vector<int> first;  ///< by component: index of its first triangle; the others follow in the component's order
     std::vector<std::vector<int>> vertices;  ///< by component: indices of its vertices
 };
-/// @param changed  all components of `divided` after their changes; no index may be unused
-JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed);
+/// @param changed  all components of `divided` after their changes, or what takes their place; no index may be unused
+/// @throws Cancelled
+JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed,
+                      const Progress* progress = nullptr);
 
 }  // namespace mq::triangulate

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/incremental/cache_keys.h"
 
+#include "geometry/face_definition.h"
+
 namespace mq::triangulate {
 
 namespace {

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "geometry/face_definition.h"
+#include "triangulate/components/placed_body.h"
 #include "triangulate/incremental/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
@@ -13,9 +15,6 @@ namespace mq::triangulate {
 namespace {
 using geometry::Topology;
 
-// Allowed distance, in resolutions, between a vertex and the surface point at its (u, v): one rounding to the grid and
-// one projection, each with a reserve.
-constexpr double kOffSurface = 4.0;
 constexpr std::size_t kMany = static_cast<std::size_t>(-1);  // No count yet: larger than any number of samples.
 
 double shortest_side(const FaceMesh& mesh) {
@@ -155,7 +154,7 @@ void CacheRestore::forget_where_edges_differ(const EdgeDiscretisation& chains) {
 }
 
 void CacheRestore::forget_where_points_differ() {
-    const double allowed = kOffSurface * std::max(run_->resolution, grid_.resolution());
+    const double allowed = kOffPlace * std::max(run_->resolution, grid_.resolution());
     for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
         if (faces_[f] == nullptr) {
             continue;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "geometry/face_definition.h"
+
 namespace mq::triangulate {
 
 namespace {

@@ -16,7 +16,4 @@ std::vector<geometry::Fingerprint> face_fingerprints(geometry::Session& session)
 /// Adds the numbering of a shape's entities and its placement; with the keys of all faces this identifies the shape.
 void add_structure(geometry::Session& session, geometry::Fingerprint& key);
 
-/// The uses of a face in the order of its loops: the same order for two faces with equal keys.
-std::vector<int> uses_in_order(const geometry::Face& face);
-
 }  // namespace mq::triangulate

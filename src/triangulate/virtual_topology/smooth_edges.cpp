@@ -78,9 +78,12 @@ std::vector<std::vector<double>> parameters(const ClassifiedMesh& mesh, const ge
 std::vector<char> smooth_edges(Workspace& work, double feature_angle, const std::vector<LocalSize>& sizes) {
     const geometry::Topology& topology = work.session.topology();
     const std::vector<Sides> sides = sides_of_faces(topology);
-    std::vector<char> smooth(topology.edges.size());
+    std::vector<char> smooth(topology.edges.size(), 0);
+    for (int s = 0; s < work.mesh.segment_count(); ++s) {
+        smooth[static_cast<std::size_t>(work.mesh.segment(s).edge)] = 1;
+    }
     for (std::size_t e = 0; e < smooth.size(); ++e) {
-        smooth[e] = may_be_smooth(topology, static_cast<int>(e), sides, sizes) ? 1 : 0;
+        smooth[e] = smooth[e] != 0 && may_be_smooth(topology, static_cast<int>(e), sides, sizes) ? 1 : 0;
     }
     const double least = std::cos(feature_angle * kDegree);
     const std::vector<std::vector<double>> wanted = parameters(work.mesh, topology, smooth);

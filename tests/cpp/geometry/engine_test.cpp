@@ -34,7 +34,7 @@ class EchoModel final : public Model {
         return answer;
     }
     std::optional<ElementarySurface> elementary_surface(int /*face*/) override { return std::nullopt; }
-    void add_definition(Entity /*entity*/, Fingerprint& /*key*/) override {}
+    void add_definition(Entity /*entity*/, int /*frame*/, Fingerprint& /*key*/) override {}
     void add_definition_of_use(int /*use*/, Fingerprint& /*key*/) override {}
 
     std::atomic<bool> held{false};

@@ -52,7 +52,7 @@ class DoublingModel final : public Model {
         return further[static_cast<std::size_t>(thread) - 1].get();
     }
     std::optional<ElementarySurface> elementary_surface(int /*face*/) override { return std::nullopt; }
-    void add_definition(Entity /*entity*/, Fingerprint& /*key*/) override {}
+    void add_definition(Entity /*entity*/, int /*frame*/, Fingerprint& /*key*/) override {}
     void add_definition_of_use(int /*use*/, Fingerprint& /*key*/) override {}
 
     DoublingAnswerer first;

@@ -67,11 +67,30 @@ std::vector<int> apart(int faces) {
     return bodies;
 }
 
+std::vector<MeshComponent> divide(const ClassifiedMesh& mesh, const std::vector<int>& together,
+                                  const std::vector<double>& work, std::size_t most) {
+    const std::vector<MeshBody> bodies = bodies_of(mesh, together, work);
+    std::vector<double> of_bodies;
+    for (const MeshBody& body : bodies) {
+        of_bodies.push_back(body.work);
+    }
+    std::vector<MeshComponent> components;
+    for (const std::vector<int>& group : groups_of(of_bodies, most)) {
+        std::vector<int> triangles;
+        for (const int b : group) {
+            const std::vector<int>& of_body = bodies[static_cast<std::size_t>(b)].triangles;
+            triangles.insert(triangles.end(), of_body.begin(), of_body.end());
+        }
+        std::sort(triangles.begin(), triangles.end());
+        components.push_back(component_of(mesh, std::move(triangles)));
+    }
+    return components;
+}
+
 /// The same work is expected on all triangles.
-std::vector<MeshComponent> divide_evenly(const ClassifiedMesh& mesh, const std::vector<int>& bodies, std::size_t most,
-                                         double largest) {
-    return divide(mesh, bodies, std::vector<double>(static_cast<std::size_t>(mesh.triangle_count()), 2.0), most,
-                  largest);
+std::vector<MeshComponent> divide_evenly(const ClassifiedMesh& mesh, const std::vector<int>& together,
+                                         std::size_t most) {
+    return divide(mesh, together, std::vector<double>(static_cast<std::size_t>(mesh.triangle_count()), 2.0), most);
 }
 
 std::vector<const MeshComponent*> all(const std::vector<MeshComponent>& components) {
@@ -91,7 +110,7 @@ std::vector<std::size_t> sizes(const std::vector<MeshComponent>& components) {
 }
 
 TEST(MeshComponents, TheLargestComponentIsTheFirst) {
-    const std::vector<MeshComponent> found = divide_evenly(rings({3, 5, 4, 5}), apart(4), 10, 1.0);
+    const std::vector<MeshComponent> found = divide_evenly(rings({3, 5, 4, 5}), apart(4), 10);
     EXPECT_EQ(sizes(found), (std::vector<std::size_t>{5, 5, 4, 3}));
     EXPECT_EQ(found[0].mesh.face_of(0), 1);
     EXPECT_EQ(found[1].mesh.face_of(0), 3);
@@ -104,7 +123,7 @@ TEST(MeshComponents, TheLargestComponentIsTheFirst) {
 }
 
 TEST(MeshComponents, SmallOnesAreTogetherWhereThereAreMany) {
-    const std::vector<MeshComponent> found = divide_evenly(rings({3, 8, 4, 5, 3, 3}), apart(6), 3, 1.0);
+    const std::vector<MeshComponent> found = divide_evenly(rings({3, 8, 4, 5, 3, 3}), apart(6), 3);
     EXPECT_EQ(sizes(found), (std::vector<std::size_t>{10, 8, 8}));
     for (const MeshComponent& component : found) {
         EXPECT_EQ(component.mesh.inconsistency(), "");
@@ -112,7 +131,7 @@ TEST(MeshComponents, SmallOnesAreTogetherWhereThereAreMany) {
 }
 
 TEST(MeshComponents, FacesOfABodyAreTogether) {
-    const std::vector<MeshComponent> found = divide_evenly(rings({3, 5, 4, 5}), {0, 1, 0, 2}, 10, 1.0);
+    const std::vector<MeshComponent> found = divide_evenly(rings({3, 5, 4, 5}), {0, 1, 0, 2}, 10);
     EXPECT_EQ(sizes(found), (std::vector<std::size_t>{7, 5, 5}));
     EXPECT_EQ(found[0].mesh.inconsistency(), "");
     EXPECT_EQ(found[0].mesh.face_of(0), 0);
@@ -122,19 +141,58 @@ TEST(MeshComponents, FacesOfABodyAreTogether) {
 TEST(MeshComponents, TheOneWithMostWorkIsTheFirst) {
     std::vector<double> work(7, 1.0);
     work[5] = 4.0;
-    EXPECT_EQ(sizes(divide(rings({4, 3}), apart(2), work, 10, 1.0)), (std::vector<std::size_t>{3, 4}));
-    EXPECT_TRUE(divide(rings({4, 3}), apart(2), work, 10, 0.59).empty());
+    EXPECT_EQ(sizes(divide(rings({4, 3}), apart(2), work, 10)), (std::vector<std::size_t>{3, 4}));
 }
 
-TEST(MeshComponents, NoneWhereOneIsMoreWorkThanAllowed) {
-    EXPECT_TRUE(divide_evenly(rings({9, 3}), apart(2), 10, 0.74).empty());
-    EXPECT_EQ(divide_evenly(rings({9, 3}), apart(2), 10, 0.75).size(), 2U);
-    EXPECT_TRUE(divide_evenly(ClassifiedMesh(), {}, 10, 1.0).empty());
+TEST(MeshComponents, AnEmptyMeshHasNone) {
+    EXPECT_TRUE(bodies_of(ClassifiedMesh(), {}, {}).empty());
+    EXPECT_TRUE(groups_of({}, 10).empty());
+}
+
+TEST(MeshComponents, TheWorkOfABodyIsThatOfItsTriangles) {
+    std::vector<double> work(7, 1.0);
+    work[5] = 4.0;
+    const std::vector<MeshBody> bodies = bodies_of(rings({4, 3}), apart(2), work);
+    ASSERT_EQ(bodies.size(), 2U);
+    EXPECT_EQ(bodies[0].work, 6.0);
+    EXPECT_EQ(bodies[0].triangles, (std::vector<int>{4, 5, 6}));
+    EXPECT_EQ(bodies[1].work, 4.0);
+}
+
+TEST(MeshComponents, GroupsAreFilledFromTheSmallest) {
+    EXPECT_EQ(groups_of({5.0, 3.0, 2.0, 2.0}, 4), (std::vector<std::vector<int>>{{0}, {1}, {2}, {3}}));
+    EXPECT_EQ(groups_of({5.0, 3.0, 2.0, 2.0}, 2), (std::vector<std::vector<int>>{{0, 2}, {1, 3}}));
+}
+
+/// Nothing uses what was there of a body whose mesh another one has taken the place of.
+TEST(MeshComponents, AnotherMeshMayTakeThePlaceOfABody) {
+    const ClassifiedMesh mesh = rings({3, 5});
+    std::vector<MeshComponent> found = divide_evenly(mesh, apart(2), 10);
+    ASSERT_EQ(found[1].triangles.size(), 3U);
+    const int kept = found[1].vertices[1];
+    const std::vector<int> sites = found[1].sites;
+    found[1].vertices = {-1, kept, -1, -1};
+    found[1].sites = {};
+    found[1].segments = {};
+    const JoinedComponents joined = join(mesh, all(found));
+    EXPECT_EQ(joined.mesh.inconsistency(), "");
+    EXPECT_EQ(joined.mesh.triangle_count(), mesh.triangle_count());
+    EXPECT_EQ(joined.vertices[1], (std::vector<int>{10, kept, 11, 12}));
+    EXPECT_EQ(joined.mesh.vertex_count(), mesh.vertex_count() + 3);
+    EXPECT_EQ(joined.mesh.segment_count(), mesh.segment_count());
+    for (int t = joined.first[1]; t < joined.first[1] + 3; ++t) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            EXPECT_EQ(std::count(sites.begin(), sites.end(), joined.mesh.site_of(h)), 0);
+        }
+    }
+    for (int s = 0; s < joined.mesh.segment_count(); ++s) {
+        EXPECT_FALSE(joined.mesh.segment(s).uses.empty());
+    }
 }
 
 TEST(MeshComponents, JoinedUnchangedTheyAreTheMesh) {
     const ClassifiedMesh mesh = rings({3, 5, 4});
-    const std::vector<MeshComponent> found = divide_evenly(mesh, apart(3), 10, 1.0);
+    const std::vector<MeshComponent> found = divide_evenly(mesh, apart(3), 10);
     const JoinedComponents joined = join(mesh, all(found));
     EXPECT_EQ(joined.mesh.inconsistency(), "");
     EXPECT_EQ(joined.first, (std::vector<int>{0, 5, 9}));
@@ -156,7 +214,7 @@ TEST(MeshComponents, JoinedUnchangedTheyAreTheMesh) {
 
 TEST(MeshComponents, ChangesOfSeveralAreJoined) {
     const ClassifiedMesh mesh = rings({3, 5});
-    std::vector<MeshComponent> found = divide_evenly(mesh, apart(2), 10, 1.0);
+    std::vector<MeshComponent> found = divide_evenly(mesh, apart(2), 10);
     for (MeshComponent& component : found) {
         ClassifiedMesh& own = component.mesh;
         const int inside =

@@ -80,8 +80,8 @@ TEST(Creases, FollowTheShapesPlace) {
     for (int f = 0; f < static_cast<int>(here->topology().faces.size()); ++f) {
         Fingerprint one{};
         Fingerprint other{};
-        here->add_definition({2, f}, one);
-        there->add_definition({2, f}, other);
+        here->add_definition({2, f}, -1, one);
+        there->add_definition({2, f}, -1, other);
         EXPECT_EQ(one, other) << "face " << f;
     }
 }
