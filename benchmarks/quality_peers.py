@@ -18,8 +18,9 @@ edge middles and centroids of triangles) and `forced` is what our report exempts
 not installed are skipped: Gmsh needs Debian's python3-gmsh, Netgen libnglib-dev and a build with
 -DMESHQUALITY_BENCHMARKS=ON.
 
---growth meshes one part by itself with smaller and smaller chord heights and prints seconds and
-bytes of memory per triangle, those of the peak above what FreeCAD had before.
+--growth meshes one part by itself with smaller and smaller chord heights and prints microseconds
+and bytes of memory per triangle, those of the peak above what FreeCAD had before. Those of stages
+are of the clock: give MESHQUALITY_THREADS=1 on an idle machine.
 """
 
 import json
@@ -39,6 +40,7 @@ FIRST, LAST = 0, 14  # of the grid of settings
 CRASHES = 2  # in turn, and no finer setting is tried
 SAMPLES = "20000"  # of the surface, for the judge
 GROWTH = 4.0  # chord heights go down by this factor
+STAGES = ("chord height", "taking out vertices", "crossings", "checking")  # that large meshes take time in
 
 
 def parser():
@@ -328,8 +330,8 @@ def growth(arguments):
     with tempfile.TemporaryDirectory() as scratch:
         part = Model(path, Path(scratch), arguments.judge)
     before = memory("VmRSS")
-    print(f"{part.name}\n| chord height / L | triangles | CPU s | ktri/s | bytes per triangle |\n"
-          "|---|---:|---:|---:|---:|")
+    print(f"{part.name}\n| chord height / L | triangles | CPU s | us per triangle | {' | '.join(STAGES)} "
+          f"| bytes per triangle |\n|---|{'---:|' * (len(STAGES) + 4)}")
     while not rows or rows[-1]["triangles"] * GROWTH ** 0.5 < arguments.most:
         mesh = None  # the one before is not to count
         forget_peak()
@@ -340,9 +342,10 @@ def growth(arguments):
         seconds = time.process_time() - start
         count = len(mesh.triangles)
         rows.append({"chord": chord, "triangles": count, "seconds": seconds,
-                     "bytes": (memory("VmHWM") - before) / count})
-        print(f"| {chord:.2e} | {count} | {seconds:.3f} | {count / seconds / 1000.0:.1f} "
-              f"| {rows[-1]['bytes']:.0f} |", flush=True)
+                     "stages": dict(mesh.report.seconds), "bytes": (memory("VmHWM") - before) / count})
+        stages = [f"{1e6 * rows[-1]['stages'].get(name, 0.0) / count:.2f}" for name in STAGES]
+        print(f"| {chord:.2e} | {count} | {seconds:.3f} | {1e6 * seconds / count:.1f} "
+              f"| {' | '.join(stages)} | {rows[-1]['bytes']:.0f} |", flush=True)
         chord /= GROWTH
     return {"model": part.name, "rows": rows}
 

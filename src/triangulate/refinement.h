@@ -45,6 +45,8 @@ class Refinement {
     void refine_angles();
     void refine_chords();
     void refine_again();
+    void order_where_grown();
+    void order_in_space();
     void separate_doubled();
     bool split_crossings();
     void separate_crossings();
@@ -61,6 +63,10 @@ class Refinement {
     ChordRefinement chords_;
     IntersectionRefinement crossings_;
     std::vector<int> touched_;
+    // Those of the mesh to begin with keep their indices.
+    int vertices_before_;
+    int sites_before_;
+    int ordered_ = 0;  // triangles when they were ordered in space
 };
 
 }  // namespace mq::triangulate

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 #include <utility>
 
 namespace mq::mesh {
@@ -32,16 +31,6 @@ float round_down(double x) {
 float round_up(double x) {
     return -round_down(-x);
 }
-
-/// The ten lowest bits, each followed by two zeros.
-std::uint32_t spread(std::uint32_t x) {
-    x = (x | (x << 16)) & 0x030000ffu;
-    x = (x | (x << 8)) & 0x0300f00fu;
-    x = (x | (x << 4)) & 0x030c30c3u;
-    return (x | (x << 2)) & 0x09249249u;
-}
-
-constexpr std::uint32_t kCells = 1024;  ///< cells along a side of the Morton grid
 
 }  // namespace
 
@@ -109,7 +98,7 @@ void AabbTree::build() {
     build_node(0, 0, items_.size());
 }
 
-/// Morton order of the middles of the boxes, in cubic cells, by a radix sort (ties: by position in the input).
+/// Morton order of the middles of the boxes, in cubic cells, ties by position in the input.
 void AabbTree::sort_items() {
     Bounds all = bounds_of(items_[0].triangle);
     for (Item& item : items_) {
@@ -120,42 +109,25 @@ void AabbTree::sort_items() {
     for (int i = 0; i < 3; ++i) {
         side = std::max(side, double(all.high[i]) - double(all.low[i]));
     }
-    const double scale = side > 0.0 ? 0.5 * (kCells - 1) / side : 0.0;
-    // Bits of the code along one axis, which are also the digits of one pass of the radix sort.
-    constexpr int kBits = 10;
-    // Buckets of one pass of the radix sort.
-    constexpr std::size_t kBuckets = std::size_t{1} << kBits;
-    std::array<std::array<std::uint32_t, kBuckets + 1>, 3> begin{};
-    LargeVector<Key> keys(items_.size());
+    const double scale = side > 0.0 ? 0.5 * (kMortonCells - 1) / side : 0.0;
+    LargeVector<MortonKey> keys(items_.size());
     for (std::size_t k = 0; k < items_.size(); ++k) {
         const Bounds& bounds = items_[k].bounds;
-        std::uint32_t code = 0;
+        std::array<double, 3> cell{};
         for (int i = 0; i < 3; ++i) {
             const double twice_middle = double(bounds.low[i]) + double(bounds.high[i]) - 2.0 * double(all.low[i]);
             // No number where bounds are infinite, beyond single precision: then items need no order.
-            const double cell = twice_middle * scale;
-            code = (code << 1) | spread(cell > 0.0 ? static_cast<std::uint32_t>(cell) : 0U);
+            cell[i] = twice_middle * scale;
         }
-        items_[k].code = code;
-        keys[k] = {code, static_cast<std::uint32_t>(k)};
-        for (int pass = 0; pass < 3; ++pass) {
-            ++begin[pass][((code >> (kBits * pass)) & (kBuckets - 1)) + 1];
-        }
+        items_[k].code = morton_code(cell);
+        keys[k] = {items_[k].code, static_cast<std::uint32_t>(k)};
     }
-    LargeVector<Key> sorted(keys.size());
-    for (int pass = 0; pass < 3; ++pass) {
-        std::partial_sum(begin[pass].begin(), begin[pass].end(), begin[pass].begin());
-        for (const Key& key : keys) {
-            sorted[begin[pass][(key.code >> (kBits * pass)) & (kBuckets - 1)]++] = key;
-        }
-        keys.swap(sorted);
-    }
-    sorted = {};
+    sort_by_code(keys);
     put_in_order(std::move(keys));
 }
 
 /// Moves items to their places along the cycles of the permutation: a copy of all would double the memory.
-void AabbTree::put_in_order(LargeVector<Key> keys) {
+void AabbTree::put_in_order(LargeVector<MortonKey> keys) {
     for (std::uint32_t start = 0; start < keys.size(); ++start) {
         const Item first = items_[start];
         std::uint32_t place = start;

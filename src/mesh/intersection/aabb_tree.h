@@ -10,6 +10,7 @@
 
 #include "base/memory/large_vector.h"
 #include "base/vec.h"
+#include "mesh/morton_sort.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::mesh {
@@ -131,11 +132,7 @@ class AabbTree {
     Bounds bounds_of(std::int32_t triangle) const;
     void build();
     void sort_items();
-    struct Key {
-        std::uint32_t code;
-        std::uint32_t item;
-    };
-    void put_in_order(LargeVector<Key> keys);
+    void put_in_order(LargeVector<MortonKey> keys);
     void build_node(std::int32_t node, std::size_t begin, std::size_t end);
     std::size_t split(std::size_t begin, std::size_t end);
 

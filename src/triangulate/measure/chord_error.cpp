@@ -107,6 +107,20 @@ void ChordErrorCache::take_over(const ChordErrorCache& other, int first) {
     }
 }
 
+void ChordErrorCache::renumber(const NewIndices& renewed) {
+    move_to_indices(renewed.sites, site_offsets_, -1.0);
+    move_to_indices(renewed.edges, known_, {});
+    KeyMap<Offset> moved;
+    for (const auto& [ends, offset] : offsets_) {
+        const int a = renewed.vertices[ends >> 32];
+        const int b = renewed.vertices[ends & 0xFFFFFFFFU];
+        if (a >= 0 && b >= 0) {
+            moved[pair_key(a, b)] = offset;
+        }
+    }
+    offsets_ = std::move(moved);
+}
+
 std::uint64_t ChordErrorCache::ends_key(int half_edge) const {
     return pair_key(work_.mesh.vertex_of(half_edge), work_.mesh.vertex_of(ClassifiedMesh::next(half_edge)));
 }

@@ -65,6 +65,8 @@ class ChordErrorCache {
 
     /// Follows ClassifiedMesh::renumber_edges.
     void renumber(const LargeVector<int>& renewed) { move_to_numbers(renewed, known_); }
+    /// Follows ClassifiedMesh::order_in_space.
+    void renumber(const NewIndices& renewed);
     /// Discards the measurements of edges by number and those of vertices, and frees their memory.
     void clear() {
         known_ = {};

@@ -175,13 +175,15 @@ std::vector<std::optional<VertexRemoval::RemovalPlan>> VertexRemoval::plans_for(
     return result;
 }
 
-// Returns plans that share no triangles and keep the tolerance. Candidates whose triangles others took are left for
-// later rounds.
-LargeVector<VertexRemoval::RemovalPlan> VertexRemoval::plans(std::vector<int>& candidates) {
-    // Plans that are made at a time, about a MB: most are dropped as soon as their triangles are compared, or measured.
+// Removes vertices whose triangles have no other in common, where the tolerance is kept. Candidates whose triangles
+// others took are left for later rounds, together with the vertices around what changed.
+// @return whether any was removed
+bool VertexRemoval::remove_some(std::vector<int>& candidates) {
+    // Plans that are made at a time, about a MB.
     constexpr std::size_t kAtOnce = 4096;
+    // New triangles take the indices of old ones, so that these stay taken.
     LargeVector<char> taken(static_cast<std::size_t>(work_.mesh.triangle_count()), 0);
-    LargeVector<RemovalPlan> result;
+    bool changed = false;
     std::vector<int> later;
     for (std::size_t from = 0; from < candidates.size(); from += kAtOnce) {
         work_.progress.check();
@@ -194,13 +196,14 @@ LargeVector<VertexRemoval::RemovalPlan> VertexRemoval::plans(std::vector<int>& c
         }
         const std::vector<char> good = within_tolerance(chosen);
         for (std::size_t i = 0; i < chosen.size(); ++i) {
-            if (good[i]) {
-                result.push_back(std::move(chosen[i]));
+            if (good[i] && is_valid(chosen[i])) {
+                apply(chosen[i], later);
+                changed = true;
             }
         }
     }
     candidates = std::move(later);
-    return result;
+    return changed;
 }
 
 // Adds a plan to the chosen ones and takes its triangles, or leaves its vertex for later where others took them.
@@ -391,12 +394,7 @@ bool VertexRemoval::run() {
     bool changed = false;
     for (int round = 0; round < OptimisationTuning::kMaxRemovalRounds && !candidates.empty(); ++round) {
         work_.progress.check();
-        for (const RemovalPlan& plan : plans(candidates)) {
-            if (is_valid(plan)) {
-                apply(plan, candidates);
-                changed = true;
-            }
-        }
+        changed = remove_some(candidates) || changed;
         std::sort(candidates.begin(), candidates.end(), std::greater<>());
         candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     }

@@ -47,7 +47,7 @@ class VertexRemoval {
     bool lengths_allowed(int half_edge, const RemovalCavity& cavity, const Fan& fan) const;
     bool heights_expected(const RemovalCavity& cavity, const Fan& fan) const;
     std::vector<std::optional<RemovalPlan>> plans_for(const int* first, const int* last) const;
-    LargeVector<RemovalPlan> plans(std::vector<int>& candidates);
+    bool remove_some(std::vector<int>& candidates);
     static void choose(RemovalPlan plan, LargeVector<char>& taken, std::vector<RemovalPlan>& chosen,
                        std::vector<int>& later);
     double way_back_to_new(const RemovalPlan& plan) const;

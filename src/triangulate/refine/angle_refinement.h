@@ -30,6 +30,13 @@ class AngleRefinement {
                     double chord_height = 0.0, std::size_t sites_in_round = 0);
 
     void run();  ///< without a bound on angles it does nothing
+    /// Follows ClassifiedMesh::order_in_space, between runs.
+    void renumber(const NewIndices& renewed) {
+        apex_rings_.renumber(renewed);
+        move_to_indices(renewed.vertices, sharpened_);
+        turned_.renumber(renewed);
+        looked_at_.renumber(renewed);
+    }
 
   private:
     struct QueuedTriangle {

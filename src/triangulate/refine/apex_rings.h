@@ -28,6 +28,12 @@ class ApexRings {
     /// Returns the number of rings tried at all apexes.
     std::size_t tried() const { return tried_; }
 
+    /// Follows ClassifiedMesh::order_in_space.
+    void renumber(const NewIndices& renewed) {
+        move_to_indices(renewed.vertices, tries_);
+        move_to_indices(renewed.vertices, misses_);
+    }
+
   private:
     struct Ring {
         int count;            // number of its vertices

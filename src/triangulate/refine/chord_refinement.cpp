@@ -2,6 +2,7 @@
 #include "triangulate/refine/chord_refinement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/angle.h"
@@ -26,6 +27,9 @@ std::array<std::uint32_t, 2> stamps_beside(const ClassifiedMesh& mesh, int h) {
 
 // Pieces measured, or surface points found, at a time: their results are larger than the mesh if all are kept.
 constexpr std::size_t kAtOnce = 8192;
+
+// Ratio of excesses that are alike: those of a chord and of one that is 10 % longer.
+constexpr double kAlike = 1.21;
 
 }  // namespace
 
@@ -207,7 +211,7 @@ void ChordRefinement::measure_growth(Violations& found) {
     }
 }
 
-// Returns the worst first, and equal ones as they were found.
+// Returns the worst first, and those alike as they were found: what is split in turn then lies together in memory.
 ChordRefinement::Violations ChordRefinement::violations() {
     Violations found;
     measure_segments(found);
@@ -222,6 +226,7 @@ ChordRefinement::Violations ChordRefinement::violations() {
     }
     for (std::size_t i = 0; i < found.size(); ++i) {
         found[i].place = static_cast<int>(i);
+        found[i].excess = std::floor(std::log(found[i].excess) / std::log(kAlike));
     }
     std::sort(found.begin(), found.end(), [](const Violation& a, const Violation& b) {
         return a.excess != b.excess ? a.excess > b.excess : a.place < b.place;
@@ -247,11 +252,19 @@ void ChordRefinement::forget_gone_edges() {
     refused_ = std::move(refused);
 }
 
-bool ChordRefinement::run() {
+void ChordRefinement::renumber(const NewIndices& renewed) {
+    passed_.renumber(renewed);
+    edges_passed_.renumber(renewed);
+    measured_.renumber(renewed);
+    move_to_indices(renewed.edges, refused_);
+}
+
+bool ChordRefinement::run(const std::function<void()>& before_round) {
     changed_ = false;
     for (int round = 0; round < RefinementTuning::kMaxSplitRounds && !work_.over_budget(); ++round) {
         work_.progress.check();
         const int before = work_.mesh.vertex_count();
+        before_round();
         forget_gone_edges();
         const Violations found = violations();
         work_.progress.check();

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -22,8 +23,11 @@ class ChordRefinement {
     ChordRefinement(Workspace& work, SegmentSplitter& segments, ChordErrorCache& measure, const Sizing& sizing)
         : work_(work), segments_(segments), measure_(measure), sizing_(sizing) {}
 
+    /// `before_round` may renumber the mesh.
     /// @return whether anything was split.
-    bool run();
+    bool run(const std::function<void()>& before_round = [] {});
+    /// Follows ClassifiedMesh::order_in_space.
+    void renumber(const NewIndices& renewed);
 
   private:
     /// A side or an inside that deviates more than allowed.

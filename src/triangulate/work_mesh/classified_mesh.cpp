@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+
+#include "mesh/morton_sort.h"
 
 namespace mq::triangulate {
 
@@ -10,6 +13,34 @@ namespace {
 
 // Marks a half-edge that is neither linked nor bound yet. Never a valid half-edge or ~segment.
 constexpr int kLoose = -0x7fffffff;
+
+// Returns the triangles so that near ones follow soon after each other.
+LargeVector<int> along_morton_curve(const ClassifiedMesh& mesh) {
+    Vec3 low = mesh.points().front();
+    Vec3 high = low;
+    for (const Vec3& p : mesh.points()) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    const double side = (high - low).maxCoeff();
+    const double scale = side > 0.0 ? (mesh::kMortonCells - 1) / (3.0 * side) : 0.0;
+    LargeVector<mesh::MortonKey> keys(static_cast<std::size_t>(mesh.triangle_count()));
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        const Vec3 cell =
+            (mesh.point_of(3 * t) + mesh.point_of(3 * t + 1) + mesh.point_of(3 * t + 2) - 3.0 * low) * scale;
+        keys[static_cast<std::size_t>(t)] = {mesh::morton_code({cell.x(), cell.y(), cell.z()}),
+                                             static_cast<std::uint32_t>(t)};
+    }
+    mesh::sort_by_code(keys);
+    LargeVector<int> order(keys.size());
+    std::transform(keys.begin(), keys.end(), order.begin(),
+                   [](const mesh::MortonKey& key) { return static_cast<int>(key.item); });
+    return order;
+}
+
+int moved_half_edge(const NewIndices& renewed, int h) {
+    return 3 * renewed.triangles[static_cast<std::size_t>(h / 3)] + h % 3;
+}
 
 }  // namespace
 
@@ -84,6 +115,77 @@ LargeVector<int> ClassifiedMesh::renumber_edges() {
             number_[h] = renewed[number_[h]];
         }
     }
+    return renewed;
+}
+
+// Vertices of segments that are gone stay, too: they are few.
+NewIndices ClassifiedMesh::new_indices(const LargeVector<int>& order, int vertices, int sites) {
+    NewIndices renewed;
+    renewed.triangles.resize(order.size());
+    renewed.vertices.assign(points_.size(), -1);
+    renewed.sites.assign(sites_.size(), -1);
+    renewed.edges.assign(static_cast<std::size_t>(numbers_), -1);
+    std::iota(renewed.vertices.begin(), renewed.vertices.begin() + vertices, 0);
+    std::iota(renewed.sites.begin(), renewed.sites.begin() + sites, 0);
+    const auto visit = [](int& index, int& count) { index = index < 0 ? count++ : index; };
+    int numbers = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        renewed.triangles[order[i]] = static_cast<int>(i);
+        for (int h = 3 * order[i]; h < 3 * order[i] + 3; ++h) {
+            visit(renewed.vertices[vertex_of(h)], vertices);
+            visit(renewed.sites[corner_[h]], sites);
+            visit(renewed.edges[number_[h]], numbers);
+        }
+    }
+    for (const Segment& segment : segments_) {
+        for (const int v : segment.vertices) {
+            visit(renewed.vertices[v], vertices);
+        }
+    }
+    dropped_ += numbers_ - numbers;
+    numbers_ = numbers;
+    return renewed;
+}
+
+void ClassifiedMesh::move_triangles(const LargeVector<int>& order, const NewIndices& renewed) {
+    const auto move_corners = [&](LargeVector<int>& values, const auto& changed) {
+        LargeVector<int> moved(values.size());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            for (int k = 0; k < 3; ++k) {
+                moved[3 * i + k] = changed(values[3 * order[i] + k]);
+            }
+        }
+        values.swap(moved);
+    };
+    move_corners(corner_, [&](int site) { return renewed.sites[site]; });
+    move_corners(twin_, [&](int twin) { return twin < 0 ? twin : moved_half_edge(renewed, twin); });
+    move_corners(number_, [&](int number) { return renewed.edges[number]; });
+    move_to_indices(renewed.triangles, face_, -1);
+    LargeVector<std::uint32_t> dropped(stamp_.begin() + triangle_count(), stamp_.end());
+    stamp_.resize(face_.size());
+    move_to_indices(renewed.triangles, stamp_, 0);
+    stamp_.insert(stamp_.end(), dropped.begin(), dropped.end());
+}
+
+NewIndices ClassifiedMesh::order_in_space(int vertices, int sites) {
+    const LargeVector<int> order = along_morton_curve(*this);
+    NewIndices renewed = new_indices(order, vertices, sites);
+    move_triangles(order, renewed);
+    for (Segment& segment : segments_) {
+        for (int& v : segment.vertices) {
+            v = renewed.vertices[v];
+        }
+        for (SegmentUse& use : segment.uses) {
+            use.half_edge = moved_half_edge(renewed, use.half_edge);
+        }
+    }
+    for (VertexUse& site : sites_) {
+        site.vertex = renewed.vertices[site.vertex];
+    }
+    move_to_indices(renewed.sites, sites_, {});
+    move_to_indices(renewed.vertices, points_, Vec3::Zero());
+    move_to_indices(renewed.vertices, entities_, {-1, -1});
+    ++dropped_;  // what is known of triangles by their indices holds no more
     return renewed;
 }
 

@@ -29,6 +29,44 @@ void move_to_numbers(const LargeVector<int>& renewed, Values& values) {
     values.shrink_to_fit();
 }
 
+/// New indices by the old ones; -1: it is gone. See ClassifiedMesh::order_in_space.
+struct NewIndices {
+    LargeVector<int> triangles;
+    LargeVector<int> vertices;
+    LargeVector<int> sites;
+    LargeVector<int> edges;  ///< by number
+};
+
+/// Moves data to their new indices, of which there are no gaps; `none` is for those that had no data yet.
+template <typename Values>
+void move_to_indices(const LargeVector<int>& renewed, Values& values, const typename Values::value_type& none) {
+    if (values.empty()) {
+        return;
+    }
+    const auto present = [](int index) { return index >= 0; };
+    // A copy: moving along the chains of indices waits for memory at every step.
+    Values moved(static_cast<std::size_t>(std::count_if(renewed.begin(), renewed.end(), present)), none);
+    for (std::size_t old = 0; old < std::min(values.size(), renewed.size()); ++old) {
+        if (renewed[old] >= 0) {
+            moved[static_cast<std::size_t>(renewed[old])] = values[old];
+        }
+    }
+    values.swap(moved);
+}
+
+/// The same for data in a map by index, which may have kept those of indices that are no more.
+template <typename Value>
+void move_to_indices(const LargeVector<int>& renewed, std::map<int, Value>& values) {
+    std::map<int, Value> moved;
+    for (const auto& [old, value] : values) {
+        const auto index = static_cast<std::size_t>(old);
+        if (index < renewed.size() && renewed[index] >= 0) {
+            moved.emplace(renewed[index], value);
+        }
+    }
+    values = std::move(moved);
+}
+
 /// A triangle mesh under construction, classified on CAD entities.
 ///
 /// Each CAD face has a mesh of its own (half-edges with twins); the faces meet in *segments*, pieces of CAD edges that
@@ -109,6 +147,10 @@ class ClassifiedMesh {
     /// gone.
     /// @return by old number: the new one; -1: no edge has it any more. See move_to_numbers
     LargeVector<int> renumber_edges();
+    /// Gives near triangles near indices, and so for vertices, sites and edges: work on neighbours then finds its data
+    /// in the processor's caches. Segments keep their indices, and so do vertices below `vertices` and sites below
+    /// `sites`; others that nothing uses are gone. No index of a triangle may be unused.
+    NewIndices order_in_space(int vertices, int sites);
     /// Returns the version of the triangle, which changes whenever its corners change.
     std::uint32_t stamp(int triangle) const { return stamp_[triangle]; }
 
@@ -189,6 +231,8 @@ class ClassifiedMesh {
     void put(int h, const Link& link);
     void set_corners(int triangle, int a, int b, int c);
     void drop_last_triangle();
+    NewIndices new_indices(const LargeVector<int>& order, int vertices, int sites);
+    void move_triangles(const LargeVector<int>& order, const NewIndices& renewed);
     void link_by_vertices(const std::map<std::pair<int, int>, int>& open,
                           const std::map<std::pair<int, int>, Link>& rim);
 

@@ -31,6 +31,8 @@ class TriangleMarks {
         }
     }
     void clear() { marks_.clear(); }
+    /// Follows ClassifiedMesh::order_in_space.
+    void renumber(const NewIndices& renewed) { move_to_indices(renewed.triangles, marks_, 0); }
 
   private:
     LargeVector<std::uint32_t> marks_;  // by triangle: 1 + its version when it was marked; 0: never
@@ -52,6 +54,8 @@ class EdgeMarks {
     }
     /// Follows ClassifiedMesh::renumber_edges.
     void renumber(const LargeVector<int>& renewed) { move_to_numbers(renewed, marks_); }
+    /// Follows ClassifiedMesh::order_in_space.
+    void renumber(const NewIndices& renewed) { move_to_indices(renewed.edges, marks_, 0); }
 
   private:
     LargeVector<char> marks_;  // by the edge's number
