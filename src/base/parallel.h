@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/predicates.h"
+#include "base/schedule_trace.h"
 
 namespace mq {
 
@@ -66,9 +67,11 @@ void parallel_for_on_threads(int count, Work&& work) {
     const int threads = std::min(count, all);
     const int inner = std::max(1, all / std::max(1, threads));
     std::vector<PredicateCount> decided(static_cast<std::size_t>(std::max(1, threads)));
+    const ScheduleTrace::Section section(threads);
     const auto worker = [&](int thread) {
         const ThreadLimit limit(inner);
         for (int k = next++; k < count; k = next++) {
+            const ScheduleTrace::Task task(section);
             try {
                 work(thread, k);
             } catch (...) {
@@ -80,7 +83,7 @@ void parallel_for_on_threads(int count, Work&& work) {
     };
     std::vector<std::thread> others;
     others.reserve(static_cast<std::size_t>(threads));
-    for (int i = 1; i < threads; ++i) {
+    for (int i = 1; i < threads && !section.recorded(); ++i) {
         try {
             others.emplace_back(worker, i);
         } catch (const std::system_error&) {
