@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "base/schedule_trace.h"
+#include "base/threads/schedule_trace.h"
 
 namespace mq {
 
@@ -48,12 +48,12 @@ class StageClock {
     /// Ends the running stage and names it. A stage that runs again adds to its time.
     void end(const std::string& stage) {
         add_time(times_, stage, since_last());
-        ScheduleTrace::end_stage(stage);
+        ScheduleTrace::name_work(stage);
     }
     /// Ends the running stage, in which stages ran side by side that took these times. Each gets its share.
     void end_together(const StageTimes& stages) {
         const double seconds = since_last();
-        ScheduleTrace::end_stage("stages of bodies");
+        ScheduleTrace::name_work("stages of bodies");
         double sum = 0.0;
         for (const auto& [stage, time] : stages) {
             sum += time;
@@ -91,7 +91,7 @@ class StageWatch {
     void end() {
         if (name_ != nullptr) {
             add_time(times_, name_, watch_.wall());
-            ScheduleTrace::end_stage(name_);
+            ScheduleTrace::name_work(name_);
         }
         watch_ = Stopwatch();
         name_ = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "base/schedule_trace.h"
+#include "base/threads/schedule_trace.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST(ScheduleTrace, RecordsTasksInTheirOrderAndInTheirSections) {
         work_for(0.02);
         parallel_for(k + 1, [](int) { work_for(0.01); });  // the first call has one piece: no section
     });
-    ScheduleTrace::end_stage("both");
+    ScheduleTrace::name_work("both");
     work_for(0.03);
     const ScheduleRecord record = ScheduleTrace::stop();
 
@@ -81,7 +81,7 @@ TEST(ScheduleTrace, AnExceptionEndsTheTaskAndTheSection) {
                                   }
                               }),
                  std::runtime_error);
-    ScheduleTrace::end_stage("failed");
+    ScheduleTrace::name_work("failed");
     const ScheduleRecord record = ScheduleTrace::stop();
     EXPECT_EQ(sections_of_tasks(record), (std::vector<int>{-1, 0, 0, 0, -1}));
     EXPECT_EQ(record.stages.size(), 1U);

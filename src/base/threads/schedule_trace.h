@@ -72,10 +72,10 @@ class ScheduleTrace {
     static void start();
     static ScheduleRecord stop();
     static bool on() { return on_.load(std::memory_order_relaxed); }
-    /// Names the work since the end of the last stage. Ignored in tasks of parallel_for.
-    static void end_stage(const std::string& name) {
+    /// Names the work since the last call: a stage. Ignored in tasks of parallel_for.
+    static void name_work(const std::string& name) {
         if (on()) {
-            name_stage(name);
+            add_stage(name);
         }
     }
 
@@ -84,7 +84,7 @@ class ScheduleTrace {
     /// @return the task that goes on afterwards
     static int begin_task(int section);
     static void end_task(int caller);
-    static void name_stage(const std::string& name);
+    static void add_stage(const std::string& name);
 
     static std::atomic<bool> on_;
 };

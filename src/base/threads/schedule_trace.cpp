@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "base/schedule_trace.h"
+#include "base/threads/schedule_trace.h"
 
 #include <time.h>
 
@@ -74,7 +74,7 @@ void ScheduleTrace::end_task(int caller) {
     now.task = caller;
 }
 
-void ScheduleTrace::name_stage(const std::string& name) {
+void ScheduleTrace::add_stage(const std::string& name) {
     Recorder& now = recorder();
     if (now.record.tasks[static_cast<std::size_t>(now.task)].section >= 0) {
         return;

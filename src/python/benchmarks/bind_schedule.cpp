@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "base/schedule_trace.h"
 #include "base/stopwatch.h"
+#include "base/threads/schedule_trace.h"
 #include "python/bindings.h"
 
 namespace py = pybind11;
