@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/report/manifold_output.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "base/disjoint_sets.h"
 #include "triangulate/report/solid_contacts.h"
 
 namespace mq::triangulate {
@@ -14,14 +14,15 @@ namespace {
 class VolumeWriter {
   public:
     VolumeWriter(const ClassifiedMesh& mesh, const geometry::Topology& topology, const geometry::Volume& volume,
-                 std::vector<char>& flipped, std::vector<char>& present, LargeVector<int>& vertices,
-                 const Progress& progress)
+                 std::vector<char>& flipped, std::vector<char>& present, DisjointSets<int>& corners,
+                 LargeVector<int>& vertex_of_root, const Progress& progress)
         : mesh_(mesh),
           topology_(topology),
           volume_(volume),
           flipped_(flipped),
           present_(present),
-          vertices_(vertices),
+          corners_(corners),
+          vertex_of_root_(vertex_of_root),
           pace_(progress) {}
 
     void run(const std::vector<std::vector<int>>& triangles_of_face, Output& out) {
@@ -32,17 +33,17 @@ class VolumeWriter {
             flipped_[side.face] = side.flipped ? 1 : 0;
             for (const int t : triangles_of_face[side.face]) {
                 triangles.push_back(t);
-                std::fill_n(vertices_.begin() + 3 * t, 3, -1);
+                for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                    corners_.reset(h);
+                    vertex_of_root_[h] = -1;
+                }
             }
         }
         bool closed = true;
         for (const int t : triangles) {
             pace_.step();
             for (int h = 3 * t; h < 3 * t + 3; ++h) {
-                closed = partner(h) >= 0 && closed;
-                if (vertices_[h] < 0) {
-                    spread(h, add_vertex(h, out));
-                }
+                closed = glue(h) && closed;
             }
         }
         write(triangles, closed && signed_volume(triangles) < 0.0, out);
@@ -124,59 +125,18 @@ class VolumeWriter {
         return (d - axis * axis.dot(d)).normalized();
     }
 
-    // Calls visit(g) for the half-edges that are joined with `h`: its partner, and those whose partner it is.
-    template <typename Visit>
-    void for_each_joined(int h, const Visit& visit) const {
-        const int own = partner(h);
-        if (own >= 0) {
-            visit(own);
+    bool glue(int h) {
+        const int g = partner(h);
+        if (g < 0) {
+            return false;
         }
-        const int s = mesh_.segment_of(h);
-        if (s < 0) {
-            return;
+        if (mesh_.twin(h) == g && g < h && present_[mesh_.face_of(g / 3)]) {
+            return true;  // already joined from the other side
         }
-        for (const ClassifiedMesh::SegmentUse& use : mesh_.segment(s).uses) {
-            const int other = use.half_edge;
-            if (other != h && other != own && present_[mesh_.face_of(other / 3)] && partner(other) == h) {
-                visit(other);
-            }
-        }
-    }
-
-    // Whether joined half-edges begin at the same vertex.
-    bool same_way(int h, int g) const {
-        // Within a face they share the use of a vertex, which is compared without reading it.
-        return mesh_.site_of(g) != mesh_.site_of(ClassifiedMesh::next(h)) && mesh_.vertex_of(g) == mesh_.vertex_of(h);
-    }
-
-    // Gives the vertex to all corners that are joined with this one.
-    void spread(int corner, int vertex) {
-        const auto reach = [&](int c) {
-            if (vertices_[c] < 0) {
-                vertices_[c] = vertex;
-                reached_.push_back(c);
-            }
-        };
-        reach(corner);
-        while (!reached_.empty()) {
-            const int out = reached_.back();
-            const int in = ClassifiedMesh::prev(out);
-            reached_.pop_back();
-            for_each_joined(out, [&](int g) { reach(same_way(out, g) ? g : ClassifiedMesh::next(g)); });
-            for_each_joined(in, [&](int g) { reach(same_way(in, g) ? ClassifiedMesh::next(g) : g); });
-        }
-    }
-
-    // Adds the vertex at a corner to the output.
-    int add_vertex(int corner, Output& out) const {
-        const ClassifiedMesh::Vertex& v = mesh_.vertex(mesh_.vertex_of(corner));
-        out.mesh.vertices.push_back(v.point);
-        const geometry::Entity of = topology_.of_shape({v.entity[0], v.entity[1]});
-        out.mesh.vertex_entity.push_back({of.dimension, of.index});
-        if (topology_.has_pieces()) {
-            out.mesh.vertex_piece.push_back(v.entity);
-        }
-        return static_cast<int>(out.mesh.vertices.size()) - 1;
+        const bool same_way = mesh_.vertex_of(g) == mesh_.vertex_of(h);
+        corners_.unite(h, same_way ? g : ClassifiedMesh::next(g));
+        corners_.unite(ClassifiedMesh::next(h), same_way ? ClassifiedMesh::next(g) : g);
+        return true;
     }
 
     double signed_volume(const LargeVector<int>& triangles) const {
@@ -191,7 +151,21 @@ class VolumeWriter {
     void write(const LargeVector<int>& triangles, bool turn, Output& out) {
         for (const int t : triangles) {
             pace_.step();
-            mesh::Triangle corners{vertices_[3 * t], vertices_[3 * t + 1], vertices_[3 * t + 2]};
+            mesh::Triangle corners{};
+            for (int i = 0; i < 3; ++i) {
+                const int root = corners_.find(3 * t + i);
+                if (vertex_of_root_[root] < 0) {
+                    vertex_of_root_[root] = static_cast<int>(out.mesh.vertices.size());
+                    const ClassifiedMesh::Vertex& v = mesh_.vertex(mesh_.vertex_of(3 * t + i));
+                    out.mesh.vertices.push_back(v.point);
+                    const geometry::Entity of = topology_.of_shape({v.entity[0], v.entity[1]});
+                    out.mesh.vertex_entity.push_back({of.dimension, of.index});
+                    if (topology_.has_pieces()) {
+                        out.mesh.vertex_piece.push_back(v.entity);
+                    }
+                }
+                corners[i] = vertex_of_root_[root];
+            }
             if (flipped(3 * t) != turn) {
                 std::swap(corners[1], corners[2]);
             }
@@ -210,8 +184,8 @@ class VolumeWriter {
     const geometry::Volume& volume_;
     std::vector<char>& flipped_;  // by face, for this volume
     std::vector<char>& present_;
-    LargeVector<int>& vertices_;  // by corner, of the output; -1: none yet
-    std::vector<int> reached_;    // corners whose neighbours are to be reached
+    DisjointSets<int>& corners_;  // corners joined to vertices
+    LargeVector<int>& vertex_of_root_;
     CancelPace pace_;
 };
 
@@ -247,11 +221,12 @@ Output write_out(const ClassifiedMesh& mesh, const geometry::Topology& topology,
     const std::vector<std::vector<int>> triangles_of_face = mesh.triangles_by_face(topology.faces.size());
     std::vector<char> flipped(topology.faces.size(), 0);
     std::vector<char> present(topology.faces.size(), 0);
-    LargeVector<int> vertices(static_cast<std::size_t>(mesh.half_edge_count()));
+    DisjointSets<int> corners(mesh.half_edge_count());
+    LargeVector<int> vertex_of_root(mesh.half_edge_count());
     std::vector<VolumeWriter> writers;
     std::size_t triangles = 0;
     for (const geometry::Volume& volume : topology.volumes) {
-        writers.emplace_back(mesh, topology, volume, flipped, present, vertices, progress);
+        writers.emplace_back(mesh, topology, volume, flipped, present, corners, vertex_of_root, progress);
         triangles += writers.back().count_of(triangles_of_face);
     }
     reserve_arrays(out, triangles, static_cast<std::size_t>(mesh.vertex_count()));
