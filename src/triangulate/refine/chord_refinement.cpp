@@ -109,7 +109,7 @@ void ChordRefinement::add_unpassed_edges(int triangle, std::vector<int>& edges) 
 std::vector<int> ChordRefinement::unpassed_edges() {
     constexpr int kBlock = 8192;  // triangles looked at in about 0.2 ms
     const int count = work_.mesh.triangle_count();
-    edges_passed_.make_room(work_.mesh);
+    edges_passed_.cover(work_.mesh);
     std::vector<std::vector<int>> of_blocks(static_cast<std::size_t>((count + kBlock - 1) / kBlock));
     parallel_for(static_cast<int>(of_blocks.size()), [&](int k) {
         work_.progress.check();

@@ -14,8 +14,8 @@ namespace mq::triangulate {
 /// Marks on triangles that hold until the triangle changes.
 class TriangleMarks {
   public:
-    /// Several threads may mark different triangles then.
-    void make_room(const ClassifiedMesh& mesh) {
+    /// Makes marks for all triangles, so that several threads may mark different ones.
+    void cover(const ClassifiedMesh& mesh) {
         marks_.resize(std::max(marks_.size(), static_cast<std::size_t>(mesh.triangle_count())), 0);
     }
     bool marked(const ClassifiedMesh& mesh, int triangle) const {
