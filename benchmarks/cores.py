@@ -3,20 +3,28 @@
 """What more threads give: the wall time of triangulate or curve by stage, and whether the bytes are the same.
 
     /usr/bin/python3 benchmarks/cores.py [--threads 1 --threads 2] [--rounds 5] [--only PATTERN]
-                                         [--of triangulate|surface|volume] [--order 2]
+                                         [--of triangulate|surface|volume] [--order 2] [--simulate 2,8,16,32]
 
 --of surface and volume curve the triangles, or fill the solids with curved tetrahedra, in place of
 triangulate. The numbers of threads take turns in every round, after one round that does not count;
-medians of the rounds are compared. Parts are those of $MESHQUALITY_DATA/cad. The status is 1 where
-bytes differ.
+medians of the rounds are compared. Parts are those of $MESHQUALITY_DATA/cad; "corpus" are all of them,
+one after the other. The status is 1 where bytes differ.
+
+--simulate tells for numbers of cores that this machine need not have how much faster they are than
+one: the work is divided as for that number of threads, but done in one, which records the processor
+time of every piece; the pieces are then given to the threads of each section in their order (see
+schedule.py). Starting threads costs what it does here. Without --of, parts are those of SIMULATED.
+Not simulated: caches and memory that cores share, and waiting for a turn of the engine's thread.
 """
 
 import fnmatch
 import hashlib
 import statistics
 import time
+from collections import Counter
 
 import inside_freecad
+import schedule
 
 # By what is done: file -> chord heights as fractions of the largest dimension.
 CASES = {"triangulate": {
@@ -36,14 +44,26 @@ CASES = {"triangulate": {
     "nist_ctc_05_asme1_rd.stp": (1e-3,),
 }}
 
+SIMULATED = {
+    "gmsh_t20_data.step": (2e-5,),
+    "nist_ctc_05_asme1_rd.stp": (1e-3,),
+    "as1-oc-214.stp": (1e-4,),
+    "corpus": (1e-3,),
+}
+
+# Seconds that starting and ending threads takes here, by their number: measured when needed.
+STARTS = {}
+
 
 def parser():
     result = inside_freecad.command_line(__doc__)
     result.add_argument("--threads", type=int, action="append", help="1 and 2 where none is given")
     result.add_argument("--rounds", type=int, default=5)
-    result.add_argument("--of", default="triangulate", choices=tuple(CASES))
+    result.add_argument("--of", choices=tuple(CASES))
     result.add_argument("--order", type=int, default=2, help="of curved elements")
     result.add_argument("--only", default="*", metavar="PATTERN", help="names of files")
+    result.add_argument("--simulate", type=lambda text: [int(number) for number in text.split(",")], default=[],
+                        metavar="NUMBER,...", help="of cores")
     return result
 
 
@@ -52,7 +72,7 @@ def measured(shape, relative, threads, arguments):
     import MeshQuality as mq
 
     start = time.perf_counter()
-    if arguments.of == "triangulate":
+    if arguments.of in (None, "triangulate"):
         mesh = mq.triangulate(shape, chord_height_relative=relative, threads=threads)
         arrays = (mesh.vertices, mesh.triangles, mesh.triangle_face, mesh.vertex_entity)
     else:
@@ -64,8 +84,41 @@ def measured(shape, relative, threads, arguments):
     digest = hashlib.sha256()
     for array in arrays:
         digest.update(array.tobytes())
-    return {"wall": wall, "cpu": mesh.report.cpu_seconds, "stages": dict(mesh.report.seconds),
+    return {"wall": wall, "cpu": mesh.report.cpu_seconds, "stages": Counter(dict(mesh.report.seconds)),
             "elements": len(arrays[1]), "digest": digest.hexdigest()}
+
+
+def measured_in_turn(shapes, relative, threads, arguments, call=measured):
+    """The sums of several parts; those that cannot be meshed are left out."""
+    import MeshQuality as mq
+
+    sums = None
+    for shape in shapes:
+        try:
+            run = call(shape, relative, threads, arguments)
+        except mq.Error:
+            continue
+        sums = run if sums is None else {name: sums[name] + run[name] for name in sums}
+    return sums
+
+
+def recorded(shape, relative, threads, arguments):
+    """What a replay of one call gives: seconds of its stages on one and on so many threads."""
+    from MeshQuality import _core
+
+    _core.start_recording()
+    try:
+        run = measured(shape, relative, threads, arguments)
+    finally:
+        record = _core.stop_recording()
+    for number in schedule.numbers_of_threads(record):
+        if number not in STARTS:
+            STARTS[number] = _core.seconds_of_empty_section(number)
+    one, several = Counter(), Counter()
+    for name, (on_one, on_several) in schedule.stage_seconds(record, STARTS).items():
+        one[name], several[name] = on_one, on_several
+    return {"one": one, "several": several, "sections": len(record["sections"]), "tasks": len(record["tasks"]),
+            "digest": run["digest"]}
 
 
 def median_of(runs):
@@ -75,20 +128,35 @@ def median_of(runs):
             "stages": stages}
 
 
-def case(path, relative, numbers, arguments):
-    """Medians of one part by number of threads."""
+def shapes_of(name):
+    """The shape of a file, or of all files."""
     import Part
 
-    shape = Part.Shape()
-    shape.read(str(path))
+    folder = inside_freecad.data_folder() / "cad"
+    paths = [folder / name]
+    if name == "corpus":
+        paths = sorted(path for path in folder.iterdir() if path.suffix.lower() in inside_freecad.CAD_SUFFIXES)
+    shapes = []
+    for path in paths:
+        shapes.append(Part.Shape())
+        shapes[-1].read(str(path))
+    return shapes
+
+
+def case(name, relative, numbers, arguments):
+    """Medians of one part by number of threads, and replays by number of cores."""
+    shapes = shapes_of(name)
     runs = {threads: [] for threads in numbers}
     for _ in range(arguments.rounds + 1):
         for threads in numbers:
-            runs[threads].append(measured(shape, relative, threads, arguments))
+            runs[threads].append(measured_in_turn(shapes, relative, threads, arguments))
     every = [run for of_number in runs.values() for run in of_number]
-    return {"part": path.name, "faces": len(shape.Faces), "relative": relative, "elements": every[0]["elements"],
-            "same_bytes": len({run["digest"] for run in every}) == 1,
-            "threads": {threads: median_of(of_number[1:]) for threads, of_number in runs.items()}}
+    replays = {cores: measured_in_turn(shapes, relative, cores, arguments, recorded) for cores in arguments.simulate}
+    return {"part": name, "faces": sum(len(shape.Faces) for shape in shapes), "relative": relative,
+            "elements": every[0]["elements"],
+            "same_bytes": len({run["digest"] for run in every + list(replays.values())}) == 1,
+            "threads": {threads: median_of(of_number[1:]) for threads, of_number in runs.items()},
+            "simulated": replays}
 
 
 def show(result):
@@ -103,16 +171,26 @@ def show(result):
               ", ".join(f"{name} {one['stages'][name]:.3f} -> {seconds:.3f}"
                         for name, seconds in several["stages"].items() if one["stages"].get(name, 0.0) > 0.005),
               flush=True)
+    for cores, replay in result["simulated"].items():
+        before, after = sum(replay["one"].values()), sum(replay["several"].values())
+        print(f"    {cores} simulated: share {after / before:.3f}, {before / after:.2f} times; {replay['sections']} sections, "
+              f"{replay['tasks']} tasks, {before:.3f} -> {after:.3f} CPU s; " +
+              ", ".join(f"{name or 'the rest'} {seconds:.3f} -> {replay['several'][name]:.3f}"
+                        for name, seconds in replay["one"].items() if seconds > 0.005), flush=True)
 
 
 def work(arguments):
     numbers = arguments.threads or [1, 2]
+    cases = SIMULATED if arguments.simulate and arguments.of is None else CASES[arguments.of or "triangulate"]
     results = []
-    for name, heights in CASES[arguments.of].items():
+    for name, heights in cases.items():
         for relative in heights if fnmatch.fnmatch(name, arguments.only) else ():
-            results.append(case(inside_freecad.data_folder() / "cad" / name, relative, numbers, arguments))
+            results.append(case(name, relative, numbers, arguments))
             show(results[-1])
-    return {"cases": results, "status": 0 if all(result["same_bytes"] for result in results) else 1}
+    if STARTS:
+        print("\nstarting and ending threads, microseconds: " +
+              ", ".join(f"{threads}: {1e6 * seconds:.0f}" for threads, seconds in sorted(STARTS.items())))
+    return {"cases": results, "starts": STARTS, "status": 0 if all(result["same_bytes"] for result in results) else 1}
 
 
 inside_freecad.start(__file__, parser(), work)

@@ -17,6 +17,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 VARIABLE = "MESHQUALITY_BENCHMARK"
+CAD_SUFFIXES = {".step", ".stp", ".iges", ".igs", ".brep", ".brp"}
 
 
 def data_folder():

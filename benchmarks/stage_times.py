@@ -20,8 +20,6 @@ from pathlib import Path
 
 import inside_freecad
 
-SUFFIXES = {".step", ".stp", ".iges", ".igs", ".brep", ".brp"}
-
 
 def parser():
     result = inside_freecad.command_line(__doc__)
@@ -85,7 +83,7 @@ def work(arguments):
     options.update({"threads": arguments.threads} if arguments.threads else {})
     parts = {}
     for path in sorted(folder.iterdir()):
-        if path.suffix.lower() in SUFFIXES and fnmatch.fnmatch(path.name, arguments.only):
+        if path.suffix.lower() in inside_freecad.CAD_SUFFIXES and fnmatch.fnmatch(path.name, arguments.only):
             shape = Part.Shape()
             shape.read(str(path))
             rounds = [measured(shape, options) for _ in range(arguments.rounds)]

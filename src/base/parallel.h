@@ -6,11 +6,12 @@
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
-#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "base/predicates.h"
+#include "base/threads/kept_threads.h"
+#include "base/threads/schedule_trace.h"
 
 namespace mq {
 
@@ -66,9 +67,14 @@ void parallel_for_on_threads(int count, Work&& work) {
     const int threads = std::min(count, all);
     const int inner = std::max(1, all / std::max(1, threads));
     std::vector<PredicateCount> decided(static_cast<std::size_t>(std::max(1, threads)));
+    const ScheduleTrace::Section section(threads);
     const auto worker = [&](int thread) {
         const ThreadLimit limit(inner);
+        if (thread > 0) {
+            predicate_count() = {};  // the thread has worked for others before
+        }
         for (int k = next++; k < count; k = next++) {
+            const ScheduleTrace::Task task(section);
             try {
                 work(thread, k);
             } catch (...) {
@@ -78,19 +84,7 @@ void parallel_for_on_threads(int count, Work&& work) {
         }
         decided[static_cast<std::size_t>(thread)] = predicate_count();
     };
-    std::vector<std::thread> others;
-    others.reserve(static_cast<std::size_t>(threads));
-    for (int i = 1; i < threads; ++i) {
-        try {
-            others.emplace_back(worker, i);
-        } catch (const std::system_error&) {
-            break;  // the system gives no more of them: those that there are do the work
-        }
-    }
-    worker(0);
-    for (std::thread& other : others) {
-        other.join();
-    }
+    run_with_others(section.recorded() ? 0 : threads - 1, worker);
     for (int i = 1; i < threads; ++i) {
         predicate_count() += decided[static_cast<std::size_t>(i)];
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/threads/schedule_trace.h"
 
 namespace mq {
 
@@ -45,10 +46,14 @@ class StageClock {
     explicit StageClock(StageTimes& times) : times_(times) {}
 
     /// Ends the running stage and names it. A stage that runs again adds to its time.
-    void end(const std::string& stage) { add_time(times_, stage, since_last()); }
+    void end(const std::string& stage) {
+        add_time(times_, stage, since_last());
+        ScheduleTrace::name_work(stage);
+    }
     /// Ends the running stage, in which stages ran side by side that took these times. Each gets its share.
     void end_together(const StageTimes& stages) {
         const double seconds = since_last();
+        ScheduleTrace::name_work("stages of bodies");
         double sum = 0.0;
         for (const auto& [stage, time] : stages) {
             sum += time;
@@ -86,6 +91,7 @@ class StageWatch {
     void end() {
         if (name_ != nullptr) {
             add_time(times_, name_, watch_.wall());
+            ScheduleTrace::name_work(name_);
         }
         watch_ = Stopwatch();
         name_ = nullptr;

@@ -52,6 +52,7 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_boolean(m);
     mq::python::bind_improve(m);
     mq::python::bind_inspection(m);
+    mq::python::bind_schedule(m);
     m.def(
         "waits",
         [] {

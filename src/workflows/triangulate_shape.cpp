@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/threads/schedule_trace.h"
 #include "base/single_precision_grid.h"
 #include "base/stopwatch.h"
 #include "geometry/occt/shape_distance.h"
@@ -62,6 +63,7 @@ Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
         [&] { model = geometry::make_shape_model(shape, &progress, geometry::Creases::Cut, join, options.evaluation); },
         &progress);
     const double reading = watch_all.wall();
+    ScheduleTrace::name_work("read the shape");
     Result result = triangulate::triangulate(engine, model, options, &progress, cache);
     result.report.seconds.insert(result.report.seconds.begin(), {"read the shape", reading});
     note_lost_volume(result, shape, engine, progress);

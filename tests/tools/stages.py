@@ -9,7 +9,7 @@ from pathlib import Path
 
 # By module the folders below it in rows, low to high: a folder may include those of lower rows, and itself.
 STAGES = {
-    "base": [["base/memory"], ["base"]],
+    "base": [["base/memory", "base/threads"], ["base"]],
     "geometry": [
         ["geometry"],
         ["geometry/elementary"],
@@ -50,7 +50,7 @@ STAGES = {
     "wrap": [["wrap/lattice"], ["wrap/outside"], ["wrap/surface"], ["wrap/measure"], ["wrap"]],
     "workflows": [["workflows"]],
     "view": [["view"]],
-    "python": [["python/freecad"], ["python"]],
+    "python": [["python/freecad"], ["python"], ["python/benchmarks"]],
 }
 MAX_FILES = 24  # of C++ in a folder of src: about ten rooms
 FILES = {".h", ".cpp", ".i"}

@@ -208,18 +208,54 @@ void AabbTree::set_groups(const std::vector<std::int32_t>& group) {
     }
 }
 
-namespace {
+std::size_t AabbTree::size_of(std::int32_t node) const {
+    std::int32_t first = node;
+    std::int32_t last = node;
+    while (nodes_[first].count == 0) {
+        first = nodes_[first].first;
+    }
+    while (nodes_[last].count == 0) {
+        last = nodes_[last].first + 1;
+    }
+    return static_cast<std::size_t>(nodes_[last].first + nodes_[last].count - nodes_[first].first);
+}
 
-/// Divides tasks, breadth first and in place, until there are `count` or none can be divided.
-template <typename Divide>
-std::vector<AabbTree::Task> divided(std::size_t count, const Divide& divide) {
-    std::vector<AabbTree::Task> tasks{{0, 0}};
-    bool changed = true;
-    while (changed && tasks.size() < count) {
+void AabbTree::divide(Task task, std::vector<Task>& next) const {
+    const Node& a = nodes_[task.a];
+    const Node& b = nodes_[task.b];
+    if (in_one_group(task)) {
+        return;
+    }
+    if (task.a == task.b && a.count == 0) {
+        next.push_back({a.first, a.first});
+        next.push_back({a.first + 1, a.first + 1});
+        next.push_back({a.first, a.first + 1});
+    } else if (task.a == task.b || (a.count > 0 && b.count > 0)) {
+        next.push_back(task);
+    } else if (a.bounds.meets(b.bounds) && divide_first(a, b)) {
+        next.push_back({a.first, task.b});
+        next.push_back({a.first + 1, task.b});
+    } else if (a.bounds.meets(b.bounds)) {
+        next.push_back({task.a, b.first});
+        next.push_back({task.a, b.first + 1});
+    }
+}
+
+std::vector<AabbTree::Task> AabbTree::own_pair_tasks(std::size_t count) const {
+    if (size() == 0) {
+        return {};
+    }
+    const std::size_t most = std::max<std::size_t>(1, size() / count);
+    std::vector<Task> tasks{{0, 0}};
+    for (bool changed = true; changed;) {
+        std::vector<Task> next;
         changed = false;
-        std::vector<AabbTree::Task> next;
-        for (const AabbTree::Task& task : tasks) {
+        for (const Task& task : tasks) {
             const std::size_t before = next.size();
+            if (std::max(size_of(task.a), size_of(task.b)) <= most) {
+                next.push_back(task);
+                continue;
+            }
             divide(task, next);
             const bool same = next.size() == before + 1 && next[before].a == task.a && next[before].b == task.b;
             changed = changed || !same;
@@ -227,34 +263,6 @@ std::vector<AabbTree::Task> divided(std::size_t count, const Divide& divide) {
         tasks.swap(next);
     }
     return tasks;
-}
-
-}  // namespace
-
-std::vector<AabbTree::Task> AabbTree::own_pair_tasks(std::size_t count) const {
-    if (size() == 0) {
-        return {};
-    }
-    return divided(count, [&](const Task& task, std::vector<Task>& next) {
-        const Node& a = nodes_[task.a];
-        const Node& b = nodes_[task.b];
-        if (in_one_group(task)) {
-            return;
-        }
-        if (task.a == task.b && a.count == 0) {
-            next.push_back({a.first, a.first});
-            next.push_back({a.first + 1, a.first + 1});
-            next.push_back({a.first, a.first + 1});
-        } else if (task.a == task.b || (a.count > 0 && b.count > 0)) {
-            next.push_back(task);
-        } else if (a.bounds.meets(b.bounds) && divide_first(a, b)) {
-            next.push_back({a.first, task.b});
-            next.push_back({a.first + 1, task.b});
-        } else if (a.bounds.meets(b.bounds)) {
-            next.push_back({task.a, b.first});
-            next.push_back({task.a, b.first + 1});
-        }
-    });
 }
 
 }  // namespace mq::mesh

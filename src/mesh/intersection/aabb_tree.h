@@ -45,8 +45,8 @@ class AabbTree {
         std::int32_t a = 0;
         std::int32_t b = 0;
     };
-    /// Divides the search for own pairs into about `count` tasks, for several threads; the concatenation of the tasks'
-    /// pairs is the list that for_each_own_pair gives.
+    /// Divides the search for own pairs into tasks for several threads, of which each concerns subtrees with at most a
+    /// `count`th of the triangles; the concatenation of the tasks' pairs is the list that for_each_own_pair gives.
     std::vector<Task> own_pair_tasks(std::size_t count) const;
 
     /// visit(i, j) for each triangle i of this tree and j of the other whose boxes meet.
@@ -136,6 +136,10 @@ class AabbTree {
     void build_node(std::int32_t node, std::size_t begin, std::size_t end);
     std::size_t split(std::size_t begin, std::size_t end);
 
+    /// The number of triangles under a node.
+    std::size_t size_of(std::int32_t node) const;
+    /// Appends the subtasks of a task, itself where it has none.
+    void divide(Task task, std::vector<Task>& next) const;
     /// Whether the first of two nodes that meet is the one to be divided.
     static bool divide_first(const Node& a, const Node& b) {
         return b.count > 0 || (a.count == 0 && a.bounds.size() >= b.bounds.size());

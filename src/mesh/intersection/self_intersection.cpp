@@ -263,23 +263,22 @@ std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, c
     // Triangles from which a patch saves more pairs than its proof costs.
     constexpr std::size_t kWorthAProof = 64;
     std::vector<std::int32_t> patch;
-    std::vector<char> embedded;
     std::optional<NeedleFrame> frame;
     std::optional<AabbTree> built;
     do_both(triangles.size(), [&](int task) {
         if (task == 0) {
             patch = height_fields(vertices, triangles, kWorthAProof, progress);
-            embedded = embedded_vertices(vertices, triangles, patch, progress);
         } else {
             frame.emplace(vertices, triangles);
             check_cancelled(progress);
             built.emplace(frame->vertices(), triangles, frame->slack());
         }
     });
-    AabbTree& tree = *built;
     check_cancelled(progress);
+    const std::vector<char> embedded = embedded_vertices(vertices, triangles, patch, progress);
+    AabbTree& tree = *built;
     tree.set_groups(patch);
-    // Tasks of the traversal: several for each thread, so that all threads end at about the same time.
+    // Tasks of the traversal within a node: several for each thread, so that all threads end at about the same time.
     constexpr std::size_t kTasks = 64;
     const std::vector<AabbTree::Task> tasks = tree.own_pair_tasks(kTasks);
     // With a limit the tasks run in groups, so that the search can end early; each group is larger than the one before,

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <tuple>
+#include <vector>
 
 #include "base/disjoint_sets.h"
 #include "base/memory/large_vector.h"
+#include "base/parallel.h"
 #include "base/predicates.h"
 #include "mesh/edge_table.h"
 #include "mesh/quality/exemptions.h"
@@ -19,25 +22,70 @@ namespace {
 
 using Sets = DisjointSets<std::uint32_t>;
 
-void measure_shapes(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
-    CancelPace pace(progress);
-    report.min_angle = mesh.triangles.empty() ? 0.0 : 180.0;
-    double sum = 0.0;
+/// What shapes of neighbouring triangles add up to.
+struct Shapes {
+    std::size_t degenerate = 0;
+    double min_angle = 180.0;
+    double max_angle = 0.0;
+    double max_aspect = 0.0;
+    double sum_of_min_angles = 0.0;
     double area = 0.0;
-    for (const Triangle& t : mesh.triangles) {
-        pace.step();
-        const TriangleShape shape = shape_of({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
-        report.degenerate_triangles += shape.degenerate;
-        report.min_angle = std::min(report.min_angle, shape.min_angle);
-        report.max_angle = std::max(report.max_angle, shape.max_angle);
-        report.max_aspect = std::max(report.max_aspect, shape.aspect);
-        const std::size_t bin = std::min(static_cast<std::size_t>(shape.min_angle), report.angle_histogram.size() - 1);
-        ++report.angle_histogram[bin];
-        sum += shape.min_angle;
+    std::array<std::size_t, std::tuple_size<decltype(MeshReport::angle_histogram)>::value> histogram{};
+
+    void add(const TriangleShape& shape) {
+        degenerate += shape.degenerate;
+        min_angle = std::min(min_angle, shape.min_angle);
+        max_angle = std::max(max_angle, shape.max_angle);
+        max_aspect = std::max(max_aspect, shape.aspect);
+        ++histogram[std::min(static_cast<std::size_t>(shape.min_angle), histogram.size() - 1)];
+        sum_of_min_angles += shape.min_angle;
         area += shape.area;
     }
-    report.mean_min_angle = mesh.triangles.empty() ? 0.0 : sum / static_cast<double>(mesh.triangles.size());
-    report.area = area;
+    void add(const Shapes& other) {
+        degenerate += other.degenerate;
+        min_angle = std::min(min_angle, other.min_angle);
+        max_angle = std::max(max_angle, other.max_angle);
+        max_aspect = std::max(max_aspect, other.max_aspect);
+        for (std::size_t bin = 0; bin < histogram.size(); ++bin) {
+            histogram[bin] += other.histogram[bin];
+        }
+        sum_of_min_angles += other.sum_of_min_angles;
+        area += other.area;
+    }
+};
+
+/// Adds up in blocks, whatever the number of threads: it does not change how sums are rounded.
+Shapes shapes_of(const TriangleMesh& mesh, const Progress* progress) {
+    constexpr std::size_t kBlock = 4096;  // triangles, measured in about half a millisecond
+    const std::size_t count = mesh.triangles.size();
+    std::vector<Shapes> blocks((count + kBlock - 1) / kBlock);
+    parallel_for(static_cast<int>(blocks.size()), [&](int k) {
+        check_cancelled(progress);
+        Shapes shapes;
+        const std::size_t first = kBlock * static_cast<std::size_t>(k);
+        for (std::size_t i = first; i < std::min(first + kBlock, count); ++i) {
+            const Triangle& t = mesh.triangles[i];
+            shapes.add(shape_of({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}));
+        }
+        blocks[static_cast<std::size_t>(k)] = shapes;
+    });
+    Shapes all;
+    for (const Shapes& block : blocks) {
+        all.add(block);
+    }
+    return all;
+}
+
+void measure_shapes(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
+    const Shapes shapes = shapes_of(mesh, progress);
+    const bool empty = mesh.triangles.empty();
+    report.degenerate_triangles = shapes.degenerate;
+    report.min_angle = empty ? 0.0 : shapes.min_angle;
+    report.max_angle = shapes.max_angle;
+    report.max_aspect = shapes.max_aspect;
+    report.angle_histogram = shapes.histogram;
+    report.mean_min_angle = empty ? 0.0 : shapes.sum_of_min_angles / static_cast<double>(mesh.triangles.size());
+    report.area = shapes.area;
     report.min_angle_unexempted = report.min_angle;
 }
 

@@ -43,6 +43,8 @@ class ChordRefinement {
     Violations violations();
     void forget_gone_edges();
     void measure_segments(Violations& found);
+    void add_unpassed_edges(int triangle, std::vector<int>& edges);
+    std::vector<int> unpassed_edges();
     void measure_edges(Violations& found);
     void measure_edges(const int* first, const int* last, Violations& found);
     void measure_triangles(Violations& found);

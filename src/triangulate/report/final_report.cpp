@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "base/angle.h"
 #include "base/message.h"
+#include "base/parallel.h"
 #include "triangulate/measure/self_intersections.h"
 #include "triangulate/report/exemption.h"
 #include "triangulate/report/solid_contacts.h"
@@ -15,29 +18,55 @@ namespace mq::triangulate {
 
 namespace {
 
-void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {
-    report.min_angle_unexempted = 180.0;
+/// Angles of neighbouring triangles.
+struct Angles {
+    double least = 180.0;                                  ///< degrees, of triangles without exemptions
+    std::vector<std::pair<std::size_t, Exemption>> below;  ///< exempted triangles below the bound, by output triangle
+};
+
+/// `bound` in degrees.
+Angles angles_of(const Workspace& work, const Output& out, double bound, std::size_t first, std::size_t last) {
+    Angles angles;
     double beyond = 2.0;  // squared sine: larger angles are neither below the bound nor the smallest found
-    InfeasibleCorner forces(work, bound * kDegree);
-    CancelPace pace(work.progress);
-    for (std::size_t i = 0; i < out.source.size(); ++i) {
-        pace.step();
+    for (std::size_t i = first; i < last; ++i) {
         const int t = out.source[i];
         if (squared_sine_of_smallest_angle(work.mesh, t) > beyond) {
             continue;
         }
         const double angle = smallest_angle(work.mesh, t).angle / kDegree;
-        static const Exemption kUnfinished{Cause::Budget, -1, -1, 0};
+        static constexpr Exemption kUnfinished{Cause::Budget, -1, -1, 0};
         const Exemption* exemption = work.exemption_of(t);
         if (exemption == nullptr && work.over_budget()) {
             exemption = &kUnfinished;
         }
         if (angle < bound && exemption != nullptr) {
-            report.exempt.emplace_back(static_cast<std::int32_t>(i),
-                                       explain(work, forces, t, *exemption, bound * kDegree));
+            angles.below.emplace_back(i, *exemption);
         } else {
-            report.min_angle_unexempted = std::min(report.min_angle_unexempted, angle);
-            beyond = sine_squared_above(std::max(report.min_angle_unexempted, bound) * kDegree);
+            angles.least = std::min(angles.least, angle);
+            beyond = sine_squared_above(std::max(angles.least, bound) * kDegree);
+        }
+    }
+    return angles;
+}
+
+void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {
+    constexpr std::size_t kBlock = 8192;  // triangles, measured in about half a millisecond
+    std::vector<Angles> blocks((out.source.size() + kBlock - 1) / kBlock);
+    parallel_for(static_cast<int>(blocks.size()), [&](int k) {
+        work.progress.check();
+        const std::size_t first = kBlock * static_cast<std::size_t>(k);
+        blocks[static_cast<std::size_t>(k)] =
+            angles_of(work, out, bound, first, std::min(first + kBlock, out.source.size()));
+    });
+    report.min_angle_unexempted = 180.0;
+    InfeasibleCorner forces(work, bound * kDegree);
+    CancelPace pace(work.progress);
+    for (const Angles& angles : blocks) {
+        report.min_angle_unexempted = std::min(report.min_angle_unexempted, angles.least);
+        for (const auto& [triangle, exemption] : angles.below) {
+            pace.step();
+            report.exempt.emplace_back(static_cast<std::int32_t>(triangle),
+                                       explain(work, forces, out.source[triangle], exemption, bound * kDegree));
         }
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,6 +14,10 @@ namespace mq::triangulate {
 /// Marks on triangles that hold until the triangle changes.
 class TriangleMarks {
   public:
+    /// Makes marks for all triangles, so that several threads may mark different ones.
+    void cover(const ClassifiedMesh& mesh) {
+        marks_.resize(std::max(marks_.size(), static_cast<std::size_t>(mesh.triangle_count())), 0);
+    }
     bool marked(const ClassifiedMesh& mesh, int triangle) const {
         const auto t = static_cast<std::size_t>(triangle);
         return t < marks_.size() && marks_[t] == mesh.stamp(triangle) + 1;

@@ -24,14 +24,15 @@ constexpr double kLeastJump = 10.0 * kDegree;
 class CreaseSearch {
   public:
     explicit CreaseSearch(const TopoDS_Face& face)
-        : face_(face), surface_(BRep_Tool::Surface(face)), tolerance_(BRep_Tool::Tolerance(face)) {
+        : face_(face), surface_(BRep_Tool::Surface(face)), adaptor_(surface_), tolerance_(BRep_Tool::Tolerance(face)) {
         BRepTools::UVBounds(face, low_[0], high_[0], low_[1], high_[1]);
     }
 
     std::vector<double> lines(int direction) {
         std::vector<double> found;
         for (const double at : inner_kinks(direction)) {
-            if (apart_from_border(direction, at) && (jumps(direction, at) || shrinks_to_a_point(direction, at))) {
+            // Most lines neither jump nor shrink: their border is not evaluated.
+            if ((jumps(direction, at) || shrinks_to_a_point(direction, at)) && apart_from_border(direction, at)) {
                 found.push_back(at);
             }
         }
@@ -44,9 +45,9 @@ class CreaseSearch {
 
     // Parameters where the surface is not continuously differentiable: most surfaces have none.
     std::vector<double> inner_kinks(int direction) const {
-        const int intervals = direction == 0 ? surface_.NbUIntervals(GeomAbs_C1) : surface_.NbVIntervals(GeomAbs_C1);
+        const int intervals = direction == 0 ? adaptor_.NbUIntervals(GeomAbs_C1) : adaptor_.NbVIntervals(GeomAbs_C1);
         TColStd_Array1OfReal values(1, intervals + 1);
-        direction == 0 ? surface_.UIntervals(values, GeomAbs_C1) : surface_.VIntervals(values, GeomAbs_C1);
+        direction == 0 ? adaptor_.UIntervals(values, GeomAbs_C1) : adaptor_.VIntervals(values, GeomAbs_C1);
         const double least = 1e-9 * (high_[direction] - low_[direction]);
         std::vector<double> kinks;
         for (int i = 2; i <= intervals; ++i) {
@@ -65,7 +66,7 @@ class CreaseSearch {
         return direction == 0 ? gp_Pnt2d(at, other) : gp_Pnt2d(other, at);
     }
     gp_Pnt2d uv(int direction, double at, int sample) const { return place(direction, at, across(direction, sample)); }
-    gp_Pnt value(const gp_Pnt2d& p) const { return surface_.Value(p.X(), p.Y()); }
+    gp_Pnt value(const gp_Pnt2d& p) const { return surface_->Value(p.X(), p.Y()); }
     gp_Pnt point(int direction, double at, int sample) const { return value(uv(direction, at, sample)); }
 
     // Whether a line is farther from the border than the tolerance: narrower pieces would have no area.
@@ -87,7 +88,7 @@ class CreaseSearch {
         gp_Pnt p;
         gp_Vec su;
         gp_Vec sv;
-        surface_.D1(where.X(), where.Y(), p, su, sv);
+        surface_->D1(where.X(), where.Y(), p, su, sv);
         n = su.Crossed(sv);
         const double size = n.Magnitude();
         if (size <= 1e-9 * su.Magnitude() * sv.Magnitude() || size <= gp::Resolution()) {
@@ -146,7 +147,9 @@ class CreaseSearch {
     }
 
     TopoDS_Face face_;
-    GeomAdaptor_Surface surface_;
+    // Evaluates: an adaptor prepares the polynomials of a knot span for each point of another one.
+    Handle(Geom_Surface) surface_;
+    GeomAdaptor_Surface adaptor_;
     double tolerance_;
     double low_[2]{};
     double high_[2]{};

@@ -101,6 +101,41 @@ TEST_P(TriangleTreeTest, TasksGiveTheSamePairs) {
     EXPECT_EQ(parts, whole);
 }
 
+TEST(AabbTree, NoTaskHasMostPairsWhereTwoSheetsLieOnEachOther) {
+    constexpr int kSide = 40;
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+    for (int sheet = 0; sheet < 2; ++sheet) {
+        const auto first = static_cast<std::int32_t>(vertices.size());
+        for (int i = 0; i <= kSide; ++i) {
+            for (int j = 0; j <= kSide; ++j) {
+                vertices.emplace_back(i, j, 0.0);
+            }
+        }
+        for (std::int32_t i = 0; i < kSide * (kSide + 1); ++i) {
+            if (i % (kSide + 1) < kSide) {
+                triangles.push_back({first + i, first + i + kSide + 1, first + i + 1});
+                triangles.push_back({first + i + 1, first + i + kSide + 1, first + i + kSide + 2});
+            }
+        }
+    }
+    AabbTree tree(vertices, triangles);
+    // No pairs within a sheet: they meet at the divisions of the tree only.
+    std::vector<std::int32_t> sheet_of(triangles.size(), 0);
+    std::fill(sheet_of.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2), sheet_of.end(), 1);
+    tree.set_groups(sheet_of);
+    std::size_t all = 0;
+    std::size_t most = 0;
+    for (const AabbTree::Task& task : tree.own_pair_tasks(64)) {
+        std::size_t pairs = 0;
+        tree.for_each_own_pair(task, [&](std::int32_t, std::int32_t) { ++pairs; });
+        all += pairs;
+        most = std::max(most, pairs);
+    }
+    EXPECT_GT(all, triangles.size());
+    EXPECT_LT(16 * most, all);
+}
+
 TEST_P(TriangleTreeTest, FindsWhatMeetsABox) {
     const Soup soup(GetParam(), 300, 6);
     const Soup queries(GetParam(), 40, 7);
