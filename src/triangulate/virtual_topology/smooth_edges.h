@@ -12,9 +12,9 @@ namespace mq::triangulate {
 /// edge differ by less than `feature_angle` degrees along all of it, measured at nine points of the edge or more, and
 /// at the ends and the middles of all its segments.
 ///
-/// Excluded are: edges without a segment in the mesh, edges with one face or more than two, seams and slits (both sides on one face, where (u, v) jumps),
-/// edges between faces that do not bound the same volumes from the same side, and edges that `sizes` names, or whose
-/// ends or faces it names: a local size needs its own edges.
+/// Excluded are: edges without a segment in the mesh, edges with one face or more than two, seams and slits (both sides
+/// on one face, where (u, v) jumps), edges between faces that do not bound the same volumes from the same side, and
+/// edges that `sizes` names, or whose ends or faces it names: a local size needs its own edges.
 std::vector<char> smooth_edges(Workspace& work, double feature_angle, const std::vector<LocalSize>& sizes);
 
 }  // namespace mq::triangulate
