@@ -20,7 +20,9 @@ struct Angle {
     double sine = 0.0;
 };
 
-Angle angle_of(double radians) { return {radians, std::cos(radians), std::sin(radians)}; }
+Angle angle_of(double radians) {
+    return {radians, std::cos(radians), std::sin(radians)};
+}
 
 /// The angle in [low, high] nearest to `angle` on the circle.
 Angle clamp_angle(const Angle& angle, double low, double high) {
@@ -85,9 +87,8 @@ bool is_ruled(const ElementarySurface& s) {
 SurfaceFoot meridian_nearest(const ElementarySurface& s, const Angle& u, double rho, double h, const ParameterBox& box,
                              double guess) {
     if (is_ruled(s)) {
-        const double along = s.kind == ElementarySurface::Kind::Cone
-                                 ? (rho - s.radius) * std::sin(s.angle) + h * std::cos(s.angle)
-                                 : h;
+        const double along =
+            s.kind == ElementarySurface::Kind::Cone ? (rho - s.radius) * std::sin(s.angle) + h * std::cos(s.angle) : h;
         const double v = std::clamp(along, box.low[1], box.high[1]);
         return {Vec2(u.radians, v), ruled_at(s, u, v)};
     }

@@ -83,7 +83,8 @@ TEST(ElementarySurface, AnswersLieWithinTheBox) {
 TEST(ElementarySurface, WhereAllPointsAreEquallyNearTheGuessDecidesOrNothing) {
     const ParameterBox box{{0.0, -1.5}, {2.0 * M_PI, 1.5}};
     const ElementarySurface cylinder = surface_of(Kind::Cylinder);
-    const std::optional<SurfaceFoot> on_axis = cylinder.nearest(cylinder.origin + 0.5 * cylinder.z, box, Vec2(2.5, 0.0));
+    const std::optional<SurfaceFoot> on_axis =
+        cylinder.nearest(cylinder.origin + 0.5 * cylinder.z, box, Vec2(2.5, 0.0));
     ASSERT_TRUE(on_axis);
     EXPECT_DOUBLE_EQ(on_axis->uv.x(), 2.5);
     const ElementarySurface sphere = surface_of(Kind::Sphere);
