@@ -66,7 +66,8 @@ Refinement::Refinement(Workspace& work, MeasurementCache& findings, const Triang
       chords_(work, segments_, findings.chords, sizing_),
       crossings_(work, segments_, findings.crossings),
       vertices_before_(work.mesh.vertex_count()),
-      sites_before_(work.mesh.site_count()) {}
+      sites_before_(work.mesh.site_count()),
+      ordered_(work.mesh.triangle_count()) {}
 
 void Refinement::prepare() {
     remove_encroaching_vertices(work_);
@@ -84,7 +85,7 @@ void Refinement::run() {
     refine_chords();
     separate_doubled();
     end_stage_("chord height");
-    if (may_coarsen(work_, options_)) {
+    if (first_vertex_ < work_.mesh.vertex_count() && may_coarsen(work_, options_)) {
         work_.progress.stage("taking out vertices", kRefined, 0.82);
         order_in_space();
         VertexRemoval(work_, findings_.chords, options_.min_angle, sizing_, first_vertex_).run();

@@ -66,7 +66,7 @@ class Refinement {
     // Those of the mesh to begin with keep their indices.
     int vertices_before_;
     int sites_before_;
-    int ordered_ = 0;  // triangles when they were ordered in space
+    int ordered_;  // triangles when they were ordered in space
 };
 
 }  // namespace mq::triangulate
