@@ -158,7 +158,6 @@ void Refinement::order_in_space() {
         exemption.vertex = exemption.vertex < 0 ? -1 : renewed.vertices[static_cast<std::size_t>(exemption.vertex)];
     }
     findings_.chords.renumber(renewed);
-    findings_.crossings.forget();
     angles_.renumber(renewed);
     chords_.renumber(renewed);
 }

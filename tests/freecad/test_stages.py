@@ -84,7 +84,7 @@ class Replay(helpers.DocumentTest):
                 exec(text, {"App": FreeCAD})  # noqa: S102 - what the page tells to do
         self.assertIn("'min_angle': 28.0", said.getvalue())
         shape = Part.Shape()
-        shape.read("part.brep")
+        shape.importBinary("part.bin")
         again = mq.triangulate(shape, min_angle=28.0)
         self.assertEqual(again.report.triangles, obj.Triangles)
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/threads/kept_threads.h"
 
-#include <unistd.h>
+#include <pthread.h>
 
 #include <condition_variable>
+#include <cstddef>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -78,11 +80,28 @@ class KeptThread {
 struct Waiting {
     std::mutex mutex;
     std::vector<KeptThread*> threads;  // without a call; the last one ended last, and its memory is in caches
-    pid_t owner = getpid();
+    std::size_t made = 0;              // threads that there are: there is room for all of them
 };
 
+Waiting& waiting();
+
+// No other thread has the mutex while the process is copied, and threads do not survive that.
+void before_fork() {
+    waiting().mutex.lock();
+}
+void after_fork() {
+    waiting().mutex.unlock();
+}
+void after_fork_in_child() {
+    waiting().threads.clear();
+    waiting().mutex.unlock();
+}
+
 Waiting& waiting() {
-    static Waiting& instance = *new Waiting();  // never destroyed: the threads wait while the process exits
+    static Waiting& instance = []() -> Waiting& {
+        pthread_atfork(before_fork, after_fork, after_fork_in_child);
+        return *new Waiting();  // never destroyed: the threads wait while the process exits
+    }();
     return instance;
 }
 
@@ -102,20 +121,18 @@ void serve(KeptThread& own) {
 }
 
 /// @return a thread that waits, else a new one
-/// @throws std::system_error when there is none to be had
+/// @throws std::system_error, std::bad_alloc when there is none to be had
 KeptThread& take_one() {
     Waiting& all = waiting();
     {
         const std::lock_guard<std::mutex> lock(all.mutex);
-        if (all.owner != getpid()) {  // threads do not survive a fork
-            all.threads.clear();
-            all.owner = getpid();
-        }
         if (!all.threads.empty()) {
             KeptThread& last = *all.threads.back();
             all.threads.pop_back();
             return last;
         }
+        all.threads.reserve(all.made + 1);
+        ++all.made;
     }
     KeptThread& fresh = *new KeptThread();
     try {
@@ -132,11 +149,14 @@ KeptThread& take_one() {
 void run_with_others(int others, const std::function<void(int)>& work) {
     Calls calls(work);
     std::vector<KeptThread*> given;
+    given.reserve(static_cast<std::size_t>(others));
     for (int number = 1; number <= others; ++number) {
         try {
             given.push_back(&take_one());
         } catch (const std::system_error&) {
             break;  // those that there are do the work
+        } catch (const std::bad_alloc&) {
+            break;
         }
         calls.add();
         given.back()->give(calls, number);

@@ -49,6 +49,9 @@ void ScheduleTrace::start() {
 }
 
 ScheduleRecord ScheduleTrace::stop() {
+    if (!on()) {
+        return {};
+    }
     add_time_to_task(recorder());
     on_ = false;
     return std::exchange(recorder().record, {});

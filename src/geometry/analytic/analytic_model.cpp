@@ -396,11 +396,11 @@ Answer AnalyticModel::face_nearest(const Query& query, bool global) const {
             box.high[1] = face.high[1];
         }
     }
-    const auto foot = surfaces_[i].nearest(query.point, box, guess);
-    if (!foot) {
+    const auto projection = surfaces_[i].nearest(query.point, box, guess);
+    if (!projection) {
         return with_status(Status::NotFound);
     }
-    Answer answer = face_point(query.index, foot->uv.x(), foot->uv.y());
+    Answer answer = face_point(query.index, projection->uv.x(), projection->uv.y());
     answer.distance = (answer.point - query.point).norm();
     return answer;
 }

@@ -84,8 +84,8 @@ bool is_ruled(const ElementarySurface& s) {
 }
 
 /// The point nearest to the one with the coordinates (rho, h) in the half plane at one angle u.
-SurfaceFoot meridian_nearest(const ElementarySurface& s, const Angle& u, double rho, double h, const ParameterBox& box,
-                             double guess) {
+SurfaceProjection meridian_nearest(const ElementarySurface& s, const Angle& u, double rho, double h,
+                                   const ParameterBox& box, double guess) {
     if (is_ruled(s)) {
         const double along =
             s.kind == ElementarySurface::Kind::Cone ? (rho - s.radius) * std::sin(s.angle) + h * std::cos(s.angle) : h;
@@ -114,14 +114,15 @@ SurfacePoint ElementarySurface::at(double u, double v) const {
     return is_ruled(*this) ? ruled_at(*this, angle_of(u), v) : round_at(*this, angle_of(u), angle_of(v));
 }
 
-std::optional<SurfaceFoot> ElementarySurface::nearest(const Vec3& p, const ParameterBox& box, const Vec2& guess) const {
+std::optional<SurfaceProjection> ElementarySurface::nearest(const Vec3& p, const ParameterBox& box,
+                                                            const Vec2& guess) const {
     const Vec3 d = p - origin;
     const double dx = d.dot(x);
     const double dy = d.dot(y);
     const double dz = d.dot(z);
     if (kind == Kind::Plane) {
         const Vec2 uv(std::clamp(dx, box.low[0], box.high[0]), std::clamp(dy, box.low[1], box.high[1]));
-        return SurfaceFoot{uv, plane_at(*this, uv.x(), uv.y())};
+        return SurfaceProjection{uv, plane_at(*this, uv.x(), uv.y())};
     }
     const double rho = std::sqrt(dx * dx + dy * dy);
     if (kind == Kind::Sphere && std::hypot(rho, dz) <= kOnAxis * radius) {

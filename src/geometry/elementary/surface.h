@@ -19,9 +19,9 @@ struct SurfacePoint {
 };
 
 /// The nearest point of a surface.
-struct SurfaceFoot {
+struct SurfaceProjection {
     Vec2 uv = Vec2::Zero();
-    SurfacePoint at;  ///< point and first derivatives
+    SurfacePoint at;
 };
 
 /// A box of the parameter domain.
@@ -49,7 +49,7 @@ struct ElementarySurface {
     /// The point of the surface within `box` that is nearest to `p`; the box is no wider than a period. Where
     /// every u or v is equally near (on an axis) that of `guess` is taken. Empty where all points of the surface are
     /// equally near: at the centre of a sphere.
-    std::optional<SurfaceFoot> nearest(const Vec3& p, const ParameterBox& box, const Vec2& guess) const;
+    std::optional<SurfaceProjection> nearest(const Vec3& p, const ParameterBox& box, const Vec2& guess) const;
 };
 
 /// `angle` moved by multiples of `period` into [near - period/2, near + period/2].

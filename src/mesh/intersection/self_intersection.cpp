@@ -207,7 +207,7 @@ class OccupiedCells {
 /// Calls work(0) and work(1), at the same time where there are triangles enough.
 template <typename Work>
 void do_both(std::size_t triangles, const Work& work) {
-    // Triangles for each thread from which its start, 0.1 to 0.2 ms, is worth its time.
+    // Triangles for each thread from which waking it is worth its time.
     constexpr std::size_t kWorthAThread = 4096;
     const ThreadLimit limit(threads_for(triangles, kWorthAThread));
     parallel_for(2, work);
@@ -289,6 +289,7 @@ std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, c
         std::vector<std::vector<ContactPair>> found(std::min(turn, tasks.size() - first));
         std::vector<CoplanarPairs> near(found.size());
         parallel_for(static_cast<int>(found.size()), [&](int k) {
+            check_cancelled(progress);  // a collector looks only after many pairs
             Collector collector(vertices, triangles, patch, embedded, limit, progress, flush);
             tree.for_each_own_pair(tasks[first + static_cast<std::size_t>(k)], collector);
             found[static_cast<std::size_t>(k)] = collector.take();

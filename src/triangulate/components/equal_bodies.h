@@ -28,11 +28,11 @@ struct EqualBodies {
     std::array<std::vector<int>, 3> places;     ///< by dimension and entity: its index in the entities of its body
     std::vector<int> places_of_uses;
 
-    /// The entity of a copy that is what `entity` is in its original.
+    /// The entity of a copy that is what `entity` is in its original; -1 if no face of that has it.
     int in_copy(geometry::Entity entity, int copy) const {
         const auto d = static_cast<std::size_t>(entity.dimension);
-        return entities[static_cast<std::size_t>(copy)]
-            .of[d][static_cast<std::size_t>(places[d][static_cast<std::size_t>(entity.index)])];
+        const int place = places[d][static_cast<std::size_t>(entity.index)];
+        return place < 0 ? -1 : entities[static_cast<std::size_t>(copy)].of[d][static_cast<std::size_t>(place)];
     }
     int use_in_copy(int use, int copy) const {
         return entities[static_cast<std::size_t>(copy)]

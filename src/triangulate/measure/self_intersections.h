@@ -28,8 +28,6 @@ class SelfIntersections {
     /// Returns the pairs of triangles on faces that nothing joins, where these cross deeper than triangles that
     /// deviate from their faces by at most `deviation` (mm) can. @throws Cancelled
     std::vector<std::array<int, 2>> deep_pairs(double deviation);
-    /// To be called when triangles have got other indices.
-    void forget() { state_ = {-1, -1}; }
     /// Counts the pairs by the faces they lie on.
     std::map<Faces, std::size_t> by_faces(const std::vector<std::array<int, 2>>& pairs) const;
     Faces faces_of(const std::array<int, 2>& pair) const;

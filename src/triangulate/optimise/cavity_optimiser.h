@@ -161,7 +161,7 @@ class CavityOptimiser {
     TriangleMarks failed_beyond_;              // the same with the larger target
     KeySet tried_to_escape_;
     int attempts_of_search_ = 0;  // left for the present triangle
-    int vain_attempts_left_ = OptimisationTuning::kSearchAttempts;
+    std::int64_t vain_attempts_left_ = OptimisationTuning::kSearchAttempts;
     std::size_t attempts_of_all_;
     double least_aligned_ = kAlignedSwap;
     KeyMap<CavityCandidates> found_;  // by disc, for the present target angle

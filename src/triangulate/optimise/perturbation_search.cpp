@@ -76,7 +76,7 @@ bool CavityOptimiser::perturb_all() {
             if (escape(t)) {
                 keep(reason);
                 changed = true;
-                vain_attempts_left_ += OptimisationTuning::kVainAttempts * (share - attempts_of_search_);
+                vain_attempts_left_ += std::int64_t{OptimisationTuning::kVainAttempts} * (share - attempts_of_search_);
             } else {
                 vain_attempts_left_ -= share - attempts_of_search_;
             }

@@ -20,10 +20,10 @@ double turn_along(const ClassifiedMesh& mesh, int h) {
     return angle_between(mesh.site(mesh.site_of(h)).normal, mesh.site(mesh.site_of(ClassifiedMesh::next(h))).normal);
 }
 
-// Returns the versions of the two triangles beside an edge, independent of the half-edge's side.
+// Returns the versions of the two triangles beside an edge, in either direction, and in any order of the mesh.
 std::array<std::uint32_t, 2> stamps_beside(const ClassifiedMesh& mesh, int h) {
-    const int first = std::min(h, mesh.twin(h));
-    return {mesh.stamp(first / 3), mesh.stamp(mesh.twin(first) / 3)};
+    const auto [older, newer] = std::minmax({mesh.stamp(h / 3), mesh.stamp(mesh.twin(h) / 3)});
+    return {older, newer};
 }
 
 // Pieces measured, or surface points found, at a time: their results are larger than the mesh if all are kept.
@@ -264,13 +264,7 @@ void ChordRefinement::forget_gone_edges() {
     const LargeVector<int> renewed = work_.mesh.renumber_edges();
     measure_.renumber(renewed);
     passed_.renumber(renewed);
-    std::map<int, Stamps> refused;
-    for (const auto& [number, stamps] : refused_) {
-        if (renewed[static_cast<std::size_t>(number)] >= 0) {
-            refused.emplace(renewed[static_cast<std::size_t>(number)], stamps);
-        }
-    }
-    refused_ = std::move(refused);
+    move_to_indices(renewed, refused_);
 }
 
 void ChordRefinement::renumber(const NewIndices& renewed) {
@@ -284,8 +278,8 @@ bool ChordRefinement::run(const std::function<void()>& before_round) {
     changed_ = false;
     for (int round = 0; round < RefinementTuning::kMaxSplitRounds && !work_.over_budget(); ++round) {
         work_.progress.check();
-        const int before = work_.mesh.vertex_count();
         before_round();
+        const int before = work_.mesh.vertex_count();
         forget_gone_edges();
         const Violations found = violations();
         work_.progress.check();

@@ -355,8 +355,8 @@ Answer FaceEvaluator::nearest(const Vec3& point, double u, double v) {
             return answer_at(point, *projection, guess);
         }
     } else if (elementary_) {
-        const auto foot = elementary_->nearest(p, elementary_box(guess), guess);
-        return foot ? answer_at(point, {foot->uv, 0.0, true, foot->at}, guess) : answer;
+        const auto projection = elementary_->nearest(p, elementary_box(guess), guess);
+        return projection ? answer_at(point, {projection->uv, 0.0, true, projection->at}, guess) : answer;
     }
     Projection projection = newton(p, guess, search_);
     const bool local = projection.found && is_local_minimum(p, projection, search_);
@@ -419,8 +419,8 @@ Answer FaceEvaluator::nearest_global(const Vec3& point) {
     const Vec3 p = local(point);
     const Vec2 middle(0.5 * (trimmed_.low[0] + trimmed_.high[0]), 0.5 * (trimmed_.low[1] + trimmed_.high[1]));
     if (elementary_ && !native_) {
-        const auto foot = elementary_->nearest(p, trimmed_, middle);
-        return foot ? answer_at(point, {foot->uv, 0.0, true, foot->at}, foot->uv) : answer;
+        const auto projection = elementary_->nearest(p, trimmed_, middle);
+        return projection ? answer_at(point, {projection->uv, 0.0, true, projection->at}, projection->uv) : answer;
     }
     const Projection projection = search(p, trimmed_);
     return projection.found ? answer_at(point, projection, projection.uv) : answer;

@@ -57,7 +57,7 @@ TEST(ElementarySurface, APointAboveItIsNearestToWhereItStands) {
         for (int i = 0; i < 200; ++i) {
             const Vec2 uv(turn(random), latitude(random));
             const SurfacePoint at = s.at(uv.x(), uv.y());
-            const std::optional<SurfaceFoot> found =
+            const std::optional<SurfaceProjection> found =
                 s.nearest(at.point + height(random) * at.su.cross(at.sv).normalized(), box, uv);
             ASSERT_TRUE(found);
             EXPECT_LT((found->uv - uv).norm(), 1e-9) << static_cast<int>(kind);
@@ -71,10 +71,10 @@ TEST(ElementarySurface, APointAboveItIsNearestToWhereItStands) {
 TEST(ElementarySurface, AnswersLieWithinTheBox) {
     const ElementarySurface cylinder = surface_of(Kind::Cylinder);
     const ParameterBox box{{0.0, 0.0}, {1.0, 2.0}};
-    const std::optional<SurfaceFoot> above = cylinder.nearest(cylinder.at(0.5, 7.0).point, box, Vec2(0.5, 1.0));
+    const std::optional<SurfaceProjection> above = cylinder.nearest(cylinder.at(0.5, 7.0).point, box, Vec2(0.5, 1.0));
     ASSERT_TRUE(above);
     EXPECT_LT((above->uv - Vec2(0.5, 2.0)).norm(), 1e-12);
-    const std::optional<SurfaceFoot> aside = cylinder.nearest(cylinder.at(1.3, 1.0).point, box, Vec2(0.5, 1.0));
+    const std::optional<SurfaceProjection> aside = cylinder.nearest(cylinder.at(1.3, 1.0).point, box, Vec2(0.5, 1.0));
     ASSERT_TRUE(aside);
     EXPECT_LT((aside->uv - Vec2(1.0, 1.0)).norm(), 1e-12);
     EXPECT_LT((aside->at.point - cylinder.at(1.0, 1.0).point).norm(), 1e-12);
@@ -83,7 +83,7 @@ TEST(ElementarySurface, AnswersLieWithinTheBox) {
 TEST(ElementarySurface, WhereAllPointsAreEquallyNearTheGuessDecidesOrNothing) {
     const ParameterBox box{{0.0, -1.5}, {2.0 * M_PI, 1.5}};
     const ElementarySurface cylinder = surface_of(Kind::Cylinder);
-    const std::optional<SurfaceFoot> on_axis =
+    const std::optional<SurfaceProjection> on_axis =
         cylinder.nearest(cylinder.origin + 0.5 * cylinder.z, box, Vec2(2.5, 0.0));
     ASSERT_TRUE(on_axis);
     EXPECT_DOUBLE_EQ(on_axis->uv.x(), 2.5);
