@@ -8,6 +8,18 @@ from MeshQuality.core import fem
 from MeshQuality.core.elements import kinds
 
 
+def inside(shape, size):
+    """Numbers of those tetrahedra of `straight_mesh` whose first edge has only tetrahedra without a face on the surface
+    around it.
+    """
+    found = mq.curve(shape, order=1, volume=True, max_edge=size)
+    surface = {frozenset(map(int, corners)) for corners in found.triangles}
+    cells = [frozenset(map(int, corners)) for corners in found.tetrahedra]
+    inner = [not any(cell - {corner} in surface for corner in cell) for cell in cells]
+    edges = [frozenset(map(int, corners[:2])) for corners in found.tetrahedra]
+    return [i for i, edge in enumerate(edges) if all(inner[k] for k, cell in enumerate(cells) if edge <= cell)]
+
+
 def straight_mesh(shape, size, folded=()):
     """A Fem.FemMesh of second order whose middle nodes lie on chords, as other programs make it; of the tetrahedra `folded`
     the first middle node lies beyond the opposite face.

@@ -3,6 +3,7 @@
 
 #include <pthread.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstddef>
 #include <mutex>
@@ -149,7 +150,7 @@ KeptThread& take_one() {
 void run_with_others(int others, const std::function<void(int)>& work) {
     Calls calls(work);
     std::vector<KeptThread*> given;
-    given.reserve(static_cast<std::size_t>(others));
+    given.reserve(static_cast<std::size_t>(std::max(0, others)));
     for (int number = 1; number <= others; ++number) {
         try {
             given.push_back(&take_one());

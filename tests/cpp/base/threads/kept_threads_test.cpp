@@ -35,6 +35,13 @@ Ids ids_of_team(int others) {
     return ids;
 }
 
+TEST(KeptThreads, NoneAreNeededForNoCalls) {
+    int calls = 0;
+    run_with_others(0, [&](int) { ++calls; });
+    run_with_others(-1, [&](int) { ++calls; });
+    EXPECT_EQ(calls, 2);
+}
+
 TEST(KeptThreads, CallsRunAtTheSameTimeInThreadsOfTheirOwn) {
     const Ids ids = ids_of_team(5);
     EXPECT_EQ(ids.size(), 6U);
