@@ -63,7 +63,7 @@ class ComponentWork {
         Refinement& whole;
         const ChordErrorCache& measured;  ///< measurements of the whole mesh
         const geometry::Session& session;
-        const Progress& progress;  ///< that of the component: it ends with it
+        const Progress& progress;  ///< that of the component, used by its constructor, `run` and `body` only
         std::size_t budget;        ///< largest number of its triangles
     };
 

@@ -15,7 +15,7 @@
 /// Shapes of several solids for tests.
 namespace mq::geometry {
 
-inline TopoDS_Shape compound_of(const std::vector<TopoDS_Shape>& shapes) {
+inline TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
     TopoDS_Compound compound;
     BRep_Builder builder;
     builder.MakeCompound(compound);

@@ -22,6 +22,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "geometry/assemblies.h"
 #include "geometry/parts.h"
 #include "geometry/session.h"
 #include "geometry/shapes.h"
@@ -56,16 +57,6 @@ TopoDS_Shape first_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
     return TopExp_Explorer(shape, kind).Current();
 }
 
-TopoDS_Compound compound(std::initializer_list<TopoDS_Shape> parts) {
-    BRep_Builder builder;
-    TopoDS_Compound result;
-    builder.MakeCompound(result);
-    for (const TopoDS_Shape& part : parts) {
-        builder.Add(result, part);
-    }
-    return result;
-}
-
 std::string text_of(const TopoDS_Shape& shape) {
     std::ostringstream text;
     BRepTools::Write(shape, text);
@@ -98,7 +89,7 @@ TEST(ShapeModel, NamesFacesWithoutSurface) {
     TopoDS_Face bare;
     builder.MakeFace(bare);
     try {
-        make_shape_model(compound({box123(), bare}));
+        make_shape_model(compound_of({box123(), bare}));
         FAIL();
     } catch (const GeometryError& error) {
         EXPECT_NE(std::string(error.what()).find("Face7"), std::string::npos) << error.what();
@@ -239,7 +230,7 @@ TEST(ShapeModel, GathersShellsAndLooseFaces) {
     }
     const TopoDS_Shape loose =
         BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0.0, 0.0, 9.0), gp_Dir(0.0, 0.0, 1.0)), -1.0, 1.0, -2.0, 2.0).Shape();
-    const auto model = make_shape_model(compound({loose, open, box123()}));
+    const auto model = make_shape_model(compound_of({loose, open, box123()}));
     const Topology& topology = model->topology();
     ASSERT_EQ(topology.volumes.size(), 3u);
     EXPECT_EQ(topology.volumes[0].kind, Volume::Kind::Solid);
@@ -258,8 +249,8 @@ TEST(ShapeModel, GathersShellsAndLooseFaces) {
 
 TEST(ShapeModel, CountsASolidMetTwiceOnce) {
     const TopoDS_Shape box = box123();
-    EXPECT_EQ(make_shape_model(compound({box, box}))->topology().volumes.size(), 1u);
-    EXPECT_EQ(make_shape_model(compound({box, located(box, turned_and_moved())}))->topology().volumes.size(), 2u);
+    EXPECT_EQ(make_shape_model(compound_of({box, box}))->topology().volumes.size(), 1u);
+    EXPECT_EQ(make_shape_model(compound_of({box, located(box, turned_and_moved())}))->topology().volumes.size(), 2u);
 }
 
 std::vector<TopoDS_Shape> listed(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
@@ -304,8 +295,8 @@ TEST(ShapeModel, MeetsTheShellOfASolidOnceHoweverItIsListed) {
     }
     const TopoDS_Shape solid_again = BRepBuilderAPI_MakeSolid(copied).Shape();
     for (const TopoDS_Shape& again : std::vector<TopoDS_Shape>{shell, shell.Reversed(), copied, solid_again}) {
-        EXPECT_EQ(make_shape_model(compound({again, box}))->topology().volumes.size(), 1u);
-        EXPECT_EQ(make_shape_model(compound({box, again}))->topology().volumes.size(), 1u);
+        EXPECT_EQ(make_shape_model(compound_of({again, box}))->topology().volumes.size(), 1u);
+        EXPECT_EQ(make_shape_model(compound_of({box, again}))->topology().volumes.size(), 1u);
     }
 }
 
@@ -318,7 +309,7 @@ TEST(ShapeModel, KeepsShellsThatTouchInAFaceWhole) {
     fuse.Build();
     const std::vector<TopoDS_Shape> shells = listed(fuse.Shape(), TopAbs_SHELL);
     ASSERT_EQ(shells.size(), 2u);
-    const auto model = make_shape_model(compound({shells[0], shells[1]}));
+    const auto model = make_shape_model(compound_of({shells[0], shells[1]}));
     ASSERT_EQ(model->topology().volumes.size(), 2u);
     EXPECT_EQ(model->topology().volumes[0].sides.size(), 6u);
     EXPECT_EQ(model->topology().volumes[1].sides.size(), 6u);
@@ -401,7 +392,7 @@ TopoDS_Face patch_of(const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c, const gp
 TEST(ShapeModel, NamesFacesWithoutArea) {
     const gp_Pnt a(0.0, 0.0, 0.0);
     const gp_Pnt b(4.0, 0.0, 0.0);
-    const auto model = make_shape_model(compound({box123(), patch_of(a, b, a, b)}));
+    const auto model = make_shape_model(compound_of({box123(), patch_of(a, b, a, b)}));
     const auto& faults = model->topology().faults;
     EXPECT_NE(std::find(faults.begin(), faults.end(), "Face7: has no area"), faults.end());
 }
@@ -430,7 +421,7 @@ TEST(ShapeModel, HasNormalsWhereADerivativeVanishes) {
 }
 
 TEST(ShapeModel, LeavesTheShapeAndItsDisplayAlone) {
-    const TopoDS_Shape shape = compound({BRepPrimAPI_MakeCone(2.0, 0.0, 5.0).Shape(), box123()});
+    const TopoDS_Shape shape = compound_of({BRepPrimAPI_MakeCone(2.0, 0.0, 5.0).Shape(), box123()});
     BRepMesh_IncrementalMesh(shape, 0.1);
     std::vector<std::pair<const Poly_Triangulation*, int>> before;
     for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {

@@ -120,6 +120,16 @@ TEST(EqualBodies, HaveEqualDemands) {
     EXPECT_EQ(found.equal.original, (std::vector<int>{-1, 0, -1}));
 }
 
+/// A vertex of several contracted nodes is at the lowest one, which may be of faces that were left out.
+TEST(EqualBodies, EntitiesOfNoBodyHaveNoneInACopy) {
+    Found found = found_in(compound_of({cone(), at_place(cone(), 10.0, 0.7)}));
+    ASSERT_EQ(found.equal.original, (std::vector<int>{-1, 0}));
+    EXPECT_GE(found.equal.in_copy({0, 0}, 1), 0);
+    found.equal.places[0].push_back(-1);
+    const int left_out = static_cast<int>(found.equal.places[0].size()) - 1;
+    EXPECT_EQ(found.equal.in_copy({0, left_out}, 1), -1);
+}
+
 TEST(EqualBodies, ShareNothing) {
     const Found found = found_in(geometry::twin_solids());
     ASSERT_EQ(found.equal.original.size(), 2U);

@@ -8,11 +8,11 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <gp_Pln.hxx>
 #include <vector>
 
+#include "geometry/assemblies.h"
 #include "mesh/intersection/self_intersection.h"
 #include "triangulate/checks.h"
 
@@ -25,23 +25,13 @@ std::size_t pairs_that_meet(const mesh::TriangleMesh& mesh) {
     return mesh::self_intersections(mesh.vertices, mesh.triangles).size();
 }
 
-TopoDS_Compound compound(const std::vector<TopoDS_Shape>& shapes) {
-    BRep_Builder builder;
-    TopoDS_Compound result;
-    builder.MakeCompound(result);
-    for (const TopoDS_Shape& shape : shapes) {
-        builder.Add(result, shape);
-    }
-    return result;
-}
-
 /// The faces alone, none of which shares an edge with another.
 TopoDS_Compound faces_apart(const TopoDS_Shape& shape) {
     std::vector<TopoDS_Shape> faces;
     for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
         faces.push_back(BRepBuilderAPI_Copy(it.Current()).Shape());
     }
-    return compound(faces);
+    return geometry::compound_of(faces);
 }
 
 TEST(SelfIntersections, OfDifferentVolumesAreCountedAndNoFault) {
@@ -50,7 +40,7 @@ TEST(SelfIntersections, OfDifferentVolumesAreCountedAndNoFault) {
     const TopoDS_Shape one = BRepPrimAPI_MakeSphere(10.0).Solid();
     const TopoDS_Shape other = BRepPrimAPI_MakeSphere(gp_Pnt(5.0, 0.0, 0.0), 10.0).Solid();
     const Result alone = mesh_of(geometry::make_shape_model(one), options);
-    const Result result = mesh_of(geometry::make_shape_model(compound({one, other})), options);
+    const Result result = mesh_of(geometry::make_shape_model(geometry::compound_of({one, other})), options);
     EXPECT_EQ(result.report.self_intersections, 0);
     EXPECT_GT(result.report.overlaps, 10);
     EXPECT_LE(static_cast<std::size_t>(result.report.overlaps), pairs_that_meet(result.mesh));
@@ -68,8 +58,8 @@ TEST(SelfIntersections, ATightFitIsNoOverlap) {
     const gp_Ax2 axis(gp_Pnt(0.0, 0.0, -5.0), gp::DZ(), gp_Dir(1.0, 0.3, 0.0));
     const TopoDS_Shape shaft = BRepPrimAPI_MakeCylinder(axis, 4.0, 20.0).Shape();
     const TopoDS_Shape beside = BRepPrimAPI_MakeBox(gp_Pnt(10.0, -7.0, 0.0), gp_Pnt(20.0, 7.0, 12.0)).Shape();
-    const Result result =
-        mesh_of(geometry::make_shape_model(compound({BRepAlgoAPI_Cut(block, shaft).Shape(), shaft, beside})));
+    const Result result = mesh_of(
+        geometry::make_shape_model(geometry::compound_of({BRepAlgoAPI_Cut(block, shaft).Shape(), shaft, beside})));
     EXPECT_GT(pairs_that_meet(result.mesh), 0u);
     EXPECT_EQ(result.report.self_intersections, 0);
     EXPECT_EQ(result.report.overlaps, 0);
@@ -80,7 +70,7 @@ TEST(SelfIntersections, OfLooseFacesAreNamed) {
     const gp_Pln upright(gp_Pnt(3.0, 0.0, 0.0), gp::DX());
     const TopoDS_Shape plane = BRepBuilderAPI_MakeFace(gp_Pln(), -10.0, 10.0, -10.0, 10.0).Shape();
     const TopoDS_Shape other = BRepBuilderAPI_MakeFace(upright, -5.0, 5.0, -5.0, 5.0).Shape();
-    const Result planes = mesh_of(geometry::make_shape_model(compound({plane, other})));
+    const Result planes = mesh_of(geometry::make_shape_model(geometry::compound_of({plane, other})));
     EXPECT_LE(static_cast<std::size_t>(planes.report.self_intersections), pairs_that_meet(planes.mesh));
     EXPECT_GT(planes.report.self_intersections, 0);
     EXPECT_EQ(planes.report.overlaps, 0);
@@ -89,7 +79,7 @@ TEST(SelfIntersections, OfLooseFacesAreNamed) {
     ASSERT_FALSE(planes.report.notes.empty());
     EXPECT_EQ(planes.report.notes.back().find("Face1 and Face2 cross in "), 0u);
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-1.0, -1.0, -1.0), gp_Pnt(1.0, 1.0, 1.0)).Shape();
-    const Result with_body = mesh_of(geometry::make_shape_model(compound({plane, box})));
+    const Result with_body = mesh_of(geometry::make_shape_model(geometry::compound_of({plane, box})));
     EXPECT_EQ(with_body.report.self_intersections, 0);
     EXPECT_GT(with_body.report.overlaps, 0);
 }
