@@ -31,7 +31,8 @@ std::vector<std::vector<int>> groups_of(const std::vector<double>& work, std::si
 /// Bodies of a mesh as a mesh of their own, which can be changed while other threads change the others.
 struct MeshComponent {
     ClassifiedMesh mesh;
-    std::vector<int> triangles;  ///< indices in the whole mesh of the component's triangles at first, ascending but for copies of bodies
+    /// Indices in the whole mesh of the component's triangles at first, ascending but for copies of bodies.
+    std::vector<int> triangles;
     /// By vertex at first: its index in the whole mesh, ascending but for those that have none, -1.
     std::vector<int> vertices;
     std::vector<int> sites;     ///< the same of its sites
