@@ -13,25 +13,17 @@ namespace mq::geometry {
 /// is open to others. In between they wait with their next question.
 class EngineGate {
   public:
-    /// Keeps the engine's thread waiting while the object lives, if there is a gate. A thread has one at a time.
+    /// Keeps the engine's thread waiting while the object lives. A thread has one at a time.
     class Entry {
       public:
         /// @throws Cancelled when the engine's thread does not come any more
-        explicit Entry(EngineGate* gate) : gate_(gate) {
-            if (gate_ != nullptr) {
-                gate_->enter();
-            }
-        }
-        ~Entry() {
-            if (gate_ != nullptr) {
-                gate_->leave();
-            }
-        }
+        explicit Entry(EngineGate& gate) : gate_(gate) { gate_.enter(); }
+        ~Entry() { gate_.leave(); }
         Entry(const Entry&) = delete;
         Entry& operator=(const Entry&) = delete;
 
       private:
-        EngineGate* gate_;
+        EngineGate& gate_;
     };
 
     /// On the engine's thread: lets the others in for this time, or until `close`, and waits until all have left.

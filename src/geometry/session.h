@@ -23,7 +23,8 @@
 
 namespace mq::geometry {
 
-/// One model on one engine: the context in which an algorithm works on a model.
+/// One model on one engine: the context in which an algorithm works on a model. The engine's thread answers, or, in the
+/// sessions of `in_place` and `run_apart`, the threads that ask.
 class Session final : public Oracle {
   public:
     /// Items in a chunk, which one thread takes at a time: 0.1 ms of work or more, so that starting a thread pays.
@@ -44,7 +45,7 @@ class Session final : public Oracle {
         if (batch.empty()) {
             return {};  // an empty batch does not wake the engine's thread
         }
-        if (batch.size() <= kChunk && answerer_ == nullptr) {
+        if (batch.size() <= kChunk && answerers_ == nullptr) {
             return engine_.ask(model_, std::move(batch), progress_);
         }
         Engine::Answers all(batch.size());
@@ -56,20 +57,26 @@ class Session final : public Oracle {
         return all;
     }
     Answer ask(const Query& query) override {
-        if (answerer_ == nullptr) {
+        if (answerers_ == nullptr) {
             return engine_.ask(model_, query, progress_);
         }
-        const EngineGate::Entry entry(gate_);
-        return answerer_->answer(query);
+        const EngineGate::Entry entry(*gate_);
+        return answerers_->answer(query);
     }
-    /// Calls `work(model)` on the engine's thread. Predicates count for the caller's, whose limit of threads holds.
+    /// Calls `work(model)` while nobody else asks: on the engine's thread, or in the calling thread in a session of
+    /// `in_place`. Predicates count for the caller's, whose limit of threads holds.
     /// @throws Cancelled, std::logic_error in a session of run_apart
     template <typename Work>
     void run(const Work& work) {
-        if (answerer_ != nullptr) {
-            throw std::logic_error("a session of run_apart does not reach the engine's thread");
-        }
         check();
+        if (answerers_ != nullptr) {
+            if (apart_) {
+                throw std::logic_error("others ask the model while a session of run_apart does");
+            }
+            const EngineGate::Entry entry(*gate_);
+            work(*model_);
+            return;
+        }
         PredicateCount& callers = predicate_count();
         const int threads = thread_count();
         engine_.run(
@@ -81,52 +88,14 @@ class Session final : public Oracle {
             progress_);
     }
 
-    /// Repeats a step as long as it returns true, on the engine's thread, which is open to others after each step that
-    /// ends kOpenAfter or more after the last opening. So the batches of a step are answered in place: handing a small
-    /// one from thread to thread takes longer than its answers. In a session of run_apart: in the calling thread.
-    /// @throws Cancelled.
-    template <typename Step>
-    void repeat(const Step& step) {
-        using Clock = std::chrono::steady_clock;
-        for (bool more = true; more;) {
-            if (answerer_ != nullptr) {
-                more = step();
-                continue;
-            }
-            run([&](Model&) {
-                for (const Clock::time_point end = Clock::now() + kOpenAfter; more && Clock::now() < end;) {
-                    more = step();
-                }
-            });
-        }
-    }
-
-    /// Calls `work(answerer, k)` for k = 0 .. count - 1, in no particular order, on as many threads as the caller may
-    /// use, while the engine's thread waits for them. What a call gives must not depend on the calls before it.
-    /// @throws as parallel_for
+    /// Calls `work(session)` in the calling thread, with a session that answers in the threads that ask, while the
+    /// engine's thread waits: handing a small batch from thread to thread takes longer than its answers. The engine is
+    /// open to others every kOpenAfter. Not to be called on the engine's thread.
+    /// @throws Cancelled, and what `work` throws
     template <typename Work>
-    void run_parallel(int count, const Work& work) {
-        const int most = std::min(count, thread_count());
-        run([&](Model& model) {
-            std::vector<CountingAnswerer> answerers = answerers_of(model, most);
-            const OpenCascadeWait wait(progress_, progress_ != nullptr ? progress_->name() : std::string());
-            const ThreadLimit limit(static_cast<int>(answerers.size()));
-            parallel_for_on_threads(count,
-                                    [&](int thread, int k) { work(answerers[static_cast<std::size_t>(thread)], k); });
-            for (const CountingAnswerer& answerer : answerers) {
-                engine_.count_answered(answerer.count());
-            }
-        });
-    }
-
-    /// Calls `work(session, k)` for k = 0 .. count - 1, in no particular order, on as many threads as the caller may
-    /// use. A call asks its own session, which answers in the call's thread; `run` must not be called there. The
-    /// engine is open to others every kOpenAfter. Not to be called on the engine's thread.
-    /// @throws as parallel_for
-    template <typename Work>
-    void run_apart(int count, const Work& work) {
+    void in_place(const Work& work) {
         std::vector<CountingAnswerer> answerers;
-        run([&](Model& model) { answerers = answerers_of(model, std::min(count, thread_count())); });
+        run([&](Model& model) { answerers = answerers_of(model, thread_count()); });
         EngineGate gate;
         std::exception_ptr failure;
         std::thread keeper([&] {
@@ -144,11 +113,8 @@ class Session final : public Oracle {
         });
         std::exception_ptr raised;
         try {
-            const ThreadLimit limit(static_cast<int>(answerers.size()));
-            parallel_for_on_threads(count, [&](int thread, int k) {
-                Session apart(*this, answerers[static_cast<std::size_t>(thread)], gate);
-                work(apart, k);
-            });
+            Session own(*this, answerers.data(), static_cast<int>(answerers.size()), gate, false);
+            work(own);
         } catch (...) {
             raised = std::current_exception();
         }
@@ -160,6 +126,50 @@ class Session final : public Oracle {
         if (failure || raised) {
             std::rethrow_exception(failure ? failure : raised);
         }
+    }
+    /// Returns how many queries a session of `in_place` has answered.
+    std::uint64_t queries() const {
+        std::uint64_t sum = 0;
+        std::for_each(answerers_, answerers_ + count_, [&](const CountingAnswerer& one) { sum += one.count(); });
+        return sum;
+    }
+
+    /// Calls `work(answerer, k)` for k = 0 .. count - 1, in no particular order, on as many threads as the caller may
+    /// use, while the engine's thread waits for them. What a call gives must not depend on the calls before it; calls
+    /// ask nothing but the answerer.
+    /// @throws as parallel_for
+    template <typename Work>
+    void run_parallel(int count, const Work& work) {
+        if (answerers_ != nullptr) {
+            const EngineGate::Entry entry(*gate_);
+            call_with(answerers_, count_, count, work);
+            return;
+        }
+        const int most = std::min(count, thread_count());
+        run([&](Model& model) {
+            std::vector<CountingAnswerer> answerers = answerers_of(model, most);
+            const OpenCascadeWait wait(progress_, progress_ != nullptr ? progress_->name() : std::string());
+            call_with(answerers.data(), static_cast<int>(answerers.size()), count, work);
+            for (const CountingAnswerer& answerer : answerers) {
+                engine_.count_answered(answerer.count());
+            }
+        });
+    }
+
+    /// Calls `work(session, k)` for k = 0 .. count - 1, in no particular order, on as many threads as the caller may
+    /// use. A call asks its own session, which answers in the call's thread, as in `in_place`.
+    /// @throws as parallel_for
+    template <typename Work>
+    void run_apart(int count, const Work& work) {
+        if (answerers_ == nullptr) {
+            in_place([&](Session& own) { own.run_apart(count, work); });
+            return;
+        }
+        const ThreadLimit limit(std::min(count_, thread_count()));
+        parallel_for_on_threads(count, [&](int thread, int k) {
+            Session apart(*this, answerers_ + thread, 1, *gate_, true);
+            work(apart, k);
+        });
     }
 
     /// Calls `work(answerer, from, to)` for chunks of the items 0 .. count - 1, as run_parallel does. The engine is
@@ -174,20 +184,11 @@ class Session final : public Oracle {
         const std::size_t piece = chunk * kChunksOfThread * static_cast<std::size_t>(thread_count());
         for (std::size_t begin = 0; begin < count; begin += piece) {
             const std::size_t end = std::min(begin + piece, count);
-            const int chunks = static_cast<int>((end - begin + chunk - 1) / chunk);
-            const auto one = [&](Answerer& answerer, int k) {
+            run_parallel(static_cast<int>((end - begin + chunk - 1) / chunk), [&](Answerer& answerer, int k) {
                 check();
                 const std::size_t from = begin + static_cast<std::size_t>(k) * chunk;
                 work(answerer, from, std::min(from + chunk, end));
-            };
-            if (answerer_ == nullptr) {
-                run_parallel(chunks, one);
-                continue;
-            }
-            for (int k = 0; k < chunks; ++k) {
-                const EngineGate::Entry entry(gate_);
-                one(*answerer_, k);
-            }
+            });
         }
     }
 
@@ -224,17 +225,29 @@ class Session final : public Oracle {
         std::uint64_t count_ = 0;
     };
 
-    Session(const Session& session, Answerer& answerer, EngineGate& gate)
+    Session(const Session& session, CountingAnswerer* answerers, int count, EngineGate& gate, bool apart)
         : engine_(session.engine_),
           model_(session.model_),
           progress_(session.progress_),
-          answerer_(&answerer),
-          gate_(&gate) {}
+          answerers_(answerers),
+          count_(count),
+          gate_(&gate),
+          apart_(apart) {}
+
+    // Calls `work(answerer, k)` for k = 0 .. count - 1, each thread with an answerer of its own.
+    template <typename Work>
+    static void call_with(CountingAnswerer* answerers, int most, int count, const Work& work) {
+        const ThreadLimit limit(std::min(most, thread_count()));
+        parallel_for_on_threads(count, [&](int thread, int k) { work(answerers[thread], k); });
+    }
 
     static std::vector<CountingAnswerer> answerers_of(Model& model, int most) {
         std::vector<CountingAnswerer> answerers;
-        for (Answerer* more = model.answerer(0); more != nullptr && static_cast<int>(answerers.size()) < most;
-             more = model.answerer(static_cast<int>(answerers.size()))) {
+        while (static_cast<int>(answerers.size()) < most) {
+            Answerer* const more = model.answerer(static_cast<int>(answerers.size()));
+            if (more == nullptr) {
+                break;
+            }
             answerers.emplace_back(*more);
         }
         return answerers;
@@ -243,8 +256,10 @@ class Session final : public Oracle {
     Engine& engine_;
     std::shared_ptr<Model> model_;
     const Progress* progress_;
-    Answerer* answerer_ = nullptr;  // null: the engine's thread answers
+    CountingAnswerer* answerers_ = nullptr;  // of `in_place` and `run_apart`, one a thread; null: the engine answers
+    int count_ = 0;
     EngineGate* gate_ = nullptr;
+    bool apart_ = false;  // whether others ask meanwhile
 };
 
 }  // namespace mq::geometry

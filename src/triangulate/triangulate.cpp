@@ -152,8 +152,7 @@ std::size_t count(const std::vector<std::shared_ptr<const CachedFace>>& faces, c
 /// Measures the costs of a run, from its construction on.
 class Costs {
   public:
-    explicit Costs(const geometry::Engine& engine)
-        : engine_(engine), cpu_before_(cpu_seconds()), queries_before_(engine.queries()) {
+    explicit Costs(const geometry::Session& session) : session_(session), cpu_before_(cpu_seconds()) {
         predicate_count() = {};
     }
 
@@ -162,17 +161,16 @@ class Costs {
     void report(mesh::MeshReport& report) {
         report.seconds = std::move(seconds_);
         report.cpu_seconds = cpu_seconds() - cpu_before_;
-        report.queries = engine_.queries() - queries_before_;
+        report.queries = session_.queries();
         report.predicates = predicate_count().filtered + predicate_count().exact;
         report.exact_predicates = predicate_count().exact;
     }
 
   private:
-    const geometry::Engine& engine_;
+    const geometry::Session& session_;
     StageTimes seconds_;
     StageClock clock_{seconds_};
     double cpu_before_;
-    std::uint64_t queries_before_;
 };
 
 /// One call of triangulate.
@@ -285,22 +283,16 @@ bool in_vain(const mesh::MeshReport& now, const mesh::MeshReport& before) {
            (!now.oriented && before.oriented) || (!now.manifold && before.manifold) || !now.complete;
 }
 
-}  // namespace
-
-Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
-                   const TriangulateOptions& asked, Progress* progress, MeshCache* memory) {
-    asked.validate();
-    const ThreadLimit threads(asked.threads);
-    Progress unwatched;
-    Progress& watched = progress != nullptr ? *progress : unwatched;
-    Costs costs(engine);
-    geometry::Session session(engine, model, &watched);
+// @param session  of in_place
+Result triangulate_in_place(geometry::Session& session, const TriangulateOptions& asked, Progress& progress,
+                            MeshCache* memory) {
+    Costs costs(session);
     const SinglePrecisionGrid grid(session.topology().box);
     check_against_part(asked, session.topology(), grid);
     TriangulateOptions options = asked;
     options.local_sizes = sizes_of_pieces(asked.local_sizes, session.topology());
     const double chord = options.chord_height_of(session.topology().box);
-    const Task task{session, grid, options, chord, watched, costs};
+    const Task task{session, grid, options, chord, progress, costs};
     if (memory == nullptr) {
         return mesh_part(task, {}, nullptr, nullptr);
     }
@@ -322,6 +314,21 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     }
     memory->add(run);
     return run->result;
+}
+
+}  // namespace
+
+Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
+                   const TriangulateOptions& options, Progress* progress, MeshCache* memory) {
+    options.validate();
+    const ThreadLimit threads(options.threads);
+    Progress unwatched;
+    Progress& watched = progress != nullptr ? *progress : unwatched;
+    Result result;
+    geometry::Session(engine, model, &watched).in_place([&](geometry::Session& session) {
+        result = triangulate_in_place(session, options, watched, memory);
+    });
+    return result;
 }
 
 }  // namespace mq::triangulate

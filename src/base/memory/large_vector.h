@@ -20,7 +20,7 @@ void release_freed_memory();
 template <typename Value>
 struct BlockAllocator {
     using value_type = Value;
-    static constexpr std::size_t kLarge = std::size_t{1} << 18;
+    static constexpr std::size_t kLarge = std::size_t{1} << 20;
 
     BlockAllocator() = default;
     template <typename Other>

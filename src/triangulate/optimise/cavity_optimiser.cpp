@@ -139,7 +139,8 @@ bool CavityOptimiser::process_queue() {
     std::size_t left = std::min(OptimisationTuning::kAttemptsEach * queue_.size(),
                                 OptimisationTuning::kAttempts + static_cast<std::size_t>(work_.mesh.triangle_count()) /
                                                                     OptimisationTuning::kTrianglesPerAttempt);
-    work_.session.repeat([&] { return process_next(left, changed); });
+    while (process_next(left, changed)) {
+    }
     return changed;
 }
 

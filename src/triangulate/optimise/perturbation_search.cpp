@@ -107,17 +107,9 @@ void CavityOptimiser::count_attempt() {
 
 // Tries perturbations. On success the transaction remains open.
 bool CavityOptimiser::escape(int triangle) {
-    std::vector<Perturbation> tries;
-    work_.session.repeat([&] {
-        tries = kicks(triangle);
-        return false;
-    });
-    auto kick = tries.begin();
+    std::vector<Perturbation> tries = kicks(triangle);
     bool escaped = false;
-    work_.session.repeat([&] {
-        if (kick == tries.end() || budget_spent()) {
-            return false;
-        }
+    for (auto kick = tries.begin(); kick != tries.end() && !escaped && !budget_spent(); ++kick) {
         work_.progress.check();
         count_attempt();
         undo_.begin();
@@ -127,11 +119,9 @@ bool CavityOptimiser::escape(int triangle) {
             ear_ = -1;
             split_.reset();
             const std::map<int, int> moved = undo_.undo();
-            std::for_each(kick, tries.end(), [&](Perturbation& later) { rename(later.fan.disc, moved); });
-            ++kick;
+            std::for_each(kick + 1, tries.end(), [&](Perturbation& later) { rename(later.fan.disc, moved); });
         }
-        return !escaped;
-    });
+    }
     return escaped;
 }
 

@@ -90,26 +90,24 @@ void AngleRefinement::run() {
     }
     int retries = 0;
     std::optional<State> before;  // the last retry
-    bool splitting = false;
-    work_.session.repeat([&] {
-        splitting = splitting && segments_.split_pending(touched_);
-        if (splitting) {
-            return true;
-        }
-        push_touched();
-        if (work_.over_budget()) {
+    const auto retry = [&] {
+        if (++retries > RefinementTuning::kMaxRetries || before == state()) {
             return false;
         }
-        splitting = !segments_.idle();
-        if (!splitting && !refine_round()) {
-            if (++retries > RefinementTuning::kMaxRetries || before == state()) {
-                return false;
-            }
-            before = state();
-            return retry_exempted();
+        before = state();
+        return retry_exempted();
+    };
+    for (bool more = true; more;) {
+        push_touched();
+        if (work_.over_budget()) {
+            break;
         }
-        return true;
-    });
+        if (!segments_.idle()) {
+            segments_.run(touched_);
+        } else {
+            more = refine_round() || retry();
+        }
+    }
     queue_ = {};
     again_.clear();
     if (work_.over_budget()) {

@@ -142,13 +142,12 @@ bool SegmentSplitter::refused(int segment) const {
 }
 
 void SegmentSplitter::run(std::vector<int>& touched) {
-    work_.session.repeat([&] { return split_pending(touched); });
+    while (!pending_.empty() && !work_.over_budget()) {
+        split_pending(touched);
+    }
 }
 
-bool SegmentSplitter::split_pending(std::vector<int>& touched) {
-    if (pending_.empty() || work_.over_budget()) {
-        return false;
-    }
+void SegmentSplitter::split_pending(std::vector<int>& touched) {
     work_.progress.check();
     std::vector<int> now;
     now.swap(pending_);
@@ -163,7 +162,6 @@ bool SegmentSplitter::split_pending(std::vector<int>& touched) {
         changed = touched;
     }
     request_encroached_around(changed);
-    return true;
 }
 
 void SegmentSplitter::request_encroached_around(const std::vector<int>& triangles) {

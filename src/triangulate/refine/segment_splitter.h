@@ -48,9 +48,6 @@ class SegmentSplitter {
     /// Splits all queued segments and all that become encroached, in batches. Changed triangles are appended to
     /// `touched`.
     void run(std::vector<int>& touched);
-    /// Splits the segments that are queued now, and queues those that become encroached.
-    /// @return whether any were queued, and the budget let them be split
-    bool split_pending(std::vector<int>& touched);
     /// Whether a split failed. A refusal due to `min_edge` alone counts only while that bound is in force.
     bool refused(int segment) const;
     /// Whether triangles around the origin of `h` may be changed by ApexRings only.
@@ -77,6 +74,7 @@ class SegmentSplitter {
     Shell place_of(int segment) const;
     double chord(int segment) const;
     geometry::Query place_query(int segment) const;
+    void split_pending(std::vector<int>& touched);
     void split_batch(const std::vector<int>& segments, std::vector<int>& touched);
     enum class Outcome { Split, TooShort, NoPoint, Folds, Later };
     InsertionCavity cavity_for(int half_edge, const Vec3& point, geometry::Answer& on_face) const;

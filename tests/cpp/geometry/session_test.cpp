@@ -85,7 +85,7 @@ TEST(Session, AnswersInTheBatchsOrderWithAnyNumberOfThreads) {
             for (const auto& answerer : model->further) {
                 EXPECT_TRUE(answerer->alone);
             }
-            EXPECT_LE(static_cast<int>(model->further.size()), threads);
+            EXPECT_LT(static_cast<int>(model->further.size()), threads);
         }
     }
 }
@@ -157,31 +157,35 @@ TEST(Session, EndsSoonOnceCancelledAndTheEngineGoesOn) {
     EXPECT_EQ(other.ask(numbered(10'000)).back().t, 2.0 * 9'999);
 }
 
-/// Steps run on the engine's thread as long as they say so, with the caller's limit of threads; what they ask is
-/// answered there.
-TEST(Session, RepeatsAStepOnTheEnginesThread) {
-    Engine engine;
-    const auto model = std::make_shared<DoublingModel>();
-    Session session(engine, model);
-    session.ask(numbered(1));
-    const std::thread::id engines = model->first.thread;
-    const ThreadLimit limit(3);
-    int steps = 0;
-    session.repeat([&] {
-        EXPECT_EQ(std::this_thread::get_id(), engines);
-        EXPECT_EQ(thread_count(), 3);
-        EXPECT_EQ(session.ask(numbered(4)).back().t, 6.0);
-        return ++steps < 7;
-    });
-    EXPECT_EQ(steps, 7);
-    EXPECT_TRUE(model->first.alone);
+/// What asks in place is answered by its own thread, one batch as well as many chunks.
+TEST(Session, AnswersInPlaceInTheThreadsThatAsk) {
+    for (const int threads : {1, 3}) {
+        const ThreadLimit limit(threads);
+        Engine engine;
+        const auto model = std::make_shared<DoublingModel>();
+        Session session(engine, model);
+        session.in_place([&](Session& own) {
+            EXPECT_EQ(own.ask(numbered(4)).back().t, 6.0);
+            EXPECT_EQ(model->first.thread.load(), std::this_thread::get_id());
+            EXPECT_EQ(own.ask(numbered(3).back()).t, 4.0);
+            EXPECT_EQ(own.ask(numbered(100'000)).back().t, 2.0 * 99'999);
+            own.run([&](Model& of_session) {
+                EXPECT_EQ(&of_session, model.get());
+                EXPECT_EQ(thread_count(), threads);
+            });
+            EXPECT_EQ(own.queries(), 100'005U);
+        });
+        EXPECT_EQ(engine.queries(), 100'005U);
+        EXPECT_TRUE(model->first.alone);
+        EXPECT_LT(static_cast<int>(model->further.size()), threads);
+        EXPECT_EQ(session.ask(numbered(3)).back().t, 4.0);
+    }
 }
 
-/// Others wait for a turn, not for all steps.
-TEST(Session, IsOpenToOthersBetweenTheTurnsOfSteps) {
+/// Others wait until the gate closes, not for all that is done in place.
+TEST(Session, IsOpenToOthersBetweenAnswersInPlace) {
     Engine engine;
     const auto model = std::make_shared<DoublingModel>();
-    Session session(engine, model);
     std::atomic<bool> answered{false};
     std::atomic<bool> started{false};
     std::thread other([&] {
@@ -191,29 +195,66 @@ TEST(Session, IsOpenToOthersBetweenTheTurnsOfSteps) {
         Session(engine, model).ask(numbered(1));
         answered = true;
     });
-    session.repeat([&] {
-        started = true;
-        std::this_thread::sleep_for(1ms);
-        return !answered;
+    Session(engine, model).in_place([&](Session& own) {
+        while (!answered) {
+            own.ask(numbered(1));
+            started = true;
+        }
     });
     other.join();
-    EXPECT_TRUE(answered);
+    EXPECT_TRUE(model->first.alone);  // never asked in place and by the engine's thread at a time
 }
 
-TEST(Session, PassesOnWhatAStepThrows) {
+TEST(Session, PassesOnWhatIsThrownInPlace) {
     Engine engine;
     Progress progress;
     Session session(engine, std::make_shared<DoublingModel>(), &progress);
-    EXPECT_THROW(session.repeat([]() -> bool { throw std::runtime_error("step"); }), std::runtime_error);
-    int steps = 0;
-    EXPECT_THROW(session.repeat([&] {
+    EXPECT_THROW(session.in_place([](Session& /*own*/) { throw std::runtime_error("here"); }), std::runtime_error);
+    EXPECT_EQ(session.ask(numbered(3)).back().t, 4.0);
+    EXPECT_THROW(session.in_place([&](Session& own) {
+        own.ask(numbered(3));
         progress.cancel();
-        ++steps;
-        std::this_thread::sleep_for(1ms);
-        return true;
+        own.ask(numbered(3));
     }),
                  Cancelled);
-    EXPECT_LT(steps, 40);
+}
+
+/// Whoever waits for other work of the engine is told to end at once.
+TEST(Session, WaitsInPlaceNoLongerThanUntilItIsCancelled) {
+    Engine engine;
+    const auto model = std::make_shared<DoublingModel>();
+    Progress progress;
+    std::atomic<bool> release{false};
+    std::thread other;
+    EXPECT_THROW(Session(engine, model, &progress).in_place([&](Session& own) {
+        own.ask(numbered(3));
+        other = std::thread([&] {
+            engine.run([&] {
+                progress.cancel();
+                while (!release) {
+                    std::this_thread::yield();
+                }
+            });
+        });
+        for (;;) {
+            own.ask(numbered(3).back());  // does not look at the progress: the gate ends it
+        }
+    }),
+                 Cancelled);
+    release = true;
+    other.join();
+}
+
+TEST(Session, IsShutDownWhileItAnswersInPlace) {
+    Engine engine;
+    EXPECT_THROW(Session(engine, std::make_shared<DoublingModel>()).in_place([&](Session& own) {
+        own.ask(numbered(3));
+        engine.shut_down();
+        for (;;) {
+            own.ask(numbered(3));
+        }
+    }),
+                 Cancelled);
 }
 
 TEST(Session, ThrowsWhatAChunkThrew) {
@@ -246,12 +287,10 @@ TEST(Session, CallsApartAreAnsweredInTheirThreads) {
                     sum += answerer.answer(query).t;
                 }
             });
-            int steps = 0;
-            own.repeat([&] { return ++steps < 5; });
-            sum += own.ask(numbered(2).back()).t + steps;
+            sum += own.ask(numbered(2).back()).t;
         });
         for (const double sum : sums) {
-            EXPECT_EQ(sum, 99.0 * 100.0 + 3.0 * 255.0 * 256.0 + 231.0 * 232.0 + 2.0 + 5.0);
+            EXPECT_EQ(sum, 99.0 * 100.0 + 3.0 * 255.0 * 256.0 + 231.0 * 232.0 + 2.0);
         }
         EXPECT_EQ(engine.queries(), sums.size() * 1101);
     }
@@ -274,6 +313,13 @@ TEST(Session, TheEngineIsOpenToOthersWhileCallsAreApart) {
     });
     other.join();
     EXPECT_TRUE(model->first.alone);  // never asked by a call and by the engine's thread at a time
+}
+
+TEST(Session, CallsApartDoNotReachTheModel) {
+    Engine engine;
+    Session session(engine, std::make_shared<DoublingModel>());
+    EXPECT_THROW(session.run_apart(2, [](Session& own, int /*k*/) { own.run([](Model& /*model*/) {}); }),
+                 std::logic_error);
 }
 
 TEST(Session, ThrowsWhatTheFirstCallApartThrew) {
