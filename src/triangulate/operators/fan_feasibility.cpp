@@ -2,7 +2,9 @@
 #include "triangulate/operators/fan_feasibility.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/angle.h"
 #include "triangulate/operators/tuning.h"
@@ -16,10 +18,11 @@ namespace {
 constexpr double kEstimated = 0.95;
 constexpr double kRounding = 1.0 - 1e-9;  // Margin for rounding in the comparison of angles.
 
-// Returns the angle between the side that ends at a corner and the one that begins there, radians.
-double inner_angle(const Vec3& to, const Vec3& from, const Vec3& normal) {
-    const double angle = angle_between(to, from);
-    return to.cross(from).dot(normal) > 0.0 ? angle : 2.0 * M_PI - angle;
+// Whether the angle inside the disc between the side that ends at a corner and the one that begins there is smaller
+// than the one with this cosine. Far cheaper than the angle.
+bool is_narrower(const Vec3& to, const Vec3& from, const Vec3& normal, double cosine) {
+    return to.dot(from) > cosine * std::sqrt(to.squaredNorm() * from.squaredNorm()) &&
+           to.cross(from).dot(normal) > 0.0;
 }
 
 // Returns the least squared cosine of the angle, seen from a corner, between another corner of the boundary and the
@@ -43,10 +46,103 @@ double least_to_part(double angle, double squared_cosine) {
     return squared_cosine > cosine * cosine ? 2.0 * std::acos(cosine / std::sqrt(squared_cosine)) : 0.0;
 }
 
+// The plane points of a convex region, counter-clockwise.
+using Region = std::vector<Vec2>;
+
+double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+// Leaves what is on the left of a line.
+void clip(Region& region, const Vec2& on_line, const Vec2& direction, Region& scratch) {
+    scratch.clear();
+    for (std::size_t i = 0; i < region.size(); ++i) {
+        const Vec2& p = region[i];
+        const Vec2& q = region[i + 1 < region.size() ? i + 1 : 0];
+        const double of_p = cross(direction, p - on_line);
+        const double of_q = cross(direction, q - on_line);
+        if (of_p >= 0.0) {
+            scratch.push_back(p);
+        }
+        if ((of_p < 0.0) != (of_q < 0.0)) {
+            scratch.emplace_back(p + (q - p) * (of_p / (of_p - of_q)));
+        }
+    }
+    region.swap(scratch);
+}
+
+// A boundary projected onto the plane of its disc.
+struct PlaneRim {
+    std::vector<std::array<Vec2, 2>> sides;
+    double height = 0.0;    // largest distance of a corner from the plane through the middle
+    double shortest = 0.0;  // length of the shortest side in space
+
+    PlaneRim(const ClassifiedMesh& mesh, const Cavity& disc) {
+        const Vec3 z = disc.normal.normalized();
+        const Vec3 x = z.unitOrthogonal();
+        const Vec3 y = z.cross(x);
+        Vec3 middle = Vec3::Zero();
+        for (const int side : disc.rim) {
+            middle += mesh.point_of(side) / static_cast<double>(disc.rim.size());
+        }
+        double least = std::numeric_limits<double>::infinity();
+        sides.reserve(disc.rim.size());
+        for (const int side : disc.rim) {
+            const Vec3 a = mesh.point_of(side) - middle;
+            const Vec3 b = mesh.point_of(ClassifiedMesh::next(side)) - middle;
+            sides.push_back({Vec2(a.dot(x), a.dot(y)), Vec2(b.dot(x), b.dot(y))});
+            height = std::max(height, std::abs(a.dot(z)));
+            least = std::min(least, (b - a).squaredNorm());
+        }
+        shortest = std::sqrt(least);
+    }
+};
+
+// Whether there may be apexes that are seen at `angle` or more from the ends of all sides: in the plane each end of a side allows
+// one half of it, and the halves must have points in common (Amenta, Bern and Eppstein 1999).
+//
+// Projection changes an angle f between directions of slopes up to s by at most s^2 / tan(f / 2). In such a fan the
+// spokes are as long as sin(angle) times a side, so that all slopes are below 2 height / (shortest side sin(angle)).
+bool has_apexes(const PlaneRim& rim, double angle) {
+    constexpr double kMostLost = 0.2;  // fraction of the angle by which projection may change it
+    const double slope = 2.0 * rim.height / (rim.shortest * std::sin(angle));
+    const double lost = slope * slope / std::tan(0.5 * (1.0 - kMostLost) * angle);
+    if (!(lost <= kMostLost * angle)) {
+        return true;  // too far from plane to tell
+    }
+    const double cosine = std::cos(angle - lost);
+    const double sine = std::sin(angle - lost);
+    Vec2 low = rim.sides.front()[0];
+    Vec2 high = low;
+    for (const auto& side : rim.sides) {
+        low = low.cwiseMin(side[0]);
+        high = high.cwiseMax(side[0]);
+    }
+    Region region{low, Vec2(high.x(), low.y()), high, Vec2(low.x(), high.y())};
+    Region scratch;
+    region.reserve(region.size() + 2 * rim.sides.size());
+    scratch.reserve(region.size() + 2 * rim.sides.size());
+    for (const auto& [a, b] : rim.sides) {
+        const Vec2 d = b - a;
+        clip(region, a, Vec2(cosine * d.x() - sine * d.y(), sine * d.x() + cosine * d.y()), scratch);
+        clip(region, b, Vec2(cosine * d.x() + sine * d.y(), cosine * d.y() - sine * d.x()), scratch);
+        if (region.empty()) {
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 FanFeasibility::FanFeasibility(const ClassifiedMesh& mesh, const Cavity& disc, double angle)
-    : angle_(kRounding * angle), angles_(disc.rim.size()), next_(disc.rim.size()), before_(disc.rim.size()) {
+    : mesh_(mesh),
+      disc_(disc),
+      angle_(kRounding * angle),
+      angles_(disc.rim.size(), 2.0 * M_PI),
+      next_(disc.rim.size()),
+      before_(disc.rim.size()) {
+    const double cosine = std::cos(2.0 * angle);
     for (std::size_t k = 0; k < disc.rim.size(); ++k) {
         const int end = mesh.site_of(ClassifiedMesh::next(disc.rim[k]));
         const auto begins = [&](int side) { return mesh.site_of(side) == end; };
@@ -56,17 +152,20 @@ FanFeasibility::FanFeasibility(const ClassifiedMesh& mesh, const Cavity& disc, d
         const Vec3& corner = mesh.point_of(*next);
         const Vec3 to = mesh.point_of(ClassifiedMesh::next(*next)) - corner;
         const Vec3 from = mesh.point_of(disc.rim[k]) - corner;
-        angles_[next_[k]] = inner_angle(to, from, disc.normal);
-        if (angles_[next_[k]] < 2.0 * angle &&
-            angles_[next_[k]] <
-                kEstimated * least_to_part(angle, squared_cosine_out_of_plane(mesh, disc, corner, to.cross(from)))) {
+        if (!is_narrower(to, from, disc.normal, cosine)) {
+            continue;
+        }
+        angles_[next_[k]] = angle_between(to, from);
+        if (angles_[next_[k]] <
+            kEstimated * least_to_part(angle, squared_cosine_out_of_plane(mesh, disc, corner, to.cross(from)))) {
             narrow_.push_back(next_[k]);
         }
     }
 }
 
 bool FanFeasibility::allow_inner_apex() const {
-    return narrow_.empty() && OperatorTuning::kSaddle * static_cast<double>(angles_.size()) * angle_ <= 2.0 * M_PI;
+    return narrow_.empty() && OperatorTuning::kSaddle * static_cast<double>(angles_.size()) * angle_ <= 2.0 * M_PI &&
+           has_apexes(PlaneRim(mesh_, disc_), angle_);
 }
 
 bool FanFeasibility::allow_apex(std::size_t k) const {

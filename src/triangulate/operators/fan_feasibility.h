@@ -8,11 +8,12 @@
 
 namespace mq::triangulate {
 
-/// Rules out fans by the corners of a disc's boundary: every spoke divides the corner in which it ends. The test takes
-/// a fraction of the time of finding the best fan, and most discs around a needle allow none.
+/// Rules out fans by a disc's boundary: every spoke divides the corner in which it ends, and the regions that the sides
+/// leave to an apex must have points in common. The test takes a fraction of the time of finding the best fan, and most
+/// discs around a needle allow none.
 class FanFeasibility {
   public:
-    /// Prepares the test for fans whose angles are all at least `angle` (radians).
+    /// Prepares the test for fans whose angles are all at least `angle` (radians). Keeps both arguments.
     FanFeasibility(const ClassifiedMesh& mesh, const Cavity& disc, double angle);
 
     /// Whether such a fan from a new vertex is possible.
@@ -21,8 +22,10 @@ class FanFeasibility {
     bool allow_apex(std::size_t k) const;
 
   private:
+    const ClassifiedMesh& mesh_;
+    const Cavity& disc_;
     double angle_;                     // radians
-    std::vector<double> angles_;       // by side: the angle inside the disc where the side begins, radians
+    std::vector<double> angles_;       // by side: the angle inside the disc where the side begins, radians; 2 pi: wide
     std::vector<std::size_t> next_;    // by side: the side that begins where this one ends
     std::vector<std::size_t> before_;  // by side: the side that ends where this one begins
     std::vector<std::size_t> narrow_;  // corners whose angle cannot be divided by a spoke
