@@ -61,6 +61,7 @@ namespace {
 // one point in space. A region around such a vertex is no disc, however its corners are counted.
 bool share_a_vertex(const ClassifiedMesh& mesh, const std::vector<int>& sites) {
     std::vector<int> vertices;
+    vertices.reserve(sites.size());
     for (const int site : sites) {
         const int vertex = mesh.site(site).vertex;
         if (mesh.vertex(vertex).entity[0] < 2) {
@@ -79,6 +80,9 @@ std::optional<Cavity> disc_of(const ClassifiedMesh& mesh, std::vector<int> trian
     Cavity disc{std::move(triangles), {}, Vec3::Zero()};
     std::vector<int> sites;
     std::vector<int> rim_vertices;
+    sites.reserve(3 * disc.triangles.size());
+    disc.rim.reserve(disc.triangles.size() + 2);  // of a disc without inner vertices
+    rim_vertices.reserve(disc.triangles.size() + 2);
     for (const int t : disc.triangles) {
         if (narrow_corner_of(mesh, t) >= 0) {
             return std::nullopt;
@@ -119,11 +123,16 @@ double smallest_angle(const ClassifiedMesh& mesh, const Cavity& disc) {
     return angle_of(least);
 }
 
-double fan_angle(const ClassifiedMesh& mesh, const Cavity& disc, const Vec3& apex, int apex_site) {
+double fan_angle(const ClassifiedMesh& mesh, const Cavity& disc, const Vec3& apex, int apex_site, double at_least) {
+    constexpr double kRounding = 1.0 - 1e-9;  // of the squared sine
+    const double enough = at_least > 0.0 ? kRounding * std::pow(std::sin(at_least), 2) : -1.0;
     double least = 1.0;
     for (const int side : disc.rim) {
         if (!ends_at(mesh, side, apex_site)) {
             least = std::min(least, squared_sine_over(mesh, disc, side, apex));
+            if (least < enough) {
+                return -1.0;
+            }
         }
     }
     return angle_of(least);

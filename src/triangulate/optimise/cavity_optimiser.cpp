@@ -258,7 +258,7 @@ CavityOptimiser::CavityCandidates CavityOptimiser::search_fans(const Cavity& dis
         if (corners.allow_apex(k)) {
             const int site = work_.mesh.site_of(disc.rim[k]);
             const Vec3& apex = work_.mesh.point_of(disc.rim[k]);
-            keep(site, apex, fan_angle(work_.mesh, disc, apex, site));
+            keep(site, apex, fan_angle(work_.mesh, disc, apex, site, enough));
         }
     }
     const Vec3 apex = corners.allow_inner_apex() ? best_apex(work_.mesh, disc, enough) : rough_apex(work_.mesh, disc);
@@ -347,7 +347,8 @@ bool CavityOptimiser::try_best(std::vector<Retriangulation>& proposals, double a
 
 bool CavityOptimiser::good_enough(const Cavity& disc, const Corner& apex, int apex_site, double before) const {
     const double least = std::min(least_aligned_, disc_alignment(work_.mesh, disc));
-    return fan_angle(work_.mesh, disc, apex.point, apex_site) >= enough_after(before) &&
+    const double enough = enough_after(before);
+    return fan_angle(work_.mesh, disc, apex.point, apex_site, enough) >= enough &&
            fan_alignment(work_.mesh, disc, apex, apex_site) >= least &&
            within_bounds(work_, sizing_, disc, apex, apex_site);
 }

@@ -29,7 +29,7 @@ int forced_corner_of(const ClassifiedMesh& mesh, int triangle, double bound) {
 
 // Returns the smallest angle of the triangle with `point` as origin of `h`, except the angle at the half-edge
 // `corner`, radians.
-double smallest_with(const ClassifiedMesh& mesh, int h, const Vec3& point, int corner) {
+double smallest_beside(const ClassifiedMesh& mesh, int h, const Vec3& point, int corner) {
     const std::array<int, 3> at{h, ClassifiedMesh::next(h), ClassifiedMesh::prev(h)};
     const std::array<Vec3, 3> p{point, mesh.point_of(at[1]), mesh.point_of(at[2])};
     double least = M_PI;
@@ -78,41 +78,67 @@ std::vector<int> EdgeVertexRelocation::triangles_around(const EdgeVertexStar& be
     return triangles;
 }
 
-EdgeVertexRelocation::Angles EdgeVertexRelocation::angles_with(const EdgeVertexStar& bead, const Vec3& point) const {
+// No value where an angle is below `at_least`: most places are found to be worse by their first triangles.
+std::optional<EdgeVertexRelocation::Angles> EdgeVertexRelocation::angles_with(const EdgeVertexStar& bead,
+                                                                              const Vec3& point,
+                                                                              const Angles& at_least) const {
+    constexpr double kRounding = 1.0 - 1e-9;  // of the squared sine
+    constexpr double kNone = 2.0;
+    const ClassifiedMesh& mesh = work_.mesh;
+    const double enough = kRounding * std::pow(std::sin(at_least.beside), 2);
+    double squared_sine = kNone;
     Angles least;
     for (std::size_t k = 0; k < bead.spokes.size(); ++k) {
         for (std::size_t i = 0; i < bead.spokes[k].size(); ++i) {
+            const int h = bead.spokes[k][i];
             const int corner = bead.corners[k][i];
-            double& angle = corner < 0 ? least.beside : least.in_corners;
-            angle = std::min(angle, smallest_with(work_.mesh, bead.spokes[k][i], point, corner));
+            if (corner < 0) {
+                squared_sine = std::min(
+                    squared_sine, squared_sine_of_smallest_angle(point, mesh.point_of(ClassifiedMesh::next(h)),
+                                                                 mesh.point_of(ClassifiedMesh::prev(h))));
+            } else {
+                least.in_corners = std::min(least.in_corners, smallest_beside(mesh, h, point, corner));
+            }
+            if (squared_sine < enough || least.in_corners < at_least.in_corners) {
+                return std::nullopt;
+            }
         }
     }
-    return least;
+    least.beside = squared_sine < kNone ? std::asin(std::sqrt(squared_sine)) : least.beside;
+    return least.beside >= at_least.beside ? std::optional(least) : std::nullopt;
 }
 
-// Returns the places whose angles reach `at_least`, the best first.
-std::vector<EdgeVertexRelocation::Place> EdgeVertexRelocation::places_for(const EdgeVertexStar& bead,
-                                                                          const std::vector<double>& parameters,
-                                                                          const Angles& at_least) const {
+// Returns the points of the vertex's curve at these parameters; no value where it has none.
+std::vector<std::optional<Vec3>> EdgeVertexRelocation::points_at(const EdgeVertexStar& bead,
+                                                                 const std::vector<double>& parameters) const {
     geometry::Engine::Batch batch;
     for (const double t : parameters) {
         batch.push_back(Query::edge_point(work_.mesh.segment(bead.near).edge, t));
     }
-    const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
-    std::vector<Place> places;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        if (answers[i].found()) {
-            const Vec3 point = work_.grid.snap(answers[i].point);
-            const Angles angles = angles_with(bead, point);
-            if (angles.beside >= at_least.beside && angles.in_corners >= at_least.in_corners) {
-                places.push_back({parameters[i], point, angles.beside});
-            }
-        }
+    std::vector<std::optional<Vec3>> points;
+    for (const geometry::Answer& answer : work_.session.ask(std::move(batch))) {
+        points.push_back(answer.found() ? std::optional<Vec3>(work_.grid.snap(answer.point)) : std::nullopt);
     }
-    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.angle > b.angle; });
-    return places;
+    return points;
 }
 
+// Returns the place with the largest angles among those that reach `at_least`, the first of equal ones.
+std::optional<EdgeVertexRelocation::Place> EdgeVertexRelocation::best_place(const EdgeVertexStar& bead,
+                                                                            const std::vector<double>& parameters,
+                                                                            Angles at_least) const {
+    const std::vector<std::optional<Vec3>> points = points_at(bead, parameters);
+    std::optional<Place> best;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const auto angles = points[i] ? angles_with(bead, *points[i], at_least) : std::nullopt;
+        if (angles && (!best || angles->beside > best->angle)) {
+            best = Place{parameters[i], *points[i], angles->beside};
+            at_least.beside = angles->beside;
+        }
+    }
+    return best;
+}
+
+// Returns the places near the best one whose angles reach `at_least`, the best first.
 std::vector<EdgeVertexRelocation::Place> EdgeVertexRelocation::places_for(const EdgeVertexStar& bead,
                                                                           const Angles& at_least) const {
     const double t = work_.mesh.segment(bead.near).t[1];
@@ -126,16 +152,24 @@ std::vector<EdgeVertexRelocation::Place> EdgeVertexRelocation::places_for(const 
         // Innermost pieces at small input angles are far longer than the next ones.
         parameters.push_back(t + step * shorter);
     }
-    const std::vector<Place> coarse = places_for(bead, parameters, {0.0, at_least.in_corners});
-    if (coarse.empty()) {
+    const auto coarse = best_place(bead, parameters, {0.0, at_least.in_corners});
+    if (!coarse) {
         return {};
     }
-    const double best = (coarse.front().t - t) / ((coarse.front().t - t) * on > 0.0 ? on : back);
-    parameters = {coarse.front().t};
+    const double best = (coarse->t - t) / ((coarse->t - t) * on > 0.0 ? on : back);
+    parameters = {coarse->t};
     for (const double step : OptimisationTuning::kFineSteps) {
         parameters.push_back(at(best + step));
     }
-    return places_for(bead, parameters, at_least);
+    const std::vector<std::optional<Vec3>> points = points_at(bead, parameters);
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (const auto angles = points[i] ? angles_with(bead, *points[i], at_least) : std::nullopt) {
+            places.push_back({parameters[i], *points[i], angles->beside});
+        }
+    }
+    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.angle > b.angle; });
+    return places;
 }
 
 bool EdgeVertexRelocation::lengths_allowed(const EdgeVertexStar& bead, const Vec3& point) const {
@@ -281,8 +315,7 @@ std::optional<EdgeVertexRelocation::Place> EdgeVertexRelocation::place_at(const 
                                                                           double step) const {
     const double t = work_.mesh.segment(bead.near).t[1];
     const double end = step < 0.0 ? work_.mesh.segment(bead.near).t[0] : work_.mesh.segment(bead.far).t[1];
-    const std::vector<Place> places = places_for(bead, {t + std::abs(step) * (end - t)}, {0.0, 0.0});
-    return places.empty() ? std::nullopt : std::optional(places.front());
+    return best_place(bead, {t + std::abs(step) * (end - t)}, {0.0, 0.0});
 }
 
 std::optional<double> EdgeVertexRelocation::angle_after(int vertex, double step, double bound) const {
@@ -314,8 +347,8 @@ std::vector<int> EdgeVertexRelocation::improve(int triangle, double bound, const
         if (!bead || !tried_.insert(state_key(work_.mesh, triangles_around(*bead))).second) {
             continue;
         }
-        const Angles now = angles_with(*bead, work_.mesh.vertex(work_.mesh.vertex_of(h)).point);
-        std::vector<Place> places = places_for(*bead, {enough(now.beside), std::min(now.in_corners, bound)});
+        const auto now = angles_with(*bead, work_.mesh.vertex(work_.mesh.vertex_of(h)).point, {0.0, 0.0});
+        std::vector<Place> places = places_for(*bead, {enough(now->beside), std::min(now->in_corners, bound)});
         places.resize(std::min(places.size(), OptimisationTuning::kMaxPositions));
         if (std::any_of(places.begin(), places.end(),
                         [&](const Place& place) { return put(*bead, place, bound, undo); })) {

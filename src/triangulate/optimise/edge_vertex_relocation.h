@@ -60,9 +60,10 @@ class EdgeVertexRelocation {
 
     std::optional<EdgeVertexStar> bead_at(int vertex, double bound) const;
     static std::vector<int> triangles_around(const EdgeVertexStar& bead);
-    Angles angles_with(const EdgeVertexStar& bead, const Vec3& point) const;
-    std::vector<Place> places_for(const EdgeVertexStar& bead, const std::vector<double>& parameters,
-                                  const Angles& at_least) const;
+    std::optional<Angles> angles_with(const EdgeVertexStar& bead, const Vec3& point, const Angles& at_least) const;
+    std::vector<std::optional<Vec3>> points_at(const EdgeVertexStar& bead, const std::vector<double>& parameters) const;
+    std::optional<Place> best_place(const EdgeVertexStar& bead, const std::vector<double>& parameters,
+                                    Angles at_least) const;
     std::vector<Place> places_for(const EdgeVertexStar& bead, const Angles& at_least) const;
     bool lengths_allowed(const EdgeVertexStar& bead, const Vec3& point) const;
     double distance_from_curve(const EdgeVertexStar& bead, const PointOfEdge& middle) const;

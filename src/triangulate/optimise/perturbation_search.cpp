@@ -9,6 +9,7 @@
 
 #include "base/angle.h"
 #include "triangulate/operators/cavity_replacement.h"
+#include "triangulate/operators/fan_feasibility.h"
 #include "triangulate/optimise/cavity_optimiser.h"
 #include "triangulate/optimise/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
@@ -178,9 +179,13 @@ bool CavityOptimiser::move_corner(int triangle) {
         const auto disc = disc_of(work_.mesh, triangles_around(work_.mesh, h));
         if (disc && disc->triangles.size() == disc->rim.size()) {
             const double before = smallest_angle(work_.mesh, *disc);
-            const Vec3 apex = best_apex(work_.mesh, *disc, enough_after(before));
-            const double angle = fan_angle(work_.mesh, *disc, apex);
-            if (angle >= enough_after(before)) {
+            const double enough = enough_after(before);
+            if (!FanFeasibility(work_.mesh, *disc, enough).allow_inner_apex()) {
+                continue;
+            }
+            const Vec3 apex = best_apex(work_.mesh, *disc, enough);
+            const double angle = fan_angle(work_.mesh, *disc, apex, -1, enough);
+            if (angle >= enough) {
                 proposals.push_back({*disc, -1, apex, angle, before});
             }
         }
@@ -206,7 +211,7 @@ void CavityOptimiser::add_fans(const Cavity& disc, std::vector<Perturbation>& ki
     const ClassifiedMesh& mesh = work_.mesh;
     const double least = OptimisationTuning::kLeastOfPerturbation * bound_;
     const auto keep = [&](int apex_site, const Vec3& apex) {
-        const double angle = fan_angle(mesh, disc, apex, apex_site);
+        const double angle = fan_angle(mesh, disc, apex, apex_site, least);
         if (angle > least) {
             kicks.push_back({{disc, apex_site, apex, angle, -M_PI}});
         }
