@@ -266,14 +266,12 @@ Apex rough_apex(Rim& rim) {
 }
 
 // The apexes whose fan reaches a given angle form a convex region, so that the search may start anywhere in it.
-Vec3 best_apex(Rim& rim, double at_least) {
-    const double hopeless = std::pow(std::sin(OperatorTuning::kHopeless * at_least), 2);
+Vec3 best_apex(Rim& rim) {
     const Vec3 x = rim.normal().unitOrthogonal();
     const Vec3 y = rim.normal().cross(x).normalized();
     Apex best = rough_apex(rim);
     double step = 0.25 * rim.reach();
-    for (int n = 0; n < OperatorTuning::kSearchSteps && (n < OperatorTuning::kScouting || best.squared_sine > hopeless);
-         ++n, step *= kShrink) {
+    for (int n = 0; n < OperatorTuning::kSearchSteps; ++n, step *= kShrink) {
         const Vec3 first = step * (std::cos(n * kTurn) * x + std::sin(n * kTurn) * y);
         const Vec3 second = step * (std::cos(n * kTurn) * y - std::sin(n * kTurn) * x);
         for (int moves = 0; moves < OperatorTuning::kMovesPerStep; ++moves) {
@@ -297,19 +295,19 @@ Vec3 rough_apex(const ClassifiedMesh& mesh, const Cavity& disc) {
     return rough_apex(rim).point;
 }
 
-Vec3 best_apex(const ClassifiedMesh& mesh, const Cavity& disc, double at_least) {
+Vec3 best_apex(const ClassifiedMesh& mesh, const Cavity& disc) {
     Rim rim(mesh, disc);
-    return best_apex(rim, at_least);
+    return best_apex(rim);
 }
 
-std::vector<EaredFan> eared_fans(const ClassifiedMesh& mesh, const Cavity& disc, double at_least) {
+std::vector<EaredFan> eared_fans(const ClassifiedMesh& mesh, const Cavity& disc) {
     std::vector<EaredFan> result;
     for (const int in : disc.rim) {
         const int site = mesh.site_of(ClassifiedMesh::next(in));
         const int out = *std::find_if(disc.rim.begin(), disc.rim.end(), [&](int h) { return mesh.site_of(h) == site; });
         const int after = ClassifiedMesh::next(out);
         Rim rim(mesh, disc, in, after);
-        const Vec3 apex = best_apex(rim, at_least);
+        const Vec3 apex = best_apex(rim);
         const Vec3& ear = mesh.point_of(out);
         const Vec3& from = mesh.point_of(in);
         const Vec3& to = mesh.point_of(after);

@@ -38,9 +38,8 @@ int worst_side(const ClassifiedMesh& mesh, const Cavity& disc, const Vec3& apex)
 double fan_alignment(const ClassifiedMesh& mesh, const Cavity& disc, const Corner& apex, int apex_site = -1);
 double disc_alignment(const ClassifiedMesh& mesh, const Cavity& disc);
 
-/// Finds, by a pattern search in the plane of the disc, the apex of the fan with the largest smallest angle; only
-/// approximately where that is far below `at_least` (radians).
-Vec3 best_apex(const ClassifiedMesh& mesh, const Cavity& disc, double at_least = 0.0);
+/// Finds, by a pattern search in the plane of the disc, the apex of the fan with the largest smallest angle.
+Vec3 best_apex(const ClassifiedMesh& mesh, const Cavity& disc);
 
 /// Returns the best of a few fixed candidates for that apex.
 Vec3 rough_apex(const ClassifiedMesh& mesh, const Cavity& disc);
@@ -52,8 +51,8 @@ struct EaredFan {
     Vec3 apex = Vec3::Zero();
     double angle = 0.0;  ///< smallest angle of all triangles including the ear, radians; -1: one would be inverted
 };
-/// Returns the best such fan for each corner of the boundary, in the order of its sides. `at_least` as for best_apex.
-std::vector<EaredFan> eared_fans(const ClassifiedMesh& mesh, const Cavity& disc, double at_least);
+/// Returns the best such fan for each corner of the boundary, in the order of its sides.
+std::vector<EaredFan> eared_fans(const ClassifiedMesh& mesh, const Cavity& disc);
 
 /// Whether a fan from a site of the boundary creates no edge that exists already outside the disc.
 bool rim_apex_legal(const ClassifiedMesh& mesh, const MaxMinSwaps& maxmin, const Cavity& disc, int apex_site);

@@ -17,10 +17,6 @@ struct OperatorTuning {
     MESHQUALITY_TUNED(int, kSearchSteps, 14);
     /// Moves of that search before the step length shrinks.
     MESHQUALITY_TUNED(int, kMovesPerStep, 3);
-    /// Steps after which the search stops if the angle is below kHopeless of the requested one.
-    MESHQUALITY_TUNED(int, kScouting, 5);
-    /// Fraction of the requested angle; see kScouting.
-    MESHQUALITY_TUNED(double, kHopeless, 0.6);
     /// Factor by which the new triangle's angle on the shortest edge exceeds the bound, as a margin for rounding.
     MESHQUALITY_TUNED(double, kOffCentreSlack, 1.05);
     /// Largest distance between the off-centre and the surface, as a fraction of its distance from the edge: beyond

@@ -261,7 +261,7 @@ CavityOptimiser::CavityCandidates CavityOptimiser::search_fans(const Cavity& dis
             keep(site, apex, fan_angle(work_.mesh, disc, apex, site, enough));
         }
     }
-    const Vec3 apex = corners.allow_inner_apex() ? best_apex(work_.mesh, disc, enough) : rough_apex(work_.mesh, disc);
+    const Vec3 apex = corners.allow_inner_apex() ? best_apex(work_.mesh, disc) : rough_apex(work_.mesh, disc);
     const double angle = fan_angle(work_.mesh, disc, apex);
     keep(-1, apex, angle);
     found.over = angle >= wanted_ ? -1 : worst_side(work_.mesh, disc, apex);

@@ -183,7 +183,7 @@ bool CavityOptimiser::move_corner(int triangle) {
             if (!FanFeasibility(work_.mesh, *disc, enough).allow_inner_apex()) {
                 continue;
             }
-            const Vec3 apex = best_apex(work_.mesh, *disc, enough);
+            const Vec3 apex = best_apex(work_.mesh, *disc);
             const double angle = fan_angle(work_.mesh, *disc, apex, -1, enough);
             if (angle >= enough) {
                 proposals.push_back({*disc, -1, apex, angle, before});
@@ -221,13 +221,13 @@ void CavityOptimiser::add_fans(const Cavity& disc, std::vector<Perturbation>& ki
         keep(mesh.site_of(side), mesh.point_of(side));
     }
     if (inside != 1) {
-        keep(-1, best_apex(mesh, disc, least));
+        keep(-1, best_apex(mesh, disc));
     }
 }
 
 void CavityOptimiser::add_eared_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const {
     const double least = OptimisationTuning::kLeastOfPerturbation * bound_;
-    for (const EaredFan& fan : eared_fans(work_.mesh, disc, least)) {
+    for (const EaredFan& fan : eared_fans(work_.mesh, disc)) {
         if (fan.angle > least) {
             kicks.push_back({{disc, -1, fan.apex, fan.angle, -M_PI, fan.ear_site}});
         }

@@ -93,7 +93,7 @@ TEST(Cavity, FanWithAnEarLeavesOutOneCorner) {
     const ClassifiedMesh mesh = polygon(6, Vec3(0, 0, 0));
     const auto disc = disc_of(mesh, triangles_around(mesh, 2));
     ASSERT_TRUE(disc);
-    const std::vector<EaredFan> fans = eared_fans(mesh, *disc, 0.0);
+    const std::vector<EaredFan> fans = eared_fans(mesh, *disc);
     ASSERT_EQ(fans.size(), 6u);
     std::set<int> ears;
     for (const EaredFan& fan : fans) {

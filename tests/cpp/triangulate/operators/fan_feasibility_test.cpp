@@ -67,5 +67,19 @@ TEST(FanFeasibility, LeaveNoRoomForASpokeInANarrowOne) {
     }
 }
 
+/// A rectangle of 10 x 1, whose corners are wide: from its ends the long sides are seen at 11.3 degrees at most. Bent
+/// by the arc's height `bend` along it, it is the same as long as the bend is small.
+TEST(FanFeasibility, LeaveNoRoomBetweenSidesThatAreTooLong) {
+    for (const double bend : {0.0, 0.01, 0.02}) {
+        const ClassifiedMesh mesh =
+            ring_mesh({Vec3(5, 0.5, -bend), Vec3(-5, 0.5, -bend), Vec3(-5, -0.5, -bend), Vec3(5, -0.5, -bend)},
+                      Vec3(0, 0, 0));
+        const auto disc = disc_of(mesh, triangles_around(mesh, 2));
+        ASSERT_TRUE(disc);
+        EXPECT_TRUE(FanFeasibility(mesh, *disc, 5.0 * kDegree).allow_inner_apex()) << bend;
+        EXPECT_FALSE(FanFeasibility(mesh, *disc, 25.0 * kDegree).allow_inner_apex()) << bend;
+    }
+}
+
 }  // namespace
 }  // namespace mq::triangulate
