@@ -21,8 +21,7 @@ constexpr double kRounding = 1.0 - 1e-9;  // Margin for rounding in the comparis
 // Whether the angle inside the disc between the side that ends at a corner and the one that begins there is smaller
 // than the one with this cosine. Far cheaper than the angle.
 bool is_narrower(const Vec3& to, const Vec3& from, const Vec3& normal, double cosine) {
-    return to.dot(from) > cosine * std::sqrt(to.squaredNorm() * from.squaredNorm()) &&
-           to.cross(from).dot(normal) > 0.0;
+    return to.dot(from) > cosine * std::sqrt(to.squaredNorm() * from.squaredNorm()) && to.cross(from).dot(normal) > 0.0;
 }
 
 // Returns the least squared cosine of the angle, seen from a corner, between another corner of the boundary and the
@@ -98,17 +97,18 @@ struct PlaneRim {
     }
 };
 
-// Whether there may be apexes that are seen at `angle` or more from the ends of all sides: in the plane each end of a side allows
-// one half of it, and the halves must have points in common (Amenta, Bern and Eppstein 1999).
+// Returns the first side that leaves those before it no apex from which all triangles have `angle` at their ends; -1:
+// there may be one. In the plane each end of a side allows one half of it, and the halves must have points in common
+// (Amenta, Bern and Eppstein 1999).
 //
 // Projection changes an angle f between directions of slopes up to s by at most s^2 / tan(f / 2). In such a fan the
 // spokes are as long as sin(angle) times a side, so that all slopes are below 2 height / (shortest side sin(angle)).
-bool has_apexes(const PlaneRim& rim, double angle) {
+int side_without_apexes(const PlaneRim& rim, double angle) {
     constexpr double kMostLost = 0.2;  // fraction of the angle by which projection may change it
     const double slope = 2.0 * rim.height / (rim.shortest * std::sin(angle));
     const double lost = slope * slope / std::tan(0.5 * (1.0 - kMostLost) * angle);
     if (!(lost <= kMostLost * angle)) {
-        return true;  // too far from plane to tell
+        return -1;  // too far from plane to tell
     }
     const double cosine = std::cos(angle - lost);
     const double sine = std::sin(angle - lost);
@@ -122,23 +122,23 @@ bool has_apexes(const PlaneRim& rim, double angle) {
     Region scratch;
     region.reserve(region.size() + 2 * rim.sides.size());
     scratch.reserve(region.size() + 2 * rim.sides.size());
-    for (const auto& [a, b] : rim.sides) {
+    for (std::size_t k = 0; k < rim.sides.size(); ++k) {
+        const auto& [a, b] = rim.sides[k];
         const Vec2 d = b - a;
         clip(region, a, Vec2(cosine * d.x() - sine * d.y(), sine * d.x() + cosine * d.y()), scratch);
         clip(region, b, Vec2(cosine * d.x() + sine * d.y(), cosine * d.y() - sine * d.x()), scratch);
         if (region.empty()) {
-            return false;
+            return static_cast<int>(k);
         }
     }
-    return true;
+    return -1;
 }
 
 }  // namespace
 
 FanFeasibility::FanFeasibility(const ClassifiedMesh& mesh, const Cavity& disc, double angle)
-    : mesh_(mesh),
-      disc_(disc),
-      angle_(kRounding * angle),
+    : angle_(kRounding * angle),
+      blocking_side_(side_without_apexes(PlaneRim(mesh, disc), angle_)),
       angles_(disc.rim.size(), 2.0 * M_PI),
       next_(disc.rim.size()),
       before_(disc.rim.size()) {
@@ -164,8 +164,8 @@ FanFeasibility::FanFeasibility(const ClassifiedMesh& mesh, const Cavity& disc, d
 }
 
 bool FanFeasibility::allow_inner_apex() const {
-    return narrow_.empty() && OperatorTuning::kSaddle * static_cast<double>(angles_.size()) * angle_ <= 2.0 * M_PI &&
-           has_apexes(PlaneRim(mesh_, disc_), angle_);
+    return narrow_.empty() && blocking_side_ < 0 &&
+           OperatorTuning::kSaddle * static_cast<double>(angles_.size()) * angle_ <= 2.0 * M_PI;
 }
 
 bool FanFeasibility::allow_apex(std::size_t k) const {

@@ -13,18 +13,20 @@ namespace mq::triangulate {
 /// discs around a needle allow none.
 class FanFeasibility {
   public:
-    /// Prepares the test for fans whose angles are all at least `angle` (radians). Keeps both arguments.
+    /// Prepares the test for fans whose angles are all at least `angle` (radians).
     FanFeasibility(const ClassifiedMesh& mesh, const Cavity& disc, double angle);
 
     /// Whether such a fan from a new vertex is possible.
     bool allow_inner_apex() const;
+    /// Returns the first side of the boundary, by its index, that leaves those before it no place for such a vertex;
+    /// -1: there is none, as far as can be told. The disc has to grow beyond it.
+    int blocking_side() const { return blocking_side_; }
     /// Whether such a fan from the corner where side `k` of the boundary begins is possible.
     bool allow_apex(std::size_t k) const;
 
   private:
-    const ClassifiedMesh& mesh_;
-    const Cavity& disc_;
     double angle_;                     // radians
+    int blocking_side_;                // index
     std::vector<double> angles_;       // by side: the angle inside the disc where the side begins, radians; 2 pi: wide
     std::vector<std::size_t> next_;    // by side: the side that begins where this one ends
     std::vector<std::size_t> before_;  // by side: the side that ends where this one begins

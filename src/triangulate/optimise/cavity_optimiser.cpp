@@ -264,7 +264,10 @@ CavityOptimiser::CavityCandidates CavityOptimiser::search_fans(const Cavity& dis
     const Vec3 apex = corners.allow_inner_apex() ? best_apex(work_.mesh, disc) : rough_apex(work_.mesh, disc);
     const double angle = fan_angle(work_.mesh, disc, apex);
     keep(-1, apex, angle);
-    found.over = angle >= wanted_ ? -1 : worst_side(work_.mesh, disc, apex);
+    if (angle < wanted_) {
+        const int blocking = corners.blocking_side();
+        found.over = blocking >= 0 ? disc.rim[static_cast<std::size_t>(blocking)] : worst_side(work_.mesh, disc, apex);
+    }
     return found;
 }
 

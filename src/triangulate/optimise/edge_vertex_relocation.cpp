@@ -93,9 +93,9 @@ std::optional<EdgeVertexRelocation::Angles> EdgeVertexRelocation::angles_with(co
             const int h = bead.spokes[k][i];
             const int corner = bead.corners[k][i];
             if (corner < 0) {
-                squared_sine = std::min(
-                    squared_sine, squared_sine_of_smallest_angle(point, mesh.point_of(ClassifiedMesh::next(h)),
-                                                                 mesh.point_of(ClassifiedMesh::prev(h))));
+                squared_sine =
+                    std::min(squared_sine, squared_sine_of_smallest_angle(point, mesh.point_of(ClassifiedMesh::next(h)),
+                                                                          mesh.point_of(ClassifiedMesh::prev(h))));
             } else {
                 least.in_corners = std::min(least.in_corners, smallest_beside(mesh, h, point, corner));
             }

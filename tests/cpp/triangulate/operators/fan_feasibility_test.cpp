@@ -71,9 +71,8 @@ TEST(FanFeasibility, LeaveNoRoomForASpokeInANarrowOne) {
 /// by the arc's height `bend` along it, it is the same as long as the bend is small.
 TEST(FanFeasibility, LeaveNoRoomBetweenSidesThatAreTooLong) {
     for (const double bend : {0.0, 0.01, 0.02}) {
-        const ClassifiedMesh mesh =
-            ring_mesh({Vec3(5, 0.5, -bend), Vec3(-5, 0.5, -bend), Vec3(-5, -0.5, -bend), Vec3(5, -0.5, -bend)},
-                      Vec3(0, 0, 0));
+        const ClassifiedMesh mesh = ring_mesh(
+            {Vec3(5, 0.5, -bend), Vec3(-5, 0.5, -bend), Vec3(-5, -0.5, -bend), Vec3(5, -0.5, -bend)}, Vec3(0, 0, 0));
         const auto disc = disc_of(mesh, triangles_around(mesh, 2));
         ASSERT_TRUE(disc);
         EXPECT_TRUE(FanFeasibility(mesh, *disc, 5.0 * kDegree).allow_inner_apex()) << bend;
