@@ -81,7 +81,7 @@ std::optional<Cavity> disc_of(const ClassifiedMesh& mesh, std::vector<int> trian
     std::vector<int> sites;
     std::vector<int> rim_vertices;
     sites.reserve(3 * disc.triangles.size());
-    disc.rim.reserve(disc.triangles.size() + 2);  // of a disc without inner vertices
+    disc.rim.reserve(disc.triangles.size() + 2);  // Enough without inner vertices, which make it shorter.
     rim_vertices.reserve(disc.triangles.size() + 2);
     for (const int t : disc.triangles) {
         if (narrow_corner_of(mesh, t) >= 0) {
@@ -124,8 +124,7 @@ double smallest_angle(const ClassifiedMesh& mesh, const Cavity& disc) {
 }
 
 double fan_angle(const ClassifiedMesh& mesh, const Cavity& disc, const Vec3& apex, int apex_site, double at_least) {
-    constexpr double kRounding = 1.0 - 1e-9;  // of the squared sine
-    const double enough = at_least > 0.0 ? kRounding * std::pow(std::sin(at_least), 2) : -1.0;
+    const double enough = at_least > 0.0 ? sine_squared_below(at_least) : -1.0;
     double least = 1.0;
     for (const int side : disc.rim) {
         if (!ends_at(mesh, side, apex_site)) {

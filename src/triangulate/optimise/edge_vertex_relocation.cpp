@@ -82,10 +82,9 @@ std::vector<int> EdgeVertexRelocation::triangles_around(const EdgeVertexStar& be
 std::optional<EdgeVertexRelocation::Angles> EdgeVertexRelocation::angles_with(const EdgeVertexStar& bead,
                                                                               const Vec3& point,
                                                                               const Angles& at_least) const {
-    constexpr double kRounding = 1.0 - 1e-9;  // of the squared sine
     constexpr double kNone = 2.0;
     const ClassifiedMesh& mesh = work_.mesh;
-    const double enough = kRounding * std::pow(std::sin(at_least.beside), 2);
+    const double enough = sine_squared_below(at_least.beside);
     double squared_sine = kNone;
     Angles least;
     for (std::size_t k = 0; k < bead.spokes.size(); ++k) {

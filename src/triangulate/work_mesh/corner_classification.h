@@ -64,11 +64,16 @@ Vec3 doubled_area(const ClassifiedMesh& mesh, int triangle);
 using mq::squared_sine_of_smallest_angle;  // not hidden by the one of a triangle of the mesh
 /// Returns the squared sine of the smallest angle of a triangle of the mesh, for comparisons.
 double squared_sine_of_smallest_angle(const ClassifiedMesh& mesh, int triangle);
+constexpr double kRoundingOfSine = 1e-9;  ///< relative margin for rounding of the squared sine
 /// Returns a squared sine beyond which the smallest angle exceeds `angle` (radians) despite rounding.
 inline double sine_squared_above(double angle) {
-    constexpr double kRounding = 1.0 + 1e-9;  // Relative margin for rounding of the squared sine.
     const double sine = std::sin(angle);
-    return kRounding * sine * sine;
+    return (1.0 + kRoundingOfSine) * sine * sine;
+}
+/// Returns a squared sine below which the smallest angle is below `angle` (radians) despite rounding.
+inline double sine_squared_below(double angle) {
+    const double sine = std::sin(angle);
+    return (1.0 - kRoundingOfSine) * sine * sine;
 }
 
 }  // namespace mq::triangulate
