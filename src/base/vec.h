@@ -11,6 +11,11 @@ using Vec3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
 /// A point in a face's parameter domain (u, v).
 using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 
+/// The cross product in the plane: twice the signed area of a triangle with these sides.
+inline double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
 /// The nearest point of single-precision numbers. GCC 12 omits some of these roundings unless its vectoriser of
 /// straight-line code is off, as CMakeLists.txt has it.
 inline Vec3 to_single(const Vec3& p) {

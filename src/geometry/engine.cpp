@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "geometry/engine_gate.h"
 
 namespace mq::geometry {
 
@@ -54,8 +55,10 @@ class Engine::Impl {
     std::future<Answers> submit(const std::shared_ptr<Model>& model, Batch batch);
     Answers ask(const std::shared_ptr<Model>& model, Batch batch, const Progress* progress);
     void run(const std::function<void()>& work, const Progress* progress);
+    void keep_open(EngineGate& gate, const Progress* progress);
     void cancel();
     void shut_down();
+    bool on_own_thread() const { return std::this_thread::get_id() == worker_id_.load(); }
     std::uint64_t queries() const { return queries_.load(std::memory_order_relaxed); }
     void count_answered(std::uint64_t queries) { queries_.fetch_add(queries, std::memory_order_relaxed); }
 
@@ -64,6 +67,7 @@ class Engine::Impl {
     std::future<Answers> hand_over(Job& job, const Progress* progress);
     template <typename Result>
     void wait(const std::future<Result>& result, std::uint64_t number, const Progress* progress);
+    void stay_at(EngineGate& gate);
     bool withdraw(std::uint64_t number);
     void name_user(std::uint64_t number, const Progress* progress);
     std::deque<Job>::iterator waiting_job(std::uint64_t number);
@@ -71,7 +75,6 @@ class Engine::Impl {
     void finish(Job& job);
     Answers answer(const std::shared_ptr<Model>& model, const Batch& batch, std::uint64_t generation);
     void drop_waiting(bool with_work);
-    bool on_own_thread() const { return std::this_thread::get_id() == worker_id_.load(); }
 
     const Mode mode_;
     const std::size_t capacity_;
@@ -80,7 +83,8 @@ class Engine::Impl {
     std::condition_variable not_full_;
     std::deque<Job> queue_;
     std::uint64_t jobs_ = 0;
-    std::string user_;  ///< title of the operation whose job runs
+    std::string user_;            ///< title of the operation whose job runs
+    EngineGate* gate_ = nullptr;  ///< at which the thread waits
     bool stopping_ = false;
     std::mutex join_mutex_;
     std::thread worker_;
@@ -110,6 +114,9 @@ bool Engine::Impl::push(Job& job, const Progress* progress) {
         worker_ = std::thread([this] { serve(); });
     }
     queue_.push_back(std::move(job));
+    if (gate_ != nullptr) {
+        gate_->let_through();
+    }
     lock.unlock();
     not_empty_.notify_one();
     return true;
@@ -264,6 +271,44 @@ void Engine::Impl::run(const std::function<void()>& work, const Progress* progre
     done.get();
 }
 
+void Engine::Impl::keep_open(EngineGate& gate, const Progress* progress) {
+    const std::function<void()> work = [&] { stay_at(gate); };
+    if (mode_ == Mode::Direct) {
+        work();
+        return;
+    }
+    while (!gate.closed()) {
+        Job job;
+        job.work = &work;
+        job.owner = progress;
+        const std::future<void> done = job.done.get_future();
+        if (!push(job, progress)) {
+            throw Cancelled("the geometry engine has been shut down");
+        }
+        while (done.wait_for(kBetweenLooks) != std::future_status::ready) {
+            if ((is_cancelled(progress) || gate.closed()) && withdraw(job.number)) {
+                check_cancelled(progress);
+                return;
+            }
+            name_user(job.number, progress);
+        }
+    }
+}
+
+/// On the engine's thread: waits at the gate until somebody else has a job.
+void Engine::Impl::stay_at(EngineGate& gate) {
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        gate_ = &gate;
+        if (!queue_.empty()) {
+            gate.let_through();
+        }
+    }
+    gate.open();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    gate_ = nullptr;
+}
+
 void Engine::Impl::drop_waiting(bool with_work) {
     std::deque<Job> dropped;
     {
@@ -324,6 +369,14 @@ Answer Engine::ask(const std::shared_ptr<Model>& model, const Query& query, cons
 
 void Engine::run(const std::function<void()>& work, const Progress* progress) {
     impl_->run(work, progress);
+}
+
+void Engine::keep_open(EngineGate& gate, const Progress* progress) {
+    impl_->keep_open(gate, progress);
+}
+
+bool Engine::on_own_thread() const {
+    return impl_->on_own_thread();
 }
 
 void Engine::cancel() {

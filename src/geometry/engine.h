@@ -13,6 +13,8 @@
 
 namespace mq::geometry {
 
+class EngineGate;
+
 /// The geometry engine: one thread that owns the modeler and answers batches of queries in the order they came.
 ///
 /// Several models can be served at once and several threads may ask. The queue is bounded: `submit` waits while it is
@@ -44,6 +46,12 @@ class Engine {
     /// @throws Cancelled
     void run(const std::function<void()>& work, const Progress* progress = nullptr);
 
+    /// Opens the gate on the engine's thread whenever nobody else needs it, until the gate is closed.
+    /// @throws Cancelled
+    void keep_open(EngineGate& gate, const Progress* progress = nullptr);
+    /// Whether the calling thread is the engine's.
+    bool on_own_thread() const;
+
     /// Drops all batches in the queue; they and the rest of the running one are answered with Status::Stopped.
     void cancel();
     /// As cancel, and the thread ends. Idempotent.
@@ -51,7 +59,7 @@ class Engine {
 
     /// The number of queries answered since the start.
     std::uint64_t queries() const;
-    /// Adds queries that the work of `run` has answered to that number.
+    /// Adds queries that the work of `run` and threads at a gate have answered to that number.
     void count_answered(std::uint64_t queries);
 
   private:

@@ -9,8 +9,8 @@
 
 namespace mq::geometry {
 
-/// Lets threads answer queries themselves while the engine's thread waits at the gate, for a short time after which it
-/// is open to others. In between they wait with their next question.
+/// Lets threads answer queries themselves while the engine's thread waits at the gate (Engine::keep_open). It closes
+/// for the time that somebody else needs the engine, in which they wait with their next question.
 class EngineGate {
   public:
     /// Keeps the engine's thread waiting while the object lives. A thread has one at a time.
@@ -26,22 +26,37 @@ class EngineGate {
         EngineGate& gate_;
     };
 
-    /// On the engine's thread: lets the others in for this time, or until `close`, and waits until all have left.
-    /// @return whether they will come again
-    bool open_for(std::chrono::milliseconds time) {
+    /// Time for which the gate stays open though somebody waits: enough for a question, and much less than users
+    /// notice.
+    static constexpr std::chrono::milliseconds kOpenAtLeast{2};
+
+    /// On the engine's thread: lets the others in until somebody waits, or until `close`, and waits until all have
+    /// left.
+    void open() {
         std::unique_lock<std::mutex> lock(mutex_);
         open_ = true;
         changed_.notify_all();
-        changed_.wait_for(lock, time, [this] { return closed_; });
+        changed_.wait_for(lock, kOpenAtLeast, [this] { return closed_; });
+        changed_.wait(lock, [this] { return closed_ || somebody_waits_; });
         open_ = false;
+        somebody_waits_ = false;
         changed_.wait(lock, [this] { return inside_ == 0; });
-        return !closed_;
+    }
+    /// Somebody else needs the engine.
+    void let_through() {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        somebody_waits_ = true;
+        changed_.notify_all();
     }
     /// For good: nobody comes any more.
     void close() {
         const std::lock_guard<std::mutex> lock(mutex_);
         closed_ = true;
         changed_.notify_all();
+    }
+    bool closed() const {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return closed_;
     }
 
   private:
@@ -60,10 +75,11 @@ class EngineGate {
         }
     }
 
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::condition_variable changed_;
     bool open_ = false;
     bool closed_ = false;
+    bool somebody_waits_ = false;
     int inside_ = 0;
 };
 

@@ -31,7 +31,7 @@ class LocalNumbers {
 };
 
 /// Adds all numbers that define the geometry, the topology and the tolerances of a face and of its edges and nodes,
-/// to be called on the engine's thread.
+/// to be called in Session::run.
 /// @param frame  a face in whose frame the geometry is; -1: the model's own frame
 /// @param numbers  receives the face's edges and nodes, where they are not in it
 void add_face_definition(Model& model, int face, int frame, LocalNumbers& numbers, Fingerprint& key);

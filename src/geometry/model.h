@@ -23,8 +23,8 @@ class Answerer {
 /// A CAD model behind a modeler-neutral interface: the role that CAPRI has in Aftosmis 1999, section 2.
 ///
 /// A model belongs to the thread of the engine that answers for it: only that thread calls `answer` and
-/// `add_definition`. The topology and the place are plain data, fixed once the model is built, and may be read from
-/// anywhere.
+/// `add_definition`, or, while it waits, the work of Session::in_place. The topology and the place are plain data,
+/// fixed once the model is built, and may be read from anywhere.
 class Model : public Answerer {
   public:
     const Topology& topology() const { return topology_; }

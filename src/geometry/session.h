@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -64,14 +65,14 @@ class Session final : public Oracle {
         return answerers_->answer(query);
     }
     /// Calls `work(model)` while nobody else asks: on the engine's thread, or in the calling thread in a session of
-    /// `in_place`. Predicates count for the caller's, whose limit of threads holds.
+    /// `in_place`. It asks nothing but the model. Predicates count for the caller's, whose limit of threads holds.
     /// @throws Cancelled, std::logic_error in a session of run_apart
     template <typename Work>
     void run(const Work& work) {
         check();
         if (answerers_ != nullptr) {
             if (apart_) {
-                throw std::logic_error("others ask the model while a session of run_apart does");
+                throw std::logic_error("a session of run_apart cannot have the model for itself");
             }
             const EngineGate::Entry entry(*gate_);
             work(*model_);
@@ -90,24 +91,25 @@ class Session final : public Oracle {
 
     /// Calls `work(session)` in the calling thread, with a session that answers in the threads that ask, while the
     /// engine's thread waits: handing a small batch from thread to thread takes longer than its answers. The engine is
-    /// open to others every kOpenAfter. Not to be called on the engine's thread.
-    /// @throws Cancelled, and what `work` throws
+    /// open to others between questions, or pieces of large batches.
+    /// @throws Cancelled, and what `work` throws; std::logic_error on the engine's thread, or without an answerer
     template <typename Work>
     void in_place(const Work& work) {
+        if (engine_.on_own_thread()) {
+            throw std::logic_error("the engine's thread would wait for itself");
+        }
         std::vector<CountingAnswerer> answerers;
         run([&](Model& model) { answerers = answerers_of(model, thread_count()); });
+        if (answerers.empty()) {
+            throw std::logic_error("the model has no answerer");
+        }
         EngineGate gate;
         std::exception_ptr failure;
         std::thread keeper([&] {
             try {
-                for (bool more = true; more;) {
-                    run([&](Model&) {
-                        const OpenCascadeWait wait(progress_, progress_ != nullptr ? progress_->name() : "");
-                        more = gate.open_for(kOpenAfter);
-                    });
-                }
+                engine_.keep_open(gate, progress_);
             } catch (...) {
-                failure = std::current_exception();  // Thrown again below.
+                failure = std::current_exception();  // Thrown again below, if `work` has missed the answers.
                 gate.close();
             }
         });
@@ -123,7 +125,7 @@ class Session final : public Oracle {
         for (const CountingAnswerer& answerer : answerers) {
             engine_.count_answered(answerer.count());
         }
-        if (failure || raised) {
+        if (raised) {
             std::rethrow_exception(failure ? failure : raised);
         }
     }
@@ -142,6 +144,10 @@ class Session final : public Oracle {
     void run_parallel(int count, const Work& work) {
         if (answerers_ != nullptr) {
             const EngineGate::Entry entry(*gate_);
+            std::optional<OpenCascadeWait> wait;
+            if (count > 1 && !apart_) {  // naming what it waits for takes longer than one chunk may
+                wait.emplace(progress_, progress_ != nullptr ? progress_->name() : std::string());
+            }
             call_with(answerers_, count_, count, work);
             return;
         }
@@ -181,7 +187,8 @@ class Session final : public Oracle {
         // Chunks of a thread in a piece: B-spline projections take about kOpenAfter.
         constexpr std::size_t kChunksOfThread = 16;
         const std::size_t chunk = std::max<std::size_t>(1, kChunk / queries);
-        const std::size_t piece = chunk * kChunksOfThread * static_cast<std::size_t>(thread_count());
+        const int threads = answerers_ != nullptr ? std::min(count_, thread_count()) : thread_count();
+        const std::size_t piece = chunk * kChunksOfThread * static_cast<std::size_t>(threads);
         for (std::size_t begin = 0; begin < count; begin += piece) {
             const std::size_t end = std::min(begin + piece, count);
             run_parallel(static_cast<int>((end - begin + chunk - 1) / chunk), [&](Answerer& answerer, int k) {

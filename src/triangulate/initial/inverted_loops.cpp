@@ -14,10 +14,6 @@ constexpr int kSamples = 4;  // samples in each piece; a quarter of a piece is n
 // Area over length^2, within rounding: coinciding chords, or curves that enclose no area.
 constexpr double kNothing = 1e-9;
 
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 struct Outline {
     std::vector<int> pieces;
     double area = 0.0;  // signed area between the chords, mm^2

@@ -28,8 +28,8 @@ std::vector<int> triangles_around(const ClassifiedMesh& mesh, int h, std::size_t
 /// Returns the smallest angle of the disc's present triangles, radians.
 double smallest_angle(const ClassifiedMesh& mesh, const Cavity& disc);
 /// Returns the smallest angle of the fan from `apex` to the sides of the boundary that do not end at the site
-/// `apex_site` (-1: to all), radians; -1 if a triangle would be inverted with respect to the disc's normal, or an angle
-/// is below `at_least`, which takes less time to find out.
+/// `apex_site` (-1: to all), radians; -1 if a triangle would be inverted with respect to the disc's normal, or,
+/// found out early, an angle is below `at_least` by more than rounding.
 double fan_angle(const ClassifiedMesh& mesh, const Cavity& disc, const Vec3& apex, int apex_site = -1,
                  double at_least = 0.0);
 /// Returns the side of the boundary whose triangle has the smallest angle in the fan from a new vertex.

@@ -2,7 +2,6 @@
 #include "triangulate/operators/fan_feasibility.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -48,10 +47,6 @@ double least_to_part(double angle, double squared_cosine) {
 // The plane points of a convex region, counter-clockwise.
 using Region = std::vector<Vec2>;
 
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 // Leaves what is on the left of a line.
 void clip(Region& region, const Vec2& on_line, const Vec2& direction, Region& scratch) {
     scratch.clear();
@@ -72,9 +67,14 @@ void clip(Region& region, const Vec2& on_line, const Vec2& direction, Region& sc
 
 // A boundary projected onto the plane of its disc.
 struct PlaneRim {
-    std::vector<std::array<Vec2, 2>> sides;
-    double height = 0.0;    // largest distance of a corner from the plane through the middle
-    double shortest = 0.0;  // length of the shortest side in space
+    struct Side {
+        Vec2 a;
+        Vec2 b;
+        int index;  // among the sides of the boundary
+    };
+    std::vector<Side> sides;  // those on segments first, across which a disc cannot grow
+    double height = 0.0;      // largest distance of a corner from the plane through the middle
+    double shortest = 0.0;    // length of the shortest side in space
 
     PlaneRim(const ClassifiedMesh& mesh, const Cavity& disc) {
         const Vec3 z = disc.normal.normalized();
@@ -86,49 +86,55 @@ struct PlaneRim {
         }
         double least = std::numeric_limits<double>::infinity();
         sides.reserve(disc.rim.size());
-        for (const int side : disc.rim) {
-            const Vec3 a = mesh.point_of(side) - middle;
-            const Vec3 b = mesh.point_of(ClassifiedMesh::next(side)) - middle;
-            sides.push_back({Vec2(a.dot(x), a.dot(y)), Vec2(b.dot(x), b.dot(y))});
-            height = std::max(height, std::abs(a.dot(z)));
-            least = std::min(least, (b - a).squaredNorm());
+        for (const bool on_segment : {true, false}) {
+            for (std::size_t k = 0; k < disc.rim.size(); ++k) {
+                if ((mesh.twin(disc.rim[k]) < 0) != on_segment) {
+                    continue;
+                }
+                const Vec3 a = mesh.point_of(disc.rim[k]) - middle;
+                const Vec3 b = mesh.point_of(ClassifiedMesh::next(disc.rim[k])) - middle;
+                sides.push_back({Vec2(a.dot(x), a.dot(y)), Vec2(b.dot(x), b.dot(y)), static_cast<int>(k)});
+                height = std::max(height, std::abs(a.dot(z)));
+                least = std::min(least, (b - a).squaredNorm());
+            }
         }
         shortest = std::sqrt(least);
     }
 };
 
-// Returns the first side that leaves those before it no apex from which all triangles have `angle` at their ends; -1:
-// there may be one. In the plane each end of a side allows one half of it, and the halves must have points in common
-// (Amenta, Bern and Eppstein 1999).
+// Returns the first side, by its index, that leaves those before it no apex from which all triangles have `angle` at
+// their ends; -1: there may be one. In the plane each end of a side allows one half of it, and the halves must have
+// points in common (Amenta, Bern and Eppstein 1999).
 //
-// Projection changes an angle f between directions of slopes up to s by at most s^2 / tan(f / 2). In such a fan the
-// spokes are as long as sin(angle) times a side, so that all slopes are below 2 height / (shortest side sin(angle)).
+// In space an angle between directions that rise by up to s for each unit of their length may differ from the one in
+// the plane by s^2 / tan(f / 2), where f is the smaller of both. In such a fan the spokes are as long as sin(angle)
+// times a side, so that to an apex between the lowest and the highest corner s is below 2 height / (shortest side
+// sin(angle)).
 int side_without_apexes(const PlaneRim& rim, double angle) {
     constexpr double kMostLost = 0.2;  // fraction of the angle by which projection may change it
     const double slope = 2.0 * rim.height / (rim.shortest * std::sin(angle));
     const double lost = slope * slope / std::tan(0.5 * (1.0 - kMostLost) * angle);
-    if (!(lost <= kMostLost * angle)) {
+    if (!(angle > 0.0 && lost <= kMostLost * angle)) {
         return -1;  // too far from plane to tell
     }
     const double cosine = std::cos(angle - lost);
     const double sine = std::sin(angle - lost);
-    Vec2 low = rim.sides.front()[0];
+    Vec2 low = rim.sides.front().a;
     Vec2 high = low;
-    for (const auto& side : rim.sides) {
-        low = low.cwiseMin(side[0]);
-        high = high.cwiseMax(side[0]);
+    for (const PlaneRim::Side& side : rim.sides) {
+        low = low.cwiseMin(side.a);
+        high = high.cwiseMax(side.a);
     }
     Region region{low, Vec2(high.x(), low.y()), high, Vec2(low.x(), high.y())};
     Region scratch;
     region.reserve(region.size() + 2 * rim.sides.size());
     scratch.reserve(region.size() + 2 * rim.sides.size());
-    for (std::size_t k = 0; k < rim.sides.size(); ++k) {
-        const auto& [a, b] = rim.sides[k];
+    for (const auto& [a, b, index] : rim.sides) {
         const Vec2 d = b - a;
         clip(region, a, Vec2(cosine * d.x() - sine * d.y(), sine * d.x() + cosine * d.y()), scratch);
         clip(region, b, Vec2(cosine * d.x() + sine * d.y(), cosine * d.y() - sine * d.x()), scratch);
         if (region.empty()) {
-            return static_cast<int>(k);
+            return index;
         }
     }
     return -1;

@@ -16,10 +16,11 @@ class FanFeasibility {
     /// Prepares the test for fans whose angles are all at least `angle` (radians).
     FanFeasibility(const ClassifiedMesh& mesh, const Cavity& disc, double angle);
 
-    /// Whether such a fan from a new vertex is possible.
+    /// Whether such a fan from a new vertex, between the lowest and the highest corner, is possible.
     bool allow_inner_apex() const;
-    /// Returns the first side of the boundary, by its index, that leaves those before it no place for such a vertex;
-    /// -1: there is none, as far as can be told. The disc has to grow beyond it.
+    /// Returns a side of the boundary, by its index, that leaves other sides no place for such a vertex; -1: there is
+    /// none, as far as can be told. It lies on a segment only where sides on segments leave no place by themselves.
+    /// Growing across it may make room.
     int blocking_side() const { return blocking_side_; }
     /// Whether such a fan from the corner where side `k` of the boundary begins is possible.
     bool allow_apex(std::size_t k) const;

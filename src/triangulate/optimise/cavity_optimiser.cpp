@@ -253,19 +253,19 @@ CavityOptimiser::CavityCandidates CavityOptimiser::search_fans(const Cavity& dis
             found.fans.push_back({apex_site, apex, angle});
         }
     };
-    const FanFeasibility corners(work_.mesh, disc, enough);
+    const FanFeasibility feasible(work_.mesh, disc, enough);
     for (std::size_t k = 0; k < disc.rim.size(); ++k) {
-        if (corners.allow_apex(k)) {
+        if (feasible.allow_apex(k)) {
             const int site = work_.mesh.site_of(disc.rim[k]);
             const Vec3& apex = work_.mesh.point_of(disc.rim[k]);
             keep(site, apex, fan_angle(work_.mesh, disc, apex, site, enough));
         }
     }
-    const Vec3 apex = corners.allow_inner_apex() ? best_apex(work_.mesh, disc) : rough_apex(work_.mesh, disc);
+    const Vec3 apex = feasible.allow_inner_apex() ? best_apex(work_.mesh, disc) : rough_apex(work_.mesh, disc);
     const double angle = fan_angle(work_.mesh, disc, apex);
     keep(-1, apex, angle);
     if (angle < wanted_) {
-        const int blocking = corners.blocking_side();
+        const int blocking = feasible.blocking_side();
         found.over = blocking >= 0 ? disc.rim[static_cast<std::size_t>(blocking)] : worst_side(work_.mesh, disc, apex);
     }
     return found;

@@ -178,31 +178,88 @@ TEST(Session, AnswersInPlaceInTheThreadsThatAsk) {
         EXPECT_EQ(engine.queries(), 100'005U);
         EXPECT_TRUE(model->first.alone);
         EXPECT_LT(static_cast<int>(model->further.size()), threads);
+        for (const auto& answerer : model->further) {
+            EXPECT_TRUE(answerer->alone);
+        }
         EXPECT_EQ(session.ask(numbered(3)).back().t, 4.0);
     }
 }
 
-/// Others wait until the gate closes, not for all that is done in place.
+/// The time after which a test that waits for other threads has failed.
+std::chrono::steady_clock::time_point deadline() {
+    return std::chrono::steady_clock::now() + 20s;
+}
+
+/// Others wait until the gate closes, not for all that is done in place, even when nothing is asked there.
 TEST(Session, IsOpenToOthersBetweenAnswersInPlace) {
-    Engine engine;
-    const auto model = std::make_shared<DoublingModel>();
-    std::atomic<bool> answered{false};
-    std::atomic<bool> started{false};
-    std::thread other([&] {
-        while (!started) {
-            std::this_thread::yield();
-        }
-        Session(engine, model).ask(numbered(1));
-        answered = true;
-    });
-    Session(engine, model).in_place([&](Session& own) {
-        while (!answered) {
+    for (const bool asks : {true, false}) {
+        Engine engine;
+        const auto model = std::make_shared<DoublingModel>();
+        std::atomic<int> answered{0};
+        std::atomic<bool> started{false};
+        std::thread other([&] {
+            for (const auto end = deadline(); !started && std::chrono::steady_clock::now() < end;) {
+                std::this_thread::yield();
+            }
+            for (int n = 0; n < 5; ++n) {
+                Session(engine, model).ask(numbered(1));
+                ++answered;
+            }
+        });
+        EXPECT_NO_THROW(Session(engine, model).in_place([&](Session& own) {
             own.ask(numbered(1));
             started = true;
+            for (const auto end = deadline(); answered < 5 && std::chrono::steady_clock::now() < end;) {
+                if (asks) {
+                    own.ask(numbered(1));
+                }
+            }
+            EXPECT_EQ(answered, 5);
+        }));
+        other.join();
+        EXPECT_TRUE(model->first.alone);  // never asked in place and by the engine's thread at a time
+    }
+}
+
+/// What is done in place ends while another job has the engine, if it needs no more answers.
+TEST(Session, EndsInPlaceBeforeALongJobOfOthers) {
+    Engine engine;
+    std::atomic<bool> release{false};
+    std::atomic<bool> began{false};
+    std::thread other;
+    EXPECT_NO_THROW(Session(engine, std::make_shared<DoublingModel>()).in_place([&](Session& own) {
+        own.ask(numbered(3));
+        other = std::thread([&] {
+            engine.run([&] {
+                began = true;
+                for (const auto end = deadline(); !release && std::chrono::steady_clock::now() < end;) {
+                    std::this_thread::yield();
+                }
+                EXPECT_TRUE(release);
+            });
+        });
+        for (const auto end = deadline(); !began && std::chrono::steady_clock::now() < end;) {
+            std::this_thread::yield();
         }
-    });
+    }));
+    release = true;
     other.join();
-    EXPECT_TRUE(model->first.alone);  // never asked in place and by the engine's thread at a time
+}
+
+TEST(Session, IsNotInPlaceOnTheEnginesThreadNorWithoutAnAnswerer) {
+    class Silent final : public Model {
+      public:
+        Answer answer(const Query& /*query*/) noexcept override { return {}; }
+        Answerer* answerer(int /*thread*/) override { return nullptr; }
+        std::optional<ElementarySurface> elementary_surface(int /*face*/) override { return std::nullopt; }
+        void add_definition(Entity /*entity*/, int /*frame*/, Fingerprint& /*key*/) override {}
+        void add_definition_of_use(int /*use*/, Fingerprint& /*key*/) override {}
+    };
+    Engine engine;
+    const auto nothing = [](Session& own) { own.ask(numbered(1)); };
+    EXPECT_THROW(Session(engine, std::make_shared<Silent>()).in_place(nothing), std::logic_error);
+    EXPECT_THROW(engine.run([&] { Session(engine, std::make_shared<DoublingModel>()).in_place(nothing); }),
+                 std::logic_error);
 }
 
 TEST(Session, PassesOnWhatIsThrownInPlace) {
@@ -231,12 +288,13 @@ TEST(Session, WaitsInPlaceNoLongerThanUntilItIsCancelled) {
         other = std::thread([&] {
             engine.run([&] {
                 progress.cancel();
-                while (!release) {
+                for (const auto end = deadline(); !release && std::chrono::steady_clock::now() < end;) {
                     std::this_thread::yield();
                 }
+                EXPECT_TRUE(release);
             });
         });
-        for (;;) {
+        for (const auto end = deadline(); std::chrono::steady_clock::now() < end;) {
             own.ask(numbered(3).back());  // does not look at the progress: the gate ends it
         }
     }),
@@ -250,7 +308,7 @@ TEST(Session, IsShutDownWhileItAnswersInPlace) {
     EXPECT_THROW(Session(engine, std::make_shared<DoublingModel>()).in_place([&](Session& own) {
         own.ask(numbered(3));
         engine.shut_down();
-        for (;;) {
+        for (const auto end = deadline(); std::chrono::steady_clock::now() < end;) {
             own.ask(numbered(3));
         }
     }),

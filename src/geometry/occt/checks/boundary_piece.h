@@ -9,10 +9,6 @@
 
 namespace mq::geometry {
 
-inline double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 /// A piece of a boundary in (u, v) that turns little: a line, an arc of a circle or an ellipse, or a polynomial. Its
 /// points lie in the hull of its control points, and its directions in the cone of their differences.
 class BoundaryPiece {

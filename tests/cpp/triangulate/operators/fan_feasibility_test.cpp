@@ -6,7 +6,7 @@
 #include "base/angle.h"
 #include "triangulate/ring_mesh.h"
 
-/// Feasibility of fans, judged by the corners of a disc's boundary.
+/// Feasibility of fans, judged by the corners and the sides of a disc's boundary.
 namespace mq::triangulate {
 namespace {
 
@@ -67,17 +67,48 @@ TEST(FanFeasibility, LeaveNoRoomForASpokeInANarrowOne) {
     }
 }
 
-/// A rectangle of 10 x 1, whose corners are wide: from its ends the long sides are seen at 11.3 degrees at most. Bent
-/// by the arc's height `bend` along it, it is the same as long as the bend is small.
+/// A rectangle of 10 x 1 around its middle, whose short sides lie lower by `bend`. From its ends the long sides are
+/// seen at 11.3 degrees at most.
+ClassifiedMesh rectangle(double bend) {
+    return ring_mesh({Vec3(5, 0.5, -bend), Vec3(-5, 0.5, -bend), Vec3(-5, -0.5, -bend), Vec3(5, -0.5, -bend)},
+                     Vec3::Zero());
+}
+
 TEST(FanFeasibility, LeaveNoRoomBetweenSidesThatAreTooLong) {
     for (const double bend : {0.0, 0.01, 0.02}) {
-        const ClassifiedMesh mesh = ring_mesh(
-            {Vec3(5, 0.5, -bend), Vec3(-5, 0.5, -bend), Vec3(-5, -0.5, -bend), Vec3(5, -0.5, -bend)}, Vec3(0, 0, 0));
+        const ClassifiedMesh mesh = rectangle(bend);
         const auto disc = disc_of(mesh, triangles_around(mesh, 2));
         ASSERT_TRUE(disc);
-        EXPECT_TRUE(FanFeasibility(mesh, *disc, 5.0 * kDegree).allow_inner_apex()) << bend;
-        EXPECT_FALSE(FanFeasibility(mesh, *disc, 25.0 * kDegree).allow_inner_apex()) << bend;
+        const FanFeasibility wide(mesh, *disc, 5.0 * kDegree);
+        EXPECT_TRUE(wide.allow_inner_apex()) << bend;
+        EXPECT_EQ(wide.blocking_side(), -1) << bend;
+        const FanFeasibility none(mesh, *disc, 25.0 * kDegree);
+        EXPECT_FALSE(none.allow_inner_apex()) << bend;
+        ASSERT_GE(none.blocking_side(), 0) << bend;
+        const int side = disc->rim[static_cast<std::size_t>(none.blocking_side())];
+        EXPECT_EQ(mesh.point_of(side).y(), mesh.point_of(ClassifiedMesh::next(side)).y()) << "a short side, " << bend;
     }
+}
+
+/// Far from plane nothing can be told of the sides.
+TEST(FanFeasibility, AllowWhatIsBentTooMuch) {
+    const ClassifiedMesh mesh = rectangle(1.0);
+    const auto disc = disc_of(mesh, triangles_around(mesh, 2));
+    ASSERT_TRUE(disc);
+    EXPECT_EQ(FanFeasibility(mesh, *disc, 25.0 * kDegree).blocking_side(), -1);
+    EXPECT_EQ(FanFeasibility(mesh, *disc, 0.0).blocking_side(), -1);
+}
+
+/// An angle that is too small is found out early, one that is large enough is exact.
+TEST(FanFeasibility, AreNotNeededForTheAngleOfAFan) {
+    const ClassifiedMesh mesh = rectangle(0.0);
+    const auto disc = disc_of(mesh, triangles_around(mesh, 2));
+    ASSERT_TRUE(disc);
+    const double angle = fan_angle(mesh, *disc, Vec3::Zero());
+    EXPECT_NEAR(angle, std::atan(0.1), 1e-12);
+    EXPECT_EQ(fan_angle(mesh, *disc, Vec3::Zero(), -1, angle), angle);
+    EXPECT_EQ(fan_angle(mesh, *disc, Vec3::Zero(), -1, 1.001 * angle), -1.0);
+    EXPECT_EQ(fan_angle(mesh, *disc, Vec3(6.0, 0.0, 0.0)), -1.0);
 }
 
 }  // namespace
