@@ -339,6 +339,9 @@ void Engine::Impl::shut_down() {
     {
         std::lock_guard<std::mutex> lock(mutex_);
         stopping_ = true;
+        if (gate_ != nullptr) {
+            gate_->let_through();
+        }
     }
     generation_.fetch_add(1);
     drop_waiting(true);
