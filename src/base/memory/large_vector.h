@@ -16,7 +16,8 @@ void free_block(void* block, std::size_t bytes) noexcept;
 /// Gives back what the allocator keeps of freed memory, for the work after that has a use for it.
 void release_freed_memory();
 
-/// An allocator that takes blocks for arrays of 1 MB and more: smaller ones are used again sooner than the system gives pages for them.
+/// An allocator that takes blocks for arrays of 1 MB and more. Smaller ones come and go: the system would clear their
+/// pages each time.
 template <typename Value>
 struct BlockAllocator {
     using value_type = Value;
