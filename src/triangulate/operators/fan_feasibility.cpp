@@ -2,6 +2,7 @@
 #include "triangulate/operators/fan_feasibility.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -67,14 +68,9 @@ void clip(Region& region, const Vec2& on_line, const Vec2& direction, Region& sc
 
 // A boundary projected onto the plane of its disc.
 struct PlaneRim {
-    struct Side {
-        Vec2 a;
-        Vec2 b;
-        int index;  // among the sides of the boundary
-    };
-    std::vector<Side> sides;  // those on segments first, across which a disc cannot grow
-    double height = 0.0;      // largest distance of a corner from the plane through the middle
-    double shortest = 0.0;    // length of the shortest side in space
+    std::vector<std::array<Vec2, 2>> sides;
+    double height = 0.0;    // largest distance of a corner from the plane through the middle
+    double shortest = 0.0;  // length of the shortest side in space
 
     PlaneRim(const ClassifiedMesh& mesh, const Cavity& disc) {
         const Vec3 z = disc.normal.normalized();
@@ -86,17 +82,12 @@ struct PlaneRim {
         }
         double least = std::numeric_limits<double>::infinity();
         sides.reserve(disc.rim.size());
-        for (const bool on_segment : {true, false}) {
-            for (std::size_t k = 0; k < disc.rim.size(); ++k) {
-                if ((mesh.twin(disc.rim[k]) < 0) != on_segment) {
-                    continue;
-                }
-                const Vec3 a = mesh.point_of(disc.rim[k]) - middle;
-                const Vec3 b = mesh.point_of(ClassifiedMesh::next(disc.rim[k])) - middle;
-                sides.push_back({Vec2(a.dot(x), a.dot(y)), Vec2(b.dot(x), b.dot(y)), static_cast<int>(k)});
-                height = std::max(height, std::abs(a.dot(z)));
-                least = std::min(least, (b - a).squaredNorm());
-            }
+        for (const int side : disc.rim) {
+            const Vec3 a = mesh.point_of(side) - middle;
+            const Vec3 b = mesh.point_of(ClassifiedMesh::next(side)) - middle;
+            sides.push_back({Vec2(a.dot(x), a.dot(y)), Vec2(b.dot(x), b.dot(y))});
+            height = std::max(height, std::abs(a.dot(z)));
+            least = std::min(least, (b - a).squaredNorm());
         }
         shortest = std::sqrt(least);
     }
@@ -119,22 +110,23 @@ int side_without_apexes(const PlaneRim& rim, double angle) {
     }
     const double cosine = std::cos(angle - lost);
     const double sine = std::sin(angle - lost);
-    Vec2 low = rim.sides.front().a;
+    Vec2 low = rim.sides.front()[0];
     Vec2 high = low;
-    for (const PlaneRim::Side& side : rim.sides) {
-        low = low.cwiseMin(side.a);
-        high = high.cwiseMax(side.a);
+    for (const auto& side : rim.sides) {
+        low = low.cwiseMin(side[0]);
+        high = high.cwiseMax(side[0]);
     }
     Region region{low, Vec2(high.x(), low.y()), high, Vec2(low.x(), high.y())};
     Region scratch;
     region.reserve(region.size() + 2 * rim.sides.size());
     scratch.reserve(region.size() + 2 * rim.sides.size());
-    for (const auto& [a, b, index] : rim.sides) {
+    for (std::size_t k = 0; k < rim.sides.size(); ++k) {
+        const auto& [a, b] = rim.sides[k];
         const Vec2 d = b - a;
         clip(region, a, Vec2(cosine * d.x() - sine * d.y(), sine * d.x() + cosine * d.y()), scratch);
         clip(region, b, Vec2(cosine * d.x() + sine * d.y(), cosine * d.y() - sine * d.x()), scratch);
         if (region.empty()) {
-            return index;
+            return static_cast<int>(k);
         }
     }
     return -1;

@@ -19,8 +19,8 @@ class FanFeasibility {
     /// Whether such a fan from a new vertex, between the lowest and the highest corner, is possible.
     bool allow_inner_apex() const;
     /// Returns a side of the boundary, by its index, that leaves other sides no place for such a vertex; -1: there is
-    /// none, as far as can be told. It lies on a segment only where sides on segments leave no place by themselves.
-    /// Growing across it may make room.
+    /// none, as far as can be told. It is the first one in the order of the boundary that does; growing across it may
+    /// make room.
     int blocking_side() const { return blocking_side_; }
     /// Whether such a fan from the corner where side `k` of the boundary begins is possible.
     bool allow_apex(std::size_t k) const;

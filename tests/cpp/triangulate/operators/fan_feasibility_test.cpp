@@ -67,10 +67,10 @@ TEST(FanFeasibility, LeaveNoRoomForASpokeInANarrowOne) {
     }
 }
 
-/// A rectangle of 10 x 1 around its middle, whose short sides lie lower by `bend`. From its ends the long sides are
-/// seen at 11.3 degrees at most.
+/// A rectangle of 10 x 1 around its middle, whose corners lie above and below its plane by `bend` in turn. From the
+/// middle the long sides are seen at 11.3 degrees at their ends at most.
 ClassifiedMesh rectangle(double bend) {
-    return ring_mesh({Vec3(5, 0.5, -bend), Vec3(-5, 0.5, -bend), Vec3(-5, -0.5, -bend), Vec3(5, -0.5, -bend)},
+    return ring_mesh({Vec3(5, 0.5, bend), Vec3(-5, 0.5, -bend), Vec3(-5, -0.5, bend), Vec3(5, -0.5, -bend)},
                      Vec3::Zero());
 }
 
