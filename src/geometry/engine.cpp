@@ -66,7 +66,8 @@ class Engine::Impl {
     bool push(Job& job, const Progress* progress);
     std::future<Answers> hand_over(Job& job, const Progress* progress);
     template <typename Result>
-    void wait(const std::future<Result>& result, std::uint64_t number, const Progress* progress);
+    bool wait(const std::future<Result>& result, std::uint64_t number, const Progress* progress,
+              const EngineGate* gate = nullptr);
     void stay_at(EngineGate& gate);
     bool withdraw(std::uint64_t number);
     void name_user(std::uint64_t number, const Progress* progress);
@@ -122,16 +123,22 @@ bool Engine::Impl::push(Job& job, const Progress* progress) {
     return true;
 }
 
-/// Waits for the result of a job, which is withdrawn when the caller is cancelled before its turn has come.
+/// Waits for the result of a job, which is withdrawn when the caller is cancelled, or the gate that it opens is closed,
+/// before its turn has come.
+/// @returns false when the job is withdrawn because of the gate.
 /// @throws Cancelled
 template <typename Result>
-void Engine::Impl::wait(const std::future<Result>& result, std::uint64_t number, const Progress* progress) {
+bool Engine::Impl::wait(const std::future<Result>& result, std::uint64_t number, const Progress* progress,
+                        const EngineGate* gate) {
     while (result.wait_for(kBetweenLooks) != std::future_status::ready) {
-        if (is_cancelled(progress) && withdraw(number)) {
-            progress->check();
+        const bool closed = gate != nullptr && gate->closed();
+        if ((closed || is_cancelled(progress)) && withdraw(number)) {
+            check_cancelled(progress);
+            return false;
         }
         name_user(number, progress);
     }
+    return true;
 }
 
 /// Tells the caller which operation's job it waits for, as long as its own job is in the queue.
@@ -281,16 +288,12 @@ void Engine::Impl::keep_open(EngineGate& gate, const Progress* progress) {
         Job job;
         job.work = &work;
         job.owner = progress;
-        const std::future<void> done = job.done.get_future();
+        std::future<void> done = job.done.get_future();
         if (!push(job, progress)) {
             throw Cancelled("the geometry engine has been shut down");
         }
-        while (done.wait_for(kBetweenLooks) != std::future_status::ready) {
-            if ((is_cancelled(progress) || gate.closed()) && withdraw(job.number)) {
-                check_cancelled(progress);
-                return;
-            }
-            name_user(job.number, progress);
+        if (wait(done, job.number, progress, &gate)) {
+            done.get();
         }
     }
 }

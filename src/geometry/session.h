@@ -145,7 +145,7 @@ class Session final : public Oracle {
         if (answerers_ != nullptr) {
             const EngineGate::Entry entry(*gate_);
             std::optional<OpenCascadeWait> wait;
-            if (count > 1 && !apart_) {  // naming what it waits for takes longer than one chunk may
+            if (count > 1 && !apart_) {  // for one chunk, saying that it waits would take longer than the answers
                 wait.emplace(progress_, progress_ != nullptr ? progress_->name() : std::string());
             }
             call_with(answerers_, count_, count, work);
