@@ -45,12 +45,11 @@ std::string in_short(double length) {
 class BooleanPipeline {
   public:
     BooleanPipeline(const std::vector<const mesh::TriangleMesh*>& operands, const Expression& expression,
-                    const BooleanOptions& options, Progress& progress, bool no_slivers)
+                    const BooleanOptions& options, Progress& progress)
         : inputs_(operands),
           expression_(expression),
           symmetric_(expression.chained() == Operation::SymmetricDifference),
-          progress_(progress),
-          no_slivers_(no_slivers) {
+          progress_(progress) {
         Box box;
         for (const mesh::TriangleMesh* mesh : operands) {
             for (const Vec3& p : mesh->vertices) {
@@ -134,22 +133,8 @@ class BooleanPipeline {
         return !own.repairs.any() || has_corners_of(own, t, *inputs_[operand]);
     }
 
-    /// Pairs of triangles in contact, at most `limit` of them; coincident triangles are left out.
-    std::vector<mesh::ContactPair> contacts(std::size_t limit, mesh::CoplanarPairs* flush = nullptr) {
-        forget_moved_triangles(soup_);
-        progress_.check();
-        merge_vertices(soup_);
-        progress_.check();
-        twins_ = find_twins(soup_);
-        progress_.check();
-        if (twins_.empty()) {
-            if (flush != nullptr) {
-                for (const Source& source : soup_.source) {
-                    flush->body.push_back(source.operand);
-                }
-            }
-            return mesh::self_intersections(soup_.vertices, soup_.triangles, limit, &progress_, flush);
-        }
+    /// Pairs of triangles in contact; coincident triangles are left out.
+    std::vector<std::array<std::int32_t, 2>> contacts() const {
         std::vector<char> twin(soup_.triangles.size(), 0);
         for (const CoincidentTriangle& t : twins_) {
             twin[static_cast<std::size_t>(t.triangle)] = 1;
@@ -158,67 +143,50 @@ class BooleanPipeline {
         std::vector<std::int32_t> index;
         for (std::size_t t = 0; t < twin.size(); ++t) {
             if (twin[t] == 0) {
-                if (flush != nullptr) {
-                    flush->body.push_back(soup_.source[t].operand);
-                }
                 others.push_back(soup_.triangles[t]);
                 index.push_back(static_cast<std::int32_t>(t));
             }
         }
-        auto pairs = mesh::self_intersections(soup_.vertices, others, limit, &progress_, flush);
-        for (mesh::ContactPair& pair : pairs) {
-            pair.a = index[static_cast<std::size_t>(pair.a)];
-            pair.b = index[static_cast<std::size_t>(pair.b)];
+        std::vector<std::array<std::int32_t, 2>> result;
+        for (const mesh::ContactPair& pair : mesh::self_intersections(
+                 soup_.vertices, twins_.empty() ? soup_.triangles : others, mesh::kAllPairs, &progress_)) {
+            result.push_back({index[static_cast<std::size_t>(pair.a)], index[static_cast<std::size_t>(pair.b)]});
         }
-        if (flush != nullptr) {
-            for (auto* found : {&flush->over, &flush->beside}) {
-                for (std::array<std::int32_t, 2>& pair : *found) {
-                    pair = {index[static_cast<std::size_t>(pair[0])], index[static_cast<std::size_t>(pair[1])]};
-                }
-            }
-        }
-        return pairs;
+        return result;
+    }
+
+    void merge() {
+        forget_moved_triangles(soup_);
+        progress_.check();
+        merge_vertices(soup_);
+        progress_.check();
+        twins_ = find_twins(soup_);
+        progress_.check();
     }
 
     bool find_crossings() {
-        stages_.start("finding crossings", 0.15, 0.5);
-        // Intersection curves cross few triangles. When many are crossed a sample shows whether surfaces nearly
-        // coincide.
-        const std::size_t many = std::max<std::size_t>(20'000, soup_.triangles.size() / 8);
-        mesh::CoplanarPairs flush{BooleanTuning::kFlush * size_, {}, {}, {}};
-        std::vector<mesh::ContactPair> pairs = contacts(many, &flush);
-        progress_.check();
-        const bool along = nearly_coincident(soup_, pairs, no_slivers_);
-        progress_.check();
-        if (along && symmetric_ && separable(soup_, tolerance_, pairs)) {
-            return false;
-        }
-        // In a symmetric difference offsetting the faces to either side would be wrong.
-        const bool flushed = !flush.over.empty() && !symmetric_;
-        const bool moves = along || flushed;
-        if (moves) {
-            make_soup();
-            const std::vector<Vec3> before = soup_.vertices;
-            NearCoincidence done;
-            if (along) {
-                done = separate(soup_, expression_, tolerance_, pairs, progress_);
-            } else {
-                done = separate_coplanar(soup_, expression_, flush, clearance());
+        stages_.start("finding contacts", 0.15, 0.25);
+        const std::vector<ContactFace> faces = contact_faces(soup_, tolerance_, clearance(), progress_);
+        if (differ(faces)) {
+            // In a symmetric difference faces that go to either side would be wrong.
+            if (symmetric_) {
+                return false;
             }
+            const std::vector<Vec3> before = soup_.vertices;
+            const NearCoincidence done =
+                overlap_contacts(soup_, expression_, faces, {tolerance_, clearance()}, progress_);
             result_.separated_vertices = done.moved;
             moved_ = done.largest;
-            if (along && done.moved > 0) {
-                result_.notes.push_back("surfaces that nearly coincide were separated: slivers and gaps up to " +
-                                        in_short(2.0 * moved_) + " mm thin may be gone");
+            if (moved_ > 4.0 * clearance()) {
+                result_.notes.push_back(
+                    "faces that lie on each other within the tolerance were taken as one: slivers and gaps up to " +
+                    in_short(2.0 * moved_) + " mm thin may be gone");
             }
             undo_degenerate_moves(soup_, before);
         }
-        if (moves || pairs.size() == many) {
-            pairs = contacts(mesh::kAllPairs);
-        }
-        for (const mesh::ContactPair& pair : pairs) {
-            crossing_.push_back({pair.a, pair.b});
-        }
+        stages_.start("finding crossings", 0.25, 0.5);
+        merge();
+        crossing_ = contacts();
         merge_touching(soup_, crossing_);
         return true;
     }
@@ -267,7 +235,6 @@ class BooleanPipeline {
     const Expression expression_;
     const bool symmetric_;  ///< a chain of symmetric differences
     Progress& progress_;
-    bool no_slivers_;  ///< nearly coincident surfaces are separated even at a few crossings
     BooleanResult result_;
     double size_ = 0.0;
     bool in_single_ = true;  ///< all vertices of the operands are single-precision numbers
@@ -293,8 +260,8 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
     }
     sum.triangle_origin = sum.triangle_source;
     for (std::size_t k = 1; k < operands.size(); ++k) {
-        const BooleanResult one = *BooleanPipeline({&sum.mesh, operands[k]}, less, options, progress, true).run();
-        const BooleanResult two = *BooleanPipeline({operands[k], &sum.mesh}, less, options, progress, true).run();
+        const BooleanResult one = *BooleanPipeline({&sum.mesh, operands[k]}, less, options, progress).run();
+        const BooleanResult two = *BooleanPipeline({operands[k], &sum.mesh}, less, options, progress).run();
         std::vector<const mesh::TriangleMesh*> parts;
         std::vector<const BooleanResult*> part_results;
         for (const BooleanResult* part : {&one, &two}) {
@@ -306,7 +273,7 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
         BooleanResult joined =
             parts.empty() ? BooleanResult()
                           : *BooleanPipeline(parts, Expression::chain(Operation::Union, static_cast<int>(parts.size())),
-                                             options, progress, true)
+                                             options, progress)
                                  .run();
         for (const auto list : {&BooleanResult::triangle_source, &BooleanResult::triangle_origin}) {
             for (std::array<std::int32_t, 2>& source : joined.*list) {
@@ -371,7 +338,7 @@ BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, co
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
     const bool symmetric = expression.chained() == Operation::SymmetricDifference;
-    std::optional<BooleanResult> result = BooleanPipeline(operands, expression, options, watched, symmetric).run();
+    std::optional<BooleanResult> result = BooleanPipeline(operands, expression, options, watched).run();
     if (symmetric && (!result || result->faults_left > 0)) {
         result = join_differences(operands, options, watched);
     }

@@ -1,94 +1,32 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "boolean/near_coincidence/near_coincidence.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <utility>
-#include <vector>
 
 #include "base/predicates.h"
-#include "boolean/near_coincidence/tuning.h"
-#include "boolean/near_coincidence/vertex_offset.h"
-#include "mesh/intersection/nearest_tree.h"
+#include "mesh/intersection/aabb_tree.h"
 
 namespace mq::boolean {
 
 namespace {
 
-Vec3 area_normal(const Soup& soup, std::int32_t t) {
+Vec3 unit_normal(const Soup& soup, std::int32_t t) {
     const Triangle& c = soup.triangles[static_cast<std::size_t>(t)];
     const Vec3& a = soup.vertices[static_cast<std::size_t>(c[0])];
-    return (soup.vertices[static_cast<std::size_t>(c[1])] - a).cross(soup.vertices[static_cast<std::size_t>(c[2])] - a);
+    return (soup.vertices[static_cast<std::size_t>(c[1])] - a)
+        .cross(soup.vertices[static_cast<std::size_t>(c[2])] - a)
+        .normalized();
 }
 
 std::int32_t operand_of(const Soup& soup, std::int32_t t) {
     return soup.source[static_cast<std::size_t>(t)].operand;
 }
 
-bool parallel_operands(const Soup& soup, const mesh::ContactPair& pair) {
-    if (soup.source[static_cast<std::size_t>(pair.a)].operand ==
-        soup.source[static_cast<std::size_t>(pair.b)].operand) {
-        return false;
-    }
-    const Vec3 m = area_normal(soup, pair.a);
-    const Vec3 n = area_normal(soup, pair.b);
-    return std::abs(m.dot(n)) > NearCoincidenceTuning::kParallelNormals * m.norm() * n.norm();
-}
-
-/// By operand, the vertices of later ones where these nearly coincide with it: those of triangles that are nearly
-/// parallel to one that they cross.
-std::vector<std::vector<std::int32_t>> vertices_of_parallel_pairs(const Soup& soup,
-                                                                  const std::vector<mesh::ContactPair>& crossing) {
-    std::vector<std::vector<std::int32_t>> result(static_cast<std::size_t>(soup.operands));
-    for (const mesh::ContactPair& pair : crossing) {
-        if (parallel_operands(soup, pair)) {
-            const bool in_order = operand_of(soup, pair.a) < operand_of(soup, pair.b);
-            const Triangle& c = soup.triangles[static_cast<std::size_t>(in_order ? pair.b : pair.a)];
-            std::vector<std::int32_t>& list =
-                result[static_cast<std::size_t>(operand_of(soup, in_order ? pair.a : pair.b))];
-            list.insert(list.end(), c.begin(), c.end());
-        }
-    }
-    return result;
-}
-
-/// The distance from the earlier operand below which most vertices of later ones stay where they nearly coincide; 0
-/// when they do not within `farthest`.
-double usual_distance(const Soup& soup, const mesh::NearestTree& tree, std::vector<std::int32_t> vertices,
-                      double farthest) {
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const std::size_t stride = std::max<std::size_t>(1, vertices.size() / NearCoincidenceTuning::kDistanceSamples);
-    std::vector<double> distances;
-    std::size_t asked = 0;
-    for (std::size_t i = 0; i < vertices.size(); i += stride, ++asked) {
-        const mesh::ClosestPoint near = tree.nearest(soup.vertices[static_cast<std::size_t>(vertices[i])], farthest);
-        if (near.triangle >= 0) {
-            distances.push_back(near.distance);
-        }
-    }
-    if (2 * distances.size() <= asked) {
-        return 0.0;
-    }
-    const auto most = distances.begin() + static_cast<std::ptrdiff_t>((1.0 - NearCoincidenceTuning::kDistanceOutliers) *
-                                                                      static_cast<double>(distances.size() - 1));
-    std::nth_element(distances.begin(), most, distances.end());
-    return *most;
-}
-
-std::vector<std::vector<std::int32_t>> triangles_by_operand(const Soup& soup) {
-    std::vector<std::vector<std::int32_t>> result(static_cast<std::size_t>(soup.operands));
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-        result[static_cast<std::size_t>(soup.source[t].operand)].push_back(static_cast<std::int32_t>(t));
-    }
-    return result;
-}
-
-/// Offset sign: +1 moves the later operand's surface into the material of the earlier one, -1 out of it, 0 leaves it.
-int offset_sign(const Expression& expression, std::int32_t earlier, std::int32_t later) {
+/// +1: the later operand's surface goes into the material of the earlier one, -1: out of it, 0: it stays.
+int way_of(const Expression& expression, std::int32_t earlier, std::int32_t later) {
     switch (expression.pairing(earlier, later)) {
         case Pairing::Union:
         case Pairing::SecondLessFirst:
@@ -102,151 +40,126 @@ int offset_sign(const Expression& expression, std::int32_t earlier, std::int32_t
     return 0;
 }
 
-/// The planes from which a vertex is offset, each to one side.
-struct PlanesToLeave {
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-    Vec3 sum = Vec3::Zero();
+/// A displacement d is to fulfil direction.dot(d) >= least.
+struct HalfSpace {
+    Vec3 direction = Vec3::Zero();
+    double least = 0.0;
 };
 
-/// The shortest displacement that moves by 1 off all planes, in the sense of least squares; directions with a small
-/// eigenvalue are left out.
-Vec3 way(const PlanesToLeave& planes) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(planes.squares);
-    Vec3 result = Vec3::Zero();
-    for (int i = 0; i < 3; ++i) {
-        if (axes.eigenvalues()[i] > NearCoincidenceTuning::kLeastEigenvalue * axes.eigenvalues()[2]) {
-            result += axes.eigenvectors().col(i).dot(planes.sum) / axes.eigenvalues()[i] * axes.eigenvectors().col(i);
+/// The shortest displacement in all half-spaces, of those with unit directions, by Hildreth's method (A quadratic
+/// programming procedure, 1957): the multipliers are improved one by one. Not in all of them where they have no point
+/// in common within the limit of rounds.
+Vec3 shortest(const std::vector<HalfSpace>& spaces) {
+    constexpr int kMostRounds = 200;  // a round costs one product of each half-space
+    std::vector<double> multiplier(spaces.size(), 0.0);
+    Vec3 d = Vec3::Zero();
+    for (int round = 0; round < kMostRounds; ++round) {
+        double largest = 0.0;
+        for (std::size_t i = 0; i < spaces.size(); ++i) {
+            const double missing = spaces[i].least - spaces[i].direction.dot(d);
+            const double step = std::max(missing, -multiplier[i]);
+            multiplier[i] += step;
+            d += step * spaces[i].direction;
+            largest = std::max(largest, std::abs(step) / std::max(spaces[i].least, 1e-300));
+        }
+        if (largest < 1e-3) {
+            break;
         }
     }
-    return result;
+    return d;
 }
 
-/// Offsets the later one of two triangles from the plane of the earlier one.
-/// @param planes_of  gives the planes for a vertex, or nullptr if it stays
-template <typename PlanesOf>
-void leave_plane(const Soup& soup, const Expression& expression, std::array<std::int32_t, 2> pair,
-                 PlanesOf&& planes_of) {
-    if (operand_of(soup, pair[0]) > operand_of(soup, pair[1])) {
-        std::swap(pair[0], pair[1]);
-    }
-    const int inward = offset_sign(expression, operand_of(soup, pair[0]), operand_of(soup, pair[1]));
-    const Vec3 n = area_normal(soup, pair[0]).normalized();
-    if (inward == 0 ||
-        std::abs(n.dot(area_normal(soup, pair[1]).normalized())) < NearCoincidenceTuning::kParallelPlanes) {
-        return;
-    }
-    for (const std::int32_t v : soup.triangles[static_cast<std::size_t>(pair[1])]) {
-        if (PlanesToLeave* planes = planes_of(v)) {
-            planes->squares += n * n.transpose();
-            planes->sum -= inward * n;
+/// The planes that the vertices of the operands leave.
+class PlanesToLeave {
+  public:
+    PlanesToLeave(const Soup& soup, const Expression& expression, const OverlapOptions& options)
+        : soup_(soup), expression_(expression), options_(options), displacement_(soup.vertices.size(), Vec3::Zero()) {}
+
+    /// Demands of the vertices of the later triangle that they are beyond the plane of the earlier one, which may have
+    /// moved itself.
+    void leave(std::int32_t earlier, std::int32_t later, double low, double high) {
+        const int way = way_of(expression_, operand_of(soup_, earlier), operand_of(soup_, later));
+        if (way == 0) {
+            return;
+        }
+        const Vec3 direction = -way * unit_normal(soup_, earlier);
+        double least = options_.clearance + (way > 0 ? high : -low);
+        for (const std::int32_t v : soup_.triangles[static_cast<std::size_t>(earlier)]) {
+            const double moved = direction.dot(displacement_[static_cast<std::size_t>(v)]);
+            least = std::max(least, options_.clearance + (way > 0 ? high : -low) + moved);
+        }
+        if (least > 0.0) {
+            for (const std::int32_t v : soup_.triangles[static_cast<std::size_t>(later)]) {
+                planes_[v].push_back({direction, std::min(least, options_.tolerance)});
+            }
         }
     }
-}
+
+    bool moves(std::int32_t v) const { return planes_.count(v) > 0; }
+    bool any_moves(std::int32_t t) const {
+        const Triangle& c = soup_.triangles[static_cast<std::size_t>(t)];
+        return std::any_of(c.begin(), c.end(), [&](std::int32_t v) { return moves(v); });
+    }
+    const std::map<std::int32_t, std::vector<HalfSpace>>& planes() const { return planes_; }
+
+    /// Fixes the displacements of all vertices with planes.
+    void settle() {
+        for (const auto& [v, spaces] : planes_) {
+            const Vec3 way = shortest(spaces);
+            displacement_[static_cast<std::size_t>(v)] = way.norm() <= options_.tolerance ? way : Vec3::Zero();
+        }
+        planes_.clear();
+    }
+    const Vec3& displacement(std::size_t v) const { return displacement_[v]; }
+
+  private:
+    const Soup& soup_;
+    const Expression& expression_;
+    const OverlapOptions& options_;
+    std::vector<Vec3> displacement_;
+    std::map<std::int32_t, std::vector<HalfSpace>> planes_;
+};
 
 }  // namespace
 
-bool nearly_coincident(const Soup& soup, const std::vector<mesh::ContactPair>& crossing, bool few) {
-    const std::ptrdiff_t least = few ? 2 : 64;
-    const auto many =
-        static_cast<std::ptrdiff_t>(NearCoincidenceTuning::kCrossingShare * static_cast<double>(soup.triangles.size()));
-    const auto parallel = std::count_if(crossing.begin(), crossing.end(), [&](const mesh::ContactPair& pair) {
-        return pair.contact == mesh::Contact::Crossing && parallel_operands(soup, pair);
-    });
-    return parallel > std::max(many, least);
+bool differ(const std::vector<ContactFace>& contacts) {
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [](const ContactFace& face) { return face.low != 0.0 || face.high != 0.0; });
 }
 
-bool separable(const Soup& soup, double tolerance, const std::vector<mesh::ContactPair>& crossing) {
-    const auto triangles = triangles_by_operand(soup);
-    const auto vertices = vertices_of_parallel_pairs(soup, crossing);
-    for (std::size_t earlier = 0; earlier < vertices.size(); ++earlier) {
-        if (!vertices[earlier].empty()) {
-            const mesh::NearestTree tree(soup.vertices, soup.triangles, triangles[earlier]);
-            if (usual_distance(soup, tree, vertices[earlier], tolerance / (2.0 * NearCoincidenceTuning::kOffsetStep)) >
-                0.0) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-NearCoincidence separate(Soup& soup, const Expression& expression, double tolerance,
-                         const std::vector<mesh::ContactPair>& crossing, const Progress& progress) {
-    NearCoincidence result;
-    const VertexOffsets offsets(soup);
-    const auto triangles = triangles_by_operand(soup);
-    const auto near_pairs = vertices_of_parallel_pairs(soup, crossing);
-    soup.moved.assign(soup.vertices.size(), 0);
+NearCoincidence overlap_contacts(Soup& soup, const Expression& expression, const std::vector<ContactFace>& contacts,
+                                 const OverlapOptions& options, const Progress& progress) {
+    PlanesToLeave planes(soup, expression, options);
     CancelPace pace(progress);
-    for (std::int32_t earlier = 0; earlier + 1 < soup.operands; ++earlier) {
-        const std::vector<std::int32_t>& near_vertices = near_pairs[static_cast<std::size_t>(earlier)];
-        if (near_vertices.empty()) {
-            continue;
-        }
-        const mesh::NearestTree tree(soup.vertices, soup.triangles, triangles[static_cast<std::size_t>(earlier)]);
-        const double step =
-            NearCoincidenceTuning::kOffsetStep *
-            usual_distance(soup, tree, near_vertices, tolerance / (2.0 * NearCoincidenceTuning::kOffsetStep));
-        if (step == 0.0) {
-            continue;
-        }
-        std::vector<int> ways(static_cast<std::size_t>(soup.operands), 0);  // by later operand
-        for (std::int32_t later = earlier + 1; later < soup.operands; ++later) {
-            ways[static_cast<std::size_t>(later)] = offset_sign(expression, earlier, later);
-        }
-        std::vector<std::pair<std::size_t, Vec3>> moves;  // applied when all are known: normals are those of the input
-        for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
+    for (auto first = contacts.begin(); first != contacts.end();) {
+        const std::int32_t operand = operand_of(soup, first->later);
+        const auto last = std::find_if(
+            first, contacts.end(), [&](const ContactFace& face) { return operand_of(soup, face.later) != operand; });
+        for (auto face = first; face != last; ++face) {
             pace.step();
-            // A vertex that no triangle uses has the operand -1.
-            const std::int32_t own = offsets.operand(v);
-            const int way = own > earlier ? ways[static_cast<std::size_t>(own)] : 0;
-            if (way == 0 || soup.moved[v] != 0) {
-                continue;
-            }
-            const mesh::ClosestPoint near = tree.nearest(soup.vertices[v], step);
-            const Vec3 offset = offsets.at(v);
-            if (near.triangle < 0 || step * offset.norm() > tolerance) {
-                continue;
-            }
-            const double along = area_normal(soup, near.triangle).normalized().dot(offset.normalized());
-            if (std::abs(along) > NearCoincidenceTuning::kSameSideNormals) {
-                const double inward = along > 0.0 ? way : -way;
-                moves.emplace_back(v, to_single(soup.vertices[v] - inward * step * offset));
+            if (face->low != 0.0 || face->high != 0.0) {
+                planes.leave(face->earlier, face->later, face->low, face->high);
             }
         }
-        for (const auto& [v, target] : moves) {
-            result.largest = std::max(result.largest, (target - soup.vertices[v]).norm());
-            soup.vertices[v] = target;
-            soup.moved[v] = 1;
+        for (auto face = first; face != last; ++face) {
+            if (face->low == 0.0 && face->high == 0.0 && planes.any_moves(face->later)) {
+                planes.leave(face->earlier, face->later, 0.0, 0.0);
+            }
         }
-        result.moved += moves.size();
-    }
-    return result;
-}
-
-NearCoincidence separate_coplanar(Soup& soup, const Expression& expression, const mesh::CoplanarPairs& flush,
-                                  double clearance) {
-    std::map<std::int32_t, PlanesToLeave> vertices;
-    for (const auto& pair : flush.over) {
-        leave_plane(soup, expression, pair, [&](std::int32_t v) { return &vertices[v]; });
-    }
-    // A vertex that moves anyway leaves the planes beside it too, or it would slide along them.
-    for (const auto& pair : flush.beside) {
-        leave_plane(soup, expression, pair, [&](std::int32_t v) {
-            const auto known = vertices.find(v);
-            return known != vertices.end() ? &known->second : nullptr;
-        });
+        planes.settle();
+        first = last;
     }
     NearCoincidence result;
     soup.moved.resize(soup.vertices.size(), 0);
-    for (const auto& [v, planes] : vertices) {
-        Vec3& p = soup.vertices[static_cast<std::size_t>(v)];
-        const Vec3 target = to_single(p + clearance * way(planes));
-        result.largest = std::max(result.largest, (target - p).norm());
-        p = target;
-        soup.moved[static_cast<std::size_t>(v)] = 1;
+    for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
+        const Vec3 target = to_single(soup.vertices[v] + planes.displacement(v));
+        if (planes.displacement(v) != Vec3::Zero()) {
+            result.largest = std::max(result.largest, (target - soup.vertices[v]).norm());
+            soup.vertices[v] = target;
+            soup.moved[v] = 1;
+            ++result.moved;
+        }
     }
-    result.moved = vertices.size();
     return result;
 }
 

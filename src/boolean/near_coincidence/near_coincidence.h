@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "base/progress.h"
 #include "boolean/arrangement/soup.h"
 #include "boolean/input/operation.h"
-#include "mesh/intersection/self_intersection.h"
+#include "boolean/near_coincidence/contact_regions.h"
 
 namespace mq::boolean {
 
@@ -17,31 +16,30 @@ struct NearCoincidence {
     double largest = 0.0;   ///< largest displacement of a vertex, mm
 };
 
-/// Whether surfaces of different operands nearly coincide: many crossings between nearly parallel triangles, over areas
-/// and not only along curves.
-/// @param few  a few crossings are enough; otherwise the slivers of a handful of triangles are accepted
-bool nearly_coincident(const Soup& soup, const std::vector<mesh::ContactPair>& crossing, bool few);
+struct OverlapOptions {
+    double tolerance = 0.0;  ///< mm, the largest displacement
+    /// mm, how far a common face of the later operand goes beyond that of the earlier one: more than what rounding
+    /// moves
+    double clearance = 0.0;
+};
 
-/// Whether nearly coincident surfaces of any two operands are so near to each other that `separate` moves them.
-bool separable(const Soup& soup, double tolerance, const std::vector<mesh::ContactPair>& crossing);
+/// Whether some of these faces lie on each other not exactly.
+bool differ(const std::vector<ContactFace>& contacts);
 
-/// Where the surface of an operand nearly coincides with that of an operand before it, both cross each other again and
-/// again, and the exact result has a multitude of slivers. This moves the later one's vertices there just below or
-/// above the earlier one's surface, whichever leaves the earlier one's triangles whole (the rule of Remark 3 in Wang
-/// 2010 for tangential contact, carried over to areas): in a union the later surface goes into the material of the
-/// earlier one.
+/// Makes of faces that nearly coincide such as cross nowhere: the vertices of the later operand's move beyond the faces
+/// of the earlier one, whichever way leaves these whole (the rule of Remark 3 in Wang 2010 for tangential contact, for
+/// areas). In a union they go into the material of the earlier operand, so that the bodies are joined and no film is
+/// left between them; in an intersection and a difference, out of it.
 ///
-/// No vertex moves farther than `tolerance` (mm); where that is not enough nothing is moved. Nothing is moved for a
-/// symmetric difference, whose slivers are the result.
-/// @param crossing  some of the crossing pairs, from which the depth is estimated
-NearCoincidence separate(Soup& soup, const Expression& expression, double tolerance,
-                         const std::vector<mesh::ContactPair>& crossing, const Progress& progress);
-
-/// Where faces of an operand are coplanar within rounding with those of an operand before it, the exact result has
-/// skins and slivers of the rounding's thickness. This moves the later operand's faces there as `separate` does: by
-/// `clearance` (mm) beyond the earlier one's, so that a hole's cap leaves no skin, and bodies in contact are joined.
-NearCoincidence separate_coplanar(Soup& soup, const Expression& expression, const mesh::CoplanarPairs& flush,
-                                  double clearance);
+/// A vertex takes the shortest way that leaves the planes of all faces on which its triangles lie, each by as much as
+/// the pair needs: a quadratic programme in three variables, solved by Hildreth's method (1957). Other faces on which
+/// it lies are planes of no constraint, so that a side of a body stays in its place while its base is moved along it;
+/// but planes of the earlier operand in which or beside which a face of the vertex lies are left as well, or the vertex
+/// would slide along them. A vertex whose way is longer than the tolerance stays.
+///
+/// Faces that coincide exactly are left alone: the arrangement knows them. Nothing is moved for a symmetric difference.
+NearCoincidence overlap_contacts(Soup& soup, const Expression& expression, const std::vector<ContactFace>& contacts,
+                                 const OverlapOptions& options, const Progress& progress);
 
 /// Puts vertices back where displacements left a triangle without area.
 /// @param before  where the vertices were

@@ -20,49 +20,6 @@
 namespace mq::mesh {
 namespace {
 
-/// Whether triangle b is near the plane of a, but not in it.
-bool flush(const std::vector<Vec3>& vertices, const Triangle& a, const Triangle& b, double distance) {
-    const Vec3& o = vertices[a[0]];
-    const Vec3& p = vertices[a[1]];
-    const Vec3& q = vertices[a[2]];
-    const Vec3 n = (p - o).cross(q - o);
-    const double farthest = distance * n.norm();
-    return std::all_of(b.begin(), b.end(),
-                       [&](std::int32_t v) { return std::abs(n.dot(vertices[v] - o)) <= farthest; }) &&
-           std::any_of(b.begin(), b.end(), [&](std::int32_t v) { return orient3d(o, p, q, vertices[v]) != 0; });
-}
-
-/// The overlap of two nearly coplanar triangles: the distance by which one must be moved so that an edge separates
-/// them.
-double overlap(const std::vector<Vec3>& vertices, const Triangle& a, const Triangle& b) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& [own, other] : {std::pair{a, b}, std::pair{b, a}}) {
-        const Vec3 n = (vertices[own[1]] - vertices[own[0]]).cross(vertices[own[2]] - vertices[own[0]]);
-        for (int k = 0; k < 3; ++k) {
-            const Vec3& from = vertices[own[k]];
-            const Vec3 inward = n.cross(vertices[own[(k + 1) % 3]] - from).normalized();
-            double deepest = -std::numeric_limits<double>::infinity();
-            for (const std::int32_t v : other) {
-                deepest = std::max(deepest, inward.dot(vertices[v] - from));
-            }
-            least = std::min(least, deepest);
-        }
-    }
-    return least;
-}
-
-void add_if_flush(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                  const std::array<std::int32_t, 2>& pair, CoplanarPairs& found) {
-    const Triangle& a = triangles[pair[0]];
-    const Triangle& b = triangles[pair[1]];
-    if (flush(vertices, a, b, found.distance) || flush(vertices, b, a, found.distance)) {
-        const double depth = overlap(vertices, a, b);
-        if (depth > -found.distance) {
-            (depth > found.distance ? found.over : found.beside).push_back(pair);
-        }
-    }
-}
-
 /// Takes pairs whose boxes meet, and keeps those that are in contact.
 class Collector {
   public:
@@ -70,16 +27,13 @@ class Collector {
     /// `embedded`: for each vertex at which several patches meet whether no two triangles of its star are in contact.
     Collector(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
               const std::vector<std::int32_t>& patch, const std::vector<char>& embedded, std::size_t limit,
-              const Progress* progress, const CoplanarPairs* flush = nullptr)
+              const Progress* progress)
         : vertices_(vertices),
           triangles_(triangles),
           patch_(patch),
           embedded_(embedded),
           limit_(limit),
-          progress_(progress),
-          body_(flush != nullptr ? flush->body.data() : nullptr) {
-        flush_.distance = flush != nullptr ? flush->distance : 0.0;
-    }
+          progress_(progress) {}
 
     void operator()(std::int32_t i, std::int32_t j) {
         // Pairs tested between two checks for cancellation.
@@ -95,13 +49,9 @@ class Collector {
         if (how != Contact::None) {
             found_.push_back({a, b, how});
         }
-        if (body_ != nullptr && body_[a] != body_[b]) {
-            add_if_flush(vertices_, triangles_, {a, b}, flush_);
-        }
     }
 
     std::vector<ContactPair> take() { return std::move(found_); }
-    const CoplanarPairs& flush_pairs() const { return flush_; }
 
   private:
     bool in_one_patch(std::int32_t i, std::int32_t j) const {
@@ -122,8 +72,6 @@ class Collector {
     const std::vector<char>& embedded_;
     std::size_t limit_;
     const Progress* progress_;
-    const std::int32_t* body_;
-    CoplanarPairs flush_;
     std::uint32_t asked_ = 0;
     std::vector<ContactPair> found_;
 };
@@ -259,7 +207,7 @@ std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std
 }  // namespace
 
 std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                            std::size_t limit, const Progress* progress, CoplanarPairs* flush) {
+                                            std::size_t limit, const Progress* progress) {
     // Triangles from which a patch saves more pairs than its proof costs.
     constexpr std::size_t kWorthAProof = 64;
     std::vector<std::int32_t> patch;
@@ -287,23 +235,17 @@ std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, c
     std::vector<ContactPair> all;
     for (std::size_t first = 0; first < tasks.size() && all.size() < limit;) {
         std::vector<std::vector<ContactPair>> found(std::min(turn, tasks.size() - first));
-        std::vector<CoplanarPairs> near(found.size());
         parallel_for(static_cast<int>(found.size()), [&](int k) {
             check_cancelled(progress);  // a collector looks only after many pairs
-            Collector collector(vertices, triangles, patch, embedded, limit, progress, flush);
+            Collector collector(vertices, triangles, patch, embedded, limit, progress);
             tree.for_each_own_pair(tasks[first + static_cast<std::size_t>(k)], collector);
             found[static_cast<std::size_t>(k)] = collector.take();
-            near[static_cast<std::size_t>(k)] = collector.flush_pairs();
         });
-        for (std::size_t k = 0; k < found.size(); ++k) {
-            all.insert(all.end(), found[k].begin(), found[k].end());
-            if (flush != nullptr) {
-                flush->over.insert(flush->over.end(), near[k].over.begin(), near[k].over.end());
-                flush->beside.insert(flush->beside.end(), near[k].beside.begin(), near[k].beside.end());
-            }
+        for (const std::vector<ContactPair>& part : found) {
+            all.insert(all.end(), part.begin(), part.end());
         }
         first += found.size();
-        turn *= flush == nullptr ? 2 : 1;
+        turn *= 2;
     }
     all.resize(std::min(all.size(), limit));
     return sorted(std::move(all));

@@ -23,15 +23,6 @@ struct ContactPair {
 /// The value of a limit that lists all pairs.
 constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 
-/// Pairs of triangles of different bodies, a < b, that are nearly in one plane, but not exactly.
-struct CoplanarPairs {
-    double distance = 0.0;           ///< largest distance between them, mm
-    std::vector<std::int32_t> body;  ///< body of each triangle
-    /// The pairs found, in no particular order: those of which one lies over the other, and those side by side.
-    std::vector<std::array<std::int32_t, 2>> over;
-    std::vector<std::array<std::int32_t, 2>> beside;
-};
-
 /// All pairs of triangles of a mesh that touch or cross each other, in ascending order; at most `limit` of them. If
 /// fewer are returned the list is complete.
 ///
@@ -39,11 +30,9 @@ struct CoplanarPairs {
 /// patches that are height fields, so that only pairs of different patches are tested (see height_fields); where those
 /// share a vertex, its star decides (see embedded_star). Every vertex index must be in range and every coordinate
 /// finite.
-/// @param flush  when given: also pairs that are nearly coplanar, whether or not they touch
 /// @throws Cancelled.
 std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                            std::size_t limit = kAllPairs, const Progress* progress = nullptr,
-                                            CoplanarPairs* flush = nullptr);
+                                            std::size_t limit = kAllPairs, const Progress* progress = nullptr);
 
 /// The pairs of which at least one triangle is in `subset` (indices, each once). The time is proportional to the subset
 /// and the triangles near it, plus 50 ns for every other one.

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/near_coincidence/contact_regions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "base/disjoint_sets.h"
+#include "base/parallel.h"
+#include "base/predicates.h"
+#include "boolean/near_coincidence/facing_triangles.h"
+#include "boolean/near_coincidence/tuning.h"
+#include "mesh/intersection/aabb_tree.h"
+
+namespace mq::boolean {
+
+namespace {
+
+std::array<Vec3, 3> corners(const Soup& soup, std::int32_t t) {
+    const Triangle& c = soup.triangles[static_cast<std::size_t>(t)];
+    return {soup.vertices[static_cast<std::size_t>(c[0])], soup.vertices[static_cast<std::size_t>(c[1])],
+            soup.vertices[static_cast<std::size_t>(c[2])]};
+}
+
+std::int32_t operand_of(const Soup& soup, std::int32_t t) {
+    return soup.source[static_cast<std::size_t>(t)].operand;
+}
+
+/// The box of a triangle that moves along its normal, to both sides.
+Box swept(const std::array<Vec3, 3>& q, double reach) {
+    const Vec3 way = reach * (q[1] - q[0]).cross(q[2] - q[0]).normalized();
+    Box box;
+    for (const Vec3& x : q) {
+        box.add(x + way);
+        box.add(x - way);
+    }
+    return box;
+}
+
+/// Two triangles of different operands that face each other.
+struct FacingPair {
+    std::array<std::int32_t, 2> operands{};
+    bool same_side = false;  ///< their normals have the same direction
+    std::int32_t earlier = -1;
+    std::int32_t later = -1;
+    Overlap overlap;
+
+    double middle() const { return std::abs(overlap.low + overlap.high); }
+    auto key() const { return std::tie(operands, same_side, later, earlier); }
+};
+
+bool in_one_plane(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q) {
+    return std::all_of(q.begin(), q.end(), [&](const Vec3& x) { return orient3d(p[0], p[1], p[2], x) == 0; });
+}
+
+/// The triangles whose boxes come within `reach` of the box of another operand.
+std::vector<std::int32_t> near_other_operands(const Soup& soup, double reach) {
+    std::vector<Box> boxes(static_cast<std::size_t>(soup.operands));
+    std::vector<Box> own(soup.triangles.size());
+    for (std::size_t t = 0; t < own.size(); ++t) {
+        for (const std::int32_t v : soup.triangles[t]) {
+            own[t].add(soup.vertices[static_cast<std::size_t>(v)]);
+        }
+        boxes[static_cast<std::size_t>(soup.source[t].operand)].add(own[t]);
+    }
+    std::vector<std::vector<Box>> common(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            const Box larger{boxes[k].low - Vec3::Constant(reach), boxes[k].high + Vec3::Constant(reach)};
+            if (i != k && boxes[i].meets(larger)) {
+                common[i].push_back(larger);
+            }
+        }
+    }
+    std::vector<std::int32_t> result;
+    for (std::size_t t = 0; t < own.size(); ++t) {
+        const std::vector<Box>& others = common[static_cast<std::size_t>(soup.source[t].operand)];
+        if (std::any_of(others.begin(), others.end(), [&](const Box& box) { return box.meets(own[t]); })) {
+            result.push_back(static_cast<std::int32_t>(t));
+        }
+    }
+    return result;
+}
+
+/// All pairs of triangles of different operands that face each other within `reach`, sorted.
+std::vector<FacingPair> facing_pairs(const Soup& soup, double reach, const Progress& progress) {
+    // Triangles of one task: enough that starting a task costs little.
+    constexpr std::size_t kAtOnce = 2048;
+    const std::vector<std::int32_t> near = near_other_operands(soup, reach);
+    const mesh::AabbTree tree(soup.vertices, soup.triangles, near);
+    std::vector<std::vector<FacingPair>> found((near.size() + kAtOnce - 1) / kAtOnce);
+    parallel_for(static_cast<int>(found.size()), [&](int k) {
+        check_cancelled(&progress);
+        const std::size_t first = kAtOnce * static_cast<std::size_t>(k);
+        for (std::size_t i = first; i < std::min(first + kAtOnce, near.size()); ++i) {
+            const std::int32_t later = near[i];
+            const std::array<Vec3, 3> q = corners(soup, later);
+            const Vec3 n = (q[1] - q[0]).cross(q[2] - q[0]);
+            tree.for_each_in_box(swept(q, reach), [&](std::int32_t earlier) {
+                if (operand_of(soup, earlier) < operand_of(soup, later)) {
+                    const std::array<Vec3, 3> p = corners(soup, earlier);
+                    Overlap overlap = overlap_of(p, q, reach);
+                    if (overlap.area > 0.0) {
+                        if (in_one_plane(p, q)) {
+                            overlap.low = overlap.high = overlap.worst = 0.0;
+                        }
+                        found[static_cast<std::size_t>(k)].push_back(
+                            {{operand_of(soup, earlier), operand_of(soup, later)},
+                             (p[1] - p[0]).cross(p[2] - p[0]).dot(n) > 0.0,
+                             earlier,
+                             later,
+                             overlap});
+                    }
+                }
+            });
+        }
+    });
+    std::vector<FacingPair> result;
+    for (const std::vector<FacingPair>& part : found) {
+        result.insert(result.end(), part.begin(), part.end());
+    }
+    std::sort(result.begin(), result.end(), [](const FacingPair& a, const FacingPair& b) { return a.key() < b.key(); });
+    return result;
+}
+
+/// Leaves out the pairs between which another sheet of one of the two operands lies: the far sides of thin walls.
+class FarSides {
+  public:
+    FarSides(const Soup& soup, double reach) : soup_(soup), reach_(reach) {}
+
+    void remove(std::vector<FacingPair>& pairs) const {
+        std::vector<char> far(pairs.size(), 0);
+        mark(pairs, &FacingPair::earlier, &FacingPair::later, far);
+        mark(pairs, &FacingPair::later, &FacingPair::earlier, far);
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            if (far[i] == 0) {
+                pairs[kept++] = pairs[i];
+            }
+        }
+        pairs.resize(kept);
+    }
+
+  private:
+    using Side = std::int32_t FacingPair::*;
+
+    /// Marks the pairs of one triangle `own` whose triangle `other` lies behind that of another pair.
+    void mark(const std::vector<FacingPair>& pairs, Side own, Side other, std::vector<char>& far) const {
+        std::vector<std::size_t> order(pairs.size());
+        std::iota(order.begin(), order.end(), 0);
+        const auto group = [&](std::size_t i) { return std::tuple(pairs[i].operands, pairs[i].*own); };
+        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return std::tuple(group(a), pairs[a].same_side, a) < std::tuple(group(b), pairs[b].same_side, b);
+        });
+        for (auto first = order.begin(); first != order.end();) {
+            const auto last =
+                std::find_if(first, order.end(), [&](std::size_t i) { return group(i) != group(*first); });
+            const auto same = std::find_if(first, last, [&](std::size_t i) { return pairs[i].same_side; });
+            if (first != same && same != last) {
+                mark_behind(pairs, {first, same}, {same, last}, other, far);
+                mark_behind(pairs, {same, last}, {first, same}, other, far);
+            }
+            first = last;
+        }
+    }
+
+    /// Marks those of some pairs that lie behind one of the others.
+    void mark_behind(const std::vector<FacingPair>& pairs, const std::vector<std::size_t>& some,
+                     const std::vector<std::size_t>& others, Side other, std::vector<char>& far) const {
+        std::map<std::int32_t, double> distance;
+        std::vector<std::int32_t> sheet;
+        for (const std::size_t i : others) {
+            distance.emplace(pairs[i].*other, pairs[i].middle());
+            sheet.push_back(pairs[i].*other);
+        }
+        const mesh::AabbTree tree(soup_.vertices, soup_.triangles, sheet);
+        for (const std::size_t i : some) {
+            const std::array<Vec3, 3> q = corners(soup_, pairs[i].*other);
+            tree.for_each_in_box(swept(q, reach_), [&](std::int32_t t) {
+                const bool behind =
+                    distance.at(t) < pairs[i].middle() && overlap_of(corners(soup_, t), q, reach_).area > 0.0;
+                far[i] = static_cast<char>(far[i] != 0 || behind);
+                return far[i] == 0;
+            });
+        }
+    }
+
+    const Soup& soup_;
+    double reach_;
+};
+
+/// The distance within which the share of the area of these pairs is, mm; they are sorted by their largest distance.
+double gap_of(const std::vector<const FacingPair*>& region) {
+    double all = 0.0;
+    for (const FacingPair* pair : region) {
+        all += pair->overlap.area;
+    }
+    double sum = 0.0;
+    for (const FacingPair* pair : region) {
+        sum += pair->overlap.area;
+        if (sum >= NearCoincidenceTuning::kContactShare * all) {
+            return pair->overlap.worst;
+        }
+    }
+    return region.back()->overlap.worst;
+}
+
+/// Pairs of the same two operands and the same side, joined by common triangles to regions.
+std::vector<std::vector<const FacingPair*>> regions_of(const FacingPair* begin, const FacingPair* end) {
+    std::vector<std::int32_t> triangles;
+    for (const FacingPair* pair = begin; pair != end; ++pair) {
+        triangles.insert(triangles.end(), {pair->earlier, pair->later});
+    }
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    const auto place = [&](std::int32_t t) {
+        return static_cast<std::int32_t>(std::lower_bound(triangles.begin(), triangles.end(), t) - triangles.begin());
+    };
+    DisjointSets<std::int32_t> sets(triangles.size());
+    for (const FacingPair* pair = begin; pair != end; ++pair) {
+        sets.unite(place(pair->earlier), place(pair->later));
+    }
+    std::int32_t count = 0;
+    const std::vector<std::int32_t> number = sets.number(count);
+    std::vector<std::vector<const FacingPair*>> result(static_cast<std::size_t>(count));
+    for (const FacingPair* pair = begin; pair != end; ++pair) {
+        result[static_cast<std::size_t>(number[static_cast<std::size_t>(place(pair->earlier))])].push_back(pair);
+    }
+    for (std::vector<const FacingPair*>& region : result) {
+        std::sort(region.begin(), region.end(), [](const FacingPair* a, const FacingPair* b) {
+            return std::pair(a->overlap.worst, a) < std::pair(b->overlap.worst, b);
+        });
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<ContactFace> contact_faces(const Soup& soup, double tolerance, double least, const Progress& progress) {
+    const double reach = 2.0 * tolerance;
+    std::vector<FacingPair> pairs = facing_pairs(soup, reach, progress);
+    FarSides(soup, reach).remove(pairs);
+    std::vector<ContactFace> result;
+    const auto one_surface = [](const FacingPair& a, const FacingPair& b) {
+        return a.operands == b.operands && a.same_side == b.same_side;
+    };
+    for (const FacingPair* begin = pairs.data(); begin != pairs.data() + pairs.size();) {
+        const FacingPair* end = begin;
+        while (end != pairs.data() + pairs.size() && one_surface(*begin, *end)) {
+            ++end;
+        }
+        for (const std::vector<const FacingPair*>& region : regions_of(begin, end)) {
+            const double gap = gap_of(region);
+            const double most = std::min(tolerance, 2.0 * gap + least);
+            for (const FacingPair* pair : region) {
+                const Overlap& overlap = pair->overlap;
+                if (gap <= tolerance && -overlap.low <= most && overlap.high <= most) {
+                    result.push_back({pair->earlier, pair->later, overlap.low, overlap.high});
+                }
+            }
+        }
+        begin = end;
+    }
+    std::sort(result.begin(), result.end(), [&](const ContactFace& a, const ContactFace& b) {
+        return std::tuple(operand_of(soup, a.later), a.later, a.earlier) <
+               std::tuple(operand_of(soup, b.later), b.later, b.earlier);
+    });
+    return result;
+}
+
+}  // namespace mq::boolean

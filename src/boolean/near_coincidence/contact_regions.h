@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/progress.h"
+#include "boolean/arrangement/soup.h"
+
+namespace mq::boolean {
+
+/// Two triangles of different operands that lie on each other within the tolerance.
+struct ContactFace {
+    std::int32_t earlier = -1;  ///< the triangle of the operand that comes first
+    std::int32_t later = -1;
+    /// Heights of the later triangle over the plane of the earlier one where they overlap, mm.
+    double low = 0.0;
+    double high = 0.0;
+};
+
+/// The pairs of triangles in which faces of different operands lie on each other within the tolerance, mm; in order of
+/// the operands, then of the triangles. Faces that coincide exactly have heights of 0.
+///
+/// Surfaces that cross at a small angle, or touch in a point, are within the tolerance of each other, too: in a strip
+/// or a disc. How its area grows with the distance tells them from a common face: that of a strip or a disc is
+/// proportional to the distance, that of a common face stays. So pairs of triangles that face each other within twice
+/// the tolerance are joined to regions, and a region is a common face if nine tenths of its area are within the
+/// tolerance. Of it those pairs count whose gap is at most twice as large as that of nine tenths: not those of a
+/// rounding beside a plane face, which moves away from it.
+///
+/// Where a wall is thinner than the tolerance both of its sides are near the other surface: the nearer one counts.
+/// @param least  mm, a gap that cannot be told from 0 in single precision
+/// @throws Cancelled
+std::vector<ContactFace> contact_faces(const Soup& soup, double tolerance, double least, const Progress& progress);
+
+}  // namespace mq::boolean

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/near_coincidence/facing_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "boolean/near_coincidence/tuning.h"
+
+namespace mq::boolean {
+
+namespace {
+
+/// A triangle clipped by half-spaces, each of which adds at most one corner.
+class ConvexPolygon {
+  public:
+    explicit ConvexPolygon(const std::array<Vec3, 3>& triangle) : size_(3) {
+        std::copy(triangle.begin(), triangle.end(), points_.begin());
+    }
+
+    /// Leaves the points with value(point) >= 0, a linear function (Sutherland and Hodgman 1974).
+    template <typename Value>
+    void clip(const Value& value) {
+        const ConvexPolygon whole = *this;
+        size_ = 0;
+        for (std::size_t i = 0; i < whole.size_; ++i) {
+            const Vec3& p = whole.points_[i];
+            const Vec3& q = whole.points_[(i + 1) % whole.size_];
+            const double at_p = value(p);
+            const double at_q = value(q);
+            if (at_p >= 0.0) {
+                add(p);
+            }
+            if ((at_p > 0.0 && at_q < 0.0) || (at_p < 0.0 && at_q > 0.0)) {
+                add(p + at_p / (at_p - at_q) * (q - p));
+            }
+        }
+    }
+
+    double area() const {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t i = 2; i < size_; ++i) {
+            sum += (points_[i - 1] - points_[0]).cross(points_[i] - points_[0]);
+        }
+        return 0.5 * sum.norm();
+    }
+    const Vec3* begin() const { return points_.data(); }
+    const Vec3* end() const { return points_.data() + size_; }
+
+  private:
+    static constexpr std::size_t kMostCorners = 16;  // rounding may add some to 3 + 5 half-spaces
+
+    void add(const Vec3& p) {
+        if (size_ < kMostCorners) {
+            points_[size_++] = p;
+        }
+    }
+
+    std::array<Vec3, kMostCorners> points_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace
+
+Overlap overlap_of(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q, double reach) {
+    Overlap result;
+    const Vec3 m = (p[1] - p[0]).cross(p[2] - p[0]);
+    const Vec3 n = (q[1] - q[0]).cross(q[2] - q[0]);
+    const double cosine = m.dot(n);
+    const double lengths = m.norm() * n.norm();
+    if (!(std::abs(cosine) > NearCoincidenceTuning::kParallelPlanes * lengths)) {
+        return result;
+    }
+    const Vec3 up = m.normalized();
+    const auto height = [&](const Vec3& x) { return up.dot(x - p[0]); };
+    ConvexPolygon common(q);
+    const Vec3 along = cosine > 0.0 ? n : Vec3(-n);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 inward = along.cross(p[(k + 1) % 3] - p[k]);
+        common.clip([&](const Vec3& x) { return inward.dot(x - p[k]); });
+    }
+    result.low = std::numeric_limits<double>::infinity();
+    result.high = -result.low;
+    for (const Vec3& x : common) {
+        result.low = std::min(result.low, height(x));
+        result.high = std::max(result.high, height(x));
+    }
+    if (!(result.low <= reach && result.high >= -reach)) {
+        return {};
+    }
+    common.clip([&](const Vec3& x) { return reach - height(x); });
+    common.clip([&](const Vec3& x) { return reach + height(x); });
+    result.area = common.area();
+    result.worst = std::min(reach, std::max(std::abs(result.low), std::abs(result.high)));
+    return result;
+}
+
+}  // namespace mq::boolean

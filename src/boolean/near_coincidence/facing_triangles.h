@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+
+#include "base/vec.h"
+
+namespace mq::boolean {
+
+/// How a triangle lies over the plane of another one, where the two overlap seen along its own normal.
+struct Overlap {
+    double area = 0.0;   ///< mm2, of what is at most `reach` from the plane; 0: the triangles do not face each other
+    double worst = 0.0;  ///< mm, the largest distance from the plane in that area
+    /// Heights over the plane, also beyond the reach, mm.
+    double low = 0.0;
+    double high = 0.0;
+};
+
+/// The overlap of triangle q with triangle p; none where their planes differ by more than 45 degrees.
+/// @param reach  mm
+Overlap overlap_of(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q, double reach);
+
+}  // namespace mq::boolean
