@@ -192,24 +192,38 @@ class FarSides {
     double reach_;
 };
 
-/// The distance within which the share of the area of these pairs is, mm; they are sorted by their largest distance.
-double gap_of(const std::vector<const FacingPair*>& region) {
-    double all = 0.0;
-    for (const FacingPair* pair : region) {
-        all += pair->overlap.area;
-    }
-    double sum = 0.0;
-    for (const FacingPair* pair : region) {
-        sum += pair->overlap.area;
-        if (sum >= NearCoincidenceTuning::kContactShare * all) {
-            return pair->overlap.worst;
+/// Pairs of the same two operands and the same side that hang together.
+struct Region {
+    std::vector<const FacingPair*> pairs;  ///< by their largest distance
+
+    /// The distance within which the share of its area is, mm.
+    double gap() const {
+        const double share = NearCoincidenceTuning::kContactShare * area();
+        double sum = 0.0;
+        for (const FacingPair* pair : pairs) {
+            sum += pair->overlap.area;
+            if (sum >= share) {
+                return pair->overlap.worst;
+            }
         }
+        return pairs.back()->overlap.worst;
     }
-    return region.back()->overlap.worst;
-}
+    double area() const {
+        return std::accumulate(pairs.begin(), pairs.end(), 0.0,
+                               [](double sum, const FacingPair* pair) { return sum + pair->overlap.area; });
+    }
+    /// At least how long it is, mm.
+    double length() const {
+        Box box;
+        for (const FacingPair* pair : pairs) {
+            box.add(pair->overlap.box);
+        }
+        return (box.high - box.low).norm();
+    }
+};
 
 /// Pairs of the same two operands and the same side, joined by common triangles to regions.
-std::vector<std::vector<const FacingPair*>> regions_of(const FacingPair* begin, const FacingPair* end) {
+std::vector<Region> regions_of(const FacingPair* begin, const FacingPair* end) {
     std::vector<std::int32_t> triangles;
     for (const FacingPair* pair = begin; pair != end; ++pair) {
         triangles.insert(triangles.end(), {pair->earlier, pair->later});
@@ -225,12 +239,12 @@ std::vector<std::vector<const FacingPair*>> regions_of(const FacingPair* begin, 
     }
     std::int32_t count = 0;
     const std::vector<std::int32_t> number = sets.number(count);
-    std::vector<std::vector<const FacingPair*>> result(static_cast<std::size_t>(count));
+    std::vector<Region> result(static_cast<std::size_t>(count));
     for (const FacingPair* pair = begin; pair != end; ++pair) {
-        result[static_cast<std::size_t>(number[static_cast<std::size_t>(place(pair->earlier))])].push_back(pair);
+        result[static_cast<std::size_t>(number[static_cast<std::size_t>(place(pair->earlier))])].pairs.push_back(pair);
     }
-    for (std::vector<const FacingPair*>& region : result) {
-        std::sort(region.begin(), region.end(), [](const FacingPair* a, const FacingPair* b) {
+    for (Region& region : result) {
+        std::sort(region.pairs.begin(), region.pairs.end(), [](const FacingPair* a, const FacingPair* b) {
             return std::pair(a->overlap.worst, a) < std::pair(b->overlap.worst, b);
         });
     }
@@ -252,13 +266,15 @@ std::vector<ContactFace> contact_faces(const Soup& soup, double tolerance, doubl
         while (end != pairs.data() + pairs.size() && one_surface(*begin, *end)) {
             ++end;
         }
-        for (const std::vector<const FacingPair*>& region : regions_of(begin, end)) {
-            const double gap = gap_of(region);
+        for (const Region& region : regions_of(begin, end)) {
+            const double gap = region.gap();
+            if (gap > tolerance || region.area() < gap * region.length()) {
+                continue;
+            }
             const double most = std::min(tolerance, 2.0 * gap + least);
-            for (const FacingPair* pair : region) {
-                const Overlap& overlap = pair->overlap;
-                if (gap <= tolerance && -overlap.low <= most && overlap.high <= most) {
-                    result.push_back({pair->earlier, pair->later, overlap.low, overlap.high});
+            for (const FacingPair* pair : region.pairs) {
+                if (-pair->overlap.low <= most && pair->overlap.high <= most) {
+                    result.push_back({pair->earlier, pair->later, pair->overlap.low, pair->overlap.high});
                 }
             }
         }

@@ -91,6 +91,14 @@ Overlap overlap_of(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q, d
     common.clip([&](const Vec3& x) { return reach - height(x); });
     common.clip([&](const Vec3& x) { return reach + height(x); });
     result.area = common.area();
+    // Triangles side by side overlap by rounding.
+    constexpr double kRounding = 1e-9;  // of the smaller triangle's area
+    if (result.area <= kRounding * std::min(m.norm(), n.norm())) {
+        return {};
+    }
+    for (const Vec3& x : common) {
+        result.box.add(x);
+    }
     result.worst = std::min(reach, std::max(std::abs(result.low), std::abs(result.high)));
     return result;
 }

@@ -14,6 +14,7 @@ struct Overlap {
     /// Heights over the plane, also beyond the reach, mm.
     double low = 0.0;
     double high = 0.0;
+    Box box;  ///< of the overlap
 };
 
 /// The overlap of triangle q with triangle p; none where their planes differ by more than 45 degrees.
