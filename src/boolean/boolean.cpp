@@ -166,15 +166,16 @@ class BooleanPipeline {
 
     bool find_crossings() {
         stages_.start("finding contacts", 0.15, 0.25);
-        const std::vector<ContactFace> faces = contact_faces(soup_, tolerance_, clearance(), progress_);
-        if (differ(faces)) {
+        const FacingSearch search(soup_, 2.0 * tolerance_);
+        const std::vector<ContactFace> faces = contact_faces(soup_, search, tolerance_, clearance(), progress_);
+        if (std::any_of(faces.begin(), faces.end(), differs)) {
             // In a symmetric difference faces that go to either side would be wrong.
             if (symmetric_) {
                 return false;
             }
             const std::vector<Vec3> before = soup_.vertices;
             const NearCoincidence done =
-                overlap_contacts(soup_, expression_, faces, {tolerance_, clearance()}, progress_);
+                overlap_contacts(soup_, search, expression_, faces, {tolerance_, clearance()}, progress_);
             result_.separated_vertices = done.moved;
             moved_ = done.largest;
             if (moved_ > 4.0 * clearance()) {

@@ -10,35 +10,12 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
-#include "base/predicates.h"
-#include "boolean/near_coincidence/facing_triangles.h"
 #include "boolean/near_coincidence/tuning.h"
 #include "mesh/intersection/aabb_tree.h"
 
 namespace mq::boolean {
 
 namespace {
-
-std::array<Vec3, 3> corners(const Soup& soup, std::int32_t t) {
-    const Triangle& c = soup.triangles[static_cast<std::size_t>(t)];
-    return {soup.vertices[static_cast<std::size_t>(c[0])], soup.vertices[static_cast<std::size_t>(c[1])],
-            soup.vertices[static_cast<std::size_t>(c[2])]};
-}
-
-std::int32_t operand_of(const Soup& soup, std::int32_t t) {
-    return soup.source[static_cast<std::size_t>(t)].operand;
-}
-
-/// The box of a triangle that moves along its normal, to both sides.
-Box swept(const std::array<Vec3, 3>& q, double reach) {
-    const Vec3 way = reach * (q[1] - q[0]).cross(q[2] - q[0]).normalized();
-    Box box;
-    for (const Vec3& x : q) {
-        box.add(x + way);
-        box.add(x - way);
-    }
-    return box;
-}
 
 /// Two triangles of different operands that face each other.
 struct FacingPair {
@@ -52,69 +29,23 @@ struct FacingPair {
     auto key() const { return std::tie(operands, same_side, later, earlier); }
 };
 
-bool in_one_plane(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q) {
-    return std::all_of(q.begin(), q.end(), [&](const Vec3& x) { return orient3d(p[0], p[1], p[2], x) == 0; });
-}
-
-/// The triangles whose boxes come within `reach` of the box of another operand.
-std::vector<std::int32_t> near_other_operands(const Soup& soup, double reach) {
-    std::vector<Box> boxes(static_cast<std::size_t>(soup.operands));
-    std::vector<Box> own(soup.triangles.size());
-    for (std::size_t t = 0; t < own.size(); ++t) {
-        for (const std::int32_t v : soup.triangles[t]) {
-            own[t].add(soup.vertices[static_cast<std::size_t>(v)]);
-        }
-        boxes[static_cast<std::size_t>(soup.source[t].operand)].add(own[t]);
-    }
-    std::vector<std::vector<Box>> common(boxes.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        for (std::size_t k = 0; k < boxes.size(); ++k) {
-            const Box larger{boxes[k].low - Vec3::Constant(reach), boxes[k].high + Vec3::Constant(reach)};
-            if (i != k && boxes[i].meets(larger)) {
-                common[i].push_back(larger);
-            }
-        }
-    }
-    std::vector<std::int32_t> result;
-    for (std::size_t t = 0; t < own.size(); ++t) {
-        const std::vector<Box>& others = common[static_cast<std::size_t>(soup.source[t].operand)];
-        if (std::any_of(others.begin(), others.end(), [&](const Box& box) { return box.meets(own[t]); })) {
-            result.push_back(static_cast<std::int32_t>(t));
-        }
-    }
-    return result;
-}
-
 /// All pairs of triangles of different operands that face each other within `reach`, sorted.
-std::vector<FacingPair> facing_pairs(const Soup& soup, double reach, const Progress& progress) {
+std::vector<FacingPair> facing_pairs(const Soup& soup, const FacingSearch& search, double reach,
+                                     const Progress& progress) {
     // Triangles of one task: enough that starting a task costs little.
     constexpr std::size_t kAtOnce = 2048;
-    const std::vector<std::int32_t> near = near_other_operands(soup, reach);
-    const mesh::AabbTree tree(soup.vertices, soup.triangles, near);
+    const std::vector<std::int32_t>& near = search.near();
     std::vector<std::vector<FacingPair>> found((near.size() + kAtOnce - 1) / kAtOnce);
     parallel_for(static_cast<int>(found.size()), [&](int k) {
         check_cancelled(&progress);
         const std::size_t first = kAtOnce * static_cast<std::size_t>(k);
         for (std::size_t i = first; i < std::min(first + kAtOnce, near.size()); ++i) {
-            const std::int32_t later = near[i];
-            const std::array<Vec3, 3> q = corners(soup, later);
-            const Vec3 n = (q[1] - q[0]).cross(q[2] - q[0]);
-            tree.for_each_in_box(swept(q, reach), [&](std::int32_t earlier) {
-                if (operand_of(soup, earlier) < operand_of(soup, later)) {
-                    const std::array<Vec3, 3> p = corners(soup, earlier);
-                    Overlap overlap = overlap_of(p, q, reach);
-                    if (overlap.area > 0.0) {
-                        if (in_one_plane(p, q)) {
-                            overlap.low = overlap.high = overlap.worst = 0.0;
-                        }
-                        found[static_cast<std::size_t>(k)].push_back(
-                            {{operand_of(soup, earlier), operand_of(soup, later)},
-                             (p[1] - p[0]).cross(p[2] - p[0]).dot(n) > 0.0,
-                             earlier,
-                             later,
-                             overlap});
-                    }
-                }
+            search.for_each_facing(near[i], reach, 0.0, [&](std::int32_t earlier, const Overlap& overlap) {
+                found[static_cast<std::size_t>(k)].push_back({{operand_of(soup, earlier), operand_of(soup, near[i])},
+                                                              overlap.same_side,
+                                                              earlier,
+                                                              near[i],
+                                                              overlap});
             });
         }
     });
@@ -253,9 +184,10 @@ std::vector<Region> regions_of(const FacingPair* begin, const FacingPair* end) {
 
 }  // namespace
 
-std::vector<ContactFace> contact_faces(const Soup& soup, double tolerance, double least, const Progress& progress) {
+std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& search, double tolerance, double least,
+                                       const Progress& progress) {
     const double reach = 2.0 * tolerance;
-    std::vector<FacingPair> pairs = facing_pairs(soup, reach, progress);
+    std::vector<FacingPair> pairs = facing_pairs(soup, search, reach, progress);
     FarSides(soup, reach).remove(pairs);
     std::vector<ContactFace> result;
     const auto one_surface = [](const FacingPair& a, const FacingPair& b) {
@@ -271,10 +203,10 @@ std::vector<ContactFace> contact_faces(const Soup& soup, double tolerance, doubl
             if (gap > tolerance || region.area() < gap * region.length()) {
                 continue;
             }
-            const double most = std::min(tolerance, 2.0 * gap + least);
+            const double most = std::min(reach, 2.0 * gap + least);
             for (const FacingPair* pair : region.pairs) {
                 if (-pair->overlap.low <= most && pair->overlap.high <= most) {
-                    result.push_back({pair->earlier, pair->later, pair->overlap.low, pair->overlap.high});
+                    result.push_back({pair->earlier, pair->later, pair->overlap.low, pair->overlap.high, most});
                 }
             }
         }

@@ -6,6 +6,7 @@
 
 #include "base/progress.h"
 #include "boolean/arrangement/soup.h"
+#include "boolean/near_coincidence/facing_search.h"
 
 namespace mq::boolean {
 
@@ -16,6 +17,7 @@ struct ContactFace {
     /// Heights of the later triangle over the plane of the earlier one where they overlap, mm.
     double low = 0.0;
     double high = 0.0;
+    double most = 0.0;  ///< mm, the largest gap that counts as contact in their region
 };
 
 /// The pairs of triangles in which faces of different operands lie on each other within the tolerance, mm; in order of
@@ -30,8 +32,10 @@ struct ContactFace {
 /// face, which moves away from it.
 ///
 /// Where a wall is thinner than the tolerance both of its sides are near the other surface: the nearer one counts.
-/// @param least  mm, a gap that cannot be told from 0 in single precision
+/// @param search  with a reach of at least twice the tolerance
+/// @param least   mm, a gap that cannot be told from 0 in single precision
 /// @throws Cancelled
-std::vector<ContactFace> contact_faces(const Soup& soup, double tolerance, double least, const Progress& progress);
+std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& search, double tolerance, double least,
+                                       const Progress& progress);
 
 }  // namespace mq::boolean

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/predicates.h"
 #include "boolean/near_coincidence/tuning.h"
 
 namespace mq::boolean {
@@ -60,9 +61,13 @@ class ConvexPolygon {
     std::size_t size_ = 0;
 };
 
+bool in_one_plane(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q) {
+    return std::all_of(q.begin(), q.end(), [&](const Vec3& x) { return orient3d(p[0], p[1], p[2], x) == 0; });
+}
+
 }  // namespace
 
-Overlap overlap_of(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q, double reach) {
+Overlap overlap_of(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q, double reach, double margin) {
     Overlap result;
     const Vec3 m = (p[1] - p[0]).cross(p[2] - p[0]);
     const Vec3 n = (q[1] - q[0]).cross(q[2] - q[0]);
@@ -76,8 +81,8 @@ Overlap overlap_of(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q, d
     ConvexPolygon common(q);
     const Vec3 along = cosine > 0.0 ? n : Vec3(-n);
     for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 inward = along.cross(p[(k + 1) % 3] - p[k]);
-        common.clip([&](const Vec3& x) { return inward.dot(x - p[k]); });
+        const Vec3 inward = along.cross(p[(k + 1) % 3] - p[k]).normalized();
+        common.clip([&](const Vec3& x) { return inward.dot(x - p[k]) + margin; });
     }
     result.low = std::numeric_limits<double>::infinity();
     result.high = -result.low;
@@ -99,6 +104,10 @@ Overlap overlap_of(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q, d
     for (const Vec3& x : common) {
         result.box.add(x);
     }
+    if (in_one_plane(p, q)) {
+        result.low = result.high = 0.0;
+    }
+    result.same_side = cosine > 0.0;
     result.worst = std::min(reach, std::max(std::abs(result.low), std::abs(result.high)));
     return result;
 }

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 #include "base/predicates.h"
-#include "mesh/intersection/aabb_tree.h"
 
 namespace mq::boolean {
 
@@ -19,10 +20,6 @@ Vec3 unit_normal(const Soup& soup, std::int32_t t) {
     return (soup.vertices[static_cast<std::size_t>(c[1])] - a)
         .cross(soup.vertices[static_cast<std::size_t>(c[2])] - a)
         .normalized();
-}
-
-std::int32_t operand_of(const Soup& soup, std::int32_t t) {
-    return soup.source[static_cast<std::size_t>(t)].operand;
 }
 
 /// +1: the later operand's surface goes into the material of the earlier one, -1: out of it, 0: it stays.
@@ -90,23 +87,16 @@ class PlanesToLeave {
         }
         if (least > 0.0) {
             for (const std::int32_t v : soup_.triangles[static_cast<std::size_t>(later)]) {
-                planes_[v].push_back({direction, std::min(least, options_.tolerance)});
+                planes_[v].push_back({direction, least});
             }
         }
     }
-
-    bool moves(std::int32_t v) const { return planes_.count(v) > 0; }
-    bool any_moves(std::int32_t t) const {
-        const Triangle& c = soup_.triangles[static_cast<std::size_t>(t)];
-        return std::any_of(c.begin(), c.end(), [&](std::int32_t v) { return moves(v); });
-    }
-    const std::map<std::int32_t, std::vector<HalfSpace>>& planes() const { return planes_; }
 
     /// Fixes the displacements of all vertices with planes.
     void settle() {
         for (const auto& [v, spaces] : planes_) {
             const Vec3 way = shortest(spaces);
-            displacement_[static_cast<std::size_t>(v)] = way.norm() <= options_.tolerance ? way : Vec3::Zero();
+            displacement_[static_cast<std::size_t>(v)] = way.norm() <= 2.0 * options_.tolerance ? way : Vec3::Zero();
         }
         planes_.clear();
     }
@@ -117,34 +107,63 @@ class PlanesToLeave {
     const Expression& expression_;
     const OverlapOptions& options_;
     std::vector<Vec3> displacement_;
-    std::map<std::int32_t, std::vector<HalfSpace>> planes_;
+    std::unordered_map<std::int32_t, std::vector<HalfSpace>> planes_;
 };
+
+/// The triangles of one operand that have contacts, or a vertex of a triangle that has, with the gap that counts as
+/// contact there.
+std::vector<std::pair<std::int32_t, double>> around(const Soup& soup, const std::vector<std::int32_t>& near,
+                                                    const ContactFace* first, const ContactFace* last,
+                                                    double clearance) {
+    const std::int32_t operand = operand_of(soup, first->later);
+    std::unordered_map<std::int32_t, double> most;
+    std::unordered_set<std::int32_t> vertices;
+    for (const ContactFace* face = first; face != last; ++face) {
+        double& known = most.emplace(face->later, 0.0).first->second;
+        known = std::max(known, face->most);
+        if (differs(*face)) {
+            const Triangle& c = soup.triangles[static_cast<std::size_t>(face->later)];
+            vertices.insert(c.begin(), c.end());
+        }
+    }
+    std::vector<std::pair<std::int32_t, double>> result;
+    for (const std::int32_t t : near) {
+        const Triangle& c = soup.triangles[static_cast<std::size_t>(t)];
+        if (operand_of(soup, t) == operand &&
+            std::any_of(c.begin(), c.end(), [&](std::int32_t v) { return vertices.count(v) > 0; })) {
+            const auto known = most.find(t);
+            result.emplace_back(t, known != most.end() ? known->second : clearance);
+        }
+    }
+    return result;
+}
 
 }  // namespace
 
-bool differ(const std::vector<ContactFace>& contacts) {
-    return std::any_of(contacts.begin(), contacts.end(),
-                       [](const ContactFace& face) { return face.low != 0.0 || face.high != 0.0; });
+bool differs(const ContactFace& face) {
+    return face.low != 0.0 || face.high != 0.0;
 }
 
-NearCoincidence overlap_contacts(Soup& soup, const Expression& expression, const std::vector<ContactFace>& contacts,
-                                 const OverlapOptions& options, const Progress& progress) {
+NearCoincidence overlap_contacts(Soup& soup, const FacingSearch& search, const Expression& expression,
+                                 const std::vector<ContactFace>& contacts, const OverlapOptions& options,
+                                 const Progress& progress) {
     PlanesToLeave planes(soup, expression, options);
     CancelPace pace(progress);
-    for (auto first = contacts.begin(); first != contacts.end();) {
-        const std::int32_t operand = operand_of(soup, first->later);
-        const auto last = std::find_if(
-            first, contacts.end(), [&](const ContactFace& face) { return operand_of(soup, face.later) != operand; });
-        for (auto face = first; face != last; ++face) {
+    const ContactFace* end = contacts.data() + contacts.size();
+    for (const ContactFace* first = contacts.data(); first != end;) {
+        const ContactFace* last = std::find_if(first, end, [&](const ContactFace& face) {
+            return operand_of(soup, face.later) != operand_of(soup, first->later);
+        });
+        for (const auto& [later, most] : around(soup, search.near(), first, last, options.clearance)) {
             pace.step();
-            if (face->low != 0.0 || face->high != 0.0) {
-                planes.leave(face->earlier, face->later, face->low, face->high);
-            }
-        }
-        for (auto face = first; face != last; ++face) {
-            if (face->low == 0.0 && face->high == 0.0 && planes.any_moves(face->later)) {
-                planes.leave(face->earlier, face->later, 0.0, 0.0);
-            }
+            const std::int32_t t = later;
+            const double gap = most;
+            // What faces the triangle only where it has moved to counts, too.
+            search.for_each_facing(t, gap, gap, [&](std::int32_t earlier, const Overlap& overlap) {
+                if (-overlap.low <= gap && overlap.high <= gap) {
+                    planes.leave(earlier, t, overlap.low, overlap.high);
+                }
+            });
         }
         planes.settle();
         first = last;

@@ -23,8 +23,8 @@ struct OverlapOptions {
     double clearance = 0.0;
 };
 
-/// Whether some of these faces lie on each other not exactly.
-bool differ(const std::vector<ContactFace>& contacts);
+/// Whether these triangles lie on each other within the tolerance only, and not exactly.
+bool differs(const ContactFace& face);
 
 /// Makes of faces that nearly coincide such as cross nowhere: the vertices of the later operand's move beyond the faces
 /// of the earlier one, whichever way leaves these whole (the rule of Remark 3 in Wang 2010 for tangential contact, for
@@ -38,8 +38,10 @@ bool differ(const std::vector<ContactFace>& contacts);
 /// would slide along them. A vertex whose way is longer than the tolerance stays.
 ///
 /// Faces that coincide exactly are left alone: the arrangement knows them. Nothing is moved for a symmetric difference.
-NearCoincidence overlap_contacts(Soup& soup, const Expression& expression, const std::vector<ContactFace>& contacts,
-                                 const OverlapOptions& options, const Progress& progress);
+/// @param search, contacts  of the soup
+NearCoincidence overlap_contacts(Soup& soup, const FacingSearch& search, const Expression& expression,
+                                 const std::vector<ContactFace>& contacts, const OverlapOptions& options,
+                                 const Progress& progress);
 
 /// Puts vertices back where displacements left a triangle without area.
 /// @param before  where the vertices were
