@@ -203,7 +203,7 @@ std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& sea
             if (gap > tolerance || region.area() < gap * region.length()) {
                 continue;
             }
-            const double most = std::min(reach, 2.0 * gap + least);
+            const double most = std::min(reach, NearCoincidenceTuning::kLargestGap * gap + least);
             for (const FacingPair* pair : region.pairs) {
                 if (-pair->overlap.low <= most && pair->overlap.high <= most) {
                     result.push_back({pair->earlier, pair->later, pair->overlap.low, pair->overlap.high, most});

@@ -13,6 +13,8 @@ struct NearCoincidenceTuning {
     /// The share of a region's area, of what lies within twice the tolerance, that is within the tolerance where the
     /// region is a common face. Of surfaces that cross, it is a half.
     MESHQUALITY_TUNED(double, kContactShare, 0.9);
+    /// The largest gap of a pair of triangles in a common face, as a multiple of that of nine tenths of the area.
+    MESHQUALITY_TUNED(double, kLargestGap, 4.0);
 };
 
 }  // namespace mq::boolean
