@@ -39,6 +39,7 @@ class SnapRounder {
         for (;;) {
             separate();
             round_vertices();
+            close_short_edges();
             const EmbeddingFaults faults = relocate_vertices(extraction_.draft, relocation, progress_);
             const std::vector<double>& displaced = extraction_.draft.displacement;
             largest_ = std::accumulate(displaced.begin(), displaced.end(), largest_,
@@ -84,6 +85,31 @@ class SnapRounder {
             const Vec3 exact = draft.vertices[v];
             draft.vertices[v] = rounded(exact);
             moved[v] = (draft.vertices[v] - exact).norm();
+        }
+        add_displacements(draft, moved);
+    }
+
+    /// Puts constructed vertices that single precision cannot part from a neighbour in its place, where they are merged
+    /// afterwards: near a plane through the origin single-precision numbers are so dense that edges of 1e-19 mm would
+    /// remain. Each vertex moves once at most, and none to which another one has moved.
+    void close_short_edges() {
+        ResultMesh& draft = extraction_.draft;
+        std::vector<double> moved(draft.vertices.size(), 0.0);
+        std::vector<char> fixed(draft.vertices.size(), 0);
+        for (const Triangle& c : draft.triangles) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                auto from = static_cast<std::size_t>(c[k]);
+                auto to = static_cast<std::size_t>(c[(k + 1) % 3]);
+                if (draft.made[from] != kConstructed || fixed[from] != 0) {
+                    std::swap(from, to);
+                }
+                const double length = (draft.vertices[to] - draft.vertices[from]).norm();
+                if (draft.made[from] == kConstructed && fixed[from] == 0 && length > 0.0 && length < unit_) {
+                    draft.vertices[from] = draft.vertices[to];
+                    moved[from] = length;
+                    fixed[from] = fixed[to] = 1;
+                }
+            }
         }
         add_displacements(draft, moved);
     }
