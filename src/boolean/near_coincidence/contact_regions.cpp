@@ -200,7 +200,7 @@ std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& sea
         }
         for (const Region& region : regions_of(begin, end)) {
             const double gap = region.gap();
-            if (gap > tolerance || region.area() < gap * region.length()) {
+            if (gap > tolerance || region.area() < NearCoincidenceTuning::kLeastWidth * gap * region.length()) {
                 continue;
             }
             const double most = std::min(reach, NearCoincidenceTuning::kLargestGap * gap + least);

@@ -2,12 +2,91 @@
 #include "boolean/near_coincidence/facing_search.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mq::boolean {
 
 namespace {
 
-/// The triangles whose boxes come within `reach` of the box of another operand.
+/// A grid over the places where boxes of operands come near each other, which knows the operands in each cell.
+class OperandCells {
+  public:
+    /// @param box  what the grid covers
+    /// @param cell  mm, the least side of a cell
+    OperandCells(const Box& box, double cell, std::size_t triangles) : box_(box) {
+        // About as many cells on a surface as it has triangles.
+        const double most = std::clamp(std::sqrt(static_cast<double>(triangles)), 1.0, kMostCells);
+        for (int i = 0; i < 3; ++i) {
+            const double side = box.high[i] - box.low[i];
+            count_[i] = std::max(1, static_cast<int>(std::min(most, side / cell)));
+            scale_[i] = side > 0.0 ? count_[i] / side : 0.0;
+        }
+        operand_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2], kNone);
+    }
+
+    /// Calls use(cell) for each cell that a box meets.
+    template <typename Use>
+    void visit(const Box& box, const Use& use) const {
+        std::array<int, 3> low;
+        std::array<int, 3> high;
+        for (int i = 0; i < 3; ++i) {
+            if (box.high[i] < box_.low[i] || box.low[i] > box_.high[i]) {
+                return;
+            }
+            low[i] = place(box.low[i], i);
+            high[i] = place(box.high[i], i);
+        }
+        for (int z = low[2]; z <= high[2]; ++z) {
+            for (int y = low[1]; y <= high[1]; ++y) {
+                for (int x = low[0]; x <= high[0]; ++x) {
+                    use((static_cast<std::size_t>(z) * count_[1] + y) * count_[0] + x);
+                }
+            }
+        }
+    }
+    void mark(const Box& box, std::int32_t operand) {
+        visit(box, [&](std::size_t cell) {
+            operand_[cell] = operand_[cell] == kNone || operand_[cell] == operand ? operand : kSeveral;
+        });
+    }
+    bool has_other(const Box& box, std::int32_t operand) const {
+        bool result = false;
+        visit(box,
+              [&](std::size_t cell) { result = result || (operand_[cell] != kNone && operand_[cell] != operand); });
+        return result;
+    }
+
+  private:
+    static constexpr double kMostCells = 128.0;  ///< along a side: 8 MB
+    static constexpr std::int32_t kNone = -1;
+    static constexpr std::int32_t kSeveral = -2;
+
+    int place(double x, int i) const {
+        return std::clamp(static_cast<int>((x - box_.low[i]) * scale_[i]), 0, count_[i] - 1);
+    }
+
+    Box box_;
+    std::array<int, 3> count_{};
+    Vec3 scale_ = Vec3::Zero();
+    std::vector<std::int32_t> operand_;
+};
+
+/// What is common to the boxes of two operands at least, each larger by `reach`.
+Box common_box(const std::vector<Box>& boxes, double reach) {
+    Box result;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (std::size_t k = i + 1; k < boxes.size(); ++k) {
+            const Box common{boxes[i].low.cwiseMax(boxes[k].low) - Vec3::Constant(reach),
+                             boxes[i].high.cwiseMin(boxes[k].high) + Vec3::Constant(reach)};
+            if ((common.low.array() <= common.high.array()).all()) {
+                result.add(common);
+            }
+        }
+    }
+    return result;
+}
+
+/// Triangles near those of other operands: at least all that are within `reach` of one.
 std::vector<std::int32_t> near_other_operands(const Soup& soup, double reach) {
     std::vector<Box> boxes(static_cast<std::size_t>(soup.operands));
     std::vector<Box> own(soup.triangles.size());
@@ -17,19 +96,18 @@ std::vector<std::int32_t> near_other_operands(const Soup& soup, double reach) {
         }
         boxes[static_cast<std::size_t>(soup.source[t].operand)].add(own[t]);
     }
-    std::vector<std::vector<Box>> common(boxes.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        for (std::size_t k = 0; k < boxes.size(); ++k) {
-            const Box larger{boxes[k].low - Vec3::Constant(reach), boxes[k].high + Vec3::Constant(reach)};
-            if (i != k && boxes[i].meets(larger)) {
-                common[i].push_back(larger);
-            }
-        }
-    }
     std::vector<std::int32_t> result;
+    const Box common = common_box(boxes, reach);
+    if (common.empty()) {
+        return result;
+    }
+    OperandCells cells(common, reach, own.size());
     for (std::size_t t = 0; t < own.size(); ++t) {
-        const std::vector<Box>& others = common[static_cast<std::size_t>(soup.source[t].operand)];
-        if (std::any_of(others.begin(), others.end(), [&](const Box& box) { return box.meets(own[t]); })) {
+        cells.mark(own[t], soup.source[t].operand);
+    }
+    for (std::size_t t = 0; t < own.size(); ++t) {
+        const Box larger{own[t].low - Vec3::Constant(reach), own[t].high + Vec3::Constant(reach)};
+        if (cells.has_other(larger, soup.source[t].operand)) {
             result.push_back(static_cast<std::int32_t>(t));
         }
     }
