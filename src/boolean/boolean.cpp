@@ -166,13 +166,15 @@ class BooleanPipeline {
 
     bool find_crossings() {
         stages_.start("finding contacts", 0.15, 0.25);
+        merge();
         const FacingSearch search(soup_, 2.0 * tolerance_);
-        const std::vector<ContactFace> faces = contact_faces(soup_, search, tolerance_, clearance(), progress_);
+        const std::vector<ContactFace> faces = contact_faces(soup_, search, twins_, tolerance_, clearance(), progress_);
         if (std::any_of(faces.begin(), faces.end(), differs)) {
             // In a symmetric difference faces that go to either side would be wrong.
             if (symmetric_) {
                 return false;
             }
+            make_soup();  // operands that share no vertices
             const std::vector<Vec3> before = soup_.vertices;
             const NearCoincidence done =
                 overlap_contacts(soup_, search, expression_, faces, {tolerance_, clearance()}, progress_);
@@ -184,9 +186,9 @@ class BooleanPipeline {
                     in_short(2.0 * moved_) + " mm thin may be gone");
             }
             undo_degenerate_moves(soup_, before);
+            merge();
         }
         stages_.start("finding crossings", 0.25, 0.5);
-        merge();
         crossing_ = contacts();
         merge_touching(soup_, crossing_);
         return true;

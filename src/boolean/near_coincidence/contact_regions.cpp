@@ -30,16 +30,24 @@ struct FacingPair {
 };
 
 /// All pairs of triangles of different operands that face each other within `reach`, sorted.
-std::vector<FacingPair> facing_pairs(const Soup& soup, const FacingSearch& search, double reach,
+std::vector<FacingPair> facing_pairs(const Soup& soup, const FacingSearch& search,
+                                     const std::vector<CoincidentTriangle>& twins, double reach,
                                      const Progress& progress) {
     // Triangles of one task: enough that starting a task costs little.
     constexpr std::size_t kAtOnce = 2048;
     const std::vector<std::int32_t>& near = search.near();
+    std::vector<char> twin(soup.triangles.size(), 0);
+    for (const CoincidentTriangle& triangle : twins) {
+        twin[static_cast<std::size_t>(triangle.triangle)] = 1;
+    }
     std::vector<std::vector<FacingPair>> found((near.size() + kAtOnce - 1) / kAtOnce);
     parallel_for(static_cast<int>(found.size()), [&](int k) {
         check_cancelled(&progress);
         const std::size_t first = kAtOnce * static_cast<std::size_t>(k);
         for (std::size_t i = first; i < std::min(first + kAtOnce, near.size()); ++i) {
+            if (twin[static_cast<std::size_t>(near[i])] != 0) {
+                continue;
+            }
             search.for_each_facing(near[i], reach, 0.0, [&](std::int32_t earlier, const Overlap& overlap) {
                 found[static_cast<std::size_t>(k)].push_back({{operand_of(soup, earlier), operand_of(soup, near[i])},
                                                               overlap.same_side,
@@ -184,10 +192,11 @@ std::vector<Region> regions_of(const FacingPair* begin, const FacingPair* end) {
 
 }  // namespace
 
-std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& search, double tolerance, double least,
+std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& search,
+                                       const std::vector<CoincidentTriangle>& twins, double tolerance, double least,
                                        const Progress& progress) {
     const double reach = 2.0 * tolerance;
-    std::vector<FacingPair> pairs = facing_pairs(soup, search, reach, progress);
+    std::vector<FacingPair> pairs = facing_pairs(soup, search, twins, reach, progress);
     FarSides(soup, reach).remove(pairs);
     std::vector<ContactFace> result;
     const auto one_surface = [](const FacingPair& a, const FacingPair& b) {

@@ -21,7 +21,7 @@ struct ContactFace {
 };
 
 /// The pairs of triangles in which faces of different operands lie on each other within the tolerance, mm; in order of
-/// the operands, then of the triangles. Faces that coincide exactly have heights of 0.
+/// the operands, then of the triangles. Faces in one plane have heights of 0; twins are left out.
 ///
 /// Surfaces that cross at a small angle, or touch in a point, are within the tolerance of each other, too: in a strip
 /// or a disc. How its area grows with the distance tells them from a common face: that of a strip or a disc is
@@ -35,7 +35,8 @@ struct ContactFace {
 /// @param search  with a reach of at least twice the tolerance
 /// @param least   mm, a gap that cannot be told from 0 in single precision
 /// @throws Cancelled
-std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& search, double tolerance, double least,
+std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& search,
+                                       const std::vector<CoincidentTriangle>& twins, double tolerance, double least,
                                        const Progress& progress);
 
 }  // namespace mq::boolean

@@ -4,9 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
+
 namespace mq::boolean {
 
 namespace {
+
+Box box_of(const Soup& soup, std::size_t t) {
+    Box box;
+    for (const std::int32_t v : soup.triangles[t]) {
+        box.add(soup.vertices[static_cast<std::size_t>(v)]);
+    }
+    return box;
+}
 
 /// A grid over the places where boxes of operands come near each other, which knows the operands in each cell.
 class OperandCells {
@@ -89,24 +99,21 @@ Box common_box(const std::vector<Box>& boxes, double reach) {
 /// Triangles near those of other operands: at least all that are within `reach` of one.
 std::vector<std::int32_t> near_other_operands(const Soup& soup, double reach) {
     std::vector<Box> boxes(static_cast<std::size_t>(soup.operands));
-    std::vector<Box> own(soup.triangles.size());
-    for (std::size_t t = 0; t < own.size(); ++t) {
-        for (const std::int32_t v : soup.triangles[t]) {
-            own[t].add(soup.vertices[static_cast<std::size_t>(v)]);
-        }
-        boxes[static_cast<std::size_t>(soup.source[t].operand)].add(own[t]);
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+        boxes[static_cast<std::size_t>(soup.source[t].operand)].add(box_of(soup, t));
     }
     std::vector<std::int32_t> result;
     const Box common = common_box(boxes, reach);
     if (common.empty()) {
         return result;
     }
-    OperandCells cells(common, reach, own.size());
-    for (std::size_t t = 0; t < own.size(); ++t) {
-        cells.mark(own[t], soup.source[t].operand);
+    OperandCells cells(common, reach, soup.triangles.size());
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+        cells.mark(box_of(soup, t), soup.source[t].operand);
     }
-    for (std::size_t t = 0; t < own.size(); ++t) {
-        const Box larger{own[t].low - Vec3::Constant(reach), own[t].high + Vec3::Constant(reach)};
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+        const Box own = box_of(soup, t);
+        const Box larger{own.low - Vec3::Constant(reach), own.high + Vec3::Constant(reach)};
         if (cells.has_other(larger, soup.source[t].operand)) {
             result.push_back(static_cast<std::int32_t>(t));
         }
@@ -132,7 +139,45 @@ Box swept(const std::array<Vec3, 3>& q, double reach, double margin) {
     return {box.low - Vec3::Constant(margin), box.high + Vec3::Constant(margin)};
 }
 
-FacingSearch::FacingSearch(const Soup& soup, double reach)
-    : soup_(soup), near_(near_other_operands(soup, reach)), tree_(soup.vertices, soup.triangles, near_) {}
+FacingSearch::Disc::Disc(const std::array<Vec3, 3>& q)
+    : middle((q[0] + q[1] + q[2]) / 3.0), axis((q[1] - q[0]).cross(q[2] - q[0]).normalized()) {
+    for (const Vec3& x : q) {
+        radius = std::max(radius, (x - middle).norm());
+    }
+}
+
+bool FacingSearch::Disc::meets_column_of(const std::array<Vec3, 3>& p, double margin) const {
+    const Vec3 way = (p[0] + p[1] + p[2]) / 3.0 - middle;
+    const double aside = way.squaredNorm() - std::pow(way.dot(axis), 2);
+    const Vec3 center = (p[0] + p[1] + p[2]) / 3.0;
+    const double other = std::sqrt(
+        std::max({(p[0] - center).squaredNorm(), (p[1] - center).squaredNorm(), (p[2] - center).squaredNorm()}));
+    // An edge that is shifted by the margin shifts corners of the enlarged triangle farther; what is left out there
+    // lies beside a corner.
+    return aside <= std::pow(radius + other + 2.0 * margin, 2);
+}
+
+FacingSearch::FacingSearch(const Soup& soup, double reach) : soup_(soup), near_(near_other_operands(soup, reach)) {
+    const auto operands = static_cast<std::size_t>(soup.operands);
+    std::vector<std::vector<std::int32_t>> own(operands);
+    for (const std::int32_t t : near_) {
+        own[static_cast<std::size_t>(operand_of(soup, t))].push_back(t);
+    }
+    trees_.resize(operands);
+    parallel_for(soup.operands, [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        trees_[i] = std::make_unique<mesh::AabbTree>(soup.vertices, soup.triangles, own[i]);
+    });
+    earlier_.resize(operands);
+    for (std::size_t i = 0; i < operands; ++i) {
+        const Box box = trees_[i]->box();
+        const Box larger{box.low - Vec3::Constant(reach), box.high + Vec3::Constant(reach)};
+        for (std::size_t k = 0; k < i; ++k) {
+            if (trees_[k]->size() > 0 && trees_[k]->box().meets(larger)) {
+                earlier_[i].push_back(k);
+            }
+        }
+    }
+}
 
 }  // namespace mq::boolean

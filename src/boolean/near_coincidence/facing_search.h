@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "boolean/arrangement/soup.h"
@@ -26,7 +28,7 @@ class FacingSearch {
     /// @param reach  mm, at least as much as is asked for later
     FacingSearch(const Soup& soup, double reach);
 
-    /// The triangles whose boxes come within the reach of the box of another operand, in ascending order.
+    /// Triangles near those of other operands: at least all that are within the reach of one; in ascending order.
     const std::vector<std::int32_t>& near() const { return near_; }
 
     /// visit(earlier, overlap) for each triangle of an earlier operand that a triangle faces.
@@ -34,20 +36,37 @@ class FacingSearch {
     template <typename Visit>
     void for_each_facing(std::int32_t later, double reach, double margin, const Visit& visit) const {
         const std::array<Vec3, 3> q = corners(soup_, later);
-        tree_.for_each_in_box(swept(q, reach, margin), [&](std::int32_t earlier) {
-            if (operand_of(soup_, earlier) < operand_of(soup_, later)) {
-                const Overlap overlap = overlap_of(corners(soup_, earlier), q, reach, margin);
-                if (overlap.area > 0.0) {
-                    visit(earlier, overlap);
+        const Disc disc(q);
+        const Box box = swept(q, reach, margin);
+        for (const std::size_t operand : earlier_[static_cast<std::size_t>(operand_of(soup_, later))]) {
+            trees_[operand]->for_each_in_box(box, [&](std::int32_t earlier) {
+                const std::array<Vec3, 3> p = corners(soup_, earlier);
+                if (disc.meets_column_of(p, margin)) {
+                    const Overlap overlap = overlap_of(p, q, reach, margin);
+                    if (overlap.area > 0.0) {
+                        visit(earlier, overlap);
+                    }
                 }
-            }
-        });
+            });
+        }
     }
 
   private:
+    /// A disc around a triangle.
+    struct Disc {
+        explicit Disc(const std::array<Vec3, 3>& q);
+        /// False only if, seen along the disc's axis, a triangle enlarged by the margin does not meet it.
+        bool meets_column_of(const std::array<Vec3, 3>& p, double margin) const;
+
+        Vec3 middle;
+        Vec3 axis;
+        double radius = 0.0;
+    };
+
     const Soup& soup_;
     const std::vector<std::int32_t> near_;
-    const mesh::AabbTree tree_;
+    std::vector<std::unique_ptr<mesh::AabbTree>> trees_;  ///< by operand, of its triangles near others
+    std::vector<std::vector<std::size_t>> earlier_;       ///< by operand, those before it that come near its box
 };
 
 }  // namespace mq::boolean

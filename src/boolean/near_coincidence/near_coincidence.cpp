@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "boolean/near_coincidence/near_coincidence.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -43,28 +45,101 @@ struct HalfSpace {
     double least = 0.0;
 };
 
-/// The shortest displacement in all half-spaces, of those with unit directions, by Hildreth's method (A quadratic
-/// programming procedure, 1957): the multipliers are improved one by one. Not in all of them where they have no point
-/// in common within the limit of rounds.
-Vec3 shortest(const std::vector<HalfSpace>& spaces) {
-    constexpr int kMostRounds = 200;  // a round costs one product of each half-space
-    std::vector<double> multiplier(spaces.size(), 0.0);
-    Vec3 d = Vec3::Zero();
-    for (int round = 0; round < kMostRounds; ++round) {
-        double largest = 0.0;
-        for (std::size_t i = 0; i < spaces.size(); ++i) {
-            const double missing = spaces[i].least - spaces[i].direction.dot(d);
-            const double step = std::max(missing, -multiplier[i]);
-            multiplier[i] += step;
-            d += step * spaces[i].direction;
-            largest = std::max(largest, std::abs(step) / std::max(spaces[i].least, 1e-300));
+/// The shortest displacement in some half-spaces. Of least length under linear constraints, it is the least solution of
+/// up to three of them as equations (a problem of the kind of linear programmes in few dimensions: Sharir and Welzl
+/// 1992).
+class ShortestDisplacement {
+  public:
+    /// Takes the half-space farthest from being kept to those that hold the solution, until all are kept: the length
+    /// grows with each.
+    /// @return nothing if no displacement is in all of them
+    static std::optional<Vec3> in(const std::vector<HalfSpace>& spaces) {
+        ShortestDisplacement solver(spaces);
+        // Rounding could let the same sets come again.
+        constexpr int kMostSteps = 100;
+        for (int step = 0; step < kMostSteps; ++step) {
+            const std::size_t worst = solver.farthest_from_kept();
+            if (solver.keeps(worst)) {
+                return solver.best_;
+            }
+            if (!solver.add(worst)) {
+                return std::nullopt;
+            }
         }
-        if (largest < 1e-3) {
-            break;
+        return std::nullopt;
+    }
+
+  private:
+    explicit ShortestDisplacement(const std::vector<HalfSpace>& spaces) : spaces_(spaces) {
+        for (const HalfSpace& space : spaces) {
+            slack_ = std::max(slack_, kRounding * std::abs(space.least));
         }
     }
-    return d;
-}
+
+    double missing(std::size_t i, const Vec3& d) const { return spaces_[i].least - spaces_[i].direction.dot(d); }
+    bool keeps(std::size_t i) const { return missing(i, best_) <= slack_; }
+    std::size_t farthest_from_kept() const {
+        std::size_t worst = 0;
+        for (std::size_t i = 1; i < spaces_.size(); ++i) {
+            worst = missing(i, best_) > missing(worst, best_) ? i : worst;
+        }
+        return worst;
+    }
+
+    /// The best solution with one more half-space beside those that hold the present one.
+    bool add(std::size_t added) {
+        held_.push_back(added);
+        std::optional<Vec3> best;
+        std::vector<std::size_t> best_set;
+        for (unsigned set = 1; set < 1u << held_.size(); ++set) {
+            std::vector<std::size_t> chosen;
+            for (std::size_t k = 0; k < held_.size(); ++k) {
+                if ((set >> k & 1u) != 0) {
+                    chosen.push_back(held_[k]);
+                }
+            }
+            if (chosen.size() > 3) {
+                continue;
+            }
+            const std::optional<Vec3> d = least_solution(chosen);
+            if (d && (!best || d->norm() < best->norm()) &&
+                std::all_of(held_.begin(), held_.end(), [&](std::size_t i) { return missing(i, *d) <= slack_; })) {
+                best = d;
+                best_set = chosen;
+            }
+        }
+        if (best) {
+            best_ = *best;
+            held_ = best_set;
+        }
+        return best.has_value();
+    }
+
+    /// The shortest displacement in the planes that bound some half-spaces; nothing where these are nearly dependent.
+    std::optional<Vec3> least_solution(const std::vector<std::size_t>& chosen) const {
+        const auto n = static_cast<Eigen::Index>(chosen.size());
+        Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3> directions(n, 3);
+        Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> least(n);
+        for (Eigen::Index k = 0; k < n; ++k) {
+            directions.row(k) = spaces_[chosen[static_cast<std::size_t>(k)]].direction.transpose();
+            least[k] = spaces_[chosen[static_cast<std::size_t>(k)]].least;
+        }
+        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> products =
+            directions * directions.transpose();
+        if (products.determinant() < kLeastDeterminant) {
+            return std::nullopt;
+        }
+        return Vec3(directions.transpose() * products.inverse() * least);
+    }
+
+    static constexpr double kRounding = 1e-6;           ///< of the largest distance asked for
+    static constexpr double kLeastDeterminant = 1e-10;  ///< planes at less than 1e-5 from each other are dependent
+
+    const std::vector<HalfSpace>& spaces_;
+    double slack_ = 0.0;
+    Vec3 best_ = Vec3::Zero();
+    std::vector<std::size_t> held_;
+};
 
 /// The planes that the vertices of the operands leave.
 class PlanesToLeave {
@@ -95,8 +170,10 @@ class PlanesToLeave {
     /// Fixes the displacements of all vertices with planes.
     void settle() {
         for (const auto& [v, spaces] : planes_) {
-            const Vec3 way = shortest(spaces);
-            displacement_[static_cast<std::size_t>(v)] = way.norm() <= 2.0 * options_.tolerance ? way : Vec3::Zero();
+            const std::optional<Vec3> way = ShortestDisplacement::in(spaces);
+            if (way && way->norm() <= 2.0 * options_.tolerance) {
+                displacement_[static_cast<std::size_t>(v)] = *way;
+            }
         }
         planes_.clear();
     }

@@ -32,7 +32,7 @@ bool differs(const ContactFace& face);
 /// left between them; in an intersection and a difference, out of it.
 ///
 /// A vertex takes the shortest way that leaves the planes of all faces on which its triangles lie, each by as much as
-/// the pair needs: a quadratic programme in three variables, solved by Hildreth's method (1957). Other faces on which
+/// the pair needs: a quadratic programme in three variables. Other faces on which
 /// it lies are planes of no constraint, so that a side of a body stays in its place while its base is moved along it;
 /// but planes of the earlier operand in which or beside which a face of the vertex lies are left as well, or the vertex
 /// would slide along them. A vertex whose way is longer than the tolerance stays.
