@@ -71,6 +71,10 @@ class FarSides {
     FarSides(const Soup& soup, double reach) : soup_(soup), reach_(reach) {}
 
     void remove(std::vector<FacingPair>& pairs) const {
+        const auto same_side = [](const FacingPair& pair) { return pair.same_side; };
+        if (std::all_of(pairs.begin(), pairs.end(), same_side) || std::none_of(pairs.begin(), pairs.end(), same_side)) {
+            return;
+        }
         std::vector<char> far(pairs.size(), 0);
         mark(pairs, &FacingPair::earlier, &FacingPair::later, far);
         mark(pairs, &FacingPair::later, &FacingPair::earlier, far);

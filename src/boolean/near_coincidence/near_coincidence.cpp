@@ -43,6 +43,7 @@ int way_of(const Expression& expression, std::int32_t earlier, std::int32_t late
 struct HalfSpace {
     Vec3 direction = Vec3::Zero();
     double least = 0.0;
+    int rank = 0;  ///< where not all can be kept, those of lower ranks are
 };
 
 /// The shortest displacement in some half-spaces. Of least length under linear constraints, it is the least solution of
@@ -59,7 +60,7 @@ class ShortestDisplacement {
         constexpr int kMostSteps = 100;
         for (int step = 0; step < kMostSteps; ++step) {
             const std::size_t worst = solver.farthest_from_kept();
-            if (solver.keeps(worst)) {
+            if (worst == spaces.size()) {
                 return solver.best_;
             }
             if (!solver.add(worst)) {
@@ -77,11 +78,15 @@ class ShortestDisplacement {
     }
 
     double missing(std::size_t i, const Vec3& d) const { return spaces_[i].least - spaces_[i].direction.dot(d); }
-    bool keeps(std::size_t i) const { return missing(i, best_) <= slack_; }
+    /// The number of half-spaces: all are kept.
     std::size_t farthest_from_kept() const {
-        std::size_t worst = 0;
-        for (std::size_t i = 1; i < spaces_.size(); ++i) {
-            worst = missing(i, best_) > missing(worst, best_) ? i : worst;
+        std::size_t worst = spaces_.size();
+        double most = slack_;
+        for (std::size_t i = 0; i < spaces_.size(); ++i) {
+            if (missing(i, best_) > most) {
+                worst = i;
+                most = missing(i, best_);
+            }
         }
         return worst;
     }
@@ -149,20 +154,25 @@ class PlanesToLeave {
 
     /// Demands of the vertices of the later triangle that they are beyond the plane of the earlier one, which may have
     /// moved itself.
-    void leave(std::int32_t earlier, std::int32_t later, double low, double high) {
+    void leave(std::int32_t earlier, std::int32_t later, const Overlap& overlap, bool beside) {
         const int way = way_of(expression_, operand_of(soup_, earlier), operand_of(soup_, later));
         if (way == 0) {
             return;
         }
         const Vec3 direction = -way * unit_normal(soup_, earlier);
-        double least = options_.clearance + (way > 0 ? high : -low);
+        // A gap is left where bodies are joined, and a film where they are parted, by faces that look at each other in
+        // the first case and the same way in the other. Elsewhere a face within the other body only stays visible.
+        const bool tells = overlap.same_side == (way < 0);
+        const int rank = (beside ? 2 : 0) + (tells ? 0 : 1);
+        const double gap = options_.clearance + (way > 0 ? overlap.high : -overlap.low);
+        double least = gap;
         for (const std::int32_t v : soup_.triangles[static_cast<std::size_t>(earlier)]) {
             const double moved = direction.dot(displacement_[static_cast<std::size_t>(v)]);
-            least = std::max(least, options_.clearance + (way > 0 ? high : -low) + moved);
+            least = std::max(least, gap + moved);
         }
         if (least > 0.0) {
             for (const std::int32_t v : soup_.triangles[static_cast<std::size_t>(later)]) {
-                planes_[v].push_back({direction, least});
+                planes_[v].push_back({direction, least, rank});
             }
         }
     }
@@ -170,8 +180,11 @@ class PlanesToLeave {
     /// Fixes the displacements of all vertices with planes.
     void settle() {
         for (const auto& [v, spaces] : planes_) {
-            const std::optional<Vec3> way = ShortestDisplacement::in(spaces);
-            if (way && way->norm() <= 2.0 * options_.tolerance) {
+            std::optional<Vec3> way = ShortestDisplacement::in(spaces);
+            if (!allowed(way)) {
+                way = by_rank(spaces);
+            }
+            if (allowed(way)) {
                 displacement_[static_cast<std::size_t>(v)] = *way;
             }
         }
@@ -180,6 +193,25 @@ class PlanesToLeave {
     const Vec3& displacement(std::size_t v) const { return displacement_[v]; }
 
   private:
+    /// The shortest displacement in as many half-spaces as there is one for, taken one by one in the order of ranks.
+    std::optional<Vec3> by_rank(std::vector<HalfSpace> spaces) const {
+        std::stable_sort(spaces.begin(), spaces.end(),
+                         [](const HalfSpace& a, const HalfSpace& b) { return a.rank < b.rank; });
+        std::vector<HalfSpace> kept;
+        std::optional<Vec3> result;
+        for (const HalfSpace& space : spaces) {
+            kept.push_back(space);
+            const std::optional<Vec3> way = ShortestDisplacement::in(kept);
+            if (allowed(way)) {
+                result = way;
+            } else {
+                kept.pop_back();
+            }
+        }
+        return result;
+    }
+    bool allowed(const std::optional<Vec3>& way) const { return way && way->norm() <= 2.0 * options_.tolerance; }
+
     const Soup& soup_;
     const Expression& expression_;
     const OverlapOptions& options_;
@@ -235,10 +267,14 @@ NearCoincidence overlap_contacts(Soup& soup, const FacingSearch& search, const E
             pace.step();
             const std::int32_t t = later;
             const double gap = most;
+            std::vector<std::int32_t> below;
+            search.for_each_facing(t, gap, 0.0,
+                                   [&](std::int32_t earlier, const Overlap&) { below.push_back(earlier); });
             // What faces the triangle only where it has moved to counts, too.
             search.for_each_facing(t, gap, gap, [&](std::int32_t earlier, const Overlap& overlap) {
                 if (-overlap.low <= gap && overlap.high <= gap) {
-                    planes.leave(earlier, t, overlap.low, overlap.high);
+                    const bool beside = std::find(below.begin(), below.end(), earlier) == below.end();
+                    planes.leave(earlier, t, overlap, beside);
                 }
             });
         }
