@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/predicates.h"
+#include "boolean/near_coincidence/tuning.h"
 
 namespace mq::boolean {
 
@@ -271,12 +272,13 @@ NearCoincidence overlap_contacts(Soup& soup, const FacingSearch& search, const E
             search.for_each_facing(t, gap, 0.0,
                                    [&](std::int32_t earlier, const Overlap&) { below.push_back(earlier); });
             // What faces the triangle only where it has moved to counts, too.
-            search.for_each_facing(t, gap, gap, [&](std::int32_t earlier, const Overlap& overlap) {
-                if (-overlap.low <= gap && overlap.high <= gap) {
-                    const bool beside = std::find(below.begin(), below.end(), earlier) == below.end();
-                    planes.leave(earlier, t, overlap, beside);
-                }
-            });
+            search.for_each_facing(
+                t, gap, gap / NearCoincidenceTuning::kLargestGap, [&](std::int32_t earlier, const Overlap& overlap) {
+                    if (-overlap.low <= gap && overlap.high <= gap) {
+                        const bool beside = std::find(below.begin(), below.end(), earlier) == below.end();
+                        planes.leave(earlier, t, overlap, beside);
+                    }
+                });
         }
         planes.settle();
         first = last;
