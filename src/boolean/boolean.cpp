@@ -62,7 +62,8 @@ class BooleanPipeline {
         tolerance_ = options.tolerance_for(size_);
     }
 
-    /// Runs all stages; nothing for a symmetric difference of nearly coincident surfaces, which takes several runs.
+    /// Runs all stages; nothing for a symmetric difference with common faces that do not coincide, which takes several
+    /// runs.
     std::optional<BooleanResult> run() {
         prepare();
         make_soup();
@@ -84,8 +85,8 @@ class BooleanPipeline {
     }
 
   private:
-    /// The distance to which faces that are coplanar within rounding are separated, mm.
-    double clearance() const { return std::min(4.0 * BooleanTuning::kFlush * size_, 0.25 * tolerance_); }
+    /// How far common faces are moved beyond each other at least, mm.
+    double clearance() const { return std::min(BooleanTuning::kClearance * size_, 0.25 * tolerance_); }
 
     void prepare() {
         stages_.start("inspecting", 0.0, 0.15);
@@ -251,7 +252,7 @@ class BooleanPipeline {
     StageWatch stages_{progress_, result_.seconds};
 };
 
-/// The symmetric difference of operands whose surfaces nearly coincide, one operand after the other: the union of both
+/// The symmetric difference of operands with common faces, one operand after the other: the union of both
 /// differences of the result and the next operand. Each difference leaves out the slivers between the surfaces.
 BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& operands, const BooleanOptions& options,
                                Progress& progress) {

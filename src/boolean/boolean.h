@@ -52,7 +52,7 @@ struct BooleanResult {
     std::size_t crossing_pairs = 0;
     std::size_t curve_edges = 0;         ///< on the intersection curves
     std::size_t separated_contacts = 0;  ///< points in which regions of the result touched
-    std::size_t separated_vertices = 0;  ///< vertices moved off nearly coincident surfaces
+    std::size_t separated_vertices = 0;  ///< vertices moved beyond common faces of another operand
     /// Triangles of the operands at which the result touches or crosses itself or is not manifold: 0, or an error is
     /// raised.
     std::size_t faults_left = 0;

@@ -20,7 +20,7 @@ struct BooleanReport : mesh::MeshReport {
     std::size_t crossing_pairs = 0;      ///< pairs of triangles of the operands that cross
     std::size_t curve_edges = 0;         ///< edges on the intersection curves
     std::size_t separated_contacts = 0;  ///< points in which regions of the result touched
-    std::size_t separated_vertices = 0;  ///< vertices of surfaces that nearly coincided
+    std::size_t separated_vertices = 0;  ///< vertices moved beyond common faces of another operand
     std::size_t fitted_vertices = 0;     ///< vertices put onto the surfaces of the shapes that were operands
     std::size_t unfitted_vertices = 0;   ///< vertices left on the meshes of these shapes
     std::size_t holes_filled = 0;        ///< holes that stitching left in the reconstructed surface (method Uniform)
