@@ -61,6 +61,7 @@ class BooleanPipeline {
         }
         size_ = box.largest_side();
         tolerance_ = options.tolerance_for(size_);
+        oriented_ = options.oriented;
     }
 
     /// Runs all stages; nothing for a symmetric difference of nearly coincident surfaces, which takes several runs.
@@ -94,7 +95,7 @@ class BooleanPipeline {
         parallel_for(static_cast<int>(inputs_.size()), [&](int k) {
             const auto i = static_cast<std::size_t>(k);
             prepared_[i] = prepare_operand(*inputs_[i], operand_name(i, inputs_.size()),
-                                           InputTuning::kCrackShare * tolerance_, &progress_);
+                                           InputTuning::kCrackShare * tolerance_, &progress_, oriented_);
         });
         for (std::size_t i = 0; i < inputs_.size(); ++i) {
             joined_ = std::max(joined_, prepared_[i].largest_move);
@@ -267,7 +268,8 @@ class BooleanPipeline {
     const Expression expression_;
     const bool symmetric_;  ///< a chain of symmetric differences
     Progress& progress_;
-    bool no_slivers_;  ///< nearly coincident surfaces are separated even at a few crossings
+    bool oriented_ = false;  ///< see BooleanOptions
+    bool no_slivers_;        ///< nearly coincident surfaces are separated even at a few crossings
     BooleanResult result_;
     double size_ = 0.0;
     bool in_single_ = true;  ///< all vertices of the operands are single-precision numbers
