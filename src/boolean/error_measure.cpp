@@ -25,7 +25,7 @@ using Corners = std::array<Vec3, 3>;
 /// precision rounds.
 constexpr double kBeside = 1e-7;
 /// Samples on large triangles, all together, about.
-constexpr double kLargeSamples = 50'000.0;
+constexpr double kLargeSamples = 100'000.0;
 /// Triangles whose samples are measured between two looks at a cancellation.
 constexpr std::size_t kBlock = 64;
 
@@ -222,12 +222,17 @@ class DistanceSearch {
         for (const Vec3& step : guesses) {
             try_step(step);
         }
-        for (double reach = kWider * (near.distance + solid_.beside()); best_ > enough; reach *= kWider) {
-            search(std::min(reach, best_));
-            if (reach >= best_) {
-                break;
+        if (best_ > enough && is_any_beyond(enough)) {
+            return enough;
+        }
+        double searched = 0.0;
+        for (double reach = kWider * (near.distance + solid_.beside()); best_ > enough && searched < best_;
+             reach *= kWider) {
+            search(searched, std::min(reach, best_));
+            if (best_ > reach) {
+                probe(reach);
             }
-            probe(reach);
+            searched = reach;
         }
         return best_;
     }
@@ -239,10 +244,12 @@ class DistanceSearch {
     static constexpr std::array<double, 4> kBeyond{1.0, 1.01, 1.1, 1.5};
     /// Steps whose ends are nearer to each other than this, by their length, are taken as one.
     static constexpr double kSame = 0.05;
+    /// Steps shorter than this, by the radius of the ball, are not taken in pairs: they were in smaller balls.
+    static constexpr double kNear = 0.125;
     /// Steps that are taken singly, in pairs, and in threes.
-    static constexpr std::size_t kMost = 1024;
-    static constexpr std::size_t kMostInPairs = 24;
-    static constexpr std::size_t kMostInThrees = 8;
+    static constexpr std::size_t kMost = 256;
+    static constexpr std::size_t kMostInPairs = 16;
+    static constexpr std::size_t kMostInThrees = 6;
 
     /// Whether a triangle at p bounds the solid there, or a little nearer to one of its corners: at an edge, a vertex
     /// or a curve of intersection the solid may be on one side of it on a part only.
@@ -286,14 +293,20 @@ class DistanceSearch {
         return false;
     }
 
-    void search(double reach) {
+    /// Tries what triangles of which the nearest points are in a ball lead to; those nearer than `searched` singly no
+    /// more.
+    void search(double searched, double reach) {
         const std::vector<Vec3> steps = steps_within(reach);
-        for (std::size_t k = 0; k < std::min(steps.size(), kMost); ++k) {
-            if (steps[k].norm() >= best_ || try_step(steps[k])) {
+        std::size_t tried = 0;
+        for (const Vec3& step : steps) {
+            if (step.norm() < searched) {
+                continue;
+            }
+            if (++tried > kMost || step.norm() >= best_ || try_step(step)) {
                 break;
             }
         }
-        const std::vector<Vec3> apart = steps_apart(steps);
+        const std::vector<Vec3> apart = steps_apart(steps, kNear * reach);
         for (std::size_t i = 0; i < apart.size(); ++i) {
             for (std::size_t j = i + 1; j < apart.size(); ++j) {
                 try_to_meet({&apart[i], &apart[j]});
@@ -304,15 +317,35 @@ class DistanceSearch {
         }
     }
 
-    /// Tries points all around p: where no plane tells the way, as at edges and vertices.
-    void probe(double radius) {
+    /// The 26 steps to neighbours in a grid, of one length.
+    template <typename Visit>
+    static void for_each_way(double length, const Visit& visit) {
         for (int k = 0; k < 27; ++k) {
             const Vec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-            const Vec3 step = radius / std::max(way.norm(), 1.0) * way;
+            if (k != 13 && !visit(Vec3(length / way.norm() * way))) {
+                return;
+            }
+        }
+    }
+
+    /// Whether a point on another side than p is found at this distance.
+    bool is_any_beyond(double distance) const {
+        bool found = false;
+        for_each_way(distance, [&](const Vec3& step) {
+            found = solid_.contains(p_ + step) != inside_;
+            return !found;
+        });
+        return found;
+    }
+
+    /// Tries points all around p: where no plane tells the way, as at edges and vertices.
+    void probe(double radius) {
+        for_each_way(radius, [&](const Vec3& step) {
             if (solid_.contains(p_ + step) != inside_) {
                 shorten(step);
             }
-        }
+            return true;
+        });
     }
 
     /// Takes a step to the other side, as far as the surface is on its way.
@@ -343,13 +376,19 @@ class DistanceSearch {
         return all;
     }
 
-    /// The first of some steps whose ends are not near to each other.
-    static std::vector<Vec3> steps_apart(const std::vector<Vec3>& steps) {
+    /// The first of some steps, none shorter than `least`, whose ends are not near to each other.
+    static std::vector<Vec3> steps_apart(const std::vector<Vec3>& steps, double least) {
         std::vector<Vec3> apart;
         for (const Vec3& step : steps) {
+            if (step.norm() < least) {
+                continue;
+            }
+            if (apart.size() == kMostInPairs) {
+                break;
+            }
             const double near = kSame * step.norm();
             const auto is_near = [&](const Vec3& other) { return (other - step).norm() <= near; };
-            if (apart.size() < kMostInPairs && std::none_of(apart.begin(), apart.end(), is_near)) {
+            if (std::none_of(apart.begin(), apart.end(), is_near)) {
                 apart.push_back(step);
             }
         }
@@ -413,17 +452,20 @@ void for_each_centre(const Corners& triangle, double longest, const Visit& visit
     }
 }
 
-double area(const Corners& t) {
-    return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
-}
-
-/// The spacing of samples on these triangles.
+/// The spacing of samples on these triangles: the finest, or twice, four times ... that where it takes too many.
 double spacing_on(const std::vector<Corners>& triangles, double finest) {
-    double sum = 0.0;
-    for (const Corners& t : triangles) {
-        sum += area(t);
+    double spacing = finest;
+    for (double pieces = 2.0 * kLargeSamples; pieces > kLargeSamples; spacing *= 2.0) {
+        pieces = 0.0;
+        for (const Corners& t : triangles) {
+            const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+            if (longest > spacing) {  // pieces are half as large as a square of this side, or there is one row of them
+                const double area = 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
+                pieces += 2.0 * (area / spacing + longest) / spacing;
+            }
+        }
     }
-    return std::max(finest, std::sqrt(2.0 * sum / kLargeSamples));
+    return 0.5 * spacing;
 }
 
 /// measure(triangle, centre) for samples of all triangles.

@@ -41,7 +41,7 @@ struct MeasuredError {
 /// From the exact surface: points of the operands' triangles on which the exact solid is on one side only, and their
 /// distances from the nearest triangle of the result.
 /// @param own      for each triangle of the result whether it is an operand's own, and not sampled; empty: none is
-/// @param finest   mm, the spacing of samples on large triangles; no more are taken than some 50,000 beyond one for
+/// @param finest   mm, the spacing of samples on large triangles; no more are taken than some 100,000 beyond one for
 ///     each triangle
 /// @param enough   mm; distances up to this are not told apart
 /// @param thinnest mm; where the exact solid, or a gap in it, is thinner than this, nobody looks for its surface in the
