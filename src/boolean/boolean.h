@@ -26,6 +26,9 @@ struct BooleanOptions {
     /// Whether the method "uniform" reconstructs the whole surface from its samples (Wang 2010, Table III); other
     /// methods have no samples.
     bool full = false;
+    /// Whether the operands are turned as they are meant, and closed but for faults of repair: components that wind
+    /// around nothing stay so. Otherwise those that bound a volume inside out are turned.
+    bool oriented = false;
 
     /// The tolerance in mm: as it was requested, else that of the resolution for operands whose box has this longest
     /// side.

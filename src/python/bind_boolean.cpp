@@ -127,7 +127,7 @@ void bind_boolean_report(py::module_& m) {
         .def_readonly("parted_contacts", &BooleanReport::separated_contacts,
                       "points in which parts of the result touched")
         .def_readonly("separated_vertices", &BooleanReport::separated_vertices,
-                      "vertices of surfaces that ran along each other")
+                      "vertices moved beyond common faces of another operand")
         .def_readonly("fitted_vertices", &BooleanReport::fitted_vertices,
                       "made on the faces of shapes and put onto their surfaces")
         .def_readonly("unfitted_vertices", &BooleanReport::unfitted_vertices,

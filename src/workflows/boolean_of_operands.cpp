@@ -14,7 +14,6 @@
 #include "boolean/project_to_cad.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/shape_model.h"
-#include "mesh/quality/surface_verification.h"
 #include "workflows/operand_frame.h"
 
 namespace mq::workflows {
@@ -86,7 +85,9 @@ void take(BooleanSurface& surface, UniformResult&& result) {
     figures.method = "uniform";
     figures.error_bound = result.error_bound;
     figures.retained = result.retained;
-    figures.reconstructed = result.changed + result.reconstructed + result.hole_triangles;
+    figures.reconstructed = result.mesh.triangles.size() - result.retained;
+    figures.self_intersections = 0;  // or an error was raised
+    figures.crossing_pairs = result.crossing_pairs;
     if (result.unsampled_triangles > 0) {
         figures.notes.push_back("lost, as no ray met the components that they belong to: " +
                                 mesh::counted(result.unsampled_triangles, "triangle") + "; take a higher resolution");
@@ -132,21 +133,6 @@ boolean::CadOperands cad_of(const std::vector<BooleanOperand>& operands, geometr
     return cad;
 }
 
-/// The paper's scheme promises no freedom from self-intersection, so its result is checked here.
-void check_uniform(BooleanSurface& surface, Progress& progress) {
-    constexpr std::size_t kMostContacts = 1000;  // contacts that are counted; a fault is a fault after the first
-    const mesh::Verification check =
-        mesh::verify(surface.mesh.vertices, surface.mesh.triangles, nullptr, kMostContacts, &progress);
-    for (const std::size_t count : check.count) {
-        surface.figures.faults_left += count;
-    }
-    surface.figures.self_intersections =
-        static_cast<std::int64_t>(check.count[static_cast<std::size_t>(mesh::FaultKind::Crossing)]);
-    if (!check.passed()) {
-        surface.figures.notes.push_back("the uniform scheme left faults: " + check.summary(surface.mesh.origin));
-    }
-}
-
 void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const std::vector<BooleanOperand>& operands,
                  geometry::Engine& engine, const Expression& expression, const BooleanOptions& options,
                  Progress& progress) {
@@ -160,9 +146,8 @@ void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const std::
         tolerance = boolean::uniform_bound(frame.size(), uniform.resolution);
     }
     const boolean::CadOperands cad = cad_of(operands, engine, progress);
-    take(surface, boolean::layered_depth_boolean(frame.meshes(), expression, uniform, &progress, cad));
+    take(surface, boolean::sound_layered_depth_boolean(frame.meshes(), expression, uniform, tolerance, progress, cad));
     surface.figures.tolerance_asked = tolerance;
-    check_uniform(surface, progress);
 }
 
 /// Edges, vertices and triangles at which a surface is not a closed oriented manifold.

@@ -361,14 +361,16 @@ void require_some(const OperandMesh& draft) {
 }  // namespace
 
 Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, double reach,
-                        const Progress* progress) {
+                        const Progress* progress, bool oriented) {
     OperandMesh draft = welded_draft(mesh, name, progress);
     if (!is_fit(draft)) {
         repair_with_cracks(draft, reach, progress);
     }
     check_cancelled(progress);
     require_some(draft);
-    orient_to_bound_volume(draft);
+    if (!oriented) {
+        orient_to_bound_volume(draft);
+    }
     return operand_of(draft, mesh);
 }
 

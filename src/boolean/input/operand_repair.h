@@ -59,12 +59,13 @@ std::string operand_name(std::size_t index, std::size_t count);
 /// bit.
 /// @param name for messages, such as "operand A"
 /// @param reach  the width up to which cracks are closed, mm; 0: none
+/// @param oriented  whether components stay turned as they are: their inside is what they wind around
 /// @throws InvalidInput naming the operand, the defect and its position: no triangles, a coordinate that is not finite,
 /// an index out of range.
 /// @throws OpenOperand likewise: a one-sided surface, an open surface (see InputTuning).
 /// @throws Cancelled.
 Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, double reach = 0.0,
-                        const Progress* progress = nullptr);
+                        const Progress* progress = nullptr, bool oriented = false);
 
 /// What can be made of an operand that prepare_operand refuses as open: equal vertices welded, triangles without area
 /// and all but one of those on the same vertices removed, neighbours turned alike unless the surface has one side only,

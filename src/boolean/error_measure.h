@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "base/progress.h"
+#include "boolean/input/operation.h"
+#include "mesh/intersection/winding_number.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::boolean {
+
+/// An operand as the set of points that it encloses, in the frame of the result. All is referred to.
+struct EnclosedOperand {
+    const std::vector<Vec3>* vertices = nullptr;
+    const std::vector<mesh::Triangle>* triangles = nullptr;
+    /// Null: the triangles close, and inside is what they wind around at least once. Else inside is where this is at
+    /// least 0.5.
+    const mesh::WindingNumber* winding = nullptr;
+    std::vector<char> retained;  ///< for each triangle whether the result has it bit for bit; empty: for none
+};
+
+/// The largest distances found between a result and the exact Boolean of its operands, mm.
+struct MeasuredError {
+    double to_exact = 0.0;    ///< of points of the result from the exact surface
+    double from_exact = 0.0;  ///< of points of the exact surface from the result
+    double spacing = 0.0;     ///< sampled triangles have a point within this distance of each of theirs, mm
+
+    double largest() const { return to_exact > from_exact ? to_exact : from_exact; }
+};
+
+/// Measures how far a result is from the exact Boolean of its operands, both ways, by points of triangles that are not
+/// an operand's own. The exact surface is not made: a point of space belongs to the exact solid or not by the winding
+/// numbers of the operands there, counted along rays.
+///
+/// From the result: its vertices, and points inside of triangles. Where a point of the exact solid and one outside of
+/// it are at a distance d at most, the surface between them is within d too; the point behind the nearest triangles of
+/// operands, and behind the curves and corners in which two or three of these meet, is sought that is on another side.
+/// So the distance of each point is bounded from above, whatever the search finds.
+///
+/// From the exact surface: points of the operands' triangles on which the exact solid is on one side only, and their
+/// distances from the nearest triangle of the result.
+/// @param own      for each triangle of the result whether it is an operand's own, and not sampled; empty: none is
+/// @param finest   mm, the spacing of samples on large triangles; no more are taken than some 100,000 beyond one for
+///     each triangle
+/// @param enough   mm; distances up to this are not told apart
+/// @param thinnest mm; where the exact solid, or a gap in it, is thinner than this, nobody looks for its surface in the
+///     result
+/// @throws Cancelled
+MeasuredError measure_error(const std::vector<EnclosedOperand>& operands, const Expression& expression,
+                            const mesh::TriangleMesh& result, const std::vector<char>& own, double finest,
+                            double enough, double thinnest, const Progress& progress);
+
+}  // namespace mq::boolean
