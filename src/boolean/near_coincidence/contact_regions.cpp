@@ -225,6 +225,11 @@ std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& sea
         }
         begin = end;
     }
+    for (const CoincidentTriangle& twin : twins) {
+        if (operand_of(soup, twin.of) < operand_of(soup, twin.triangle)) {
+            result.push_back({twin.of, twin.triangle, 0.0, 0.0, least});
+        }
+    }
     std::sort(result.begin(), result.end(), [&](const ContactFace& a, const ContactFace& b) {
         return std::tuple(operand_of(soup, a.later), a.later, a.earlier) <
                std::tuple(operand_of(soup, b.later), b.later, b.earlier);

@@ -21,7 +21,7 @@ struct ContactFace {
 };
 
 /// The pairs of triangles in which faces of different operands lie on each other within the tolerance, mm; in order of
-/// the operands, then of the triangles. Faces in one plane have heights of 0; twins are left out.
+/// the operands, then of the triangles. Faces in one plane, and twins, have heights of 0.
 ///
 /// Surfaces that cross at a small angle, or touch in a point, are within the tolerance of each other, too: in a strip
 /// or a disc. How its area grows with the distance tells them from a common face: that of a strip or a disc is

@@ -192,6 +192,11 @@ class PlanesToLeave {
         planes_.clear();
     }
     const Vec3& displacement(std::size_t v) const { return displacement_[v]; }
+    bool has_moved(std::int32_t t) const {
+        const Triangle& c = soup_.triangles[static_cast<std::size_t>(t)];
+        return std::any_of(c.begin(), c.end(),
+                           [&](std::int32_t v) { return displacement_[static_cast<std::size_t>(v)] != Vec3::Zero(); });
+    }
 
   private:
     /// The shortest displacement in as many half-spaces as there is one for, taken one by one in the order of ranks.
@@ -224,14 +229,14 @@ class PlanesToLeave {
 /// contact there.
 std::vector<std::pair<std::int32_t, double>> around(const Soup& soup, const std::vector<std::int32_t>& near,
                                                     const ContactFace* first, const ContactFace* last,
-                                                    double clearance) {
+                                                    const PlanesToLeave& planes, double clearance) {
     const std::int32_t operand = operand_of(soup, first->later);
     std::unordered_map<std::int32_t, double> most;
     std::unordered_set<std::int32_t> vertices;
     for (const ContactFace* face = first; face != last; ++face) {
         double& known = most.emplace(face->later, 0.0).first->second;
         known = std::max(known, face->most);
-        if (differs(*face)) {
+        if (differs(*face) || planes.has_moved(face->earlier)) {
             const Triangle& c = soup.triangles[static_cast<std::size_t>(face->later)];
             vertices.insert(c.begin(), c.end());
         }
@@ -264,7 +269,7 @@ NearCoincidence overlap_contacts(Soup& soup, const FacingSearch& search, const E
         const ContactFace* last = std::find_if(first, end, [&](const ContactFace& face) {
             return operand_of(soup, face.later) != operand_of(soup, first->later);
         });
-        for (const auto& [later, most] : around(soup, search.near(), first, last, options.clearance)) {
+        for (const auto& [later, most] : around(soup, search.near(), first, last, planes, options.clearance)) {
             pace.step();
             const std::int32_t t = later;
             const double gap = most;
