@@ -33,7 +33,7 @@ def operands_of(pair, as_meshes):
 
 
 def run(pair, as_meshes):
-    """For each operation what is wrong, "" where nothing is."""
+    """For each operation what is wrong, "" where nothing is, and whether the error bound says that the tolerance is kept."""
     import MeshQuality as mq
     from parts.contact_pairs import OPERATIONS, disagreement
 
@@ -42,9 +42,11 @@ def run(pair, as_meshes):
     for operation in OPERATIONS:
         try:
             result = mq.boolean(*operands, operation, tolerance=pair.tolerance, method="exact")
-            found[operation] = disagreement(pair, operation, result)
+            what = disagreement(pair, operation, result)
+            met = result.report.error_bound <= pair.tolerance
+            found[operation] = (what, met)
         except mq.Error as error:
-            found[operation] = f"{type(error).__name__}: {error}"
+            found[operation] = (f"{type(error).__name__}: {error}", False)
     return found
 
 
@@ -54,19 +56,22 @@ def work(arguments):
     chosen = [(arguments.only.rsplit("-", 1)[0], int(arguments.only.rsplit("-", 1)[1]))] if arguments.only else \
         [(kind, seed) for kind in arguments.kinds or KINDS
          for seed in range(arguments.first, arguments.first + arguments.pairs)]
-    wrong, done, rows = Counter(), Counter(), []
+    wrong, unmet, done, rows = Counter(), Counter(), Counter(), []
     start = time.process_time()
     for kind, seed in chosen:
         pair = contact_pair(kind, seed)
-        for operation, what in run(pair, seed % 2 == 1).items():
+        for operation, (what, met) in run(pair, seed % 2 == 1).items():
             done[kind, operation] += 1
+            unmet[kind, operation] += not met
             if what:
                 wrong[kind, operation] += 1
-                rows.append((kind, seed, operation, what))
-                print(f"{kind}-{seed} {operation}: {what}", flush=True)
+                rows.append((kind, seed, operation, what, met))
+                print(f"{kind}-{seed} {operation}: {what}; {'called met' if met else 'not called met'}", flush=True)
     for kind, operation in done:
-        print(f"{kind:9} {operation:21} {wrong[kind, operation]:4} wrong of {done[kind, operation]}")
-    print(f"{sum(wrong.values())} wrong of {sum(done.values())}, {time.process_time() - start:.0f} CPU s")
+        print(f"{kind:9} {operation:21} {wrong[kind, operation]:4} wrong, {unmet[kind, operation]:4} not called met, "
+              f"of {done[kind, operation]}")
+    print(f"{sum(wrong.values())} wrong, {sum(row[-1] for row in rows)} of these called met, of {sum(done.values())}; "
+          f"{time.process_time() - start:.0f} CPU s")
     return {"wrong": rows, "done": sum(done.values()), "status": int(bool(rows))}
 
 

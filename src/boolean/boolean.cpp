@@ -219,15 +219,14 @@ class BooleanPipeline {
                                                     : std::array<std::int32_t, 2>{-1, -1});
         }
         if (moved_ > 0.0) {
-            result_.error_bound += measured_error();
+            result_.error_bound += error_of_moves();
         }
     }
 
-    /// How far the result is from the exact Boolean of the operands as they were before common faces were moved, mm. A
-    /// vertex that moved does not say it: what moved may not be in the result, and what it closed or opened may be
-    /// farther away. Gaps and slivers of the operands as thin as twice the moves may be gone.
-    double measured_error() {
-        constexpr double kEnough = 0.05;  // of the tolerance: smaller distances are not told apart
+    /// How far the result is from the exact Boolean of the operands as they were before common faces were moved, mm: at
+    /// least as far as these were moved, as gaps and slivers of the operands as thin as twice that may be gone. It is
+    /// measured, too: a gap that the moves had opened would have sides that are farther away.
+    double error_of_moves() {
         std::vector<std::vector<Vec3>> places(prepared_.size());
         std::vector<EnclosedOperand> enclosed(prepared_.size());
         for (std::size_t i = 0; i < prepared_.size(); ++i) {
@@ -242,9 +241,9 @@ class BooleanPipeline {
         for (const std::array<std::int32_t, 2>& source : result_.triangle_source) {
             own.push_back(source[0] >= 0 ? 1 : 0);
         }
-        return measure_error(enclosed, expression_, result_.mesh, own, tolerance_,
-                             std::min(moved_, kEnough * tolerance_), 2.0 * moved_, progress_)
-            .largest();
+        const MeasuredError measured =
+            measure_error(enclosed, expression_, result_.mesh, own, tolerance_, moved_, 2.0 * moved_, progress_);
+        return std::max(moved_, measured.largest());
     }
 
     /// The triangles of the soup of which pieces are at edges or vertices where the surface is no manifold: what is
