@@ -306,6 +306,7 @@ STAGES = {
     "filling": "filling with tetrahedra",
     "repairing the volume": "repairing the tetrahedra",
     "inspecting": "checking the operands",
+    "finding contacts": "finding common faces",
     "finding crossings": "finding intersections",
     "dividing": "dividing triangles",
     "extracting": "extracting the result",

@@ -139,14 +139,14 @@ Box swept(const std::array<Vec3, 3>& q, double reach, double margin) {
     return {box.low - Vec3::Constant(margin), box.high + Vec3::Constant(margin)};
 }
 
-FacingSearch::Disc::Disc(const std::array<Vec3, 3>& q)
+FacingSearch::BoundingCircle::BoundingCircle(const std::array<Vec3, 3>& q)
     : middle((q[0] + q[1] + q[2]) / 3.0), axis((q[1] - q[0]).cross(q[2] - q[0]).normalized()) {
     for (const Vec3& x : q) {
         radius = std::max(radius, (x - middle).norm());
     }
 }
 
-bool FacingSearch::Disc::meets_column_of(const std::array<Vec3, 3>& p, double margin) const {
+bool FacingSearch::BoundingCircle::meets_column_of(const std::array<Vec3, 3>& p, double margin) const {
     const Vec3 way = (p[0] + p[1] + p[2]) / 3.0 - middle;
     const double aside = way.squaredNorm() - std::pow(way.dot(axis), 2);
     const Vec3 center = (p[0] + p[1] + p[2]) / 3.0;

@@ -36,12 +36,12 @@ class FacingSearch {
     template <typename Visit>
     void for_each_facing(std::int32_t later, double reach, double margin, const Visit& visit) const {
         const std::array<Vec3, 3> q = corners(soup_, later);
-        const Disc disc(q);
+        const BoundingCircle circle(q);
         const Box box = swept(q, reach, margin);
         for (const std::size_t operand : earlier_[static_cast<std::size_t>(operand_of(soup_, later))]) {
             trees_[operand]->for_each_in_box(box, [&](std::int32_t earlier) {
                 const std::array<Vec3, 3> p = corners(soup_, earlier);
-                if (disc.meets_column_of(p, margin)) {
+                if (circle.meets_column_of(p, margin)) {
                     const Overlap overlap = overlap_of(p, q, reach, margin);
                     if (overlap.area > 0.0) {
                         visit(earlier, overlap);
@@ -52,10 +52,10 @@ class FacingSearch {
     }
 
   private:
-    /// A disc around a triangle.
-    struct Disc {
-        explicit Disc(const std::array<Vec3, 3>& q);
-        /// False only if, seen along the disc's axis, a triangle enlarged by the margin does not meet it.
+    /// A circle in the plane of a triangle, around it.
+    struct BoundingCircle {
+        explicit BoundingCircle(const std::array<Vec3, 3>& q);
+        /// False only if, seen along the circle's axis, a triangle enlarged by the margin does not meet it.
         bool meets_column_of(const std::array<Vec3, 3>& p, double margin) const;
 
         Vec3 middle;

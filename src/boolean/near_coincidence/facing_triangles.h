@@ -9,12 +9,12 @@ namespace mq::boolean {
 
 /// How a triangle lies over the plane of another one, where the two overlap seen along its own normal.
 struct Overlap {
-    double area = 0.0;   ///< mm2, of what is at most `reach` from the plane; 0: the triangles do not face each other
+    double area = 0.0;   ///< mm2, where it is at most `reach` from the plane; 0: the triangles do not face each other
     double worst = 0.0;  ///< mm, the largest distance from the plane in that area
     /// Heights over the plane, also beyond the reach, mm.
     double low = 0.0;  ///< 0 to 0 where both triangles lie in one plane, exactly
     double high = 0.0;
-    Box box;                 ///< of the overlap
+    Box box;                 ///< contains the overlap
     bool same_side = false;  ///< the normals have the same direction
 };
 

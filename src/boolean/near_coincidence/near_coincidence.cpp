@@ -26,7 +26,7 @@ Vec3 unit_normal(const Soup& soup, std::int32_t t) {
 }
 
 /// +1: the later operand's surface goes into the material of the earlier one, -1: out of it, 0: it stays.
-int way_of(const Expression& expression, std::int32_t earlier, std::int32_t later) {
+int offset_sign(const Expression& expression, std::int32_t earlier, std::int32_t later) {
     switch (expression.pairing(earlier, later)) {
         case Pairing::Union:
         case Pairing::SecondLessFirst:
@@ -138,7 +138,7 @@ class ShortestDisplacement {
         return Vec3(directions.transpose() * products.inverse() * least);
     }
 
-    static constexpr double kRounding = 1e-6;           ///< of the largest distance asked for
+    static constexpr double kRounding = 1e-6;           ///< a fraction of the largest distance asked for
     static constexpr double kLeastDeterminant = 1e-10;  ///< planes at less than 1e-5 from each other are dependent
 
     const std::vector<HalfSpace>& spaces_;
@@ -156,7 +156,7 @@ class PlanesToLeave {
     /// Demands of the vertices of the later triangle that they are beyond the plane of the earlier one, which may have
     /// moved itself.
     void leave(std::int32_t earlier, std::int32_t later, const Overlap& overlap, bool beside) {
-        const int way = way_of(expression_, operand_of(soup_, earlier), operand_of(soup_, later));
+        const int way = offset_sign(expression_, operand_of(soup_, earlier), operand_of(soup_, later));
         if (way == 0) {
             return;
         }
