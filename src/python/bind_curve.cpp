@@ -87,7 +87,11 @@ void bind_curve_report(py::module_& m) {
             "pairs of triangles of the straight mesh that cross; -1: not looked for")
         .def_property_readonly(
             "overlaps", [](const CurveReport& r) { return r.straight.overlaps; },
-            "pairs of triangles of the straight mesh that cross and are of different volumes; -1: not looked for")
+            "pairs of triangles of the straight mesh that cross and are of different volumes, but for those of bodies "
+            "that only touch; -1: not looked for")
+        .def_property_readonly(
+            "overlapping_bodies", [](const CurveReport& r) { return overlaps_of(r.straight.overlapping_bodies); },
+            "[(body, body, how), ...]: see MeshReport.overlapping_bodies")
         .def_property_readonly(
             "contacts", [](const CurveReport& r) { return contacts_of(r.straight.contacts); },
             "[(solid, solid, triangles on one side, mm^2), ...] of the straight mesh: where solids share elements; see "

@@ -27,7 +27,7 @@ MaxChordError measure_against_part(Workspace& work, MeasurementCache& findings, 
 /// Measures the final mesh: angles and topology; names bounds that are not met, and why. `farthest` is of
 /// measure_against_part, which must have been called.
 /// @throws Cancelled
-mesh::MeshReport final_report(const Workspace& work, SelfIntersections& crossings, const MaxChordError& farthest,
+mesh::MeshReport final_report(Workspace& work, SelfIntersections& crossings, const MaxChordError& farthest,
                               const Output& out, const TriangulateOptions& options, double chord);
 
 }  // namespace mq::triangulate
