@@ -80,6 +80,8 @@ void bind_curve_report(py::module_& m) {
         .def_readonly("straight", &CurveReport::straight, "MeshReport of the mesh that was curved")
         .def_readonly("curved_intersections", &CurveReport::curved_intersections,
                       "pairs of curved triangles that are proven to cross; -1: not looked for")
+        .def_readonly("curved_overlaps", &CurveReport::curved_overlaps,
+                      "those of them of different bodies, which no node connects; -1: not looked for")
         .def_readonly("not_proven_apart", &CurveReport::not_proven_apart,
                       "pairs that are neither proven to cross nor to be apart, as where they touch; -1: not looked for")
         .def_property_readonly(

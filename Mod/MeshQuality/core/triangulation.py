@@ -15,7 +15,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 method="refine", max_triangles=None, progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True,
-                imprint=False, evaluation="fast", patches=None, patch_rest=None, threads=0):
+                imprint=False, overlap="refuse", evaluation="fast", patches=None, patch_rest=None, threads=0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -42,6 +42,9 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
     imprint                solids that share an area get the same triangles on both sides; see report.contacts
+    overlap                "refuse": bodies that overlap, lie in one another or cross are a fault of the mesh, in the
+                           certificate of objects and on the command line; "allow": they are not; report.overlapping_bodies
+                           names them either way
     evaluation             of curves and surfaces: "fast" by formulas and polynomial pieces; "native" by OpenCASCADE alone
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
@@ -66,7 +69,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces, "connectivity": connectivity,
         "refine_samples": refine_samples, "seed": seed, "local_sizes": local_sizes,
         "edges_per_circle": edges_per_circle, "growth_rate": growth_rate, "keep_edges": keep_edges,
-        "feature_angle": feature_angle, "sew": sew, "imprint": imprint, "evaluation": evaluation,
+        "feature_angle": feature_angle, "sew": sew, "imprint": imprint, "overlap": overlap, "evaluation": evaluation,
     })
     values["threads"] = options.THREADS.checked(threads)
     options.require_callable(progress)
@@ -79,10 +82,11 @@ def _meshed(shape, values, progress, cache, division):
     values = convert.with_resolved_sizes(shape, values)
     module = extension()
     core_options = module.TriangulateOptions()
+    overlap = values.pop("overlap")
     core_options.local_sizes = element_names.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
     surface = module.triangulate(live_shape, core_options, progress, _core_cache(cache))
-    return SurfaceMesh(surface, kept(division, surface))
+    return SurfaceMesh(surface, kept(division, surface), overlap)
 
 
 class MeshCache(metaclass=Public):

@@ -109,7 +109,8 @@ def line(label, report, findings, say=str):
 
 def _figures(report):
     """What the line says of a MeshReport, BooleanReport or CurveReport."""
-    if hasattr(report, "elements"):
+    curved = hasattr(report, "elements")
+    if curved:
         yield _counted(phrases.ELEMENTS, report.elements)
         yield Text(phrases.MAX_DISTORTION, number=_number(report.max_shape_distortion))
         yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.max_deviation)))
@@ -121,8 +122,10 @@ def _figures(report):
             yield Text(phrases.ERROR_BOUND, length=_length(_rounded(report.error_bound)))
         elif report.max_chord_height >= 0:
             yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.max_chord_height)))
-    if report.overlaps > 0:
+    if report.overlaps > 0 and not (curved and all(pair[2] == "near" for pair in report.overlapping_bodies)):
         yield _counted(phrases.OVERLAPS, report.overlaps)
+    if getattr(report, "not_proven_apart", 0) > 0:
+        yield _counted(phrases.NOT_PROVEN_APART, report.not_proven_apart)
 
 
 def must_be_closed(shape):
@@ -133,7 +136,8 @@ def must_be_closed(shape):
 def of_triangulation(mesh, closed, values=None, shape=None):
     """Findings of a SurfaceMesh that triangulate made of the shape with these options."""
     return [*angles(mesh), *deviation(mesh), *edges(mesh, values or {}, shape), *_incomplete(mesh.report),
-            *_missing_faces(mesh.report), *topology(mesh.report, closed, mesh), *_crossings(mesh.report)]
+            *_missing_faces(mesh.report), *topology(mesh.report, closed, mesh), *_crossings(mesh.report),
+            *_overlapping_bodies(mesh.report, values)]
 
 
 def of_improvement(mesh, closed, progress=None):
@@ -163,7 +167,8 @@ def of_curved(curved, closed, values=None, corners=None, shape=None):
     """
     return [*elements(curved), *distortion(curved), *_before_curving(curved, values or {}, shape),
             *_too_far(curved.report.max_deviation, curved.report.chord_height_asked, phrases.SHAPE_DISTANCE),
-            *topology(corners or topology_of_corners(curved), closed), *_crossings(curved.report)]
+            *topology(corners or topology_of_corners(curved), closed), *_crossings(curved.report),
+            *_overlapping_bodies(curved.report, values, ("overlapping", "inside", "equal")), *_curved_crossings(curved.report, values)]
 
 
 def _before_curving(curved, values, shape):
@@ -495,6 +500,33 @@ def _crossings(report):
         said.append(Text(phrases.CROSSES_ITSELF, face=first) if first == second
                     else Text(phrases.FACES_CROSS, face=first, face2=second))
     return [Finding(phrases.joined(*said), tuple(dict.fromkeys(face for pair in pairs for face in pair)))]
+
+
+_SAID_OF_BODIES = {"overlapping": phrases.BODY_OVERLAPS, "inside": phrases.BODY_INSIDE, "equal": phrases.BODY_TWICE,
+                   "near": phrases.BODY_NEAR}
+
+
+def _overlapping_bodies(report, values, kinds=tuple(_SAID_OF_BODIES)):
+    """Findings of bodies of the shape that are not apart in the mesh, of these kinds, unless the options allow that.
+
+    Curved elements may be apart where the straight mesh crosses: what they do themselves is counted.
+    """
+    pairs = [pair for pair in report.overlapping_bodies if pair[2] in kinds]
+    near = [pair for pair in pairs if pair[2] == "near"]
+    deep = [pair for pair in pairs if pair[2] != "near"]
+    if (values or {}).get("overlap") == "allow":
+        return []
+    return [Finding(phrases.joined(_counted(phrase, len(some)), *(
+        Text(_SAID_OF_BODIES[how], name=first, name2=second) for first, second, how in some[:_NAMED])))
+            for phrase, some in ((phrases.BODIES_OVERLAP, deep), (phrases.BODIES_NEAR, near)) if some]
+
+
+def _curved_crossings(report, values):
+    """The finding of curved elements that are proven to cross; those of different bodies may where the options allow it."""
+    count = report.curved_intersections
+    if (values or {}).get("overlap") == "allow":
+        count -= report.curved_overlaps
+    return [Finding(_counted(phrases.CURVED_CROSSING, count))] if count > 0 else []
 
 
 def _missing_faces(report):

@@ -253,15 +253,15 @@ void BodyContacts::find_heights(const Pairs& pairs, std::vector<Place>& places) 
     }
 }
 
-// @return whether there is a gap at this place. Shells have no inside: they only cross or touch.
-bool BodyContacts::judge(const Place& place, const Owner& first, const Owner& second, double tolerance,
+// @return the gap at this place, mm; 0: there is none. Shells have no inside: they only cross or touch.
+double BodyContacts::gap_at(const Place& place, const Owner& first, const Owner& second, double tolerance,
                          Evidence& evidence) const {
     const bool solids = first.solid && second.solid;
     if (!solids && place.deep) {
         evidence.contact = BodyContact::Overlapping;
     }
     if (!place.found) {
-        return false;
+        return 0.0;
     }
     const Vec3 outward = first.side * place.normals[0];
     const Vec3 other_outward = second.side * place.normals[1];
@@ -287,9 +287,9 @@ bool BodyContacts::judge(const Place& place, const Owner& first, const Owner& se
     }
     if (gap > tolerance || (!solids && gap < -tolerance)) {
         evidence.contact = std::max(evidence.contact, BodyContact::Apart);
-        return true;
+        return std::abs(gap);
     }
-    return false;
+    return 0.0;
 }
 
 void BodyContacts::examine(FaceContact& contact, const Pairs& pairs, double deviation) {
@@ -301,20 +301,20 @@ void BodyContacts::examine(FaceContact& contact, const Pairs& pairs, double devi
         const double tolerance = kSame * work_.grid.resolution() +
                                  topology.faces[static_cast<std::size_t>(faces[0])].tolerance +
                                  topology.faces[static_cast<std::size_t>(faces[1])].tolerance;
-        bool apart = false;
+        double apart = 0.0;
         for (const Owner& first : owners_[static_cast<std::size_t>(faces[0])]) {
             for (const Owner& second : owners_[static_cast<std::size_t>(faces[1])]) {
                 const std::pair<int, int> volumes = std::minmax(first.volume, second.volume);
                 Evidence evidence;
-                apart = judge(places[k], first, second, tolerance, evidence) || apart;
+                apart = std::max(apart, gap_at(places[k], first, second, tolerance, evidence));
                 BodyContact& known = contact.contacts[volumes];
                 known = std::max(known, evidence.contact);
                 std::vector<Vec3>& common = evidence_[volumes].common;
                 common.insert(common.end(), evidence.common.begin(), evidence.common.end());
             }
         }
-        if (apart) {
-            contact.apart.push_back(pairs[k]);
+        if (apart > 0.0) {
+            contact.apart.emplace_back(pairs[k], apart);
         }
     }
 }
@@ -332,7 +332,17 @@ bool BodyContacts::have_in_common(const std::pair<int, int>& volumes, const std:
     });
 }
 
-std::vector<FaceContact> BodyContacts::find(double deviation, bool all) {
+const std::vector<FaceContact>& BodyContacts::find(double deviation) {
+    const std::array<std::int64_t, 2> state{work_.mesh.edges_made(), work_.mesh.triangle_count()};
+    if (state != state_ || deviation != deviation_) {
+        examine_all(deviation);
+        state_ = state;
+        deviation_ = deviation;
+    }
+    return found_;
+}
+
+void BodyContacts::examine_all(double deviation) {
     std::map<SelfIntersections::Faces, FaceContact> by_faces;
     for (const auto& pair : finder_.pairs_of_bodies()) {
         FaceContact& contact = by_faces[finder_.faces_of(pair)];
@@ -340,16 +350,16 @@ std::vector<FaceContact> BodyContacts::find(double deviation, bool all) {
         contact.pairs.push_back(pair);
     }
     evidence_.clear();
-    std::vector<FaceContact> found;
+    found_.clear();
     for (auto& entry : by_faces) {
         work_.progress.check();
         FaceContact& contact = entry.second;
         const bool few = contact.pairs.size() <= kSample;
         examine(contact, few ? contact.pairs : sample_of(contact.pairs, kSample), deviation);
-        if (!few && all && !contact.apart.empty()) {
+        if (!few && !contact.apart.empty()) {
             examine(contact, contact.pairs, deviation);
         }
-        found.push_back(std::move(contact));
+        found_.push_back(std::move(contact));
     }
     std::set<std::pair<int, int>> overlapping;
     for (const auto& [volumes, evidence] : evidence_) {
@@ -359,12 +369,11 @@ std::vector<FaceContact> BodyContacts::find(double deviation, bool all) {
             overlapping.insert(volumes);
         }
     }
-    for (FaceContact& contact : found) {
+    for (FaceContact& contact : found_) {
         for (auto& [volumes, how] : contact.contacts) {
             how = overlapping.count(volumes) > 0 ? BodyContact::Overlapping : how;
         }
     }
-    return found;
 }
 
 }  // namespace mq::triangulate

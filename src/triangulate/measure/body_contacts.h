@@ -23,7 +23,8 @@ struct FaceContact {
     SelfIntersections::Faces faces;
     std::vector<std::array<int, 2>> pairs;
     std::map<std::pair<int, int>, BodyContact> contacts;  ///< by two volumes that the faces belong to, ascending
-    std::vector<std::array<int, 2>> apart;  ///< those of the examined pairs that are apart in the shape
+    /// Those of the pairs that are apart in the shape, where there are any, and the gaps between them, mm.
+    std::vector<std::pair<std::array<int, 2>, double>> apart;
 
     BodyContact worst() const;
 };
@@ -39,10 +40,11 @@ class BodyContacts {
   public:
     BodyContacts(Workspace& work, SelfIntersections& finder);
 
+    /// Examines the pairs of two faces, of many that only touch a sample of them; once as long as neither the mesh nor
+    /// the deviation changes.
     /// @param deviation  largest distance of the mesh from its faces, mm
-    /// @param all  whether all pairs are examined; otherwise of two faces that only touch a sample of them
     /// @throws Cancelled
-    std::vector<FaceContact> find(double deviation, bool all);
+    const std::vector<FaceContact>& find(double deviation);
 
   private:
     struct Owner {
@@ -72,14 +74,18 @@ class BodyContacts {
     std::vector<Place> places_of(const Pairs& pairs, double deviation);
     Place place_of(const std::array<int, 2>& pair, double deviation) const;
     void find_heights(const Pairs& pairs, std::vector<Place>& places);
-    bool judge(const Place& place, const Owner& first, const Owner& second, double tolerance, Evidence& evidence) const;
+    double gap_at(const Place& place, const Owner& first, const Owner& second, double tolerance, Evidence& evidence) const;
     void examine(FaceContact& contact, const Pairs& pairs, double deviation);
+    void examine_all(double deviation);
     bool have_in_common(const std::pair<int, int>& volumes, const std::vector<Vec3>& points);
 
     Workspace& work_;
     SelfIntersections& finder_;
     std::vector<std::vector<Owner>> owners_;           // by face
     std::map<std::pair<int, int>, Evidence> evidence_;  // by volumes, ascending
+    std::vector<FaceContact> found_;
+    std::array<std::int64_t, 2> state_{-1, -1};  // edges made and triangles of the mesh when it was examined
+    double deviation_ = -1.0;
 };
 
 }  // namespace mq::triangulate

@@ -126,16 +126,17 @@ std::string sentence_of(const mesh::BodyOverlap& found) {
         case mesh::BodyOverlap::Kind::Equal:
             return first + " and " + second + " are one body twice";
         case mesh::BodyOverlap::Kind::Near:
-            return first + " and " + second + " are apart by less than their meshes deviate, which cross";
+            return first + " and " + second + " cross where they are apart by less than the mesh deviates";
         default:
             return first + " and " + second + " overlap";
     }
 }
 
 // Solids of a shape are to be apart, or to touch. Where these do, their chords cross, which imprinting avoids.
-void report_bodies(Workspace& work, SelfIntersections& finder, const Output& out, mesh::MeshReport& report) {
-    const std::vector<FaceContact> contacts =
-        BodyContacts(work, finder).find(std::max(report.max_chord_height, 0.0), false);
+void report_bodies(const Workspace& work, MeasurementCache& findings, const Output& out, mesh::MeshReport& report) {
+    const double deviation = std::max({report.max_chord_height, report.chord_height_asked, 0.0});
+    const std::vector<FaceContact>& contacts = findings.bodies.find(deviation);
+    const SelfIntersections& finder = findings.crossings;
     std::size_t touching = 0;
     report.overlaps = 0;
     for (const FaceContact& contact : contacts) {
@@ -147,7 +148,7 @@ void report_bodies(Workspace& work, SelfIntersections& finder, const Output& out
             report.overlaps += static_cast<std::int64_t>(contact.pairs.size());
         }
     }
-    report.overlapping_bodies = body_overlaps(work, contacts, out, std::max(report.max_chord_height, 0.0));
+    report.overlapping_bodies = body_overlaps(work, contacts, out, deviation);
     std::vector<std::string> said;
     for (const mesh::BodyOverlap& found : report.overlapping_bodies) {
         said.push_back(sentence_of(found));
@@ -163,12 +164,13 @@ void report_bodies(Workspace& work, SelfIntersections& finder, const Output& out
 }
 
 // Faces that belong to no solid or shell are meant to form one surface.
-void report_crossings(Workspace& work, SelfIntersections& finder, const Output& out, mesh::MeshReport& report) {
+void report_crossings(const Workspace& work, MeasurementCache& findings, const Output& out, mesh::MeshReport& report) {
+    SelfIntersections& finder = findings.crossings;
     const geometry::Topology& topology = work.session.topology();
     std::vector<std::array<int, 2>> faults = finder.pairs();
     const std::vector<std::array<int, 2>> loose = finder.deep_loose_pairs(report.max_chord_height);
     faults.insert(faults.end(), loose.begin(), loose.end());
-    report_bodies(work, finder, out, report);
+    report_bodies(work, findings, out, report);
     if (finder.incomplete()) {
         report.notes.push_back("so many triangles meet that not all pairs were compared");
     }
@@ -195,7 +197,7 @@ MaxChordError measure_against_part(Workspace& work, MeasurementCache& findings, 
     return farthest;
 }
 
-mesh::MeshReport final_report(Workspace& work, SelfIntersections& crossings, const MaxChordError& farthest,
+mesh::MeshReport final_report(const Workspace& work, MeasurementCache& findings, const MaxChordError& farthest,
                               const Output& out, const TriangulateOptions& options, double chord) {
     mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
     report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
@@ -209,7 +211,7 @@ mesh::MeshReport final_report(Workspace& work, SelfIntersections& crossings, con
     report.notes = work.session.topology().faults;
     report_chord_height(work, farthest, out, options.keeps_bounds(), report);
     if (!work.over_budget()) {
-        report_crossings(work, crossings, out, report);
+        report_crossings(work, findings, out, report);
     }
     report.complete = !work.over_budget();
     if (work.left_by_mending > 0) {
