@@ -389,8 +389,8 @@ def of_thickness(found):
 
 
 def of_clearance(found):
-    """Findings of a ClearanceReport: bodies that overlap, and the smallest distance where that is below its limit."""
-    overlapping = sum(pair.relation == "overlapping" for pair in found.pairs)
+    """Findings of a ClearanceReport: bodies with a volume in common, and the smallest distance where that is below its limit."""
+    overlapping = sum(pair.relation in ("overlapping", "inside", "equal") for pair in found.pairs)
     findings = [Finding(_counted(phrases.BODIES_OVERLAP, overlapping))] if overlapping else []
     if found.min_clearance is not None and found.minimum < found.min_clearance:
         length, limit = map(_length, _told_apart(found.minimum, found.min_clearance))
