@@ -55,10 +55,8 @@ HAS_VOIDS = ("1 closed void.", "{count} closed voids.")
 BODIES_OVERLAP = ("1 pair of bodies overlaps.", "{count} pairs of bodies overlap.")
 BODY_OVERLAPS, BODY_INSIDE = "{name} and {name2} overlap.", "{name} lies inside {name2}."
 BODY_TWICE = "{name} and {name2} are one body twice."
-BODIES_NEAR = ("1 pair of bodies that are apart in the shape crosses in the mesh.",
-               "{count} pairs of bodies that are apart in the shape cross in the mesh.")
+BODIES_NEAR = ("1 pair of bodies crosses in the mesh only.", "{count} pairs of bodies cross in the mesh only.")
 BODY_NEAR = "{name} and {name2} cross: a smaller max. deviation separates them."
-CURVED_CROSSING = ("1 pair of curved elements crosses.", "{count} pairs of curved elements cross.")
 LIMIT = "the mesh is incomplete: a limit ended the work early"
 FAULTS_LEFT = ("1 fault remains that no repair removed.",
                "{count} faults remain that no repair removed.")
@@ -81,8 +79,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE,
-    BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *CURVED_CROSSING, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
@@ -415,7 +412,7 @@ _SHOWN = {
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, NOTHING_LEFT, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, NOTHING_LEFT, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

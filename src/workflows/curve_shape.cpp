@@ -126,7 +126,9 @@ std::int64_t count_of_bodies(const CurvedMesh& mesh, const std::vector<curve::Cu
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         joined.unite(mesh.triangles[i - i % of_each], mesh.triangles[i]);
     }
-    const auto body = [&](std::int32_t t) { return joined.find(mesh.triangles[of_each * static_cast<std::size_t>(t)]); };
+    const auto body = [&](std::int32_t t) {
+        return joined.find(mesh.triangles[of_each * static_cast<std::size_t>(t)]);
+    };
     return std::count_if(crossing.begin(), crossing.end(),
                          [&](const auto& pair) { return body(pair.a) != body(pair.b); });
 }

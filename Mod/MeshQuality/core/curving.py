@@ -323,8 +323,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
                    height is given it is 0.01 of the largest dimension
     imprint        solids that share an area have the same elements there, so that the mesh of an assembly is
                    conforming
-    overlap        "refuse": bodies that overlap, lie in one another or cross are a fault of the mesh, in the certificate of
-                   objects and on the command line; "allow": they are not; report.overlapping_bodies names them either way
+    overlap        bodies that overlap or cross are a fault in certificates: "refuse", or none: "allow"
     progress       callable(fraction 0..1, stage); returning False cancels
     patches, patch_rest
                    named groups of faces, as for triangulate; of a SurfaceMesh that has patches these are the default
@@ -347,11 +346,9 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         "overlap": overlap,
     })
     values["threads"] = options.THREADS.checked(threads)
-    values.pop("overlap")
     _check_given(mesh, mesh_scale, values, shape)
-    division = None
-    if shape is not None or not isinstance(shape_or_mesh, SurfaceMesh):
-        division = division_for(shape_or_mesh if shape is None else shape, patches, patch_rest)
+    of_shape = shape is not None or not isinstance(shape_or_mesh, SurfaceMesh)
+    division = division_for(shape_or_mesh if shape is None else shape, patches, patch_rest) if of_shape else None
     module = extension()
     module.set_fill_program(program("meshquality_fill"))
     curving = module.CurveOptions()
@@ -367,6 +364,6 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         curved = module.curve_surface(shape_or_mesh._surface, convert.shape_of(shape), curving, progress)
     else:
         straight = module.TriangulateOptions()
-        options.hand_over(values, straight)
+        options.hand_over({name: value for name, value in values.items() if name != "overlap"}, straight)
         curved = module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress)
     return CurvedMesh(curved, patches=kept(division, curved))

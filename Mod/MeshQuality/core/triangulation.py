@@ -42,9 +42,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
     imprint                solids that share an area get the same triangles on both sides; see report.contacts
-    overlap                "refuse": bodies that overlap, lie in one another or cross are a fault of the mesh, in the
-                           certificate of objects and on the command line; "allow": they are not; report.overlapping_bodies
-                           names them either way
+    overlap                bodies that overlap or cross are a fault in certificates: "refuse", or none: "allow"
     evaluation             of curves and surfaces: "fast" by formulas and polynomial pieces; "native" by OpenCASCADE alone
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
@@ -57,8 +55,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            {"inlet": {"faces": ["Face1"], "colour": "#ff0000"}}; names as in local_sizes. They are
                            checked before the work, kept as mesh.patches, and are the default of mesh.write
     patch_rest             name of the patch of all other faces; None: each is one by its own name
-    threads                that work at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any
-                           number
+    threads                at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any number
 
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.

@@ -14,6 +14,7 @@ from .. import phrases
 from ..compat import extension
 from ..phrases import MET, NOT_MET, Text
 from . import convert
+from .sides_on_edges import edges_of_shape
 
 # Elements whose shape is distorted more than this are a finding. The inverse of the distortion is the shape metric of
 # Knupp 2001, so that 10 is a metric of 0.1. The map from the regular tetrahedron then stretches at least 13 times more one
@@ -296,7 +297,7 @@ def edges(mesh, values, shape=None):
     for vertex, size in sizes["Vertex"].items():
         there = (np.asarray(mesh.vertex_entity)[ends] == (0, vertex)).all(axis=3).any(axis=2)
         allowed[there] = np.minimum(allowed[there], size)
-    along = _edges_of_shape(mesh, ends, sizes["Edge"], shape) if sizes["Edge"] \
+    along = edges_of_shape(mesh, ends, sizes["Edge"], shape) if sizes["Edge"] \
         else np.full(lengths.shape, -1)
     for edge, size in sizes["Edge"].items():
         allowed[along == edge] = np.minimum(allowed[along == edge], size)
@@ -310,39 +311,6 @@ def edges(mesh, values, shape=None):
         where = Text(phrases.ON_EDGE, phrase=where, edge=f"Edge{along[worst, side] + 1}")
     return [Finding(finding.text, _names(mesh, beyond), _corners(mesh, worst)) for finding in _too_far(
         lengths[worst, side], allowed[worst, side], phrases.LONGEST_EDGE, phrase=where)]
-
-
-def _edges_of_shape(mesh, ends, wanted, shape):
-    """int (T, 3): which of the wanted edges of the shape each side of the triangles lies on, -1: none.
-
-    A side lies on an edge where both of its ends do, and triangles of different faces, or only one triangle, meet
-    in it. The seam of a closed face has the same face on both sides: there the ends alone tell.
-    """
-    entity = np.asarray(mesh.vertex_entity)[ends]
-    dimension, index = entity[..., 0], entity[..., 1]
-    keys = np.sort(ends.reshape(-1, 2).astype(np.int64), axis=1)
-    _, side, uses = np.unique(keys[:, 0] << 32 | keys[:, 1], return_inverse=True, return_counts=True)
-    face = np.repeat(np.asarray(mesh.triangle_face), 3)
-    low, high = np.full(len(uses), np.iinfo(np.int64).max), np.full(len(uses), -1)
-    np.minimum.at(low, side, face)
-    np.maximum.at(high, side, face)
-    border = ((uses == 1) | (low != high))[side].reshape(len(ends), 3)
-    found = np.full((len(ends), 3), -1)
-    vertices, edges_of_shape = shape.Vertexes, shape.Edges
-    for edge in wanted:
-        inside = (dimension == 1) & (index == edge)
-        at_ends = (dimension == 0) & np.isin(index, _ends_of(edges_of_shape[edge], vertices))
-        on_edge = (inside | at_ends).all(axis=2)
-        if inside.any():
-            on_edge &= inside.any(axis=2)
-        chosen = on_edge & border
-        found[chosen if chosen.any() else on_edge] = edge
-    return found
-
-
-def _ends_of(edge, vertices):
-    """The indices of the vertices at the ends of a Part.Edge."""
-    return [i for i, vertex in enumerate(vertices) if any(vertex.isSame(end) for end in edge.Vertexes)]
 
 
 def _too_far(measured, asked, phrase, /, **places):
@@ -526,7 +494,7 @@ def _curved_crossings(report, values):
     count = report.curved_intersections
     if (values or {}).get("overlap") == "allow":
         count -= report.curved_overlaps
-    return [Finding(_counted(phrases.CURVED_CROSSING, count))] if count > 0 else []
+    return [Finding(_counted(phrases.CROSSING, count))] if count > 0 else []
 
 
 def _missing_faces(report):

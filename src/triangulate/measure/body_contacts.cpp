@@ -219,8 +219,8 @@ void BodyContacts::find_heights(const Pairs& pairs, std::vector<Place>& places) 
         if (place.found && !place.deep && place.segment >= 0) {
             const ClassifiedMesh::Segment& piece = mesh.segment(place.segment);
             asked.push_back(k);
-            batch.push_back(Query::edge_nearest(piece.edge, place.common, 0.5 * (piece.t[0] + piece.t[1]), piece.t[0],
-                                                piece.t[1]));
+            batch.push_back(
+                Query::edge_nearest(piece.edge, place.common, 0.5 * (piece.t[0] + piece.t[1]), piece.t[0], piece.t[1]));
         }
     }
     const geometry::Engine::Answers on_edges = work_.session.ask(std::move(batch));
@@ -255,7 +255,7 @@ void BodyContacts::find_heights(const Pairs& pairs, std::vector<Place>& places) 
 
 // @return the gap at this place, mm; 0: there is none. Shells have no inside: they only cross or touch.
 double BodyContacts::gap_at(const Place& place, const Owner& first, const Owner& second, double tolerance,
-                         Evidence& evidence) const {
+                            Evidence& evidence) const {
     const bool solids = first.solid && second.solid;
     if (!solids && place.deep) {
         evidence.contact = BodyContact::Overlapping;
@@ -364,8 +364,8 @@ void BodyContacts::examine_all(double deviation) {
     std::set<std::pair<int, int>> overlapping;
     for (const auto& [volumes, evidence] : evidence_) {
         work_.progress.check();
-        if (have_in_common(volumes, evidence.common.size() <= kTried ? evidence.common
-                                                                     : sample_of(evidence.common, kTried))) {
+        if (have_in_common(volumes,
+                           evidence.common.size() <= kTried ? evidence.common : sample_of(evidence.common, kTried))) {
             overlapping.insert(volumes);
         }
     }

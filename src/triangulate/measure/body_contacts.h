@@ -33,9 +33,9 @@ struct FaceContact {
 ///
 /// At a place where two triangles cross, both faces are asked for their nearest points. Where the faces are parallel
 /// there and the bodies on different sides, the distance of the two points is the gap between the bodies, or how deep
-/// they overlap. Where faces meet at an angle, one triangle ends just behind the other one, or the bodies overlap. If it
-/// ends at an edge of the shape, the distance of that edge from the other face is the gap. That two solids overlap is
-/// said only where a point is found that is in both.
+/// they overlap. Where faces meet at an angle, one triangle ends just behind the other one, or the bodies overlap. If
+/// it ends at an edge of the shape, the distance of that edge from the other face is the gap. That two solids overlap
+/// is said only where a point is found that is in both.
 class BodyContacts {
   public:
     BodyContacts(Workspace& work, SelfIntersections& finder);
@@ -55,7 +55,7 @@ class BodyContacts {
     /// Where two triangles cross.
     struct Place {
         Vec3 common;                 ///< in the shape's frame, as all points here
-        std::array<Vec3, 2> points;  ///< of the faces
+        std::array<Vec3, 2> points;  ///< the nearest ones of the faces
         std::array<Vec3, 2> normals;
         double depth = 0.0;   ///< mm, by which the triangles go through each other, or overlap in one plane
         int ends = 0;         ///< the triangle, 0 or 1, that ends first
@@ -74,14 +74,15 @@ class BodyContacts {
     std::vector<Place> places_of(const Pairs& pairs, double deviation);
     Place place_of(const std::array<int, 2>& pair, double deviation) const;
     void find_heights(const Pairs& pairs, std::vector<Place>& places);
-    double gap_at(const Place& place, const Owner& first, const Owner& second, double tolerance, Evidence& evidence) const;
+    double gap_at(const Place& place, const Owner& first, const Owner& second, double tolerance,
+                  Evidence& evidence) const;
     void examine(FaceContact& contact, const Pairs& pairs, double deviation);
     void examine_all(double deviation);
     bool have_in_common(const std::pair<int, int>& volumes, const std::vector<Vec3>& points);
 
     Workspace& work_;
     SelfIntersections& finder_;
-    std::vector<std::vector<Owner>> owners_;           // by face
+    std::vector<std::vector<Owner>> owners_;            // by face
     std::map<std::pair<int, int>, Evidence> evidence_;  // by volumes, ascending
     std::vector<FaceContact> found_;
     std::array<std::int64_t, 2> state_{-1, -1};  // edges made and triangles of the mesh when it was examined

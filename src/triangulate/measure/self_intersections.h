@@ -47,8 +47,8 @@ class SelfIntersections {
 
     Workspace& work_;
     std::vector<std::vector<int>> volumes_of_face_;
-    std::vector<std::array<int, 2>> pairs_;      // pairs within one volume
-    std::vector<std::array<int, 2>> others_;     // crossing pairs of entities that nothing joins
+    std::vector<std::array<int, 2>> pairs_;   // pairs within one volume
+    std::vector<std::array<int, 2>> others_;  // crossing pairs of entities that nothing joins
     bool incomplete_ = false;
     std::array<std::int64_t, 2> state_{-1, -1};  // edges made and triangles of the mesh at the last search
 };

@@ -125,13 +125,16 @@ class Overlaps {
 
     std::array<Vec3, 3> corners(int t) const {
         const mesh::Triangle& own = mesh_.triangles[static_cast<std::size_t>(t)];
-        const auto at = [&](int i) { return mesh_.vertices[static_cast<std::size_t>(own[static_cast<std::size_t>(i)])]; };
+        const auto at = [&](int i) {
+            return mesh_.vertices[static_cast<std::size_t>(own[static_cast<std::size_t>(i)])];
+        };
         return {at(0), at(1), at(2)};
     }
 
     std::string name_of(int volume) const {
         const geometry::Volume& own = topology_.volumes[static_cast<std::size_t>(volume)];
-        return own.solid >= 0 ? "Solid" + std::to_string(own.solid + 1) : topology_.name_of({2, own.sides.front().face});
+        return own.solid >= 0 ? "Solid" + std::to_string(own.solid + 1)
+                              : topology_.name_of({2, own.sides.front().face});
     }
 
     void add(const Volumes& volumes, BodyOverlap::Kind kind, std::vector<BodyOverlap>& found) const {
@@ -262,10 +265,10 @@ class Overlaps {
     const mesh::TriangleMesh& mesh_;
     const std::vector<int>& source_;
     const std::vector<FaceContact>& contacts_;
-    double near_;                                 // mm: by that much bodies that touch may cross
-    std::map<int, Solid> solids_;                 // by volume
-    std::map<Volumes, BodyContact> worst_;        // of volumes whose triangles cross
-    std::map<Volumes, std::set<int>> crossing_;   // triangles of the working mesh
+    double near_;                                // mm: by that much bodies that touch may cross
+    std::map<int, Solid> solids_;                // by volume
+    std::map<Volumes, BodyContact> worst_;       // those whose triangles cross, and how
+    std::map<Volumes, std::set<int>> crossing_;  // triangles of the working mesh
 };
 
 }  // namespace
