@@ -376,19 +376,24 @@ class CurvedMeshes(CertificateTest):
 
 
 class Overlaps(CertificateTest):
-    """Crossings of bodies are told, those of one surface are faults."""
+    """Bodies that cross and surfaces that cross themselves are findings."""
 
-    def test_solids_that_overlap_are_told(self):
+    def test_solids_that_overlap_are_a_finding_unless_allowed(self):
         boxes = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, FreeCAD.Vector(5, 4, 3))])
         mesh = mq.triangulate(boxes)
         self.assertEqual(mesh.report.self_intersections, 0)
         self.assertGreater(mesh.report.overlaps, 0)
-        self.assertEqual(verdict.of_triangulation(mesh, True), [])
+        finding, = verdict.of_triangulation(mesh, True)
+        self.assertEqual(finding.text, "1 pair of bodies overlaps. Solid1 and Solid2 overlap.")
+        self.assertEqual(verdict.of_triangulation(mesh, True, {"overlap": "allow"}), [])
         line = verdict.line("Both", mesh.report, [])
         self.assertIn(f", {mesh.report.overlaps} pairs of triangles where bodies overlap; all requested", line)
         curved = mq.curve(boxes)
         self.assertGreater(curved.report.overlaps, 0)
-        self.assertEqual(verdict.of_curved(curved, True), [])
+        overlap, crossing = verdict.of_curved(curved, True)
+        self.assertEqual(overlap.text, finding.text)
+        self.assertIn("pairs of triangles cross", crossing.text)
+        self.assertEqual(verdict.of_curved(curved, True, {"overlap": "allow"}), [])
         self.assertIn("where bodies overlap", verdict.line("Both", curved.report, []))
 
     def test_loose_faces_that_cross_are_a_finding(self):
