@@ -271,7 +271,7 @@ class WhatNoMeshShouldHave(CertificateTest):
             triangles, min_angle, min_angle_asked, complete, self_intersections = 2, 45.0, 25.0, True, 0
             max_chord_height, chord_height_asked, max_chord_triangle, exempt_reasons = 0.0, 0.0, -1, ()
             closed, border_edges, nonmanifold_edges, pinched_vertices = False, 4, 0, 0
-            degenerate_triangles, misoriented_edges = 0, 0
+            degenerate_triangles, misoriented_edges, overlapping_bodies = 0, 0, ()
             missing_faces = [(6, "no triangulation"), (6, "no triangulation"), (1, "of another kind")]
 
         class Mesh:
@@ -310,6 +310,7 @@ class VolumeMeshes(CertificateTest):
 
         class Report:
             invalid, self_intersections, max_shape_distortion = 0, 0, 39.9
+            curved_intersections, overlapping_bodies = 0, ()
             max_deviation, chord_height_asked = 0.1, 0.0
 
         class Distorted:

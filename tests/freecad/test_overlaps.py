@@ -114,7 +114,7 @@ class Gaps(unittest.TestCase):
         for shape in (together(block(), shaft(9.99)), together(block(), Part.makeCylinder(9.99, 30, V(0.003, 0, -5)))):
             mesh = mq.triangulate(shape, chord_height=0.02)
             self.assertEqual((mesh.report.overlapping_bodies, mesh.report.overlaps), ([], 0))
-            both = mq.boolean([mesh.of_solid(0), mesh.of_solid(1)], "intersection", tolerance=1e-4)
+            both = mq.boolean([mesh.of_solid(0), mesh.of_solid(1)], operation="intersection", tolerance=1e-4)
             self.assertEqual(len(both.triangles), 0)
 
     def test_what_cannot_be_cleared_is_not_met(self):
