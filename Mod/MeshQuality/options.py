@@ -18,6 +18,7 @@ CONNECTIVITIES = ("pseudo-delaunay", "parametric")
 INSERTIONS = ("off-centre", "circumcentre")
 KEPT_EDGES = ("all", "feature")
 EVALUATIONS = ("fast", "native")
+OVERLAPS = ("refuse", "allow")
 OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
 BOOLEAN_METHODS = ("default", "exact", "uniform")
 
@@ -267,6 +268,13 @@ def _imprint(group):
                        "assemblies need; the report names the pairs")
 
 
+def _overlap(group):
+    return Option("overlap", str, "refuse", choices=OVERLAPS, title="Bodies that overlap", rare=True, group=group,
+                  choice_titles=("are not met", "are allowed"),
+                  help="Whether bodies of a shape that overlap, lie in one another or cross are a fault of the mesh, or allowed; "
+                       "the report names them")
+
+
 _SAMPLED = ("method", ("star", "sprinkle"))
 
 TRIANGULATE = (
@@ -313,6 +321,7 @@ TRIANGULATE = (
            help="Join faces that belong to no shell, as those of most IGES files, where their borders lie "
                 "together; the report says how far apart they were"),
     _imprint("Mesh"),
+    _overlap("Mesh"),
     Option("evaluation", str, "fast", choices=EVALUATIONS, title="Evaluation", rare=True,
            choice_titles=("fast", "by OpenCASCADE alone"),
            help="How curves and surfaces are evaluated: fast by formulas and polynomial pieces, native by "
@@ -345,6 +354,7 @@ CURVE = (
     Option("max_edge", float, None, unit="mm", low=0.0, group="Before curving", title="Longest edge",
            unset="unlimited", help="Longest edge of the mesh before it is curved"),
     _imprint("Before curving"),
+    _overlap("Before curving"),
 )
 
 

@@ -53,6 +53,10 @@ LOW_DRAFT = ("less draft than {number}° on 1 face.", "less draft than {number}�
 UNDERCUTS = ("1 face has undercuts.", "{count} faces have undercuts.")
 HAS_VOIDS = ("1 closed void.", "{count} closed voids.")
 BODIES_OVERLAP = ("1 pair of bodies overlaps.", "{count} pairs of bodies overlap.")
+BODY_OVERLAPS, BODY_INSIDE = "{name} and {name2} overlap.", "{name} lies inside {name2}."
+BODY_TWICE = "{name} and {name2} are one body twice."
+BODIES_NEAR = ("1 pair of bodies crosses in the mesh only.", "{count} pairs of bodies cross in the mesh only.")
+BODY_NEAR = "{name} and {name2} cross: a smaller max. deviation separates them."
 LIMIT = "the mesh is incomplete: a limit ended the work early"
 FAULTS_LEFT = ("1 fault remains that no repair removed.",
                "{count} faults remain that no repair removed.")
@@ -75,7 +79,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
@@ -85,8 +89,9 @@ FIGURES = (
     "smallest angle {number}°", "max. deviation {length}", "error bound {length}",
     "max. shape distortion {number}",
     ("1 pair of triangles where bodies overlap", "{count} pairs of triangles where bodies overlap"),
+    ("1 pair of elements not proven apart", "{count} pairs of elements not proven apart"),
 )
-TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, ERROR_BOUND, MAX_DISTORTION, OVERLAPS = FIGURES
+TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, ERROR_BOUND, MAX_DISTORTION, OVERLAPS, NOT_PROVEN_APART = FIGURES
 NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
 STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
 SMALLEST_WALL = "smallest thickness {length}"
@@ -210,6 +215,7 @@ FOAM_PATCH = "OpenFOAM cannot hold a patch called {name}: give it letters withou
 CASE_OPEN = "the mesh has {count} open edges: meshers of flows need a closed surface; close the part, or mesh all of its faces"
 CASE_SOLIDS = "the mesh has {count} solids, and one space is meshed at a time: write a case of mesh.of_solid(i) for each, or unite " \
               "them first"
+CASE_OVERLAP = "{name} and {name2} overlap or cross: unite them first, or mesh them with overlap = allow"
 CASE_CELL = "cell = {value} is not possible: give a length in mm from {length} on that is less than the size of the part, {length2}"
 CASE_NO_INSIDE = "no point inside of the mesh was found: it encloses no space"
 CASE_NO_FOLDER = "the case has no folder: give the name of one"
@@ -223,7 +229,7 @@ NO_TRIANGLES_YET = "{name} has no triangles: compute it first"
 FILE_ERRORS = (
     PATCH_NAME, PATCH_REST_NAME, PATCH_NO_FACE, PATCH_FACE_TWICE, PATCH_FACE_IN_TWO, PATCH_ELSEWHERE, PATCH_BEYOND, PATCH_LIKE_FACE,
     PATCH_LIKE_GROUP, PATCH_LIKE_COLOUR, PATCH_LINE, PATCHES_ALIKE, PATCH_LOST, PATCHES_NOT_FOLLOWED, *NO_PATCHES.values(),
-    FILE_PATCH_TOO_LONG, FOAM_PATCH, CASE_OPEN, CASE_SOLIDS, CASE_CELL, CASE_NO_INSIDE, CASE_NO_FOLDER, FILE_NO_NAME,
+    FILE_PATCH_TOO_LONG, FOAM_PATCH, CASE_OPEN, CASE_OVERLAP, CASE_SOLIDS, CASE_CELL, CASE_NO_INSIDE, CASE_NO_FOLDER, FILE_NO_NAME,
     FILE_IS_FOLDER, FILE_ENDING, FILE_ENDING_CURVED, FILE_NO_FOLDER, FILE_NOT_WRITABLE, NO_TRIANGLES_YET,
 )
 # Likewise, of the core: the build compiles these into it (tools/core_phrases). What it says of single faults of shapes
@@ -407,7 +413,7 @@ _SHOWN = {
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, NOTHING_LEFT, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, NOTHING_LEFT, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

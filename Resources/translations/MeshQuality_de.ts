@@ -635,6 +635,10 @@
         <source>How curves and surfaces are evaluated: fast by formulas and polynomial pieces, native by OpenCASCADE alone, which takes longer</source>
         <translation>Wie Kurven und Flächen ausgewertet werden: fast durch Formeln und Polynomstücke, native nur durch OpenCASCADE, was länger dauert</translation>
     </message>
+    <message>
+        <source>Whether bodies of a shape that overlap, lie in one another or cross are a fault of the mesh, or allowed; the report names them</source>
+        <translation>Ob Körper einer Form, die sich überlappen, ineinander liegen oder sich schneiden, ein Fehler des Netzes sind oder erlaubt; der Bericht nennt sie</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2917,6 +2921,58 @@
     <message>
         <source>refining the bodies</source>
         <translation>Körper verfeinern</translation>
+    </message>
+    <message>
+        <source>1 pair of bodies crosses in the mesh only.</source>
+        <translation>1 Paar von Körpern schneidet sich nur im Netz.</translation>
+    </message>
+    <message>
+        <source>1 pair of elements not proven apart</source>
+        <translation>1 Paar von Elementen nicht als getrennt bewiesen</translation>
+    </message>
+    <message>
+        <source>Bodies that overlap</source>
+        <translation>Körper, die sich überlappen</translation>
+    </message>
+    <message>
+        <source>Whether bodies of a shape that overlap, lie in one another or cross are a fault of the mesh, or allowed; the report names them</source>
+        <translation>Ob Körper einer Form, die sich überlappen, ineinander liegen oder sich schneiden, ein Fehler des Netzes sind oder erlaubt; der Bericht nennt sie</translation>
+    </message>
+    <message>
+        <source>are allowed</source>
+        <translation>sind erlaubt</translation>
+    </message>
+    <message>
+        <source>are not met</source>
+        <translation>sind ein Fehler</translation>
+    </message>
+    <message>
+        <source>{count} pairs of bodies cross in the mesh only.</source>
+        <translation>{count} Paare von Körpern schneiden sich nur im Netz.</translation>
+    </message>
+    <message>
+        <source>{count} pairs of elements not proven apart</source>
+        <translation>{count} Paare von Elementen nicht als getrennt bewiesen</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} are one body twice.</source>
+        <translation>{name} und {name2} sind zweimal derselbe Körper.</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} cross: a smaller max. deviation separates them.</source>
+        <translation>{name} und {name2} schneiden sich: eine kleinere max. Abweichung trennt sie.</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} overlap or cross: unite them first, or mesh them with overlap = allow</source>
+        <translation>{name} und {name2} überlappen oder schneiden sich: vereinigen Sie sie zuerst, oder vernetzen Sie sie mit overlap = allow</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} overlap.</source>
+        <translation>{name} und {name2} überlappen sich.</translation>
+    </message>
+    <message>
+        <source>{name} lies inside {name2}.</source>
+        <translation>{name} liegt in {name2}.</translation>
     </message>
 </context>
 <context>

@@ -26,6 +26,9 @@ struct Clearance {
     /// Where their surfaces meet, the largest distance from the surface of the other body of vertices that lie in it,
     /// and of the middles of what lies in it of edges that go through it, mm.
     double depth = 0.0;
+    /// What bodies whose surfaces meet have in common, mm^3, and its surface, mm^2; -1: not known. 0 of others.
+    double common_volume = 0.0;
+    double common_area = 0.0;
     /// The body that lies in the other one without meeting its surface: 0 the first, 1 the second, -1: none does.
     int inside = -1;
     /// The nearest places of the pairs of CAD faces that are at most `slack` farther than the nearest ones.

@@ -278,6 +278,7 @@ void bind_boolean(py::module_& m) {
         .def(py::init<>())
         .def_readwrite("seconds", &WorkBefore::seconds)
         .def_readwrite("notes", &WorkBefore::notes)
+        .def_readwrite("repaired", &WorkBefore::repaired)
         .def_readwrite("cpu_seconds", &WorkBefore::cpu_seconds)
         .def_readwrite("error_bound", &WorkBefore::error_bound)
         .def_readwrite("tolerance", &WorkBefore::tolerance);

@@ -42,6 +42,34 @@ CurvedPointer curve_surface(const triangulate::Result& surface, const PartShape&
     });
 }
 
+/// What crosses: curved elements, and triangles of the straight mesh.
+void bind_crossings(py::class_<CurveReport>& report) {
+    report
+        .def_readonly("curved_intersections", &CurveReport::curved_intersections,
+                      "pairs of curved triangles that are proven to cross; -1: not looked for")
+        .def_readonly("curved_overlaps", &CurveReport::curved_overlaps,
+                      "those of them of different bodies, which no node connects; -1: not looked for")
+        .def_readonly("not_proven_apart", &CurveReport::not_proven_apart,
+                      "pairs that are neither proven to cross nor to be apart, as where they touch; -1: not looked for")
+        .def_property_readonly(
+            "self_intersections", [](const CurveReport& r) { return r.straight.self_intersections; },
+            "pairs of triangles of the straight mesh that cross; -1: not looked for")
+        .def_property_readonly(
+            "overlaps", [](const CurveReport& r) { return r.straight.overlaps; },
+            "pairs of triangles of the straight mesh that cross and are of different volumes, but for those of bodies "
+            "that only touch; -1: not looked for")
+        .def_property_readonly(
+            "overlapping_bodies", [](const CurveReport& r) { return overlaps_of(r.straight.overlapping_bodies); },
+            "[(body, body, how), ...]: see MeshReport.overlapping_bodies")
+        .def_property_readonly(
+            "contacts", [](const CurveReport& r) { return contacts_of(r.straight.contacts); },
+            "[(solid, solid, triangles on one side, mm^2), ...] of the straight mesh: where solids share elements; see "
+            "imprint")
+        .def_property_readonly(
+            "crossing_faces", [](const CurveReport& r) { return crossings_of(r.straight.crossings); },
+            "[(CAD face, CAD face, pairs of their triangles that cross), ...]");
+}
+
 void bind_curve_report(py::module_& m) {
     const auto in_short = [](const CurveReport& r) {
         std::array<char, 120> figures;
@@ -50,8 +78,9 @@ void bind_curve_report(py::module_& m) {
         const std::string valid = r.invalid == 0 ? "all valid" : mesh::counted(r.invalid, "invalid element");
         return "<CurveReport: " + mesh::counted(r.elements, "element") + ", " + valid + figures.data();
     };
-    py::class_<CurveReport>(m, "CurveReport", "What was measured on a curved mesh, and what was repaired.")
-        .def_readonly("elements", &CurveReport::elements, "tetrahedra of a volume, triangles of a surface")
+    py::class_<CurveReport> report(m, "CurveReport", "What was measured on a curved mesh, and what was repaired.");
+    bind_crossings(report);
+    report.def_readonly("elements", &CurveReport::elements, "tetrahedra of a volume, triangles of a surface")
         .def_readonly("vertices", &CurveReport::vertices, "corner vertices")
         .def_readonly("invalid_before", &CurveReport::invalid_before, "right after curving, before any repair")
         .def_readonly("invalid", &CurveReport::invalid, "of the final mesh")
@@ -78,23 +107,6 @@ void bind_curve_report(py::module_& m) {
         .def_readonly("chord_height_asked", &CurveReport::chord_height_asked,
                       "largest deviation that was requested, mm; 0: none")
         .def_readonly("straight", &CurveReport::straight, "MeshReport of the mesh that was curved")
-        .def_readonly("curved_intersections", &CurveReport::curved_intersections,
-                      "pairs of curved triangles that are proven to cross; -1: not looked for")
-        .def_readonly("not_proven_apart", &CurveReport::not_proven_apart,
-                      "pairs that are neither proven to cross nor to be apart, as where they touch; -1: not looked for")
-        .def_property_readonly(
-            "self_intersections", [](const CurveReport& r) { return r.straight.self_intersections; },
-            "pairs of triangles of the straight mesh that cross; -1: not looked for")
-        .def_property_readonly(
-            "overlaps", [](const CurveReport& r) { return r.straight.overlaps; },
-            "pairs of triangles of the straight mesh that cross and are of different volumes; -1: not looked for")
-        .def_property_readonly(
-            "contacts", [](const CurveReport& r) { return contacts_of(r.straight.contacts); },
-            "[(solid, solid, triangles on one side, mm^2), ...] of the straight mesh: where solids share elements; see "
-            "imprint")
-        .def_property_readonly(
-            "crossing_faces", [](const CurveReport& r) { return crossings_of(r.straight.crossings); },
-            "[(CAD face, CAD face, pairs of their triangles that cross), ...]")
         .def("__repr__", in_short)
         .def("__str__", &curve::to_text);
 }

@@ -87,6 +87,8 @@ void bind_clearance(py::module_& m) {
             "nearest", [](const Clearance& self) { return tuple_of(self.nearest); },
             "(distance in mm, (triangle, triangle), (point, point))")
         .def_readonly("depth", &Clearance::depth, "mm, of points of one in the other")
+        .def_readonly("common_volume", &Clearance::common_volume, "mm^3, of what both have in common; -1: not known")
+        .def_readonly("common_area", &Clearance::common_area, "mm^2, of its surface; -1: not known")
         .def_readonly("inside", &Clearance::inside, "0 | 1: which lies in the other one; -1: none")
         .def_property_readonly(
             "faces",

@@ -251,8 +251,13 @@ void bind_measures(ReportClass& report) {
                       "pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, "
                       "and of loose faces that cross; -1: not looked for")
         .def_readonly("overlaps", &MeshReport::overlaps,
-                      "pairs of triangles of different volumes, such as the solids of an assembly, that cross; "
-                      "-1: not looked for");
+                      "pairs of triangles of different volumes, such as the solids of an assembly, that cross, but for "
+                      "those of bodies that only touch; -1: not looked for")
+        .def_property_readonly(
+            "overlapping_bodies", [](const MeshReport& r) { return overlaps_of(r.overlapping_bodies); },
+            "[(body, body, how), ...], bodies by their names, of shells one of their faces; how: \"overlapping\"; "
+            "\"inside\": the first lies in the second; \"equal\": one body twice; \"near\": apart in the shape, but "
+            "their triangles cross");
 }
 
 std::string in_short(const MeshReport& report) {

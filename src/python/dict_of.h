@@ -33,6 +33,16 @@ inline std::vector<std::tuple<std::int32_t, std::int32_t, std::size_t>> crossing
     return result;
 }
 
+/// [(body, body, how they overlap), ...]
+inline std::vector<std::tuple<std::string, std::string, std::string>> overlaps_of(
+    const std::vector<mesh::BodyOverlap>& overlaps) {
+    std::vector<std::tuple<std::string, std::string, std::string>> result;
+    for (const mesh::BodyOverlap& found : overlaps) {
+        result.emplace_back(found.bodies[0], found.bodies[1], mesh::to_string(found.kind));
+    }
+    return result;
+}
+
 /// [(solid, solid, triangles, mm^2), ...]
 inline std::vector<std::tuple<std::int32_t, std::int32_t, std::size_t, double>> contacts_of(
     const std::vector<mesh::SolidContact>& contacts) {

@@ -64,7 +64,7 @@ Refinement::Refinement(Workspace& work, MeasurementCache& findings, const Triang
       segments_(work, options.insertion != Insertion::Paper, options.min_angle * kDegree),
       angles_(work, segments_, options.min_angle, options.insertion, chord, options.sites_in_round),
       chords_(work, segments_, findings.chords, sizing_),
-      crossings_(work, segments_, findings.crossings),
+      crossings_(work, segments_, findings.crossings, findings.bodies),
       vertices_before_(work.mesh.vertex_count()),
       sites_before_(work.mesh.site_count()),
       ordered_(work.mesh.triangle_count()) {}
@@ -182,6 +182,32 @@ bool Refinement::split_crossings() {
     const bool any = crossings_.run();
     work_.min_edge = asked;
     return any;
+}
+
+bool Refinement::split_crossings_of_bodies() {
+    const double asked = std::exchange(work_.min_edge, 0.0);
+    const bool any = crossings_.run_between_bodies(chord_);
+    work_.min_edge = asked;
+    return any;
+}
+
+void Refinement::separate_bodies() {
+    if (!(chord_ > 0.0) || work_.over_budget() || findings_.crossings.pairs_of_bodies().empty()) {
+        return;
+    }
+    work_.progress.stage("separating crossings", 0.87, 0.88);
+    const double most = RefinementTuning::kMostForBodies * static_cast<double>(work_.triangles());
+    bool any = false;
+    for (int round = 0; round < RefinementTuning::kMaxBodyRounds && static_cast<double>(work_.triangles()) < most &&
+                        split_crossings_of_bodies();
+         ++round) {
+        refine_again();
+        any = true;
+    }
+    if (any) {
+        separate_crossings();
+    }
+    end_stage_("crossings of bodies");
 }
 
 void Refinement::separate_crossings() {

@@ -30,6 +30,10 @@ class Refinement {
     /// Refines the mesh.
     /// @throws Cancelled
     void run();
+    /// Splits triangles of bodies that cross though the bodies are apart in the shape, until they are clear or the gap
+    /// is too narrow for that. Nothing once the budget has ended the work.
+    /// @throws Cancelled
+    void separate_bodies();
     /// Removes smooth edges if they are not to be kept. Nothing once the budget has ended the work.
     /// @return what was done about them, for the report
     /// @throws Cancelled
@@ -49,6 +53,7 @@ class Refinement {
     void order_in_space();
     void separate_doubled();
     bool split_crossings();
+    bool split_crossings_of_bodies();
     void separate_crossings();
 
     Workspace& work_;

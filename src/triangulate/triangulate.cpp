@@ -219,7 +219,10 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
     } else {
         refinement.run();
     }
-    return refinement.release_smooth_edges();
+    Refinement together_again(work, findings, options, chord, work.mesh.vertex_count(),
+                              [&](const char* stage) { clock.end(stage); });
+    together_again.separate_bodies();
+    return together_again.release_smooth_edges();
 }
 
 // @param recall  the cached run to start with; null: none
@@ -259,7 +262,7 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     Output out = write_out(surface, topology, task.grid.origin(), task.progress);
     task.progress.check();
     Result result;
-    result.report = final_report(work, findings.crossings, farthest, out, options, task.chord);
+    result.report = final_report(work, findings, farthest, out, options, task.chord);
     result.mesh = std::move(out.mesh);
     result.angle_history = work.angle_history.entries();
     result.report.reused_faces = recall != nullptr ? count(recall->kept(surface), topology) : 0;

@@ -213,6 +213,7 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
         figures.faults_left = std::max(figures.faults_left, surface_faults(figures));
     }
     notes.insert(notes.begin(), before.notes.begin(), before.notes.end());
+    figures.repaired.insert(figures.repaired.begin(), before.repaired.begin(), before.repaired.end());
     seconds.insert(seconds.begin(), before.seconds.begin(), before.seconds.end());
     seconds.emplace_back("measuring", measuring.wall());
     figures.notes = std::move(notes);

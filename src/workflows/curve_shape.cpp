@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "curve/given/curve_given.h"
@@ -117,6 +118,21 @@ void measure_volume(Mesh& mesh, geometry::Engine& engine, const TopoDS_Shape& sh
     engine.run([&] { mesh.report.cad_volume = geometry::solid_content(shape, &progress); }, &progress);
 }
 
+/// How many pairs of triangles that cross are of different bodies, which no node connects.
+std::int64_t count_of_bodies(const CurvedMesh& mesh, const std::vector<curve::CurvedCrossings::Crossing>& crossing) {
+    const std::size_t count = mesh.triangle_face.size();
+    const std::size_t of_each = count > 0 ? mesh.triangles.size() / count : 0;
+    DisjointSets<std::int32_t> joined(mesh.nodes.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        joined.unite(mesh.triangles[i - i % of_each], mesh.triangles[i]);
+    }
+    const auto body = [&](std::int32_t t) {
+        return joined.find(mesh.triangles[of_each * static_cast<std::size_t>(t)]);
+    };
+    return std::count_if(crossing.begin(), crossing.end(),
+                         [&](const auto& pair) { return body(pair.a) != body(pair.b); });
+}
+
 /// Counts the curved triangles that cross, and says where the first pair does.
 void find_crossings(CurvedMesh& mesh, Progress& progress) {
     progress.stage("comparing curved triangles", 1.0, 1.0);
@@ -124,6 +140,7 @@ void find_crossings(CurvedMesh& mesh, Progress& progress) {
     const curve::CurvedCrossings found = curve::curved_crossings(mesh, &progress, curve::kQuickEffort);
     clock.end("comparing curved triangles");
     mesh.report.curved_intersections = static_cast<std::int64_t>(found.crossing.size());
+    mesh.report.curved_overlaps = count_of_bodies(mesh, found.crossing);
     mesh.report.not_proven_apart = static_cast<std::int64_t>(found.not_proven.size());
     const auto face_of = [&](std::int32_t triangle) {
         return curve::name_of(2, mesh.triangle_face[static_cast<std::size_t>(triangle)]);

@@ -1,13 +1,58 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "workflows/measure_clearances.h"
 
+#include <array>
 #include <memory>
 #include <string>
 
 #include "base/error.h"
+#include "boolean/boolean.h"
 #include "mesh/edge_table.h"
+#include "mesh/quality/mesh_report.h"
 
 namespace mq::workflows {
+
+namespace {
+
+bool have_room_in_common(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
+    std::array<Box, 2> boxes;
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (const Vec3& p : (i == 0 ? a : b).vertices) {
+            boxes[i].add(p);
+        }
+    }
+    return (boxes[0].low.cwiseMax(boxes[1].low).array() < boxes[0].high.cwiseMin(boxes[1].high).array()).all();
+}
+
+/// What two bodies have in common by an exact Boolean. Nothing is moved for it: the tolerance is that of rounding.
+void measure_common(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, inspection::Clearance& clearance,
+                    const Progress& progress) {
+    constexpr double kTolerance = 1e-6;  // fraction of the size of the larger one
+    if (!have_room_in_common(a, b)) {
+        return;
+    }
+    Box box;
+    for (const mesh::TriangleMesh* mesh : {&a, &b}) {
+        for (const Vec3& p : mesh->vertices) {
+            box.add(p);
+        }
+    }
+    boolean::BooleanOptions options;
+    options.tolerance = kTolerance * box.largest_side();
+    Progress unseen(&progress);
+    try {
+        const boolean::BooleanResult common =
+            boolean::boolean({&a, &b}, boolean::Operation::Intersection, options, &unseen);
+        const mesh::MeshReport report = mesh::measure(common.mesh);
+        clearance.common_volume = report.volume;
+        clearance.common_area = report.area;
+    } catch (const TopologyError&) {
+        clearance.common_volume = -1.0;
+        clearance.common_area = -1.0;
+    }
+}
+
+}  // namespace
 
 std::vector<inspection::Clearance> measure_clearances(const std::vector<const triangulate::Result*>& bodies,
                                                       const std::vector<double>& slack,
@@ -33,6 +78,11 @@ std::vector<inspection::Clearance> measure_clearances(const std::vector<const tr
     }
     std::vector<inspection::Clearance> found = inspection::clearances(meshes, slack, options, &progress);
     for (inspection::Clearance& clearance : found) {
+        const std::array<std::size_t, 2> pair{static_cast<std::size_t>(clearance.bodies[0]),
+                                              static_cast<std::size_t>(clearance.bodies[1])};
+        if (clearance.nearest.distance == 0.0 && bodies[pair[0]]->report.closed && bodies[pair[1]]->report.closed) {
+            measure_common(*meshes[pair[0]], *meshes[pair[1]], clearance, progress);
+        }
         for (inspection::NearestPlaces& places : clearance.faces) {
             for (Vec3& p : places.points) {
                 p += bodies[0]->mesh.origin;

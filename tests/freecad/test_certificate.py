@@ -271,7 +271,7 @@ class WhatNoMeshShouldHave(CertificateTest):
             triangles, min_angle, min_angle_asked, complete, self_intersections = 2, 45.0, 25.0, True, 0
             max_chord_height, chord_height_asked, max_chord_triangle, exempt_reasons = 0.0, 0.0, -1, ()
             closed, border_edges, nonmanifold_edges, pinched_vertices = False, 4, 0, 0
-            degenerate_triangles, misoriented_edges = 0, 0
+            degenerate_triangles, misoriented_edges, overlapping_bodies = 0, 0, ()
             missing_faces = [(6, "no triangulation"), (6, "no triangulation"), (1, "of another kind")]
 
         class Mesh:
@@ -310,6 +310,7 @@ class VolumeMeshes(CertificateTest):
 
         class Report:
             invalid, self_intersections, max_shape_distortion = 0, 0, 39.9
+            curved_intersections, overlapping_bodies = 0, ()
             max_deviation, chord_height_asked = 0.1, 0.0
 
         class Distorted:
@@ -376,19 +377,24 @@ class CurvedMeshes(CertificateTest):
 
 
 class Overlaps(CertificateTest):
-    """Crossings of bodies are told, those of one surface are faults."""
+    """Bodies that cross and surfaces that cross themselves are findings."""
 
-    def test_solids_that_overlap_are_told(self):
+    def test_solids_that_overlap_are_a_finding_unless_allowed(self):
         boxes = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, FreeCAD.Vector(5, 4, 3))])
         mesh = mq.triangulate(boxes)
         self.assertEqual(mesh.report.self_intersections, 0)
         self.assertGreater(mesh.report.overlaps, 0)
-        self.assertEqual(verdict.of_triangulation(mesh, True), [])
+        finding, = verdict.of_triangulation(mesh, True)
+        self.assertEqual(finding.text, "1 pair of bodies overlaps. Solid1 and Solid2 overlap.")
+        self.assertEqual(verdict.of_triangulation(mesh, True, {"overlap": "allow"}), [])
         line = verdict.line("Both", mesh.report, [])
         self.assertIn(f", {mesh.report.overlaps} pairs of triangles where bodies overlap; all requested", line)
         curved = mq.curve(boxes)
         self.assertGreater(curved.report.overlaps, 0)
-        self.assertEqual(verdict.of_curved(curved, True), [])
+        overlap, crossing = verdict.of_curved(curved, True)
+        self.assertEqual(overlap.text, finding.text)
+        self.assertIn("pairs of triangles cross", crossing.text)
+        self.assertEqual(verdict.of_curved(curved, True, {"overlap": "allow"}), [])
         self.assertIn("where bodies overlap", verdict.line("Both", curved.report, []))
 
     def test_loose_faces_that_cross_are_a_finding(self):

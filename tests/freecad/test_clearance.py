@@ -14,6 +14,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality.core import verdict
 
 COMMAND = os.path.join(helpers.ROOT, "bin", "meshquality")
 V = FreeCAD.Vector
@@ -81,6 +82,35 @@ class Relations(unittest.TestCase):
         bore = Part.makeBox(40, 40, 20, V(-20, -20, 0)).cut(Part.makeCylinder(10, 20))
         self.assertEqual(pair_of(bore, Part.makeCylinder(10, 30, V(0, 0, -5))).relation, "touching")
         self.assertEqual(pair_of(bore, Part.makeCylinder(10.2, 30, V(0, 0, -5))).relation, "overlapping")
+
+    def test_bodies_that_overlap_by_faces_alone(self):
+        """No vertex and no edge of one lies deep in the other."""
+        box, bar = Part.makeBox(10, 10, 10), Part.makeBox(30, 10, 10, V(-10, 0, 0))
+        cylinder, ball = Part.makeCylinder(5, 10), Part.makeSphere(5)
+        for first, second, relation, common in (
+                (box, Part.makeBox(10, 10, 10, V(9, 0, 0)), "overlapping", 100), (box, box.copy(), "equal", 1000),
+                (box, Part.makeBox(10, 10, 10, V(5, 0, 0)), "overlapping", 500), (cylinder, cylinder.copy(), "equal", 785.4),
+                (ball, ball.copy(), "equal", 523.6), (bar, Part.makeBox(10, 30, 10, V(0, -10, 0)), "overlapping", 1000),
+                (Part.makeBox(20, 20, 20), box, "inside", 1000), (bar, box, "inside", 1000),
+                (box, Part.makeBox(10, 10, 10, V(10, 3, 0)), "touching", 0)):
+            for bodies in ((first, second), (mq.triangulate(first), mq.triangulate(second))):
+                found = mq.clearance(list(bodies))
+                pair = found.pairs[0]
+                self.assertEqual((pair.relation, pair.distance, pair.lower), (relation, 0.0, 0.0))
+                self.assertAlmostEqual(pair.common_volume, common, delta=0.015 * common + 1e-9)
+                self.assertEqual(pair.inner, found.bodies[1] if relation == "inside" else None)
+                self.assertEqual(bool(verdict.of_clearance(found)), relation != "touching")
+                self.assertIn("touch" if relation == "touching" else "mm3 in common", str(found))
+
+    def test_a_cylinder_in_a_longer_one_lies_inside_as_far_as_the_meshes_tell(self):
+        pair = pair_of(Part.makeCylinder(10, 30), Part.makeCylinder(10, 20, V(0, 0, 5)))
+        self.assertEqual((pair.relation, pair.inner), ("inside", "Body2"))
+
+    def test_a_tiny_gap_has_an_upper_bound(self):
+        for gap in (2e-5, 5e-5, 5e-4):
+            pair = pair_of(Part.makeBox(1000, 10, 10), Part.makeBox(10, 10, 10, V(1000 + gap, 0, 0)))
+            self.assertLessEqual(pair.lower, gap)
+            self.assertGreaterEqual(pair.upper, 0.99 * gap)
 
     def test_solids_of_one_shape(self):
         whole = Part.makeCompound([Part.makeBox(4, 4, 4, V(i * 6, 0, 0)) for i in range(4)])

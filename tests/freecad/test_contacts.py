@@ -98,7 +98,7 @@ class Contacts(unittest.TestCase):
         mesh = mq.triangulate(shape, chord_height=0.1, imprint=True)
         self.assertEqual(mesh.report.contacts, [])
         self.assertEqual(len(mesh.triangles), 24)
-        self.assertTrue(any("(Solid1 and Solid2)" in note for note in mesh.report.notes), mesh.report.notes)
+        self.assertTrue(any("Solid1 and Solid2 overlap" in note for note in mesh.report.notes), mesh.report.notes)
 
     def test_one_solid_and_solids_apart_stay_as_they_are(self):
         for shape in (Part.makeBox(1, 2, 3),

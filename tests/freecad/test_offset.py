@@ -189,6 +189,17 @@ class Hollows(unittest.TestCase):
         self.assertAlmostEqual(result.report.volume / (math.pi * (25 - 4.2**2) * 20), 1.0, delta=4e-3)
         self.assertEqual(euler_characteristic(result), 0)
 
+    def test_what_is_closed_and_what_is_no_hollow_is_said(self):
+        """An open shell is closed first: the result says so, as a Boolean does."""
+        open_box = Part.Shell(Part.makeBox(10, 10, 10).Faces[:5])
+        for result in (mq.offset(open_box, 1.0), mq.hollow(open_box, 1.0)):
+            self.assertEqual(result.report.repaired[:1], ["1 hole closed (2 triangles)"])
+            self.assertIn("repaired before: 1 hole closed (2 triangles)", result.report.notes)
+        for result in (mq.offset(Part.makeBox(10, 10, 10), 1.0), mq.hollow(Part.makeBox(10, 10, 10), 1.0, openings=["Face6"])):
+            self.assertEqual((result.report.repaired, result.report.notes), ([], []))
+        self.assertIn("the hollow is closed", mq.hollow(Part.makeBox(10, 10, 10), 1.0).report.notes[0])
+        self.assertIn("there is no hollow", mq.hollow(Part.makeBox(10, 10, 10), 6.0).report.notes[0])
+
     def test_a_hollow_is_rounded_where_the_outside_is_concave(self):
         step = Part.makeBox(20, 10, 20).cut(Part.makeBox(10, 10, 10, Vector(10, 0, 10)))
         result = mq.hollow(step, 2.0, tolerance=0.02)

@@ -32,7 +32,7 @@ _NO_FINDING = {**dict.fromkeys(("quality", "certify"), "no limits were requested
 REPORT_FIELDS = (
     "triangles", "vertices", "closed", "oriented", "manifold", "border_edges",
     "nonmanifold_edges", "misoriented_edges", "pinched_vertices", "degenerate_triangles",
-    "duplicate_triangles", "self_intersections", "overlaps", "components", "euler", "min_angle", "max_angle",
+    "duplicate_triangles", "self_intersections", "overlaps", "overlapping_bodies", "components", "euler", "min_angle", "max_angle",
     "mean_min_angle", "max_aspect", "max_stretching", "max_degree", "angle_histogram", "area", "volume",
     "min_angle_asked", "min_angle_unexempted", "max_chord_height", "max_chord_height_to", "chord_height_asked", "exempt",
     "exempt_causes", "fallback", "missing_faces", "crossing_faces", "contacts", "notes", "complete", "seconds",
@@ -50,8 +50,8 @@ WRAP_FIELDS = ("distance_to_input", "distance_from_input", "gap_triangles", "gap
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
     "min_distortion", "mean_distortion", "max_shape_distortion", "max_deviation", "rms_deviation",
-    "chord_height_asked", "volume", "cad_volume", "volume_error", "self_intersections", "overlaps", "crossing_faces",
-    "contacts", "curved_intersections", "not_proven_apart", "straightened", "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
+    "chord_height_asked", "volume", "cad_volume", "volume_error", "self_intersections", "overlaps", "overlapping_bodies",
+    "crossing_faces", "contacts", "curved_intersections", "curved_overlaps", "not_proven_apart", "straightened", "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
 )
 
 

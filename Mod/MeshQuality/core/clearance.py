@@ -20,7 +20,9 @@ _MOST_FACE_PAIRS = 16  # that are measured by OpenCASCADE for one pair of bodies
 _LISTED = 20  # pairs in a text
 # Surfaces between which OpenCASCADE finds the smallest distance for certain, and at once.
 _ELEMENTARY = ("Plane", "Cylinder", "Cone", "Sphere", "Toroid")
-APART, TOUCHING, OVERLAPPING, INSIDE = "apart", "touching", "overlapping", "inside"
+APART, TOUCHING, OVERLAPPING, INSIDE, EQUAL = "apart", "touching", "overlapping", "inside", "equal"
+COMMON = (OVERLAPPING, INSIDE, EQUAL)  # relations of bodies with a volume in common
+_WHOLE = 0.01  # fraction of a body's volume that its mesh's deviation may at most take from what another contains of it
 
 
 @dataclass(frozen=True)
@@ -29,13 +31,16 @@ class BodyPair:
 
     bodies        their names
     relation      "apart"; "touching": they meet, but not deeper than the meshes are exact; "overlapping"; "inside": one lies
-                  in the other, without meeting its surface
-    distance      mm, of their surfaces; 0 where they touch or overlap
+                  in the other, also where it meets its surface; "equal": they are one body twice
+    distance      mm, of their surfaces; 0 where they touch or overlap, which includes distances of a tenth of a millionth of
+                  their size
     lower, upper  mm, bounds of the distance of the shapes: it is between them
     method        "OpenCASCADE": exact, by the surfaces of the shapes; "mesh": that of the meshes, exact for these
     points        float64 (3,), mm, one on each body
     faces         the names of the CAD faces there, one of each body, or None
-    depth         mm, how deep points of the one mesh lie in the other body, where they meet
+    depth         mm, how deep points of the one mesh lie in the other body, where they meet; where only faces meet, the mean
+                  thickness of what both have in common
+    common_volume mm3, of what both have in common, where their surfaces meet; 0 otherwise; None where it is not known
     inner         the name of the body inside of the other; None otherwise
     """
 
@@ -48,6 +53,7 @@ class BodyPair:
     points: tuple
     faces: tuple
     depth: float
+    common_volume: object
     inner: object
 
 
@@ -66,7 +72,7 @@ class ClearanceReport(metaclass=Public):
 
     def __init__(self, bodies, pairs, values, notes):
         self.bodies, self.notes = tuple(bodies), notes
-        rank = {OVERLAPPING: 0, TOUCHING: 1}
+        rank = {OVERLAPPING: 0, EQUAL: 0, TOUCHING: 1}
         self.pairs = sorted(pairs, key=lambda pair: (rank.get(pair.relation, 2), pair.distance))
         self.min_clearance, self.within = values["min_clearance"], values["within"]
 
@@ -77,9 +83,9 @@ class ClearanceReport(metaclass=Public):
 
     @property
     def too_near(self):
-        """The pairs that are nearer than min_clearance, or overlap."""
+        """The pairs that are nearer than min_clearance, or have a volume in common."""
         return [pair for pair in self.pairs
-                if pair.relation == OVERLAPPING or pair.distance < (self.min_clearance or 0.0)]
+                if pair.relation in COMMON or pair.distance < (self.min_clearance or 0.0)]
 
     def to_dict(self):
         """All of it, for JSON."""
@@ -88,7 +94,7 @@ class ClearanceReport(metaclass=Public):
                 "pairs": [{"bodies": list(pair.bodies), "relation": pair.relation, "distance": pair.distance,
                            "lower": pair.lower, "upper": pair.upper, "method": pair.method,
                            "points": [point.tolist() for point in pair.points], "faces": list(pair.faces),
-                           "depth": pair.depth, "inner": pair.inner} for pair in self.pairs],
+                           "depth": pair.depth, "common_volume": pair.common_volume, "inner": pair.inner} for pair in self.pairs],
                 "notes": [*self.notes]}
 
     def __str__(self):
@@ -196,19 +202,32 @@ def _pair_of(core, first, second):
     places = _facing(core, first, second, rounding)
     distance, triangles, points = places[0]
     names = tuple(face_name(body.surface, triangle) for body, triangle in zip((first, second), triangles))
-    found = {"bodies": (first.name, second.name), "points": points, "faces": names, "depth": core.depth, "inner": None}
-    if distance == 0.0 and core.depth > deviation + rounding:
-        return BodyPair(relation=OVERLAPPING, distance=0.0, lower=0.0, upper=0.0, method="mesh", **found)
+    known = core.common_volume >= 0.0
+    thickness = 2.0 * core.common_volume / core.common_area if core.common_area > 0.0 else 0.0
+    found = {"bodies": (first.name, second.name), "points": points, "faces": names, "depth": max(core.depth, thickness),
+             "common_volume": core.common_volume if known else None, "inner": None}
+    if distance == 0.0 and found["depth"] > deviation + rounding:
+        relation, found["inner"] = _containing(core.common_volume, first, second, deviation + rounding)
+        return BodyPair(relation=relation, distance=0.0, lower=0.0, upper=0.0, method="mesh", **found)
+    near = distance
     exact = _exact(places, first, second, deviation + rounding)
     if exact is not None:
-        distance, found["points"], found["faces"] = exact
-        distance = distance if distance > rounding else 0.0
+        near, found["points"], found["faces"] = exact
+        distance = near if near > rounding else 0.0
     relation = INSIDE if core.inside >= 0 else TOUCHING if distance == 0.0 else APART
     if relation == INSIDE:
         found["inner"] = found["bodies"][core.inside]
-    bounds = (distance, distance) if exact is not None else (max(0.0, distance - deviation), distance + deviation)
+    bounds = (distance, near) if exact is not None else (max(0.0, distance - deviation), distance + deviation)
     return BodyPair(relation=relation, distance=distance, lower=bounds[0], upper=bounds[1],
                     method="mesh" if exact is None else "OpenCASCADE", **found)
+
+
+def _containing(volume, first, second, deviation):
+    """The relation of bodies that overlap by what they have in common, mm3, and the name of the one inside."""
+    reports = {body.name: body.surface.report for body in (first, second)}
+    whole = [name for name, own in reports.items()
+             if volume >= own.volume - min(deviation * own.area, _WHOLE * own.volume)]
+    return {0: OVERLAPPING, 1: INSIDE, 2: EQUAL}[len(whole)], whole[0] if len(whole) == 1 else None
 
 
 def _facing(core, first, second, rounding):
@@ -257,8 +276,13 @@ def _exact(near, first, second, within):
 def _line(pair):
     names = " and ".join(f"{body}{f' {face}' if face else ''}" for body, face in zip(pair.bodies, pair.faces))
     where = " - ".join(f"({', '.join(f'{x:.4g}' for x in point)})" for point in pair.points)
+    common = f", {pair.common_volume:.4g} mm3 in common" if pair.common_volume else ""
     if pair.relation == OVERLAPPING:
-        return f"  overlap    {names}, {pair.depth:.3g} mm deep at {where}"
+        return f"  overlap    {names}, {pair.depth:.3g} mm deep{common} at {where}"
+    if pair.relation == EQUAL:
+        return f"  equal      {' and '.join(pair.bodies)}: one body twice{common}"
+    if pair.relation == INSIDE and pair.distance == 0.0:
+        return f"  inside     {names}: {pair.inner} lies inside and meets the surface{common} at {where}"
     if pair.relation == TOUCHING:
         return f"  touch      {names} at {where}"
     exact = "exact" if pair.method != "mesh" else f"{pair.lower:.4g} to {pair.upper:.4g}"

@@ -308,7 +308,7 @@ def _curve_given(shape, mesh, curving, imprint, division, progress):
 
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
-          min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False,
+          min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False, overlap="refuse",
           patches=None, patch_rest=None, mesh=None, mesh_scale=1.0, threads=0):
     """A mesh of curved elements on a shape, proven valid element by element.
 
@@ -323,6 +323,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
                    height is given it is 0.01 of the largest dimension
     imprint        solids that share an area have the same elements there, so that the mesh of an assembly is
                    conforming
+    overlap        bodies that overlap or cross are a fault in certificates: "refuse", or none: "allow"
     progress       callable(fraction 0..1, stage); returning False cancels
     patches, patch_rest
                    named groups of faces, as for triangulate; of a SurfaceMesh that has patches these are the default
@@ -342,12 +343,12 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     values = options.check(options.CURVE, {
         "order": order, "volume": volume, "straighten_invalid": straighten_invalid, "min_angle": min_angle,
         "chord_height": chord_height, "chord_height_relative": chord_height_relative, "max_edge": max_edge, "imprint": imprint,
+        "overlap": overlap,
     })
     values["threads"] = options.THREADS.checked(threads)
     _check_given(mesh, mesh_scale, values, shape)
-    division = None
-    if shape is not None or not isinstance(shape_or_mesh, SurfaceMesh):
-        division = division_for(shape_or_mesh if shape is None else shape, patches, patch_rest)
+    of_shape = shape is not None or not isinstance(shape_or_mesh, SurfaceMesh)
+    division = division_for(shape_or_mesh if shape is None else shape, patches, patch_rest) if of_shape else None
     module = extension()
     module.set_fill_program(program("meshquality_fill"))
     curving = module.CurveOptions()
@@ -363,6 +364,6 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         curved = module.curve_surface(shape_or_mesh._surface, convert.shape_of(shape), curving, progress)
     else:
         straight = module.TriangulateOptions()
-        options.hand_over(values, straight)
+        options.hand_over({name: value for name, value in values.items() if name != "overlap"}, straight)
         curved = module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress)
     return CurvedMesh(curved, patches=kept(division, curved))

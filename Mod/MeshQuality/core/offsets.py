@@ -20,6 +20,8 @@ _SHARE_OF_WALL = 40.0  # the thickness over the tolerance of a wall, where none 
 # Degrees, of the mesh of a shape: needles have short edges, where the raw offset gets many strips; larger bounds take more
 # triangles (docs/measurements/offset.md).
 _SMALLEST_ANGLE = 1.0
+_CLOSED = "the hollow is closed: powder, resin or air cannot leave it; name openings, or cut holes by boolean"
+_WHOLE = "there is no hollow: the solid is nowhere thicker than two walls"
 _FINEST = 4.0 * 2.0**-23  # tolerance of a Boolean, as a fraction of the size, at least
 
 
@@ -128,6 +130,10 @@ def _hollowed(work, faces):
         inside = module.thicken_walls(work.solid, work.triangles_of(faces), work.distance, work.share_of_offset(),
                                       work.threads, work.before(), watched)
     work.add(inside.report)
+    if not len(inside.triangles):
+        work.note(_WHOLE)
+    elif faces is None:
+        work.note(_CLOSED)
     operands = [(work.solid, False, None)]
     if len(inside.triangles):
         operands.append((inside, False, None))
@@ -155,6 +161,7 @@ class _Work:
             raise InvalidInput(f"tolerance = {self.tolerance:g} mm is larger than the distance of {abs(distance):g} mm: give "
                                "a smaller one")
         self._error_bound, self._seconds, self._notes, self._cpu_seconds = 0.0, [], [], 0.0
+        self._repaired = []
 
     def run(self, last_steps):
         try:
@@ -186,6 +193,13 @@ class _Work:
         extension().name_faces(self.solid, [operand])
         self._seconds, self._notes = [], []
         self.add(self.solid.report)
+        self._repaired = [sentence.removeprefix("operand A: ") for sentence in self.solid.report.repaired]
+        for sentence in self._repaired:
+            self.note(f"repaired before: {sentence}")
+
+    def note(self, sentence):
+        """Adds a sentence to the notes of the result."""
+        self._notes = [*self._notes, sentence]
 
     def add(self, report):
         """Takes over what the report of a step says."""
@@ -200,6 +214,7 @@ class _Work:
         before = extension().WorkBefore()
         before.seconds, before.notes, before.cpu_seconds = self._seconds, self._notes, self._cpu_seconds
         before.error_bound = self._error_bound
+        before.repaired = self._repaired if last else []
         before.tolerance = self.tolerance if last else 0.0
         return before
 

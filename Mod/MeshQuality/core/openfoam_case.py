@@ -87,6 +87,7 @@ def case_of(mesh, name, flow, cell, scale, types):
         raise InvalidInput(f"flow = {flow!r} is not possible: give 'internal' for the space inside of the part, 'external' "
                            "for that around it")
     require_closed(mesh)
+    require_apart(mesh)
     require_one_space(flow, len(set(mesh.triangle_solid.tolist())))
     corners = (mesh.vertices + mesh.origin)[mesh.triangles] * scale
     low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
@@ -120,6 +121,13 @@ def require_closed(mesh):
     """Raises InvalidInput for a SurfaceMesh that is open."""
     if not mesh.report.closed:
         raise InvalidInput(Text(phrases.CASE_OPEN, count=str(mesh.report.border_edges)))
+
+
+def require_apart(mesh):
+    """Raises InvalidInput for a SurfaceMesh with bodies that overlap, unless it was made with overlap="allow"."""
+    found = [] if mesh._overlap == "allow" else mesh.report.overlapping_bodies
+    if found:
+        raise InvalidInput(Text(phrases.CASE_OVERLAP, name=found[0][0], name2=found[0][1]))
 
 
 def require_one_space(flow, solids):

@@ -28,11 +28,12 @@ class SurfaceMesh(metaclass=Public):
     The arrays are read-only views of the core's memory, without a copy; each keeps it alive.
     """
 
-    __slots__ = ("_patches", "_surface")
+    __slots__ = ("_overlap", "_patches", "_surface")
 
-    def __init__(self, surface, patches=None):
+    def __init__(self, surface, patches=None, overlap="refuse"):
         self._surface = surface
         self._patches = patches
+        self._overlap = overlap
 
     vertices = property(lambda self: self._surface.vertices, doc="float64 (V, 3), mm")
     origin = property(lambda self: self._surface.origin, doc="float64 (3,), mm")

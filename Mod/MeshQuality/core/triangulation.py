@@ -15,7 +15,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 method="refine", max_triangles=None, progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True,
-                imprint=False, evaluation="fast", patches=None, patch_rest=None, threads=0):
+                imprint=False, overlap="refuse", evaluation="fast", patches=None, patch_rest=None, threads=0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -42,6 +42,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
     imprint                solids that share an area get the same triangles on both sides; see report.contacts
+    overlap                bodies that overlap or cross are a fault in certificates: "refuse", or none: "allow"
     evaluation             of curves and surfaces: "fast" by formulas and polynomial pieces; "native" by OpenCASCADE alone
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
@@ -54,8 +55,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            {"inlet": {"faces": ["Face1"], "colour": "#ff0000"}}; names as in local_sizes. They are
                            checked before the work, kept as mesh.patches, and are the default of mesh.write
     patch_rest             name of the patch of all other faces; None: each is one by its own name
-    threads                that work at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any
-                           number
+    threads                at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any number
 
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
@@ -66,7 +66,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces, "connectivity": connectivity,
         "refine_samples": refine_samples, "seed": seed, "local_sizes": local_sizes,
         "edges_per_circle": edges_per_circle, "growth_rate": growth_rate, "keep_edges": keep_edges,
-        "feature_angle": feature_angle, "sew": sew, "imprint": imprint, "evaluation": evaluation,
+        "feature_angle": feature_angle, "sew": sew, "imprint": imprint, "overlap": overlap, "evaluation": evaluation,
     })
     values["threads"] = options.THREADS.checked(threads)
     options.require_callable(progress)
@@ -79,10 +79,11 @@ def _meshed(shape, values, progress, cache, division):
     values = convert.with_resolved_sizes(shape, values)
     module = extension()
     core_options = module.TriangulateOptions()
+    overlap = values.pop("overlap")
     core_options.local_sizes = element_names.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
     surface = module.triangulate(live_shape, core_options, progress, _core_cache(cache))
-    return SurfaceMesh(surface, kept(division, surface))
+    return SurfaceMesh(surface, kept(division, surface), overlap)
 
 
 class MeshCache(metaclass=Public):

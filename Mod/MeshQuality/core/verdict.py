@@ -14,6 +14,7 @@ from .. import phrases
 from ..compat import extension
 from ..phrases import MET, NOT_MET, Text
 from . import convert
+from .sides_on_edges import edges_of_shape
 
 # Elements whose shape is distorted more than this are a finding. The inverse of the distortion is the shape metric of
 # Knupp 2001, so that 10 is a metric of 0.1. The map from the regular tetrahedron then stretches at least 13 times more one
@@ -109,7 +110,8 @@ def line(label, report, findings, say=str):
 
 def _figures(report):
     """What the line says of a MeshReport, BooleanReport or CurveReport."""
-    if hasattr(report, "elements"):
+    curved = hasattr(report, "elements")
+    if curved:
         yield _counted(phrases.ELEMENTS, report.elements)
         yield Text(phrases.MAX_DISTORTION, number=_number(report.max_shape_distortion))
         yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.max_deviation)))
@@ -121,8 +123,10 @@ def _figures(report):
             yield Text(phrases.ERROR_BOUND, length=_length(_rounded(report.error_bound)))
         elif report.max_chord_height >= 0:
             yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.max_chord_height)))
-    if report.overlaps > 0:
+    if report.overlaps > 0 and not (curved and all(pair[2] == "near" for pair in report.overlapping_bodies)):
         yield _counted(phrases.OVERLAPS, report.overlaps)
+    if getattr(report, "not_proven_apart", 0) > 0:
+        yield _counted(phrases.NOT_PROVEN_APART, report.not_proven_apart)
 
 
 def must_be_closed(shape):
@@ -133,7 +137,8 @@ def must_be_closed(shape):
 def of_triangulation(mesh, closed, values=None, shape=None):
     """Findings of a SurfaceMesh that triangulate made of the shape with these options."""
     return [*angles(mesh), *deviation(mesh), *edges(mesh, values or {}, shape), *_incomplete(mesh.report),
-            *_missing_faces(mesh.report), *topology(mesh.report, closed, mesh), *_crossings(mesh.report)]
+            *_missing_faces(mesh.report), *topology(mesh.report, closed, mesh), *_crossings(mesh.report),
+            *_overlapping_bodies(mesh.report, values)]
 
 
 def of_improvement(mesh, closed, progress=None):
@@ -163,7 +168,8 @@ def of_curved(curved, closed, values=None, corners=None, shape=None):
     """
     return [*elements(curved), *distortion(curved), *_before_curving(curved, values or {}, shape),
             *_too_far(curved.report.max_deviation, curved.report.chord_height_asked, phrases.SHAPE_DISTANCE),
-            *topology(corners or topology_of_corners(curved), closed), *_crossings(curved.report)]
+            *topology(corners or topology_of_corners(curved), closed), *_crossings(curved.report),
+            *_overlapping_bodies(curved.report, values, ("overlapping", "inside", "equal")), *_curved_crossings(curved.report, values)]
 
 
 def _before_curving(curved, values, shape):
@@ -291,7 +297,7 @@ def edges(mesh, values, shape=None):
     for vertex, size in sizes["Vertex"].items():
         there = (np.asarray(mesh.vertex_entity)[ends] == (0, vertex)).all(axis=3).any(axis=2)
         allowed[there] = np.minimum(allowed[there], size)
-    along = _edges_of_shape(mesh, ends, sizes["Edge"], shape) if sizes["Edge"] \
+    along = edges_of_shape(mesh, ends, sizes["Edge"], shape) if sizes["Edge"] \
         else np.full(lengths.shape, -1)
     for edge, size in sizes["Edge"].items():
         allowed[along == edge] = np.minimum(allowed[along == edge], size)
@@ -305,39 +311,6 @@ def edges(mesh, values, shape=None):
         where = Text(phrases.ON_EDGE, phrase=where, edge=f"Edge{along[worst, side] + 1}")
     return [Finding(finding.text, _names(mesh, beyond), _corners(mesh, worst)) for finding in _too_far(
         lengths[worst, side], allowed[worst, side], phrases.LONGEST_EDGE, phrase=where)]
-
-
-def _edges_of_shape(mesh, ends, wanted, shape):
-    """int (T, 3): which of the wanted edges of the shape each side of the triangles lies on, -1: none.
-
-    A side lies on an edge where both of its ends do, and triangles of different faces, or only one triangle, meet
-    in it. The seam of a closed face has the same face on both sides: there the ends alone tell.
-    """
-    entity = np.asarray(mesh.vertex_entity)[ends]
-    dimension, index = entity[..., 0], entity[..., 1]
-    keys = np.sort(ends.reshape(-1, 2).astype(np.int64), axis=1)
-    _, side, uses = np.unique(keys[:, 0] << 32 | keys[:, 1], return_inverse=True, return_counts=True)
-    face = np.repeat(np.asarray(mesh.triangle_face), 3)
-    low, high = np.full(len(uses), np.iinfo(np.int64).max), np.full(len(uses), -1)
-    np.minimum.at(low, side, face)
-    np.maximum.at(high, side, face)
-    border = ((uses == 1) | (low != high))[side].reshape(len(ends), 3)
-    found = np.full((len(ends), 3), -1)
-    vertices, edges_of_shape = shape.Vertexes, shape.Edges
-    for edge in wanted:
-        inside = (dimension == 1) & (index == edge)
-        at_ends = (dimension == 0) & np.isin(index, _ends_of(edges_of_shape[edge], vertices))
-        on_edge = (inside | at_ends).all(axis=2)
-        if inside.any():
-            on_edge &= inside.any(axis=2)
-        chosen = on_edge & border
-        found[chosen if chosen.any() else on_edge] = edge
-    return found
-
-
-def _ends_of(edge, vertices):
-    """The indices of the vertices at the ends of a Part.Edge."""
-    return [i for i, vertex in enumerate(vertices) if any(vertex.isSame(end) for end in edge.Vertexes)]
 
 
 def _too_far(measured, asked, phrase, /, **places):
@@ -384,8 +357,8 @@ def of_thickness(found):
 
 
 def of_clearance(found):
-    """Findings of a ClearanceReport: bodies that overlap, and the smallest distance where that is below its limit."""
-    overlapping = sum(pair.relation == "overlapping" for pair in found.pairs)
+    """Findings of a ClearanceReport: bodies with a volume in common, and the smallest distance where that is below its limit."""
+    overlapping = sum(pair.relation in ("overlapping", "inside", "equal") for pair in found.pairs)
     findings = [Finding(_counted(phrases.BODIES_OVERLAP, overlapping))] if overlapping else []
     if found.min_clearance is not None and found.minimum < found.min_clearance:
         length, limit = map(_length, _told_apart(found.minimum, found.min_clearance))
@@ -495,6 +468,33 @@ def _crossings(report):
         said.append(Text(phrases.CROSSES_ITSELF, face=first) if first == second
                     else Text(phrases.FACES_CROSS, face=first, face2=second))
     return [Finding(phrases.joined(*said), tuple(dict.fromkeys(face for pair in pairs for face in pair)))]
+
+
+_SAID_OF_BODIES = {"overlapping": phrases.BODY_OVERLAPS, "inside": phrases.BODY_INSIDE, "equal": phrases.BODY_TWICE,
+                   "near": phrases.BODY_NEAR}
+
+
+def _overlapping_bodies(report, values, kinds=tuple(_SAID_OF_BODIES)):
+    """Findings of bodies of the shape that are not apart in the mesh, of these kinds, unless the options allow that.
+
+    Curved elements may be apart where the straight mesh crosses: what they do themselves is counted.
+    """
+    pairs = [pair for pair in report.overlapping_bodies if pair[2] in kinds]
+    near = [pair for pair in pairs if pair[2] == "near"]
+    deep = [pair for pair in pairs if pair[2] != "near"]
+    if (values or {}).get("overlap") == "allow":
+        return []
+    return [Finding(phrases.joined(_counted(phrase, len(some)), *(
+        Text(_SAID_OF_BODIES[how], name=first, name2=second) for first, second, how in some[:_NAMED])))
+            for phrase, some in ((phrases.BODIES_OVERLAP, deep), (phrases.BODIES_NEAR, near)) if some]
+
+
+def _curved_crossings(report, values):
+    """The finding of curved elements that are proven to cross; those of different bodies may where the options allow it."""
+    count = report.curved_intersections
+    if (values or {}).get("overlap") == "allow":
+        count -= report.curved_overlaps
+    return [Finding(_counted(phrases.CROSSING, count))] if count > 0 else []
 
 
 def _missing_faces(report):

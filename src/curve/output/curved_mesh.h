@@ -39,7 +39,8 @@ struct CurveReport {
     /// (injectivity/curved_crossings.h); -1: not looked for.
     std::int64_t curved_intersections = -1;
     std::int64_t not_proven_apart = -1;
-    mesh::MeshReport straight;  ///< report of the mesh that was curved
+    std::int64_t curved_overlaps = -1;  ///< those that cross and are of different bodies, which no node connects
+    mesh::MeshReport straight;          ///< report of the mesh that was curved
     std::vector<std::pair<std::string, std::size_t>> repairs;
     std::vector<std::string> notes;
     StageTimes seconds;

@@ -363,6 +363,19 @@ std::string in_short(const MeshReport& r) {
     return text;
 }
 
+const char* to_string(BodyOverlap::Kind kind) {
+    switch (kind) {
+        case BodyOverlap::Kind::Inside:
+            return "inside";
+        case BodyOverlap::Kind::Equal:
+            return "equal";
+        case BodyOverlap::Kind::Near:
+            return "near";
+        default:
+            return "overlapping";
+    }
+}
+
 bool has_faults(const MeshReport& r) {
     return !r.oriented || !r.manifold || r.self_intersections > 0 || !r.missing.empty() || !r.complete ||
            r.min_angle < r.min_angle_asked || (r.chord_height_asked > 0.0 && r.max_chord_height > r.chord_height_asked);

@@ -27,6 +27,21 @@ struct SolidContact {
     double area = 0.0;                     ///< mm^2
 };
 
+/// Two bodies of a shape, solids or shells, of which the meshes are not apart.
+struct BodyOverlap {
+    enum class Kind {
+        Overlapping,  ///< they have a volume in common, or their surfaces cross
+        Inside,       ///< the first one lies in the second one
+        Equal,        ///< they are one body twice
+        Near,         ///< they are apart in the shape, but their triangles cross
+    };
+    std::array<std::string, 2> bodies;  ///< "Solid2"; of a shell one of its faces: "Face7"
+    Kind kind = Kind::Overlapping;
+};
+
+/// "overlapping", "inside", "equal", "near"
+const char* to_string(BodyOverlap::Kind kind);
+
 /// The measured properties of the final mesh, and the notes of the operation. Angles in degrees, lengths in mm.
 struct MeshReport {
     std::size_t triangles = 0;
@@ -68,7 +83,9 @@ struct MeshReport {
     /// Pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, and of loose faces
     /// that cross; -1: not searched.
     std::int64_t self_intersections = -1;
-    std::int64_t overlaps = -1;  ///< pairs of triangles of different volumes that cross; -1: not searched
+    /// Pairs of triangles of different volumes that cross, but for those of volumes that only touch; -1: not searched
+    std::int64_t overlaps = -1;
+    std::vector<BodyOverlap> overlapping_bodies;
     std::vector<std::pair<std::int32_t, ExemptReason>> exempt;   ///< triangle, why its angle is below the bound
     std::vector<std::pair<std::int32_t, std::string>> spanning;  ///< triangle, which CAD faces it lies on
     std::vector<std::pair<std::int32_t, std::string>> fallback;  ///< CAD face, why its samples were joined in (u, v)

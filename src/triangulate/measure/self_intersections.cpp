@@ -13,7 +13,7 @@ namespace mq::triangulate {
 namespace {
 
 // Largest number of pairs found, which bounds memory and time on badly broken meshes.
-constexpr std::size_t kMostPairs = 50'000;
+constexpr std::size_t kMostPairs = 1'000'000;
 
 }  // namespace
 
@@ -29,6 +29,7 @@ SelfIntersections::SelfIntersections(Workspace& work) : work_(work) {
     }
 }
 
+// Whether neither face belongs to a volume.
 bool SelfIntersections::loose(const Faces& faces) const {
     return volumes_of_face_[faces.first].empty() && volumes_of_face_[faces.second].empty();
 }
@@ -52,12 +53,20 @@ const std::vector<std::array<int, 2>>& SelfIntersections::pairs() {
     return pairs_;
 }
 
-std::vector<std::array<int, 2>> SelfIntersections::deep_pairs(double deviation) {
+std::vector<std::array<int, 2>> SelfIntersections::pairs_of_bodies() {
+    find_where_changed();
+    std::vector<std::array<int, 2>> result;
+    std::copy_if(others_.begin(), others_.end(), std::back_inserter(result),
+                 [&](const auto& pair) { return !loose(faces_of(pair)); });
+    return result;
+}
+
+std::vector<std::array<int, 2>> SelfIntersections::deep_loose_pairs(double deviation) {
     constexpr double kBoth = 2.0;  // both triangles may deviate from their faces
     find_where_changed();
     std::set<Faces> deep;
     for (const auto& pair : others_) {
-        if (depth(pair) > kBoth * deviation + work_.grid.resolution()) {
+        if (loose(faces_of(pair)) && depth(pair) > kBoth * deviation + work_.grid.resolution()) {
             deep.insert(faces_of(pair));
         }
     }
@@ -106,6 +115,7 @@ void SelfIntersections::find() {
     others_.clear();
     const std::vector<mesh::ContactPair> found =
         mesh::self_intersections(mesh.points(), triangles, kMostPairs, &work_.progress);
+    incomplete_ = found.size() >= kMostPairs;
     for (const mesh::ContactPair& pair : found) {
         if (one_volume(faces_of({pair.a, pair.b}))) {
             pairs_.push_back({pair.a, pair.b});

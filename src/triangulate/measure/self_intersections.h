@@ -14,7 +14,7 @@ namespace mq::triangulate {
 
 /// Finds triangles that meet elsewhere than in their common vertices and edges. Triangles of one volume, or of one
 /// face, must not. Entities that nothing joins, such as different solids or loose faces, may touch, and their chords
-/// may cross.
+/// may cross (see BodyContacts).
 class SelfIntersections {
   public:
     using Faces = std::pair<int, int>;  ///< in ascending order; equal if a face meets itself
@@ -25,27 +25,31 @@ class SelfIntersections {
     /// does not change.
     /// @throws Cancelled
     const std::vector<std::array<int, 2>>& pairs();
-    /// Returns the pairs of triangles on faces that nothing joins, where these cross deeper than triangles that
-    /// deviate from their faces by at most `deviation` (mm) can. @throws Cancelled
-    std::vector<std::array<int, 2>> deep_pairs(double deviation);
+    /// Returns the pairs of loose faces that cross deeper than triangles that deviate from their faces by at most
+    /// `deviation` (mm) can. @throws Cancelled
+    std::vector<std::array<int, 2>> deep_loose_pairs(double deviation);
+    /// Returns the other crossing pairs of different volumes. @throws Cancelled
+    std::vector<std::array<int, 2>> pairs_of_bodies();
+    /// Whether pairs were left out, as there are too many.
+    bool incomplete() const { return incomplete_; }
     /// Counts the pairs by the faces they lie on.
     std::map<Faces, std::size_t> by_faces(const std::vector<std::array<int, 2>>& pairs) const;
     Faces faces_of(const std::array<int, 2>& pair) const;
-    /// Whether neither face belongs to a volume.
-    bool loose(const Faces& faces) const;
     /// Returns the smaller of the depths by which each triangle penetrates the plane of the other, mm.
     double depth(const std::array<int, 2>& pair) const;
 
   private:
     bool one_volume(const Faces& faces) const;
+    bool loose(const Faces& faces) const;
     double reach(int a, int b) const;
     void find_where_changed();
     void find();
 
     Workspace& work_;
     std::vector<std::vector<int>> volumes_of_face_;
-    std::vector<std::array<int, 2>> pairs_;      // pairs within one volume
-    std::vector<std::array<int, 2>> others_;     // crossing pairs of entities that nothing joins
+    std::vector<std::array<int, 2>> pairs_;   // pairs within one volume
+    std::vector<std::array<int, 2>> others_;  // crossing pairs of entities that nothing joins
+    bool incomplete_ = false;
     std::array<std::int64_t, 2> state_{-1, -1};  // edges made and triangles of the mesh at the last search
 };
 

@@ -129,7 +129,12 @@ void IntersectionRefinement::request(const Crossing& crossing, std::vector<SideT
     }
 }
 
-bool IntersectionRefinement::split(const std::vector<SideToSplit>& sides) {
+bool IntersectionRefinement::split(std::vector<SideToSplit> sides) {
+    std::sort(sides.begin(), sides.end(),
+              [](const SideToSplit& a, const SideToSplit& b) { return a.half_edge < b.half_edge; });
+    sides.erase(std::unique(sides.begin(), sides.end(),
+                            [](const SideToSplit& a, const SideToSplit& b) { return a.half_edge == b.half_edge; }),
+                sides.end());
     std::vector<int> touched;
     const int before = work_.mesh.vertex_count();
     std::vector<Candidate> candidates;
@@ -164,12 +169,27 @@ bool IntersectionRefinement::run() {
             request(crossing, sides);
         }
     }
-    std::sort(sides.begin(), sides.end(),
-              [](const SideToSplit& a, const SideToSplit& b) { return a.half_edge < b.half_edge; });
-    sides.erase(std::unique(sides.begin(), sides.end(),
-                            [](const SideToSplit& a, const SideToSplit& b) { return a.half_edge == b.half_edge; }),
-                sides.end());
-    return !sides.empty() && split(sides);
+    return !sides.empty() && split(std::move(sides));
+}
+
+bool IntersectionRefinement::run_between_bodies(double deviation) {
+    if (work_.over_budget()) {
+        return false;
+    }
+    Pairs pairs;
+    for (const FaceContact& contact : bodies_.find(deviation)) {
+        for (const auto& [pair, gap] : contact.apart) {
+            if (contact.worst() == BodyContact::Apart && gap >= RefinementTuning::kLeastGap * deviation) {
+                pairs.push_back(pair);
+            }
+        }
+    }
+    const std::map<int, Side> highest = highest_sides(pairs);
+    std::vector<SideToSplit> sides;
+    for (const auto& pair : pairs) {
+        request({pair, {highest.at(pair[0]), highest.at(pair[1])}, true}, sides);
+    }
+    return !sides.empty() && split(std::move(sides));
 }
 
 }  // namespace mq::triangulate

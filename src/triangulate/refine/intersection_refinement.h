@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "triangulate/measure/body_contacts.h"
 #include "triangulate/measure/self_intersections.h"
 #include "triangulate/operators/vertex_insertion.h"
 #include "triangulate/refine/segment_splitter.h"
@@ -19,12 +20,16 @@ namespace mq::triangulate {
 /// Where the shape's own faces cross, most crossings of the two are deeper than chords explain, and are kept.
 class IntersectionRefinement {
   public:
-    IntersectionRefinement(Workspace& work, SegmentSplitter& segments, SelfIntersections& finder)
-        : work_(work), segments_(segments), finder_(finder) {}
+    IntersectionRefinement(Workspace& work, SegmentSplitter& segments, SelfIntersections& finder, BodyContacts& bodies)
+        : work_(work), segments_(segments), finder_(finder), bodies_(bodies) {}
 
     /// Splits all crossing triangles that are not exact yet.
     /// @return whether anything was split.
     bool run();
+    /// Splits triangles of different bodies that cross where the bodies are apart in the shape.
+    /// @param deviation  largest distance of the mesh from its faces, mm
+    /// @return whether anything was split.
+    bool run_between_bodies(double deviation);
 
   private:
     using Pairs = std::vector<std::array<int, 2>>;
@@ -51,13 +56,14 @@ class IntersectionRefinement {
     bool folded(const std::array<int, 2>& pair) const;
     void judge(const std::vector<Crossing>& crossings);
     void request(const Crossing& crossing, std::vector<SideToSplit>& sides) const;
-    bool split(const std::vector<SideToSplit>& sides);
+    bool split(std::vector<SideToSplit> sides);
     std::map<int, double> heights_of_segments(const Pairs& pairs);
     std::map<int, Side> highest_sides(const Pairs& pairs);
 
     Workspace& work_;
     SegmentSplitter& segments_;
     SelfIntersections& finder_;
+    BodyContacts& bodies_;
     std::set<SelfIntersections::Faces> of_the_part_;
     std::map<SelfIntersections::Faces, Bends> first_;  // in the round that found crossings first
 };

@@ -97,6 +97,12 @@ struct RefinementTuning {
     MESHQUALITY_TUNED(int, kMaxChordRounds, 60);
     /// Rounds of splitting triangles that cross.
     MESHQUALITY_TUNED(int, kMaxCrossingRounds, 24);
+    /// Rounds of splitting triangles of different bodies that cross.
+    MESHQUALITY_TUNED(int, kMaxBodyRounds, 12);
+    /// Least gap between bodies, as a fraction of the tolerance, for which their triangles are split.
+    MESHQUALITY_TUNED(double, kLeastGap, 1.0 / 16.0);
+    /// Factor in the number of triangles by which splitting for gaps between bodies may let the mesh grow.
+    MESHQUALITY_TUNED(double, kMostForBodies, 8.0);
     /// Rounds of separating doubled edges.
     MESHQUALITY_TUNED(int, kMaxDoubledRounds, 4);
     /// Size below which details of normals are ignored, as a fraction of the shape's size; limited by the

@@ -9,7 +9,9 @@
 #include "base/angle.h"
 #include "base/message.h"
 #include "base/parallel.h"
+#include "mesh/quality/exemptions.h"
 #include "triangulate/measure/self_intersections.h"
+#include "triangulate/report/body_overlaps.h"
 #include "triangulate/report/exemption.h"
 #include "triangulate/report/solid_contacts.h"
 #include "triangulate/work_mesh/corner_classification.h"
@@ -116,24 +118,61 @@ void report_chord_height(const Workspace& work, const MaxChordError& worst, cons
     }
 }
 
-// Solids of an assembly may overlap: this is reported, but no fault of the mesh. Faces that belong to no solid or
-// shell are meant to form one surface.
-void report_crossings(SelfIntersections& finder, const geometry::Topology& topology, mesh::MeshReport& report) {
-    std::vector<std::array<int, 2>> faults = finder.pairs();
-    std::vector<std::array<int, 2>> overlaps;
-    for (const auto& pair : finder.deep_pairs(report.max_chord_height)) {
-        (finder.loose(finder.faces_of(pair)) ? faults : overlaps).push_back(pair);
+std::string sentence_of(const mesh::BodyOverlap& found) {
+    const auto& [first, second] = found.bodies;
+    switch (found.kind) {
+        case mesh::BodyOverlap::Kind::Inside:
+            return first + " lies inside " + second;
+        case mesh::BodyOverlap::Kind::Equal:
+            return first + " and " + second + " are one body twice";
+        case mesh::BodyOverlap::Kind::Near:
+            return first + " and " + second + " cross where they are apart by less than the mesh deviates";
+        default:
+            return first + " and " + second + " overlap";
     }
-    report.overlaps = static_cast<std::int64_t>(overlaps.size());
-    if (!overlaps.empty()) {
-        std::vector<std::pair<int, int>> faces;
-        for (const auto& pair : overlaps) {
-            faces.push_back(finder.faces_of(pair));
+}
+
+// Solids of a shape are to be apart, or to touch. Where these do, their chords cross, which imprinting avoids.
+void report_bodies(const Workspace& work, MeasurementCache& findings, const Output& out, mesh::MeshReport& report) {
+    const double deviation = std::max({report.max_chord_height, report.chord_height_asked, 0.0});
+    const std::vector<FaceContact>& contacts = findings.bodies.find(deviation);
+    const SelfIntersections& finder = findings.crossings;
+    std::size_t touching = 0;
+    report.overlaps = 0;
+    for (const FaceContact& contact : contacts) {
+        if (contact.worst() == BodyContact::Touching) {
+            touching += static_cast<std::size_t>(
+                std::count_if(contact.pairs.begin(), contact.pairs.end(),
+                              [&](const auto& pair) { return finder.depth(pair) > work.grid.resolution(); }));
+        } else {
+            report.overlaps += static_cast<std::int64_t>(contact.pairs.size());
         }
-        const std::string solids = solids_of(faces, topology);
-        report.notes.push_back("bodies overlap: " + mesh::counted(overlaps.size(), "pair") +
-                               " of triangles of different solids or shells cross" +
-                               (solids.empty() ? "" : " (" + solids + ")"));
+    }
+    report.overlapping_bodies = body_overlaps(work, contacts, out, deviation);
+    std::vector<std::string> said;
+    for (const mesh::BodyOverlap& found : report.overlapping_bodies) {
+        said.push_back(sentence_of(found));
+    }
+    if (!said.empty()) {
+        report.notes.push_back("bodies overlap: " + mesh::list_of(said));
+    }
+    if (touching > 0) {
+        report.notes.push_back("bodies touch: " + mesh::counted(touching, "pair") +
+                               " of triangles of faces that lie on each other cross by their chords; imprint gives "
+                               "both bodies the same triangles");
+    }
+}
+
+// Faces that belong to no solid or shell are meant to form one surface.
+void report_crossings(const Workspace& work, MeasurementCache& findings, const Output& out, mesh::MeshReport& report) {
+    SelfIntersections& finder = findings.crossings;
+    const geometry::Topology& topology = work.session.topology();
+    std::vector<std::array<int, 2>> faults = finder.pairs();
+    const std::vector<std::array<int, 2>> loose = finder.deep_loose_pairs(report.max_chord_height);
+    faults.insert(faults.end(), loose.begin(), loose.end());
+    report_bodies(work, findings, out, report);
+    if (finder.incomplete()) {
+        report.notes.push_back("so many triangles meet that not all pairs were compared");
     }
     report.self_intersections = 0;
     for (const auto& [faces, count] : finder.by_faces(faults)) {
@@ -158,7 +197,7 @@ MaxChordError measure_against_part(Workspace& work, MeasurementCache& findings, 
     return farthest;
 }
 
-mesh::MeshReport final_report(const Workspace& work, SelfIntersections& crossings, const MaxChordError& farthest,
+mesh::MeshReport final_report(const Workspace& work, MeasurementCache& findings, const MaxChordError& farthest,
                               const Output& out, const TriangulateOptions& options, double chord) {
     mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
     report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
@@ -172,7 +211,7 @@ mesh::MeshReport final_report(const Workspace& work, SelfIntersections& crossing
     report.notes = work.session.topology().faults;
     report_chord_height(work, farthest, out, options.keeps_bounds(), report);
     if (!work.over_budget()) {
-        report_crossings(crossings, work.session.topology(), report);
+        report_crossings(work, findings, out, report);
     }
     report.complete = !work.over_budget();
     if (work.left_by_mending > 0) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/quality/mesh_report.h"
+#include "triangulate/measure/body_contacts.h"
 #include "triangulate/measure/chord_error.h"
 #include "triangulate/measure/max_chord_error.h"
 #include "triangulate/measure/self_intersections.h"
@@ -13,10 +14,11 @@ namespace mq::triangulate {
 
 /// Measurements of the mesh that remain valid from stage to stage.
 struct MeasurementCache {
-    explicit MeasurementCache(Workspace& work) : chords(work), crossings(work) {}
+    explicit MeasurementCache(Workspace& work) : chords(work), crossings(work), bodies(work, crossings) {}
 
     ChordErrorCache chords;
     SelfIntersections crossings;
+    BodyContacts bodies;
 };
 
 /// Measures what takes memory: distances from the CAD model and self-intersections, which stay in `findings`. `chord`:
@@ -27,7 +29,7 @@ MaxChordError measure_against_part(Workspace& work, MeasurementCache& findings, 
 /// Measures the final mesh: angles and topology; names bounds that are not met, and why. `farthest` is of
 /// measure_against_part, which must have been called.
 /// @throws Cancelled
-mesh::MeshReport final_report(const Workspace& work, SelfIntersections& crossings, const MaxChordError& farthest,
+mesh::MeshReport final_report(const Workspace& work, MeasurementCache& findings, const MaxChordError& farthest,
                               const Output& out, const TriangulateOptions& options, double chord);
 
 }  // namespace mq::triangulate

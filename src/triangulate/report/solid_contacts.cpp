@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
-
-#include "mesh/quality/exemptions.h"
 
 namespace mq::triangulate {
 
@@ -56,30 +53,6 @@ std::vector<mesh::SolidContact> solid_contacts(const mesh::TriangleMesh& mesh) {
         result.push_back(entry.second);
     }
     return result;
-}
-
-std::string solids_of(const std::vector<std::pair<int, int>>& faces, const geometry::Topology& topology) {
-    std::vector<std::set<int>> solids(topology.faces.size());
-    for (const geometry::Volume& volume : topology.volumes) {
-        for (const geometry::Volume::Side& side : volume.sides) {
-            solids[static_cast<std::size_t>(side.face)].insert(volume.solid);
-        }
-    }
-    std::set<std::pair<int, int>> pairs;
-    for (const auto& [a, b] : faces) {
-        for (const int one : solids[static_cast<std::size_t>(a)]) {
-            for (const int other : solids[static_cast<std::size_t>(b)]) {
-                if (one >= 0 && other >= 0 && one != other) {
-                    pairs.insert(std::minmax(one, other));
-                }
-            }
-        }
-    }
-    std::vector<std::string> names;
-    for (const auto& [a, b] : pairs) {
-        names.push_back("Solid" + std::to_string(a + 1) + " and Solid" + std::to_string(b + 1));
-    }
-    return mesh::list_of(names);
 }
 
 }  // namespace mq::triangulate

@@ -2,11 +2,8 @@
 #pragma once
 
 #include <array>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "geometry/topology.h"
 #include "mesh/quality/mesh_report.h"
 #include "mesh/triangle_mesh.h"
 
@@ -18,8 +15,5 @@ void pair_opposite_triangles(mesh::TriangleMesh& mesh, const std::vector<int>& s
 
 /// The pairs of solids that share triangles, by their numbers.
 std::vector<mesh::SolidContact> solid_contacts(const mesh::TriangleMesh& mesh);
-
-/// Names the pairs of solids to which pairs of faces belong: "Solid1 and Solid2, Solid1 and Solid5".
-std::string solids_of(const std::vector<std::pair<int, int>>& faces, const geometry::Topology& topology);
 
 }  // namespace mq::triangulate
