@@ -56,7 +56,6 @@ BODIES_OVERLAP = ("1 pair of bodies overlaps.", "{count} pairs of bodies overlap
 LIMIT = "the mesh is incomplete: a limit ended the work early"
 FAULTS_LEFT = ("1 fault remains that no repair removed.",
                "{count} faults remain that no repair removed.")
-UNIFORM_CROSSES = "method uniform does not rule that out, method exact does."
 GUESSED = "{number} % of the surface is a guess, where operands are open."
 FOLDED = ("1 of {count2} elements is not proven valid: {list}.",
           "{count} of {count2} elements are not proven valid: {list}.")
@@ -75,7 +74,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 

@@ -305,6 +305,11 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
         result.figures.notes.emplace_back(
             "an operand has more digits than single precision holds: to_mesh and most files round the result");
     }
+    result.figures.operands.resize(operands.size());
+    parallel_for(static_cast<int>(operands.size()), [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        result.figures.operands[i] = mesh::topology_of(operands[i].surface->mesh);
+    });
     complete_report(result, before,
                     expression.chained() == Operation::SymmetricDifference
                         ? empty_difference(result.figures.tolerance_asked)
