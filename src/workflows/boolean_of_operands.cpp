@@ -10,8 +10,8 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "boolean/input/operand_repair.h"
-#include "boolean/layered_depth/layered_depth_boolean.h"
 #include "boolean/project_to_cad.h"
+#include "boolean/sound_layered_depth.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/shape_model.h"
 #include "workflows/operand_frame.h"
@@ -214,7 +214,7 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
     }
     notes.insert(notes.begin(), before.notes.begin(), before.notes.end());
     seconds.insert(seconds.begin(), before.seconds.begin(), before.seconds.end());
-    seconds.emplace_back("measuring", measuring.wall());
+    add_time(seconds, "measuring", measuring.wall());
     figures.notes = std::move(notes);
     figures.seconds = std::move(seconds);
 }
@@ -261,11 +261,16 @@ class BooleanRun {
   private:
     template <typename Kind>
     BooleanSurface uniform_after(const Kind& error) const {
+        const auto fails = [&](const Error& neither) {
+            return Kind(std::string(error.what()) + "; sampling it along rays fails, too: " + neither.what());
+        };
         BooleanSurface result;
         try {
             result = uniform();
         } catch (const InvalidInput& neither) {
-            throw Kind(std::string(error.what()) + "; sampling it along rays fails, too: " + neither.what());
+            throw fails(neither);
+        } catch (const TopologyError& neither) {
+            throw fails(neither);
         }
         result.figures.notes.insert(
             result.figures.notes.begin(),

@@ -12,8 +12,8 @@ namespace mq::workflows {
 /// The contents of a MeshReport, the error bound of a Boolean's result, and the repairs of its operands.
 struct BooleanReport : mesh::MeshReport {
     std::string method = "exact";  ///< that has made the result: "exact", "uniform" or "wrap"
-    /// mm. Of the method Exact how far surfaces and vertices were moved at most, see boolean::BooleanResult. Of the
-    /// method Uniform the largest distance found between the result and the exact one, both ways
+    /// mm. By the method Exact it is how far surfaces and vertices were moved at most, see boolean::BooleanResult. Of
+    /// the method Uniform the largest distance found between the result and the exact one, both ways
     /// (boolean/error_measure.h).
     double error_bound = 0.0;
     double tolerance_asked = 0.0;   ///< the tolerance that was requested, or that of the resolution, mm

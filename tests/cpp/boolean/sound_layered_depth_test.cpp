@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "boolean/layered_depth/crossing_removal.h"
+#include "boolean/sound_layered_depth.h"
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ TriangleMesh folded_ball() {
     return ball;
 }
 
-TEST(CrossingRemoval, TrianglesOfOperandsThatCrossAreDivided) {
+TEST(SoundLayeredDepth, TrianglesOfOperandsThatCrossAreDivided) {
     const TriangleMesh a = folded_ball();
     const TriangleMesh b = solids::sphere(Vec3(5, 0, 0), 1.0, 20);
     UniformOptions options;
@@ -84,7 +84,7 @@ TEST(CrossingRemoval, TrianglesOfOperandsThatCrossAreDivided) {
                 0.01);
 }
 
-TEST(CrossingRemoval, SoundResultsStayAsTheyAre) {
+TEST(SoundLayeredDepth, SoundResultsStayAsTheyAre) {
     const TriangleMesh a = solids::sphere(Vec3(0, 0, 0), 1.0, 24);
     const TriangleMesh b = solids::sphere(Vec3(3, 0, 0), 1.0, 24);
     UniformOptions options;
@@ -113,7 +113,7 @@ void expect_points_agree(const fuzz::Pair& pair, Operation operation, const Unif
     }
 }
 
-TEST(CrossingRemoval, RandomPairsAreSoundAndEncloseTheRightPoints) {
+TEST(SoundLayeredDepth, RandomPairsAreSoundAndEncloseTheRightPoints) {
     std::size_t crossed = 0;
     for (const std::uint64_t seed : {0U, 2U, 8U, 9U, 12U, 22U, 32U, 34U, 115U}) {
         for (const bool dirty : {false, true}) {
