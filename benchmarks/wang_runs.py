@@ -26,8 +26,9 @@ def boolean(name, folder, rays, method="uniform", full=False, points=0, save="")
     """One Boolean of operands that were made; the distances from the exact result over so many points, if any. `save` names
     the file of the folder for the triangles of the result that are an operand's own, and for the others.
 
-    Returns {"cpu_seconds", "seconds", "stages", "megabytes", "megabytes_before", "triangles", "retained", "holes", "faults",
-    "degenerate", "open", "errors"}; `open` counts what is not closed, oriented or 2-manifold; megabytes are the most that were
+    Returns {"cpu_seconds", "seconds", "stages", "megabytes", "megabytes_before", "triangles", "retained", "holes", "crossings",
+    "faults", "components", "euler", "degenerate", "open", "errors"}; `crossings` are pairs of triangles of the scheme's surface that
+    crossed (of the operands' by another method), `open` counts what is not closed, oriented or 2-manifold; megabytes are the most that were
     resident, and what the process with FreeCAD and the operands had before.
     """
     return _run({"work": "boolean", "name": name, "folder": str(folder), "rays": rays, "method": method, "full": full,
@@ -89,7 +90,8 @@ def _boolean(job):
     report = result.report
     row = {"cpu_seconds": report.cpu_seconds, "seconds": time.perf_counter() - wall, "stages": dict(report.seconds),
            "megabytes": _megabytes(), "megabytes_before": before, "triangles": report.triangles,
-           "retained": report.retained, "holes": report.holes_filled, "faults": report.faults_left,
+           "retained": report.retained, "holes": report.holes_filled, "crossings": report.crossing_pairs,
+           "faults": report.faults_left, "components": report.components, "euler": report.euler,
            "degenerate": report.degenerate_triangles,
            "open": report.border_edges + report.nonmanifold_edges + report.misoriented_edges + report.pinched_vertices}
     if job["points"]:

@@ -60,7 +60,6 @@ BODY_NEAR = "{name} and {name2} cross: a smaller max. deviation separates them."
 LIMIT = "the mesh is incomplete: a limit ended the work early"
 FAULTS_LEFT = ("1 fault remains that no repair removed.",
                "{count} faults remain that no repair removed.")
-UNIFORM_CROSSES = "method uniform does not rule that out, method exact does."
 GUESSED = "{number} % of the surface is a guess, where operands are open."
 FOLDED = ("1 of {count2} elements is not proven valid: {list}.",
           "{count} of {count2} elements are not proven valid: {list}.")
@@ -79,7 +78,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 

@@ -2863,10 +2863,6 @@
         <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {length} oder das Verfahren „exact“</translation>
     </message>
     <message>
-        <source>method uniform does not rule that out, method exact does.</source>
-        <translation>das Verfahren uniform schließt das nicht aus, das Verfahren exact schon.</translation>
-    </message>
-    <message>
         <source>{number} % of the surface is a guess, where operands are open.</source>
         <translation>{number} % der Oberfläche sind geschätzt, wo Operanden offen sind.</translation>
     </message>
@@ -2973,6 +2969,10 @@
     <message>
         <source>{name} lies inside {name2}.</source>
         <translation>{name} liegt in {name2}.</translation>
+    </message>
+    <message>
+        <source>finding common faces</source>
+        <translation>gemeinsame Flächen suchen</translation>
     </message>
 </context>
 <context>

@@ -85,11 +85,13 @@ def sizes(rows, rays):
             row["example"].name, " and ".join(map(number, row["counts"], row["example"].faces)),
             ", ".join(f"{run['megabytes']:.0f}" for run in runs) + f" ({runs[0]['megabytes_before']:.0f})",
             f"{row['exact']['megabytes']:.0f}", f"{runs[-1]['triangles']:,}", f"{row['exact']['triangles']:,}",
-            ", ".join(kept), ", ".join(str(run["faults"]) for run in runs),
+            ", ".join(kept), ", ".join(str(run["crossings"]) for run in runs),
+            *(", ".join(str(run[name]) for run in runs) + f" ({row['exact'][name]})" for name in ("components", "euler")),
             ", ".join(str(run["degenerate"]) for run in runs), str(sum(run["open"] for run in runs))])
-    table(f"Triangles of the operands (of the paper's where they are others); of MB, per cent kept, faults and triangles without area "
+    table(f"Triangles of the operands (of the paper's where they are others); of MB, per cent kept, crossings, components and triangles without area "
           f"one number each for {', '.join(map(str, rays))} rays (MB before the Boolean)", [
-              "example", "operands", "MB", "exact", f"triangles at {rays[-1]}", "exact", "kept, %", "faults", "without area",
+              "example", "operands", "MB", "exact", f"triangles at {rays[-1]}", "exact", "kept, %", "crossings", "components (exact)",
+              "Euler number (exact)", "without area",
               "not manifold"], lines)
 
 

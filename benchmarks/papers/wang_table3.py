@@ -22,7 +22,7 @@ def main():
     parser.add_argument("--rays", type=int, nargs="+", default=[513])
     parser.add_argument("--points", type=int, default=200_000, help="on each surface")
     arguments = parser.parse_args()
-    print("| example | rays | reconstruction | triangles | kept | mean, % | largest, % | CPU s | faults | the paper's mean, % "
+    print("| example | rays | reconstruction | triangles | kept | mean, % | largest, % | CPU s | crossings | the paper's mean, % "
           "| clock s |\n|" + "---|" * 11)
     with tempfile.TemporaryDirectory() as folder:
         for example in wang_models.named(arguments.rows):
@@ -39,7 +39,7 @@ def show(example, rays, full, run):
     paper = example.full if full and rays == 513 else () if full else partial
     theirs = f"{paper[0]:.2g} | {paper[1]:g}" if paper else "- | -"
     print(f"| {example.name} | {rays} | {'full' if full else 'partial'} | {run['triangles']:,} | {run['retained']:,} | {mean:.2g} | "
-          f"{largest:.2g} | {run['cpu_seconds']:.2f} | {run['faults']} | {theirs} |", flush=True)
+          f"{largest:.2g} | {run['cpu_seconds']:.2f} | {run['crossings']} | {theirs} |", flush=True)
 
 
 if __name__ == "__main__":

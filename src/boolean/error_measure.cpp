@@ -246,8 +246,9 @@ class DistanceSearch {
     static constexpr double kSame = 0.05;
     /// Steps shorter than this, by the radius of the ball, are not taken in pairs: they were in smaller balls.
     static constexpr double kNear = 0.125;
-    /// Steps that are taken singly, in pairs, and in threes.
+    /// Steps that are taken singly, looked around at their ends, taken in pairs, and in threes.
     static constexpr std::size_t kMost = 256;
+    static constexpr std::size_t kMostAround = 8;
     static constexpr std::size_t kMostInPairs = 16;
     static constexpr std::size_t kMostInThrees = 6;
 
@@ -293,6 +294,25 @@ class DistanceSearch {
         return false;
     }
 
+    /// The same a little beside the end of a step, to four sides: where the step leads along a face to an edge, the
+    /// points beyond its end are on a border of the solid themselves.
+    bool try_around(const Vec3& step) {
+        const Vec3 ahead = step.normalized();
+        const Vec3 across = ahead.unitOrthogonal();
+        const Vec3 third = ahead.cross(across);
+        const double little = 4.0 * solid_.beside();
+        for (const double i : {-little, little}) {
+            for (const double j : {-little, little}) {
+                const Vec3 there = step + little * ahead + i * across + j * third;
+                if (there.norm() < best_ && solid_.contains(p_ + there) != inside_) {
+                    best_ = there.norm();
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
     /// Tries what triangles of which the nearest points are in a ball lead to; those nearer than `searched` singly no
     /// more.
     void search(double searched, double reach) {
@@ -302,7 +322,8 @@ class DistanceSearch {
             if (step.norm() < searched) {
                 continue;
             }
-            if (++tried > kMost || step.norm() >= best_ || try_step(step)) {
+            if (++tried > kMost || step.norm() >= best_ || try_step(step) ||
+                (tried <= kMostAround && try_around(step))) {
                 break;
             }
         }

@@ -22,8 +22,8 @@ struct EnclosedOperand {
 
 /// The largest distances found between a result and the exact Boolean of its operands, mm.
 struct MeasuredError {
-    double to_exact = 0.0;    ///< of points of the result from the exact surface
-    double from_exact = 0.0;  ///< of points of the exact surface from the result
+    double to_exact = 0.0;    ///< from points of the result to the exact surface
+    double from_exact = 0.0;  ///< from points of the exact surface to the result
     double spacing = 0.0;     ///< sampled triangles have a point within this distance of each of theirs, mm
 
     double largest() const { return to_exact > from_exact ? to_exact : from_exact; }

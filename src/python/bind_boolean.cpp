@@ -113,16 +113,40 @@ void bind_boolean_report(py::module_& m) {
         .def_readonly("method", &BooleanReport::method, "that has made the result: 'exact', 'uniform' or 'wrap'")
         .def_readonly("guessed_share", &BooleanReport::guessed_share,
                       "share of the surface where an open operand has no triangle, a guess, 0 to 1")
-        .def_readonly("error_bound", &BooleanReport::error_bound,
-                      "no point of the result is farther from the exact one of these meshes, mm")
+        .def_readonly(
+            "error_bound", &BooleanReport::error_bound,
+            "mm; how far surfaces and vertices were moved at most, added up over the steps; of method 'uniform' "
+            "the largest distance found between the result and the exact one of these meshes, both ways")
         .def_readonly("tolerance_asked", &BooleanReport::tolerance_asked,
                       "mm; the tolerance that was requested, or that of the resolution")
+        .def_property_readonly(
+            "operand_components",
+            [](const BooleanReport& report) {
+                std::vector<std::size_t> components;
+                for (const mesh::SurfaceTopology& operand : report.operands) {
+                    components.push_back(operand.components);
+                }
+                return components;
+            },
+            "pieces of each operand that hang together by edges, beside components of the result")
+        .def_property_readonly(
+            "operand_euler",
+            [](const BooleanReport& report) {
+                std::vector<long> euler;
+                for (const mesh::SurfaceTopology& operand : report.operands) {
+                    euler.push_back(operand.euler);
+                }
+                return euler;
+            },
+            "vertices - edges + triangles of each operand, beside euler of the result")
         .def_readonly("retained", &BooleanReport::retained, "triangles that are an operand's own")
         .def_readonly("reconstructed", &BooleanReport::reconstructed, "all others")
         .def_readonly("repaired", &BooleanReport::repaired, "a sentence for each operand that was repaired")
         .def_readonly("faults_left", &BooleanReport::faults_left,
                       "faults of the result that no repair removed; notes name them")
-        .def_readonly("crossing_pairs", &BooleanReport::crossing_pairs, "of the operands' triangles")
+        .def_readonly(
+            "crossing_pairs", &BooleanReport::crossing_pairs,
+            "of the operands' triangles; of method 'uniform' those of its surface that crossed, and were divided")
         .def_readonly("curve_edges", &BooleanReport::curve_edges, "edges on the intersection curves")
         .def_readonly("parted_contacts", &BooleanReport::separated_contacts,
                       "points in which parts of the result touched")

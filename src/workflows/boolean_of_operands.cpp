@@ -10,8 +10,8 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "boolean/input/operand_repair.h"
-#include "boolean/layered_depth/layered_depth_boolean.h"
 #include "boolean/project_to_cad.h"
+#include "boolean/sound_layered_depth.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/shape_model.h"
 #include "workflows/operand_frame.h"
@@ -215,7 +215,7 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
     notes.insert(notes.begin(), before.notes.begin(), before.notes.end());
     figures.repaired.insert(figures.repaired.begin(), before.repaired.begin(), before.repaired.end());
     seconds.insert(seconds.begin(), before.seconds.begin(), before.seconds.end());
-    seconds.emplace_back("measuring", measuring.wall());
+    add_time(seconds, "measuring", measuring.wall());
     figures.notes = std::move(notes);
     figures.seconds = std::move(seconds);
 }
@@ -262,11 +262,16 @@ class BooleanRun {
   private:
     template <typename Kind>
     BooleanSurface uniform_after(const Kind& error) const {
+        const auto fails = [&](const Error& neither) {
+            return Kind(std::string(error.what()) + "; sampling it along rays fails, too: " + neither.what());
+        };
         BooleanSurface result;
         try {
             result = uniform();
         } catch (const InvalidInput& neither) {
-            throw Kind(std::string(error.what()) + "; sampling it along rays fails, too: " + neither.what());
+            throw fails(neither);
+        } catch (const TopologyError& neither) {
+            throw fails(neither);
         }
         result.figures.notes.insert(
             result.figures.notes.begin(),
@@ -306,6 +311,11 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
         result.figures.notes.emplace_back(
             "an operand has more digits than single precision holds: to_mesh and most files round the result");
     }
+    result.figures.operands.resize(operands.size());
+    parallel_for(static_cast<int>(operands.size()), [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        result.figures.operands[i] = mesh::topology_of(operands[i].surface->mesh);
+    });
     complete_report(result, before,
                     expression.chained() == Operation::SymmetricDifference
                         ? empty_difference(result.figures.tolerance_asked)

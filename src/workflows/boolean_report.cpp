@@ -25,6 +25,11 @@ std::string to_text(const BooleanReport& report) {
         text += "on surfaces  " + std::to_string(report.fitted_vertices) + " vertices put there, " +
                 std::to_string(report.unfitted_vertices) + " left on the meshes of the shapes\n";
     }
+    for (std::size_t k = 0; k < report.operands.size(); ++k) {
+        text += (k == 0 ? "operands     " : "             ") +
+                mesh::counted(report.operands[k].components, "component") + ", Euler number " +
+                std::to_string(report.operands[k].euler) + "\n";
+    }
     for (const std::string& sentence : report.repaired) {
         text += "repaired     " + sentence + "\n";
     }

@@ -11,13 +11,18 @@ namespace mq::workflows {
 
 /// The contents of a MeshReport, the error bound of a Boolean's result, and the repairs of its operands.
 struct BooleanReport : mesh::MeshReport {
-    std::string method = "exact";        ///< that has made the result: "exact", "uniform" or "wrap"
-    double error_bound = 0.0;            ///< no point of the result is farther from the exact one, mm
-    double tolerance_asked = 0.0;        ///< the tolerance that was requested, or that of the resolution, mm
-    std::size_t retained = 0;            ///< triangles that are an operand's own
-    std::size_t reconstructed = 0;       ///< all others
-    std::size_t faults_left = 0;         ///< faults of the result that no repair removed; notes name them
-    std::size_t crossing_pairs = 0;      ///< pairs of triangles of the operands that cross
+    std::string method = "exact";  ///< that has made the result: "exact", "uniform" or "wrap"
+    /// mm. By the method Exact it is how far surfaces and vertices were moved at most, see boolean::BooleanResult. Of
+    /// the method Uniform the largest distance found between the result and the exact one, both ways
+    /// (boolean/error_measure.h).
+    double error_bound = 0.0;
+    double tolerance_asked = 0.0;   ///< the tolerance that was requested, or that of the resolution, mm
+    std::size_t retained = 0;       ///< triangles that are an operand's own
+    std::size_t reconstructed = 0;  ///< all others
+    std::size_t faults_left = 0;    ///< faults of the result that no repair removed; notes name them
+    /// Pairs of triangles of the operands that cross; of the method Uniform those of its surface that did, until this
+    /// was divided along the crossings.
+    std::size_t crossing_pairs = 0;
     std::size_t curve_edges = 0;         ///< edges on the intersection curves
     std::size_t separated_contacts = 0;  ///< points in which regions of the result touched
     std::size_t separated_vertices = 0;  ///< vertices moved beyond common faces of another operand
@@ -29,6 +34,8 @@ struct BooleanReport : mesh::MeshReport {
     /// Share of the result's surface where an open operand has no triangle: it is a guess by the winding number, to
     /// which the error bound does not apply (method Uniform). 0 to 1.
     double guessed_share = 0.0;
+    /// How each operand hangs together as it was given, beside `components` and `euler` of the result.
+    std::vector<mesh::SurfaceTopology> operands;
     std::vector<std::string> repaired;  ///< a sentence for each operand that was repaired
 };
 

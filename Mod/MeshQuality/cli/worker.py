@@ -42,7 +42,7 @@ REPORT_FIELDS = (
 
 BOOLEAN_REPORT_FIELDS = (
     "method", "guessed_share", "error_bound", "tolerance_asked", "retained", "reconstructed", "repaired",
-    "faults_left", "crossing_pairs",
+    "operand_components", "operand_euler", "faults_left", "crossing_pairs",
     "curve_edges", "parted_contacts", "separated_vertices", "fitted_vertices", "unfitted_vertices",
     "samples", "face_samples",
 )

@@ -154,10 +154,7 @@ def of_boolean(mesh):
     found = _too_far(report.error_bound, report.tolerance_asked, phrases.RESULT_DISTANCE)
     if report.guessed_share > 0.0:
         found.append(Finding(_sentence(phrases.GUESSED, number=f"{100.0 * report.guessed_share:.2g}")))
-    if report.self_intersections > 0 and report.method == "uniform":
-        found.append(Finding(phrases.joined(_counted(phrases.CROSSING, report.self_intersections),
-                                            _sentence(phrases.UNIFORM_CROSSES))))
-    elif report.faults_left:
+    if report.faults_left:
         found.append(Finding(_counted(phrases.FAULTS_LEFT, report.faults_left)))
     return found + (topology(report, True, mesh) if report.triangles else [])
 

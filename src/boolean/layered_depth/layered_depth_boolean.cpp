@@ -11,10 +11,8 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "boolean/error_measure.h"
 #include "boolean/input/operand_repair.h"
 #include "boolean/input/tuning.h"
-#include "boolean/layered_depth/crossing_removal.h"
 #include "boolean/layered_depth/reconstruction/border_stitching.h"
 #include "boolean/layered_depth/reconstruction/contour.h"
 #include "boolean/layered_depth/reconstruction/face_projection.h"
@@ -521,12 +519,9 @@ UniformResult LayeredDepthBoolean::run() {
 
 }  // namespace
 
-namespace {
-
-/// The operands fit for rays.
-std::vector<UniformOperand> prepare(const std::vector<const mesh::TriangleMesh*>& operands,
-                                    const Expression& expression, const UniformOptions& options,
-                                    const Progress* progress) {
+std::vector<UniformOperand> prepare_uniform(const std::vector<const mesh::TriangleMesh*>& operands,
+                                            const Expression& expression, const UniformOptions& options,
+                                            const Progress* progress) {
     require_options(options);
     if (operands.empty() || expression.operands() != operands.size()) {
         throw InvalidInput("a Boolean of " + std::to_string(operands.size()) + " meshes by an expression of " +
@@ -549,59 +544,16 @@ std::vector<UniformOperand> prepare(const std::vector<const mesh::TriangleMesh*>
     return prepared;
 }
 
-/// The error of a result whose triangles may be operands' own.
-double measured_error(const std::vector<UniformOperand>& prepared, const Expression& expression,
-                      const UniformResult& result, double tolerance, double thinnest, const Progress& progress) {
-    /// Smaller distances are not told apart, as a fraction of the tolerance: that would take time for nothing.
-    constexpr double kEnough = 0.05;
-    std::vector<std::vector<char>> given(prepared.size());  // triangles of operands that the result has
-    std::vector<char> own;
-    for (const auto& [operand, triangle] : result.triangle_source) {
-        own.push_back(operand >= 0 ? 1 : 0);
-        if (operand >= 0) {
-            std::vector<char>& kept = given[static_cast<std::size_t>(operand)];
-            kept.resize(std::max(kept.size(), static_cast<std::size_t>(triangle) + 1), 0);
-            kept[static_cast<std::size_t>(triangle)] = 1;
-        }
-    }
-    std::vector<EnclosedOperand> enclosed;
-    double moved = 0.0;
-    for (std::size_t k = 0; k < prepared.size(); ++k) {
-        const UniformOperand& operand = prepared[k];
-        enclosed.push_back(
-            {&operand.mesh().vertices, &operand.mesh().triangles, operand.open() ? &operand.winding() : nullptr, {}});
-        for (std::size_t t = 0; t < operand.mesh().triangles.size(); ++t) {
-            const auto source = static_cast<std::size_t>(operand.source(static_cast<std::int32_t>(t)));
-            enclosed.back().retained.push_back(source < given[k].size() ? given[k][source] : 0);
-        }
-        moved = std::max(moved, operand.largest_move());
-    }
-    return measure_error(enclosed, expression, result.mesh, own, tolerance, kEnough * tolerance, thinnest, progress)
-               .largest() +
-           moved;
-}
-
-}  // namespace
-
 UniformResult layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
                                     const Expression& expression, const UniformOptions& options, Progress* progress,
                                     const CadOperands& cad) {
-    const std::vector<UniformOperand> prepared = prepare(operands, expression, options, progress);
-    return LayeredDepthBoolean(prepared, expression, options, cad, progress).run();
+    return layered_depth_boolean(prepare_uniform(operands, expression, options, progress), expression, options,
+                                 progress, cad);
 }
 
-UniformResult sound_layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
-                                          const Expression& expression, const UniformOptions& options, double tolerance,
-                                          Progress& progress, const CadOperands& cad) {
-    const std::vector<UniformOperand> prepared = prepare(operands, expression, options, &progress);
-    UniformResult result = LayeredDepthBoolean(prepared, expression, options, cad, &progress).run();
-    remove_crossings(result, tolerance, progress);
-    const Stopwatch measuring;
-    progress.stage("measuring the error", 1.0, 1.0);
-    result.error_bound = measured_error(prepared, expression, result, tolerance,
-                                        options.thinnest * working_box(prepared, expression).largest_side(), progress);
-    result.seconds.emplace_back("measuring the error", measuring.wall());
-    return result;
+UniformResult layered_depth_boolean(const std::vector<UniformOperand>& prepared, const Expression& expression,
+                                    const UniformOptions& options, Progress* progress, const CadOperands& cad) {
+    return LayeredDepthBoolean(prepared, expression, options, cad, progress).run();
 }
 
 UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,

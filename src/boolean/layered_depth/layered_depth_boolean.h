@@ -12,6 +12,7 @@
 #include "boolean/input/operation.h"
 #include "boolean/layered_depth/samples/face_samples.h"
 #include "boolean/layered_depth/samples/winding_samples.h"
+#include "boolean/layered_depth/uniform_operand.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
@@ -38,10 +39,10 @@ struct UniformResult {
     /// Operand (0, 1, ...) and index there of each triangle that is the operand's own, all coordinates unchanged
     /// (reversed where the result has its outside within the operand); {-1, -1} for triangles made or changed here.
     std::vector<std::array<std::int32_t, 2>> triangle_source;
-    /// Of layered_depth_boolean the paper's bound, not measured: sqrt(3) r, where r is the distance between rays (Wang
-    /// 2010, section IV-A: every point of the true result has a sample this near). It does not hold where features are
-    /// thinner than r: those may be lost, and the triangles that close the gap can lie farther away. 0 where nothing
-    /// was reconstructed. Of sound_layered_depth_boolean measured. mm.
+    /// By layered_depth_boolean it is the paper's bound, not measured: sqrt(3) r, where r is the distance between rays
+    /// (Wang 2010, section IV-A: every point of the true result has a sample this near). It does not hold where
+    /// features are thinner than r: those may be lost, and the triangles that close the gap can lie farther away. 0
+    /// where nothing was reconstructed. By sound_layered_depth_boolean it is measured. mm.
     double error_bound = 0.0;
     double spacing = 0.0;  ///< the distance r between rays, mm
 
@@ -93,16 +94,17 @@ UniformResult layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>
                                     const Expression& expression, const UniformOptions& options, Progress* progress,
                                     const CadOperands& cad = {});
 
-/// The same, made sound and measured: free of crossings (see remove_crossings), and with an error bound that is
-/// measured both ways (see measure_error), to which how far operands were moved by their repair is added.
-/// @param tolerance  how far points may be moved where crossings are removed; samples of the measure lie this far
-///     from each other at least, mm
-/// @throws TopologyError where the result cannot be held in single precision
-UniformResult sound_layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
-                                          const Expression& expression, const UniformOptions& options, double tolerance,
-                                          Progress& progress, const CadOperands& cad = {});
+/// The operands of that Boolean, fit for rays.
+/// @throws InvalidInput, OpenOperand, Cancelled as layered_depth_boolean
+std::vector<UniformOperand> prepare_uniform(const std::vector<const mesh::TriangleMesh*>& operands,
+                                            const Expression& expression, const UniformOptions& options,
+                                            const Progress* progress);
 
-/// The same as the first for two operands.
+/// The same Boolean of operands that are prepared.
+UniformResult layered_depth_boolean(const std::vector<UniformOperand>& prepared, const Expression& expression,
+                                    const UniformOptions& options, Progress* progress, const CadOperands& cad);
+
+/// The same for two operands.
 UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
                                     const UniformOptions& options, Progress* progress);
 

@@ -264,6 +264,28 @@ std::string work_text(const MeshReport& r) {
 
 }  // namespace
 
+SurfaceTopology topology_of(const TriangleMesh& mesh) {
+    const EdgeTable table(mesh.triangles, mesh.vertices.size());
+    Sets bodies(mesh.triangles.size());
+    LargeVector<std::uint8_t> used(mesh.vertices.size(), 0);
+    SurfaceTopology topology;
+    table.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
+        --topology.euler;
+        used[low] = used[high] = 1;
+        for (const std::uint32_t* corner = first + 1; corner < last; ++corner) {
+            bodies.unite(*first / 3, *corner / 3);
+        }
+    });
+    topology.euler += std::count(used.begin(), used.end(), 1);
+    for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+        if (!is_collapsed(mesh.triangles[k])) {
+            ++topology.euler;
+            topology.components += bodies.find(static_cast<std::uint32_t>(k)) == k ? 1 : 0;
+        }
+    }
+    return topology;
+}
+
 MeshReport measure(const TriangleMesh& mesh, const Progress* progress) {
     require_valid(mesh);
     MeshReport report;

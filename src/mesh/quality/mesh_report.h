@@ -109,6 +109,15 @@ struct MeshReport {
 /// @throws Cancelled when `progress` says so.
 MeshReport measure(const TriangleMesh& mesh, const Progress* progress = nullptr);
 
+/// How a surface hangs together.
+struct SurfaceTopology {
+    std::size_t components = 0;  ///< pieces that hang together by edges
+    long euler = 0;              ///< V - E + F
+};
+
+/// The same two numbers as in a MeshReport, in a fraction of its time. The mesh must be valid.
+SurfaceTopology topology_of(const TriangleMesh& mesh);
+
 /// A text of a dozen lines for people.
 std::string to_text(const MeshReport& report);
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "boolean/layered_depth/crossing_removal.h"
+#include "boolean/sound_layered_depth.h"
 
+#include <algorithm>
 #include <limits>
 #include <random>
 #include <utility>
-#include <vector>
 
-#include "base/vec.h"
+#include "base/stopwatch.h"
 #include "boolean/boolean.h"
+#include "boolean/error_measure.h"
 #include "mesh/quality/surface_verification.h"
 
 namespace mq::boolean {
@@ -51,6 +52,39 @@ void shift_faulty(UniformResult& result, const std::vector<mesh::Fault>& faults,
     }
 }
 
+/// The error of a result, measured both ways, and how far the operands were moved by their repair, mm.
+/// @param thinnest  the thickness below which films and gaps do not count, mm
+double measured_error(const std::vector<UniformOperand>& prepared, const Expression& expression,
+                      const UniformResult& result, double tolerance, double thinnest, const Progress& progress) {
+    // Smaller distances are not told apart, as a fraction of the tolerance: that would take time for nothing.
+    constexpr double kEnough = 0.05;
+    std::vector<std::vector<char>> given(prepared.size());  // triangles of operands that the result has
+    std::vector<char> own;
+    for (const auto& [operand, triangle] : result.triangle_source) {
+        own.push_back(operand >= 0 ? 1 : 0);
+        if (operand >= 0) {
+            std::vector<char>& kept = given[static_cast<std::size_t>(operand)];
+            kept.resize(std::max(kept.size(), static_cast<std::size_t>(triangle) + 1), 0);
+            kept[static_cast<std::size_t>(triangle)] = 1;
+        }
+    }
+    std::vector<EnclosedOperand> enclosed;
+    double moved = 0.0;
+    for (std::size_t k = 0; k < prepared.size(); ++k) {
+        const UniformOperand& operand = prepared[k];
+        enclosed.push_back(
+            {&operand.mesh().vertices, &operand.mesh().triangles, operand.open() ? &operand.winding() : nullptr, {}});
+        for (std::size_t t = 0; t < operand.mesh().triangles.size(); ++t) {
+            const auto source = static_cast<std::size_t>(operand.source(static_cast<std::int32_t>(t)));
+            enclosed.back().retained.push_back(source < given[k].size() ? given[k][source] : 0);
+        }
+        moved = std::max(moved, operand.largest_move());
+    }
+    return measure_error(enclosed, expression, result.mesh, own, tolerance, kEnough * tolerance, thinnest, progress)
+               .largest() +
+           moved;
+}
+
 }  // namespace
 
 void remove_crossings(UniformResult& result, double tolerance, Progress& progress) {
@@ -77,6 +111,20 @@ void remove_crossings(UniformResult& result, double tolerance, Progress& progres
     result.mesh = std::move(sound.mesh);
     result.triangle_source = std::move(source);
     result.seconds.insert(result.seconds.end(), sound.seconds.begin(), sound.seconds.end());
+}
+
+UniformResult sound_layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
+                                          const Expression& expression, const UniformOptions& options, double tolerance,
+                                          Progress& progress, const CadOperands& cad) {
+    const std::vector<UniformOperand> prepared = prepare_uniform(operands, expression, options, &progress);
+    UniformResult result = layered_depth_boolean(prepared, expression, options, &progress, cad);
+    remove_crossings(result, tolerance, progress);
+    const Stopwatch measuring;
+    progress.stage("measuring", 1.0, 1.0);
+    const double thinnest = options.thinnest * options.resolution * result.spacing;
+    result.error_bound = measured_error(prepared, expression, result, tolerance, thinnest, progress);
+    result.seconds.emplace_back("measuring", measuring.wall());
+    return result;
 }
 
 }  // namespace mq::boolean

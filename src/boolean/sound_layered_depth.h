@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <vector>
+
 #include "base/progress.h"
 #include "boolean/layered_depth/layered_depth_boolean.h"
 
@@ -16,5 +18,15 @@ namespace mq::boolean {
 /// @param tolerance  how far points may be moved where they are rounded, mm
 /// @throws TopologyError where the surface cannot be held in single precision, Cancelled
 void remove_crossings(UniformResult& result, double tolerance, Progress& progress);
+
+/// The Boolean by layered depth images, made sound and measured: free of crossings (see remove_crossings), and with an
+/// error bound that is measured both ways (see measure_error), to which how far operands were moved by their repair is
+/// added.
+/// @param tolerance  how far points may be moved where crossings are removed; samples of the measure lie this far
+///     from each other at least, mm
+/// @throws TopologyError where the result cannot be held in single precision
+UniformResult sound_layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
+                                          const Expression& expression, const UniformOptions& options, double tolerance,
+                                          Progress& progress, const CadOperands& cad = {});
 
 }  // namespace mq::boolean
