@@ -39,7 +39,7 @@ struct WorkBefore {
     /// mm: how far what was done before may have moved surfaces; the bound that is reported includes it.
     double error_bound = 0.0;
     double tolerance = 0.0;  ///< mm: the tolerance for all of the work, where it is not that of the last step
-    std::vector<std::string> repaired;  ///< a sentence for each operand that was repaired before
+    std::vector<std::string> repaired{};  ///< a sentence for each operand that was repaired before
 };
 
 /// `report` of the base class holds the measured fields of `figures`.

@@ -15,9 +15,9 @@ namespace {
 using geometry::Query;
 
 // Pairs of triangles of two faces that are examined first, spread over all of them.
-constexpr std::size_t kSample = 32;
+constexpr std::size_t kSample = 16;
 // Points that are tried as common ones of two solids.
-constexpr std::size_t kTried = 16;
+constexpr std::size_t kTried = 8;
 // Cosine of the angle between two faces that count as parallel.
 constexpr double kParallel = 0.99;
 // Triangles of two faces may deviate by twice the largest distance of one.

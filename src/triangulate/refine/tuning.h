@@ -98,7 +98,7 @@ struct RefinementTuning {
     /// Rounds of splitting triangles that cross.
     MESHQUALITY_TUNED(int, kMaxCrossingRounds, 24);
     /// Rounds of splitting triangles of different bodies that cross.
-    MESHQUALITY_TUNED(int, kMaxBodyRounds, 12);
+    MESHQUALITY_TUNED(int, kMaxBodyRounds, 16);
     /// Least gap between bodies, as a fraction of the tolerance, for which their triangles are split.
     MESHQUALITY_TUNED(double, kLeastGap, 1.0 / 16.0);
     /// Factor in the number of triangles by which splitting for gaps between bodies may let the mesh grow.
