@@ -114,7 +114,10 @@ std::shared_ptr<geometry::Model> model_of(geometry::Engine& engine, const TopoDS
 
 template <typename Mesh>
 void measure_volume(Mesh& mesh, geometry::Engine& engine, const TopoDS_Shape& shape, Progress& progress) {
-    engine.run([&] { mesh.report.cad_volume = geometry::solid_content(shape, &progress); }, &progress);
+    geometry::SolidContent content;
+    engine.run([&] { content = geometry::solid_content(shape, &progress); }, &progress);
+    mesh.report.cad_volume = content.volume;
+    mesh.report.cad_volume_error = content.error;
 }
 
 /// Counts the curved triangles that cross, and says where the first pair does.
