@@ -74,7 +74,7 @@ void bind_curve_report(py::module_& m) {
         .def_readonly("moved_vertices", &CurveReport::moved_vertices, "corner vertices that a repair moved")
         .def_property_readonly(
             "repairs", [](const CurveReport& r) { return dict_of(r.repairs); }, "{kind of repair: how many}")
-        .def_readonly("notes", &CurveReport::notes, "sentences about the part and the mesh that a user should know")
+        .def_readwrite("notes", &CurveReport::notes, "sentences about the part and the mesh that a user should know")
         .def_property_readonly(
             "seconds", [](const CurveReport& r) { return dict_of(r.seconds); }, "{stage: wall-clock seconds}")
         .def_readonly("cpu_seconds", &CurveReport::cpu_seconds, "of the operation, all threads")
