@@ -24,8 +24,8 @@ struct Query {
         FaceOnLine,         ///< index = face, point, along = unit direction of a line, u, v = a guess: point of the
                      ///< (untrimmed) surface on the line by Newton's method, outward unit normal; t = its place along
                      ///< the line
-        FaceContains,  ///< index = face, u, v: `side` 1 inside the trimmed face, 0 on its border, -1 outside;
-                       ///< distance = half the width of the border at most, mm, 0: its tolerance
+        FaceContains,    ///< index = face, u, v: `side` 1 inside the trimmed face, 0 on its border, -1 outside;
+                         ///< distance = half the width of the border at most, mm, 0: its tolerance
         VolumeContains,  ///< index = volume, point: `side` likewise
     };
     Kind kind = Kind::FacePoint;

@@ -386,7 +386,8 @@ bool Improver::attempt(const LocalOperation& change, Rule rule, const std::vecto
     std::vector<std::vector<Vec3>> taken;
     const bool same = rule == Rule::Same;
     const double most = same ? std::numeric_limits<double>::infinity() : tolerance_;
-    if (!good_enough(change, rule) || reaches_frozen(change) || !(same || near_enough(change)) || !hand_over(change, leaving, most, taken)) {
+    if (!good_enough(change, rule) || reaches_frozen(change) || !(same || near_enough(change)) ||
+        !hand_over(change, leaving, most, taken)) {
         return false;
     }
     make(change, std::move(taken));
@@ -419,7 +420,8 @@ bool Improver::reaches_frozen(const LocalOperation& change) const {
         frozen_->for_each_in_box(box, [&](std::int32_t) { return !(found = true); });
         return found;
     };
-    return std::any_of(change.removed.begin(), change.removed.end(), [&](int t) { return reaches(mesh_.triangle(t)); }) ||
+    return std::any_of(change.removed.begin(), change.removed.end(),
+                       [&](int t) { return reaches(mesh_.triangle(t)); }) ||
            std::any_of(change.added.begin(), change.added.end(), reaches);
 }
 

@@ -133,8 +133,8 @@ py::tuple cad_distances(const PointArray& nodes, int order, const Indices& trian
     const Vec3& p = found.farthest;
     py::list faces;
     for (const curve::CadDistances::FaceGrid& grid : found.face_grids) {
-        faces.append(py::make_tuple(grid.face, grid.low[0], grid.high[0], grid.low[1], grid.high[1], grid.columns,
-                                    grid.rows));
+        faces.append(
+            py::make_tuple(grid.face, grid.low[0], grid.high[0], grid.low[1], grid.high[1], grid.columns, grid.rows));
     }
     py::list edges;
     for (const curve::CadDistances::EdgeGrid& grid : found.edge_grids) {

@@ -75,7 +75,7 @@ Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
 mesh::MeshReport report_with_crossings(const Result& surface, Progress& progress) {
     mesh::MeshReport report = surface.report;
     if (report.self_intersections < 0) {
-        progress.stage("searching self-intersections", 0.0, 0.1);
+        progress.stage("checking crossings", 0.0, 0.1);
         report.self_intersections = static_cast<std::int64_t>(
             mesh::self_intersections(surface.mesh.vertices, surface.mesh.triangles, mesh::kAllPairs, &progress).size());
     }

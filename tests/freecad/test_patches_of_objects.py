@@ -25,7 +25,7 @@ class OfObjects(unittest.TestCase):
         self.obj = mq.add_quality_mesh(self.box, chord_height=0.1)
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        self.addCleanup(lambda: FreeCAD.closeDocument(self.document.Name))
+        self.addCleanup(lambda: [FreeCAD.closeDocument(name) for name in FreeCAD.listDocuments() if name in ("Patches", "saved")])
 
     def path(self, name):
         return os.path.join(self.folder.name, name)

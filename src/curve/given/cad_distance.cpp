@@ -325,6 +325,16 @@ std::vector<std::array<double, 2>> extents_of_faces(Session& session) {
     return found;
 }
 
+/// The spacing that is wanted on faces of these extents, mm.
+double spacing_for(const std::vector<std::array<double, 2>>& extents, double triangles, double size) {
+    double area = 0.0;
+    for (const std::array<double, 2>& sides : extents) {
+        area += sides[0] * sides[1];
+    }
+    const double count = std::max(kLeastSamples, kSamplesOfTriangle * triangles);
+    return std::max(std::sqrt(area / count), 1e-9 * size);
+}
+
 }  // namespace
 
 CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
@@ -340,13 +350,8 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
     Session session(engine, model, &watched);
     const geometry::Topology& topology = session.topology();
     const std::vector<std::array<double, 2>> extents = extents_of_faces(session);
-    double area = 0.0;
-    for (const std::array<double, 2>& sides : extents) {
-        area += sides[0] * sides[1];
-    }
-    const double count =
-        std::max(kLeastSamples, kSamplesOfTriangle * double(triangles.size()) / Lattice::of(2, order).size());
-    const double spacing = std::max(std::sqrt(area / count), 1e-9 * topology.box.largest_side());
+    const double spacing = spacing_for(extents, double(triangles.size()) / Lattice::of(2, order).size(),
+                                       topology.box.largest_side());
     CadDistances result;
     double largest = -1.0;
     const auto take = [&](const Samples& samples, const std::vector<int>& faces) {

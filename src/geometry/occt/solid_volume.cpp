@@ -95,7 +95,8 @@ Integral adaptive(const Function& f, double low, double high, double allowed, in
     return found;
 }
 
-constexpr double kAccuracy = 1e-9;  // of the integral of the absolute value along an edge
+/// Fraction of the integral of the absolute value along an edge that its error may be.
+constexpr double kAccuracy = 1e-9;
 constexpr int kHalvings = 10;
 
 /// `breaks` between two numbers, with these.
