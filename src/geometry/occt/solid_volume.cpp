@@ -96,7 +96,7 @@ Integral adaptive(const Function& f, double low, double high, double allowed, in
 }
 
 /// Fraction of the integral of the absolute value along an edge that its error may be.
-constexpr double kAccuracy = 1e-9;
+constexpr double kAccuracy = 1e-7;
 constexpr int kHalvings = 10;
 
 /// `breaks` between two numbers, with these.
