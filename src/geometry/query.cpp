@@ -95,8 +95,10 @@ Query Query::face_on_line(int face, const Vec3& point, const Vec3& along, double
     return query;
 }
 
-Query Query::face_contains(int face, double u, double v) {
-    return on_face(Kind::FaceContains, face, u, v);
+Query Query::face_contains(int face, double u, double v, double border) {
+    Query query = on_face(Kind::FaceContains, face, u, v);
+    query.distance = border;
+    return query;
 }
 
 Query Query::volume_contains(int volume, const Vec3& point) {

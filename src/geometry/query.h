@@ -24,7 +24,8 @@ struct Query {
         FaceOnLine,         ///< index = face, point, along = unit direction of a line, u, v = a guess: point of the
                      ///< (untrimmed) surface on the line by Newton's method, outward unit normal; t = its place along
                      ///< the line
-        FaceContains,    ///< index = face, u, v: `side` 1 inside the trimmed face, 0 on its border, -1 outside
+        FaceContains,    ///< index = face, u, v: `side` 1 inside the trimmed face, 0 on its border, -1 outside;
+                         ///< distance = half the width of the border at most, mm, 0: its tolerance
         VolumeContains,  ///< index = volume, point: `side` likewise
     };
     Kind kind = Kind::FacePoint;
@@ -49,7 +50,7 @@ struct Query {
     static Query face_nearest(int face, const Vec3& point, double u, double v);
     static Query face_nearest_global(int face, const Vec3& point);
     static Query face_on_line(int face, const Vec3& point, const Vec3& along, double u, double v);
-    static Query face_contains(int face, double u, double v);
+    static Query face_contains(int face, double u, double v, double border = 0.0);
     static Query volume_contains(int volume, const Vec3& point);
 };
 

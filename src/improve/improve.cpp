@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "improve/improve.h"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "improve/improver.h"
+#include "improve/tuning.h"
 #include "mesh/edge_table.h"
+#include "mesh/intersection/aabb_tree.h"
+#include "mesh/quality/surface_verification.h"
+#include "mesh/quality/triangle_quality.h"
 
 namespace mq::improve {
 
@@ -35,6 +44,73 @@ mesh::TriangleMesh checked(const mesh::TriangleMesh& given) {
     return mesh;
 }
 
+/// What must not become worse: faults by kind, and the smallest angle.
+class Condition {
+  public:
+    Condition(const mesh::TriangleMesh& mesh, Progress& progress)
+        : count_(verified(mesh, progress).count), least_(least_angle(mesh)) {}
+
+    /// The triangles of an improved mesh at faults of a kind of which it has more, and those with smaller angles.
+    std::vector<std::int32_t> worse_in(const mesh::TriangleMesh& mesh, Progress& progress) const {
+        const mesh::Verification after = verified(mesh, progress);
+        std::vector<std::int32_t> found;
+        for (const mesh::Fault& fault : after.faults) {
+            const auto kind = static_cast<std::size_t>(fault.kind);
+            // Open and non-manifold edges are of the connections, which are kept; halves of them are no more faults.
+            if (fault.kind == mesh::FaultKind::OpenEdge || fault.kind == mesh::FaultKind::NonmanifoldEdge ||
+                after.count[kind] <= count_[kind]) {
+                continue;
+            }
+            std::copy_if(fault.triangles.begin(), fault.triangles.end(), std::back_inserter(found),
+                         [](std::int32_t t) { return t >= 0; });
+        }
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            if (angle(mesh, mesh.triangles[t]) < least_) {
+                found.push_back(static_cast<std::int32_t>(t));
+            }
+        }
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+        return found;
+    }
+
+  private:
+    static mesh::Verification verified(const mesh::TriangleMesh& mesh, Progress& progress) {
+        constexpr std::size_t kMost = 1000000;  // faults of a kind that are told apart
+        return mesh::verify(mesh.vertices, mesh.triangles, nullptr, kMost, &progress);
+    }
+    static double angle(const mesh::TriangleMesh& mesh, const mesh::Triangle& t) {
+        const auto corner = [&](std::size_t k) { return mesh.vertices[static_cast<std::size_t>(t[k])]; };
+        return mesh::min_angle_of({corner(0), corner(1), corner(2)});
+    }
+    static double least_angle(const mesh::TriangleMesh& mesh) {
+        double least = 180.0;
+        for (const mesh::Triangle& t : mesh.triangles) {
+            least = std::min(least, angle(mesh, t));
+        }
+        return least;
+    }
+
+    std::array<std::size_t, mesh::kFaultKinds> count_;
+    double least_;
+};
+
+Result result_of(Improver& improver, const mesh::TriangleMesh& start) {
+    Result result = std::move(improver.counts);
+    result.mesh = improver.mesh().result();
+    result.mesh.origin = start.origin;
+    // Removed triangles are left out of the result.
+    std::vector<std::int32_t> index(static_cast<std::size_t>(improver.mesh().triangle_count()), 0);
+    std::int32_t next = 0;
+    for (int t = 0; t < improver.mesh().triangle_count(); ++t) {
+        index[static_cast<std::size_t>(t)] = improver.mesh().gone(t) ? -1 : next++;
+    }
+    for (const auto& [t, cause] : improver.left()) {
+        result.exempt.emplace_back(index[static_cast<std::size_t>(t)], mesh::ExemptReason{cause});
+    }
+    return result;
+}
+
 }  // namespace
 
 void ImproveOptions::validate() const {
@@ -55,23 +131,33 @@ Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, P
     StageTimes seconds;
     StageClock clock(seconds);
     watched.stage("improving", 0.0, 1.0);
-    Improver improver(start, options, watched);
-    improver.run();
-    clock.end("improving");
-    Result result = std::move(improver.counts);
-    result.mesh = improver.mesh().result();
-    result.mesh.origin = start.origin;
-    result.seconds = std::move(seconds);
-    // Removed triangles are left out of the result.
-    std::vector<std::int32_t> index(static_cast<std::size_t>(improver.mesh().triangle_count()), 0);
-    std::int32_t next = 0;
-    for (int t = 0; t < improver.mesh().triangle_count(); ++t) {
-        index[static_cast<std::size_t>(t)] = improver.mesh().gone(t) ? -1 : next++;
+    const Condition before(start, watched);
+    std::vector<Vec3> points;
+    std::vector<mesh::Triangle> frozen;
+    for (int round = 0;; ++round) {
+        if (round == ImproveTuning::kRepeats) {
+            points = start.vertices;
+            frozen = start.triangles;
+        }
+        const mesh::AabbTree tree(points, frozen);
+        Improver improver(start, options, watched, frozen.empty() ? nullptr : &tree);
+        improver.run();
+        Result result = result_of(improver, start);
+        result.kept = frozen.size();
+        const std::vector<std::int32_t> worse = before.worse_in(result.mesh, watched);
+        if (worse.empty() || round == ImproveTuning::kRepeats) {
+            clock.end("improving");
+            result.seconds = std::move(seconds);
+            return result;
+        }
+        for (const std::int32_t t : worse) {
+            const auto first = static_cast<std::int32_t>(points.size());
+            for (const std::int32_t v : result.mesh.triangles[static_cast<std::size_t>(t)]) {
+                points.push_back(result.mesh.vertices[static_cast<std::size_t>(v)]);
+            }
+            frozen.push_back({first, first + 1, first + 2});
+        }
     }
-    for (const auto& [t, cause] : improver.left()) {
-        result.exempt.emplace_back(index[static_cast<std::size_t>(t)], mesh::ExemptReason{cause});
-    }
-    return result;
 }
 
 }  // namespace mq::improve

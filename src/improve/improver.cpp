@@ -27,10 +27,12 @@ double size_of(const mesh::TriangleMesh& mesh) {
 
 }  // namespace
 
-Improver::Improver(const mesh::TriangleMesh& given, const ImproveOptions& options, Progress& progress)
+Improver::Improver(const mesh::TriangleMesh& given, const ImproveOptions& options, Progress& progress,
+                   const mesh::AabbTree* frozen)
     : options_(options),
       tolerance_(options.tolerance > 0.0 ? options.tolerance : kTolerance * size_of(given)),
       progress_(progress),
+      frozen_(frozen),
       mesh_(given, options.feature_angle * kDegree),
       surface_(given, mesh_),
       bend_(options.feature_angle * kDegree),
@@ -384,7 +386,8 @@ bool Improver::attempt(const LocalOperation& change, Rule rule, const std::vecto
     std::vector<std::vector<Vec3>> taken;
     const bool same = rule == Rule::Same;
     const double most = same ? std::numeric_limits<double>::infinity() : tolerance_;
-    if (!good_enough(change, rule) || !(same || near_enough(change)) || !hand_over(change, leaving, most, taken)) {
+    if (!good_enough(change, rule) || reaches_frozen(change) || !(same || near_enough(change)) ||
+        !hand_over(change, leaving, most, taken)) {
         return false;
     }
     make(change, std::move(taken));
@@ -402,6 +405,24 @@ void Improver::make(const LocalOperation& change, std::vector<std::vector<Vec3>>
     mesh_.apply(change);
     note_changed(change);
     witnesses_.insert(witnesses_.end(), std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
+}
+
+bool Improver::reaches_frozen(const LocalOperation& change) const {
+    if (frozen_ == nullptr) {
+        return false;
+    }
+    const auto reaches = [&](const Triangle& t) {
+        Box box;
+        for (const Vec3& p : mesh_.corners(t)) {
+            box.add(p);
+        }
+        bool found = false;
+        frozen_->for_each_in_box(box, [&](std::int32_t) { return !(found = true); });
+        return found;
+    };
+    return std::any_of(change.removed.begin(), change.removed.end(),
+                       [&](int t) { return reaches(mesh_.triangle(t)); }) ||
+           std::any_of(change.added.begin(), change.added.end(), reaches);
 }
 
 bool Improver::good_enough(const LocalOperation& change, Rule rule) const {

@@ -8,13 +8,16 @@
 #include "improve/improve.h"
 #include "improve/local_operations.h"
 #include "improve/reference_surface.h"
+#include "mesh/intersection/aabb_tree.h"
 
 namespace mq::improve {
 
 /// The improvement of one mesh: finds bad triangles, and applies changes to them.
 class Improver {
   public:
-    Improver(const mesh::TriangleMesh& given, const ImproveOptions& options, Progress& progress);
+    /// @param frozen  triangles whose boxes no change may reach; null: none. They outlive the object.
+    Improver(const mesh::TriangleMesh& given, const ImproveOptions& options, Progress& progress,
+             const mesh::AabbTree* frozen = nullptr);
 
     /// Works until no bad triangle can be improved.
     void run();
@@ -60,6 +63,7 @@ class Improver {
     void swap_around(int v);
 
     bool attempt(const LocalOperation& change, Rule rule, const std::vector<Vec3>& leaving = {});
+    bool reaches_frozen(const LocalOperation& change) const;
     bool good_enough(const LocalOperation& change, Rule rule) const;
     bool near_enough(const LocalOperation& change) const;
     /// Assigns the witnesses of `removed`, and `leaving`, to the nearest triangles of `added`; false when one is
@@ -70,6 +74,7 @@ class Improver {
     ImproveOptions options_;
     double tolerance_;
     Progress& progress_;
+    const mesh::AabbTree* frozen_;
     EditableMesh mesh_;
     ReferenceSurface surface_;
     double bend_;

@@ -18,6 +18,9 @@ struct ImproveTuning {
     MESHQUALITY_TUNED(int, kImproveRounds, 200);
     /// Refinement ends after this many rounds without fewer bad triangles.
     MESHQUALITY_TUNED(int, kImprovePatience, 12);
+    /// Times that a mesh with more faults than the given one is improved again, with the places of these left alone;
+    /// then it is given back as it was.
+    MESHQUALITY_TUNED(int, kRepeats, 8);
     /// Rounds in which vertices are only removed, moved and swapped, before new ones are inserted.
     MESHQUALITY_TUNED(int, kRoundsWithoutSplits, 6);
     /// Triangles at most, as a multiple of the given ones: refinement near small angles of sharp edges would not

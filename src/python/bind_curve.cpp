@@ -96,11 +96,14 @@ void bind_curve_report(py::module_& m) {
         .def_readonly("straightened", &CurveReport::straightened, "[text, ...]: elements that were made straight")
         .def_readonly("volume", &CurveReport::volume, "that the curved triangles enclose, mm^3; 0 without a solid")
         .def_readonly("cad_volume", &CurveReport::cad_volume, "of the solids, mm^3; 0: unknown")
+        .def_readonly("cad_volume_error", &CurveReport::cad_volume_error,
+                      "how far cad_volume may be off, mm^3: error of its integration, and of faces that meet within "
+                      "the tolerance of their edges")
         .def_property_readonly("volume_error", &CurveReport::volume_error, "relative; -1: unknown")
         .def_readonly("moved_vertices", &CurveReport::moved_vertices, "corner vertices that a repair moved")
         .def_property_readonly(
             "repairs", [](const CurveReport& r) { return dict_of(r.repairs); }, "{kind of repair: how many}")
-        .def_readonly("notes", &CurveReport::notes, "sentences about the part and the mesh that a user should know")
+        .def_readwrite("notes", &CurveReport::notes, "sentences about the part and the mesh that a user should know")
         .def_property_readonly(
             "seconds", [](const CurveReport& r) { return dict_of(r.seconds); }, "{stage: wall-clock seconds}")
         .def_readonly("cpu_seconds", &CurveReport::cpu_seconds, "of the operation, all threads")

@@ -131,8 +131,17 @@ py::tuple cad_distances(const PointArray& nodes, int order, const Indices& trian
         return workflows::cad_distances(engine, *part.shape, points, order, rows, handle);
     });
     const Vec3& p = found.farthest;
-    return py::make_tuple(array_of(found.of_face), std::array<double, 3>{p.x(), p.y(), p.z()}, found.spacing,
-                          found.samples);
+    py::list faces;
+    for (const curve::CadDistances::FaceGrid& grid : found.face_grids) {
+        faces.append(
+            py::make_tuple(grid.face, grid.low[0], grid.high[0], grid.low[1], grid.high[1], grid.columns, grid.rows));
+    }
+    py::list edges;
+    for (const curve::CadDistances::EdgeGrid& grid : found.edge_grids) {
+        edges.append(py::make_tuple(grid.edge, grid.low, grid.high, grid.steps));
+    }
+    return py::make_tuple(array_of(found.of_face), std::array<double, 3>{p.x(), p.y(), p.z()}, found.spacing, faces,
+                          edges);
 }
 
 py::array distances_to_faces(const PartShape& part, const PointArray& points, const py::object& progress) {
@@ -162,8 +171,8 @@ void bind_given(py::module_& m) {
           "(face, quality, deviation) by triangle of a surface that another program made of the Part.Shape.");
     m.def("cad_distances", &cad_distances, py::arg("nodes"), py::arg("order"), py::arg("triangles"), py::arg("shape"),
           py::arg("progress") = py::none(),
-          "(distance by CAD face, farthest point, spacing of the samples, their number) from the Part.Shape to a "
-          "surface.");
+          "(distance by CAD face, farthest point, spacing of the samples, [(face, u0, u1, v0, v1, columns, rows)], "
+          "[(edge, t0, t1, steps)] of their grids) from the Part.Shape to a surface.");
     m.def("distances_to_faces", &distances_to_faces, py::arg("shape"), py::arg("points"),
           py::arg("progress") = py::none(),
           "float64 (N,): distances of points from the faces of the Part.Shape, without any of its mesh.");

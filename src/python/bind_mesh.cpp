@@ -289,7 +289,7 @@ void bind_course(ReportClass& report) {
                                "[(cause with # for numbers, triangles), ...], most frequent first")
         .def_readonly("fallback", &MeshReport::fallback,
                       "[(face, why its samples were joined in (u, v) instead of in space), ...]")
-        .def_readonly("notes", &MeshReport::notes, "sentences about the part and the mesh that a user should know")
+        .def_readwrite("notes", &MeshReport::notes, "sentences about the part and the mesh that a user should know")
         .def_readonly("complete", &MeshReport::complete, "False when a limit ended the work early")
         .def_property_readonly(
             "seconds", [](const MeshReport& r) { return dict_of(r.seconds); }, "{stage: wall-clock seconds}")

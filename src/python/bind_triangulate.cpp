@@ -44,6 +44,10 @@ std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Triangula
     });
 }
 
+mesh::MeshReport report_with_crossings(const Result& surface, const py::object& progress) {
+    return watch(progress, [&](Progress& handle) { return workflows::report_with_crossings(surface, handle); });
+}
+
 mesh::MeshReport measure_against(const Result& surface, const PartShape& part, const py::object& progress) {
     return watch(progress,
                  [&](Progress& handle) { return workflows::measure_against_shape(surface, *part.shape, handle); });
@@ -159,6 +163,8 @@ void bind_triangulate(py::module_& m) {
           "Meshes a Part.Shape; returns a Surface. progress(fraction, stage) may return False to cancel. The MeshCache "
           "is "
           "used, and gets what this call leaves.");
+    m.def("report_with_crossings", &report_with_crossings, py::arg("surface"), py::arg("progress") = py::none(),
+          "The surface's report with its self-intersections, which are searched unless they are known.");
     m.def("measure_against", &measure_against, py::arg("surface"), py::arg("shape"), py::arg("progress") = py::none(),
           "The surface's report with its largest distance to the faces of a Part.Shape.");
     m.def("triangle_deviations", &triangle_deviations, py::arg("surface"), py::arg("shape"),

@@ -115,7 +115,10 @@ std::shared_ptr<geometry::Model> model_of(geometry::Engine& engine, const TopoDS
 
 template <typename Mesh>
 void measure_volume(Mesh& mesh, geometry::Engine& engine, const TopoDS_Shape& shape, Progress& progress) {
-    engine.run([&] { mesh.report.cad_volume = geometry::solid_content(shape, &progress); }, &progress);
+    geometry::SolidContent content;
+    engine.run([&] { content = geometry::solid_content(shape, &progress); }, &progress);
+    mesh.report.cad_volume = content.volume;
+    mesh.report.cad_volume_error = content.error;
 }
 
 /// How many pairs of triangles that cross are of different bodies, which no node connects.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "mesh/intersection/self_intersection.h"
 #include "mesh/quality/exemptions.h"
 #include "mesh/quality/mesh_report.h"
 
@@ -29,6 +30,12 @@ triangulate::Result improve_surface(const mesh::TriangleMesh& mesh, const improv
     surface.report.min_angle_asked = options.min_angle;
     mesh::set_exempt(surface.mesh, std::move(result.exempt), surface.report);
     surface.report.notes.push_back(sentence(result));
+    if (result.kept > 0) {
+        surface.report.notes.push_back("the mesh was kept as it was at " + mesh::counted(result.kept, "triangle") +
+                                       ", which would cross others or have smaller angles than any before");
+    }
+    surface.report.self_intersections = static_cast<std::int64_t>(
+        mesh::self_intersections(surface.mesh.vertices, surface.mesh.triangles, mesh::kAllPairs, &progress).size());
     surface.report.seconds = std::move(result.seconds);
     surface.report.cpu_seconds = watch_all.cpu();
     return surface;

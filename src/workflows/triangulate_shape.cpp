@@ -13,6 +13,7 @@
 #include "geometry/occt/shape_distance.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/solid_volume.h"
+#include "mesh/intersection/self_intersection.h"
 #include "mesh/quality/deviation_samples.h"
 #include "triangulate/triangulate.h"
 
@@ -36,7 +37,7 @@ void note_lost_volume(Result& result, const TopoDS_Shape& shape, geometry::Engin
         return;
     }
     double content = 0.0;
-    engine.run([&] { content = geometry::solid_content(shape, &progress); }, &progress);
+    engine.run([&] { content = geometry::solid_content(shape, &progress).volume; }, &progress);
     const double lost = content - report.volume;
     if (content > 0.0 && std::abs(lost) > kLost * content) {
         std::array<char, 200> text;
@@ -71,9 +72,19 @@ Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
     return result;
 }
 
-mesh::MeshReport measure_against_shape(const Result& surface, const TopoDS_Shape& shape, Progress& progress) {
+mesh::MeshReport report_with_crossings(const Result& surface, Progress& progress) {
     mesh::MeshReport report = surface.report;
-    progress.stage("measuring the distance", 0.0, 1.0);
+    if (report.self_intersections < 0) {
+        progress.stage("checking crossings", 0.0, 0.1);
+        report.self_intersections = static_cast<std::int64_t>(
+            mesh::self_intersections(surface.mesh.vertices, surface.mesh.triangles, mesh::kAllPairs, &progress).size());
+    }
+    return report;
+}
+
+mesh::MeshReport measure_against_shape(const Result& surface, const TopoDS_Shape& shape, Progress& progress) {
+    mesh::MeshReport report = report_with_crossings(surface, progress);
+    progress.stage("measuring the distance", 0.1, 1.0);
     const mesh::DeviationSamples samples = mesh::deviation_samples(surface.mesh);
     const std::vector<double> distances = geometry::distances_to_faces(shape, samples.points, &progress);
     if (!distances.empty()) {

@@ -24,7 +24,11 @@ triangulate::Result triangulate_shape(geometry::Engine& engine, const TopoDS_Sha
                                       const triangulate::TriangulateOptions& options, Progress& progress,
                                       triangulate::MeshCache* cache = nullptr);
 
-/// The report of a surface with the largest distance from the faces of the shape, whichever is nearest.
+/// The report of a surface with its self-intersections, which are searched unless they are known.
+/// @throws Cancelled
+mesh::MeshReport report_with_crossings(const triangulate::Result& surface, Progress& progress);
+
+/// The same with the largest distance from the faces of the shape, whichever is nearest.
 mesh::MeshReport measure_against_shape(const triangulate::Result& surface, const TopoDS_Shape& shape,
                                        Progress& progress);
 

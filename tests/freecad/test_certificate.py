@@ -476,6 +476,21 @@ class Failures(CertificateTest):
         self.assertIn("the source was deleted", made[0].getStatusString())
         self.assertGreater(made[0].Mesh.CountFacets, 0)
 
+    def test_an_expression_without_a_value(self):
+        obj = mq.add_quality_mesh(self.box())
+        obj.setExpression("MaxEdge", "Box.Length")
+        self.document.recompute()
+        self.assertEqual(obj.Certificate, "met")
+        self.document.Box.Length = 12
+        obj.setExpression("MaxEdge", "sqrt(0 - 1) * Box.Length")
+        self.document.recompute()
+        self.assertFalse(obj.isValid())
+        self.assertTrue(obj.Status.startswith("failed: "), obj.Status)
+        self.assertEqual(obj.Certificate, verdict.NOT_COMPUTED)
+        obj.setExpression("MaxEdge", "Box.Length")
+        self.document.recompute()
+        self.assertEqual((obj.Certificate, obj.Status), ("met", "up to date"))
+
     def test_what_cannot_be_computed_says_so_until_it_can(self):
         obj = mq.add_quality_mesh(self.box())
         obj.MaxEdge, obj.MinEdge = 1, 2

@@ -4,6 +4,7 @@
 import json
 import os
 
+import FreeCAD
 import helpers
 import numpy as np
 import Part
@@ -248,6 +249,78 @@ class Saved(helpers.DocumentTest):
                 self.assertFalse(mq.verify(path).holds, f"{part} {value}")
             except mq.InvalidInput as error:
                 self.assertIn("certify the mesh again", str(error))
+
+
+def plate_with_square_hole():
+    """(a square sheet with a round bore, its mesh with a square hole whose corners are on the bore)."""
+    V = FreeCAD.Vector
+    face = Part.makePlane(10, 10, V(-5, -5, 0)).cut(Part.makeCylinder(3, 2, V(0, 0, -1))).Faces[0]
+    nodes = np.array([[-5, -5, 0], [5, -5, 0], [5, 5, 0], [-5, 5, 0], [0, -3, 0], [3, 0, 0], [0, 3, 0], [-3, 0, 0]], dtype=float)
+    rows = [[i, (i + 1) % 4, 4 + i] for i in range(4)] + [[(i + 1) % 4, 4 + (i + 1) % 4, 4 + i] for i in range(4)]
+    return face, mesh_of(nodes, ("triangle", rows))
+
+
+class Distances(helpers.DocumentTest):
+    """Of meshes from the trimmed faces of their shapes: the same in the certificate and the verifier."""
+
+    def test_a_square_hole_in_a_round_bore(self):
+        face, mesh = plate_with_square_hole()
+        found = mq.certify(mesh, face)
+        self.assertAlmostEqual(found.max_deviation, 3 - 3 / np.sqrt(2), places=6)
+        self.assertLess(found.cad_deviation, 1e-9)
+
+    def certified(self, shape, **how):
+        mesh, cad, path = (os.path.join(self.folder, name) for name in ("mesh.msh", "part.brep", "mesh.json"))
+        shape.exportBrep(cad)
+        mq.curve(shape, **how).write(mesh)
+        mq.certify(mesh, Part.read(cad)).save(path, cad=cad)
+        return path
+
+    def test_honest_certificates_of_bores_and_fillets_hold(self):
+        V = FreeCAD.Vector
+        bored, box = Part.makeBox(20, 20, 10).cut(Part.makeCylinder(4, 10, V(10, 10, 0))), Part.makeBox(9, 9, 9)
+        for shape, how in ((bored, {"order": 2, "volume": True}), (Part.makeCone(5, 2, 8), {"order": 3}),
+                           (box.makeFillet(2, box.Edges[:3]), {"order": 2})):
+            path = self.certified(shape, **how)
+            found = mq.verify(path)
+            self.assertTrue(found.holds, found.faults)
+
+    def test_no_distance_can_be_edited_away(self):
+        path = self.certified(Part.makeCylinder(5, 10), order=2)
+        with open(path, encoding="ascii") as stream:
+            whole = stream.read()
+        proven = json.loads(whole)["proven"]
+        for edit in ({"cad_deviation": proven["cad_deviation"] / 2}, {"cad_spacing": 1e-9}, {"folded_on_cad": 3},
+                     {"folded_on_cad": None}, {"not_on_shape": "it is elsewhere"}, {"max_deviation": None},
+                     {"max_deviation": None, "not_on_shape": "it is elsewhere"}, {"cad_deviation": None, "cad_spacing": None}):
+            content = json.loads(whole)
+            content["proven"].update(edit)
+            with open(path, "w", encoding="ascii") as stream:
+                json.dump(content, stream)
+            self.assertFalse(mq.verify(path).holds, edit)
+        for name in ("face_grids", "edge_grids"):
+            content = json.loads(whole)
+            content["surface"][name].pop()
+            with open(path, "w", encoding="ascii") as stream:
+                json.dump(content, stream)
+            self.assertFalse(mq.verify(path).holds, name)
+
+    def test_what_a_mesh_leaves_out_is_found(self):
+        """A mesh of a box is certified of a box with a boss: the true certificate says how far that is."""
+        boss = Part.makeBox(10, 10, 5).fuse(Part.makeCylinder(2, 4, FreeCAD.Vector(5, 5, 5)))
+        mesh, cad, path = (os.path.join(self.folder, name) for name in ("mesh.msh", "part.brep", "mesh.json"))
+        boss.exportBrep(cad)
+        mq.curve(Part.makeBox(10, 10, 5), order=1).write(mesh)
+        certificate = mq.certify(mesh, Part.read(cad))
+        self.assertAlmostEqual(certificate.cad_deviation, 4.0, delta=1e-6)
+        certificate.save(path, cad=cad)
+        self.assertEqual([fault for fault in mq.verify(path).faults if "cad_deviation" in fault], [])
+        with open(path, encoding="ascii") as stream:
+            content = json.load(stream)
+        content["proven"]["cad_deviation"] = 2.0
+        with open(path, "w", encoding="ascii") as stream:
+            json.dump(content, stream)
+        self.assertTrue(any("cad_deviation = 2.0" in fault for fault in mq.verify(path).faults))
 
 
 class Programs(helpers.DocumentTest):

@@ -394,6 +394,17 @@ class LocalSizes(helpers.DocumentTest):
         self.assertTrue(err[-1].endswith("such as Edge1"))
 
 
+class Scales(helpers.DocumentTest):
+    def test_what_single_precision_does_not_hold_is_refused(self):
+        mesh = mq.triangulate(Part.makeBox(10, 10, 10))
+        path = os.path.join(self.folder, "box.stl")
+        for scale, words in ((1e38, "give a smaller scale"), (1e-38, "give a larger scale")):
+            with self.assertRaisesRegex(mq.InvalidInput, words):
+                mesh.write(path, scale=scale)
+            self.assertFalse(os.path.exists(path))
+        mesh.write(path, scale=1e30)
+
+
 class Help(unittest.TestCase):
     def test_every_option_is_there(self):
         status, out, _ = run("triangulate", "--help")

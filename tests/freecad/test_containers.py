@@ -99,6 +99,31 @@ class LeftOut(test_placement.PlacementTest):
         self.assert_left_out(["Body"])
 
 
+class InPython(test_placement.PlacementTest):
+    def test_what_is_hidden_is_noted(self):
+        part = self.document.addObject("App::Part", "Whole")
+        for name, place in (("Seen", 0), ("Unseen", 20)):
+            box = self.document.addObject("Part::Box", name)
+            box.Placement.Base.x = place
+            part.addObject(box)
+        self.document.recompute()
+        self.document.Unseen.Visibility = False
+        for mesh in (mq.triangulate(part), mq.curve(part), mq.wrap(part, gap=2)):
+            self.assertEqual([note for note in mesh.report.notes if "Unseen" in note], hidden_parts.sentences_of(part))
+
+    def test_groups_of_analyses_name_what_is_not_found(self):
+        """As those of CfdOF do: a mesh with a group for its refinements."""
+        box = self.document.addObject("Part::Box", "Box")
+        analysis = self.document.addObject("App::DocumentObjectGroupPython", "CfdAnalysis")
+        mesh = self.document.addObject("Fem::FemMeshObjectPython", "CfdMesh")
+        mesh.addExtension("App::GroupExtensionPython")
+        mesh.addObject(self.document.addObject("App::FeaturePython", "MeshRefinement"))
+        analysis.addObject(mesh)
+        self.document.recompute()
+        self.assertEqual((hidden_parts.left_out_of(analysis), convert.meshes_in(analysis)), ([], []))
+        self.assertEqual(len(mq.triangulate(box).triangles), 12)
+
+
 class OnTheCommandLine(test_placement.PlacementTest):
     def test_what_is_hidden_is_said(self):
         box, ball = self.add("Part::Box", "Box"), self.add("Part::Sphere", "Ball")

@@ -50,6 +50,27 @@ class Improve(unittest.TestCase):
         self.assertTrue(report.exempt)
         self.assertGreaterEqual(report.min_angle_unexempted, 25.0)
 
+    def test_sheets_near_each_other_never_cross(self):
+        """Two shells closer than the tolerance: each may move by that, but not through the other."""
+        points, facets = Part.makeSphere(10).tessellate(0.3)
+        points, facets = np.array([tuple(p) for p in points]), np.array(facets)
+        mesh = np.concatenate([points, 1.0005 * points]), np.concatenate([facets, facets[:, ::-1] + len(points)])
+        before = mq.quality(mesh)
+        self.assertEqual(before.self_intersections, 0)
+        better = mq.improve(mesh, tolerance=0.1)
+        after = mq.quality((better.vertices, better.triangles))
+        self.assertEqual((after.self_intersections, better.report.self_intersections), (0, 0))
+        self.assertGreaterEqual(after.min_angle, before.min_angle - 1e-4)
+        self.assertTrue(any("kept as it was" in note for note in better.report.notes), better.report.notes)
+
+    def test_quality_finds_triangles_that_cross_and_fold(self):
+        nodes = np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0], [0.5, 0.5, -1], [0.5, 0.5, 1], [3, 3, 0], [0.4, 0.4, 0]], dtype=float)
+        for rows, kind in (([[0, 1, 2], [3, 4, 5]], "self_intersections"), ([[0, 1, 2], [1, 0, 6]], "self_intersections"),
+                           ([[0, 1, 2], [0, 1, 2]], "duplicate_triangles"), ([[0, 1, 2]], "border_edges")):
+            report = mq.quality((nodes, np.array(rows)))
+            self.assertGreater(getattr(report, kind), 0, rows)
+            self.assertNotIn("faults       none", str(report))
+
     def test_every_value_is_in_single_precision(self):
         better = mq.improve(standard_mesh()[1])
         self.assertTrue(np.array_equal(better.vertices, better.vertices.astype(np.float32)))

@@ -6,6 +6,7 @@ import tempfile
 import unittest
 
 import FreeCAD
+import Part
 
 import MeshQuality as mq
 from MeshQuality.features.patches import lines_of_patches, patches_of_lines, patches_of_object
@@ -24,7 +25,7 @@ class OfObjects(unittest.TestCase):
         self.obj = mq.add_quality_mesh(self.box, chord_height=0.1)
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        self.addCleanup(lambda: FreeCAD.closeDocument("Patches"))
+        self.addCleanup(lambda: [FreeCAD.closeDocument(name) for name in FreeCAD.listDocuments() if name in ("Patches", "saved")])
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
@@ -64,6 +65,24 @@ class OfObjects(unittest.TestCase):
         mq.export_mesh(self.obj, self.path("c.stl"), ascii=True)
         self.assertEqual(self.solids_in("c.stl"), {f"Face{i}": 2 for i in range(1, 7)})
         self.assertEqual(patches_of_object(self.obj), (None, None))
+
+    def test_saved_and_opened_a_mesh_is_up_to_date(self):
+        """FreeCAD's text keeps a fixed number of decimals: small numbers and directions come back as others."""
+        self.document.addObject("Part::Cylinder", "Cylinder")
+        made = self.document.addObject("Part::Feature", "Made")
+        box = Part.makeBox(10, 7, 5).cut(Part.makeCylinder(2, 30, FreeCAD.Vector(3, 3, -5), FreeCAD.Vector(0.1, 0.2, 1)))
+        made.Shape = box.makeFillet(0.7, box.Edges[:2])
+        self.document.recompute()
+        for shape in (self.document.Cylinder, made):
+            mq.set_patches(mq.add_quality_mesh(shape), {"wall": ["Face1"]}, patch_rest="rest")
+        names = [obj.Name for obj in self.document.Objects if hasattr(obj, "Fingerprint")][-2:]
+        path = self.path("saved.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        for name in names:
+            mq.export_mesh(self.document.getObject(name), self.path("a.stl"), ascii=True)
+            self.assertEqual(set(self.solids_in("a.stl")), {"wall", "rest"})
 
     def test_a_mesh_that_is_out_of_date_is_not_written_by_patches(self):
         mq.set_patches(self.obj, PATCHES, patch_rest="walls")

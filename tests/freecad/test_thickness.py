@@ -113,6 +113,18 @@ class KnownAnswers(unittest.TestCase):
         self.assertIn("gap", str(found))
 
 
+class Bounds(unittest.TestCase):
+    def test_the_deviation_of_the_mesh_is_part_of_them(self):
+        """A wall of exactly the limit between two curved surfaces: its mesh cannot tell."""
+        found = mq.thickness(pipe(20, 4, 10), min_thickness=4.0)
+        low, high = found.bounds
+        self.assertGreater(found.chord_height, 0.0)
+        self.assertAlmostEqual(high - low, 4 * found.chord_height)
+        self.assertTrue(low <= 4.0 <= high, found.bounds)
+        self.assertTrue(any("is not known; give a smaller tolerance" in note for note in found.notes), found.notes)
+        self.assertEqual(mq.thickness(Part.makeBox(10, 10, 4), min_thickness=4.0).notes, [])
+
+
 class AgainstOpenCascade(unittest.TestCase):
     """The same by OpenCASCADE, on the surfaces themselves."""
 

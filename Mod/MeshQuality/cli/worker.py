@@ -50,8 +50,9 @@ WRAP_FIELDS = ("distance_to_input", "distance_from_input", "gap_triangles", "gap
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
     "min_distortion", "mean_distortion", "max_shape_distortion", "max_deviation", "rms_deviation",
-    "chord_height_asked", "volume", "cad_volume", "volume_error", "self_intersections", "overlaps", "overlapping_bodies",
-    "crossing_faces", "contacts", "curved_intersections", "curved_overlaps", "not_proven_apart", "straightened", "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
+    "chord_height_asked", "volume", "cad_volume", "cad_volume_error", "volume_error", "self_intersections", "overlaps",
+    "overlapping_bodies", "crossing_faces", "contacts", "curved_intersections", "curved_overlaps", "not_proven_apart", "straightened",
+    "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
 )
 
 

@@ -56,7 +56,8 @@ class MeshCertificate(metaclass=Public):
     """
 
     __slots__ = {
-        "_blocks": None, "_scale": None, "_source": None, "_crossings": None, "_turning": None, "_overlaps": None, "elements": "{kind: how many}",
+        "_blocks": None, "_scale": None, "_source": None, "_crossings": None, "_turning": None, "_overlaps": None, "_grids": None, "_folded_on_cad": None,
+        "elements": "{kind: how many}",
         "folded": "how many are folded",
         "inverted": "how many are numbered the wrong way round", "not_proven": "how many are neither proven nor folded",
         "invalid_elements": "sentences: which are not valid, and where", "distortion": "bounds of each, by block",
@@ -75,7 +76,8 @@ class MeshCertificate(metaclass=Public):
     def __init__(self):
         self.elements, self.distortion, self.invalid_elements, self.notes = {}, (), [], []
         self._blocks, self._scale, self._source = [], 1.0, None
-        self._crossings, self._turning, self._overlaps = ((), (), ()), (), ()
+        self._crossings, self._turning, self._overlaps, self._grids = ((), (), ()), (), (), ((), ())
+        self._folded_on_cad = ()
         self.folded = self.inverted = self.not_proven = 0
         self.conforming = self.oriented = True
         self.curved_intersections = self.not_proven_apart = self.not_on_shape = self.overlapping_bodies = None
@@ -269,7 +271,7 @@ def _measure(mesh, order, surface, shape, found, progress):
     if surface is None:
         found.notes.append("the surface was not measured against the shape: it is not of triangles of one order")
         return
-    if _between_solids(mesh):
+    if is_between_solids(mesh):
         found.notes.append("the surface was not measured against the shape: there are triangles between solids of the mesh")
         return
     try:
@@ -280,7 +282,8 @@ def _measure(mesh, order, surface, shape, found, progress):
         return
     found.triangle_face, found.triangle_deviation = face, deviation
     found.max_deviation = float(deviation.max(initial=0.0))
-    found.folded_on_cad = int((~(quality > 0.0)).sum())
+    found._folded_on_cad = np.flatnonzero(~(quality > 0.0)).tolist()
+    found.folded_on_cad = len(found._folded_on_cad)
     if mesh.dimension == 2:
         _follow_cad(found, quality)
 
@@ -309,7 +312,7 @@ def _measure_from_cad(mesh, order, surface, shape, found, progress):
     listed = [block.nodes for block in mesh.blocks if block.kind == "triangle" and block.order == order]
     rows = np.concatenate([surface, *listed]) if mesh.dimension == 3 else surface
     try:
-        by_face, farthest, spacing, _ = extension().cad_distances(mesh.nodes, order, rows, shape, progress)
+        by_face, farthest, spacing, *found._grids = extension().cad_distances(mesh.nodes, order, rows, shape, progress)
     except (InvalidInput, TopologyError, GeometryError) as error:
         found.notes.append(f"the shape was not measured against the mesh: {error}")
         return
@@ -324,7 +327,7 @@ def _measure_from_cad(mesh, order, surface, shape, found, progress):
                            f"{found.cad_deviation:.3g} mm from it at ({x:.4g}, {y:.4g}, {z:.4g}) mm")
 
 
-def _between_solids(mesh):
+def is_between_solids(mesh):
     """Whether triangles that a mesh lists beside its volume elements are faces of two of them."""
     given = [block.nodes[:, :3] for block in mesh.blocks if block.kind == "triangle"]
     if mesh.dimension < 3 or not given:

@@ -136,13 +136,11 @@ def meshes_in(source):
 
 
 def _visible_meshes(source):
-    obj, path = frames.object_of(source), frames.path_of(source)
     leaf = frames.leaf_of(source)
     if is_mesh(source) or "Shape" in leaf.getLinkedObject(True).PropertiesList:
         return
-    for name in leaf.getSubObjects():
-        if name.endswith(".") and is_visible(leaf, name):
-            part = (obj, path + name)
+    for name, part in frames.held_by(source):
+        if is_visible(leaf, name):
             if is_mesh(part):
                 yield part
             else:

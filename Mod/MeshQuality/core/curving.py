@@ -8,7 +8,7 @@ from .. import options
 from ..compat import extension, program
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, curved_elements, fem, fem_places, frames, given, orders, writing
+from . import convert, curved_elements, fem, fem_places, frames, given, hidden_parts, orders, writing
 from .certification import given_mesh
 from .curved_arrays import ARRAYS
 from .element_mesh import ElementMesh
@@ -366,4 +366,5 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         straight = module.TriangulateOptions()
         options.hand_over({name: value for name, value in values.items() if name != "overlap"}, straight)
         curved = module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress)
-    return CurvedMesh(curved, patches=kept(division, curved))
+    source = shape_or_mesh if shape is None else shape
+    return hidden_parts.note(CurvedMesh(curved, patches=kept(division, curved)), [source])

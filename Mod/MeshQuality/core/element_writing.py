@@ -20,6 +20,7 @@ def write(mesh, path, scale=1.0, format=None):  # noqa: A002 - an option of Elem
     """See ElementMesh.write."""
     name = os.fsdecode(convert.file_name(path))
     suffix, scale = _suffix_of(name, format), writing.checked_scale(scale)
+    writing.require_in_range(mesh.nodes, scale)
     formats.check_names(suffix, mesh.groups)
     if suffix == _HOPR:
         writing.atomically(name, suffix, lambda ready: _write_hopr(mesh, ready, scale))

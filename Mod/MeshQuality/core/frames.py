@@ -65,6 +65,15 @@ def leaf_of(source):
     return leaf
 
 
+def held_by(source):
+    """[(name, source)] of what a container holds, as it names it. Groups of analyses name things that FreeCAD does not find by these
+    names: they hold no shapes of their own, and are left out.
+    """
+    obj, path = object_of(source), path_of(source)
+    names = [name for name in leaf_of(source).getSubObjects() if name.endswith(".")]
+    return [(name, (obj, path + name)) for name in names if obj.getSubObject(path + name, retType=1) is not None]
+
+
 def linked_of(source):
     """(document object, matrix): what a source is in the end, beyond all links, and where that stands in the coordinate
     system of the container of the source's object.

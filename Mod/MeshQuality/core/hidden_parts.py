@@ -31,21 +31,27 @@ def sentences_of(source, with_meshes=False):
     return [verdict.counted_list(phrases.LEFT_OUT, labels, name=convert.label_of(source))] if labels else []
 
 
+def note(mesh, sources, with_meshes=False):
+    """Adds these sentences to the report of a mesh that is made of sources."""
+    left = [text for source in sources for text in sentences_of(source, with_meshes)]
+    if left:
+        mesh.report.notes = [*mesh.report.notes, *left]
+    return mesh
+
+
 def _parts(source, visible):
     """(source, whether it is visible) of all that has a shape or a mesh of its own in a container and in what that
     holds.
     """
-    obj, path = frames.object_of(source), frames.path_of(source)
     leaf = frames.leaf_of(source)
     if _is_whole(source):
         return
-    for name in leaf.getSubObjects():
-        if name.endswith("."):
-            part, seen = (obj, path + name), visible and convert.is_visible(leaf, name)
-            if _is_whole(part):
-                yield part, seen
-            else:
-                yield from _parts(part, seen)
+    for name, part in frames.held_by(source):
+        seen = visible and convert.is_visible(leaf, name)
+        if _is_whole(part):
+            yield part, seen
+        else:
+            yield from _parts(part, seen)
 
 
 def _is_whole(source):

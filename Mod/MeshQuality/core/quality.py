@@ -10,13 +10,15 @@ from .surface_mesh import surface_of
 def quality(mesh, shape=None, progress=None):
     """The MeshReport of a mesh: a Mesh.Mesh, a Mesh feature, a SurfaceMesh, or arrays (V, F).
 
+    Open, non-manifold and wrongly oriented edges, degenerate and duplicate triangles, and self-intersections (triangles
+    that cross, touch or fold onto each other) are counted; an error is raised for none of them.
     With `shape` (Part.Shape or document object) the report also has max_chord_height, the largest
     distance from the shape's faces of the triangles' corners, edge middles and centroids, and of points
     inside large triangles, measured apart from what the mesher measures; progress as for triangulate.
     Raises InvalidInput for anything else and for indices out of range.
     """
     surface = surface_of(mesh)
-    if shape is None:
-        return surface.report
     options.require_callable(progress)
+    if shape is None:
+        return extension().report_with_crossings(surface, progress)
     return extension().measure_against(surface, convert.shape_of(shape), progress)

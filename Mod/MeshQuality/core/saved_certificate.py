@@ -17,10 +17,12 @@ from .writing import atomically
 FORMAT, VERSION = "MeshQuality mesh certificate", 1
 CLAIMS = ("folded", "inverted", "not_proven")  # in the order of the core's verdicts 1, 2 and 3
 PAIRS = ("crossing", "not_proven_apart", "touching")  # of triangles of the surface
+GRIDS = {"face_grids": 7, "edge_grids": 4}  # of points of the CAD that were measured, and how many numbers each has
 OF_SHAPE = ("max_deviation", "folded_on_cad", "cad_deviation", "cad_spacing", "not_on_shape")  # what is said of the shape
 # Numbers that may be left open: what was not looked for or not measured.
 MEASURED = (*OF_SHAPE[:-1], "curved_intersections", "not_proven_apart", "overlapping_bodies")
 _CLAIMS = ("elements", "invalid", *CLAIMS, "min_distortion", "conforming", "oriented", *MEASURED, "not_on_shape")
+_MOST_STEPS = 10_000  # of a grid along one parameter
 _LARGEST = 1e9  # of faces, and of measures in mm
 _DIGITS = 4  # of the bounds; rounded down, so that they stay bounds
 _PLACES = 9  # of distances in mm, rounded up
@@ -89,7 +91,10 @@ def _surface(certificate, measured):
     content["turning"] = list(certificate._turning)
     if measured and certificate.triangle_face is not None:
         up = [math.ceil(value * 10.0**_PLACES) / 10.0**_PLACES for value in certificate.triangle_deviation.tolist()]
-        content.update(face=certificate.triangle_face.tolist(), deviation=[round(value, _PLACES) for value in up])
+        content.update(face=certificate.triangle_face.tolist(), deviation=[round(value, _PLACES) for value in up],
+                       folded_on_cad=list(certificate._folded_on_cad))
+    if measured:
+        content.update({name: [list(grid) for grid in grids] for name, grids in zip(GRIDS, certificate._grids)})
     return content
 
 
@@ -175,9 +180,23 @@ def _is_surface(said):
                                               for pair in part) for part in pairs):
         return False
     faces, turning, deviations = (said.get(name, []) for name in ("face", "turning", "deviation"))
+    if not all(_is_grids(said.get(name, []), width) for name, width in GRIDS.items()):
+        return False
+    if not isinstance(said.get("folded_on_cad", []), list) or not all(map(_is_count, said.get("folded_on_cad", []))):
+        return False
     return all(isinstance(part, list) for part in (faces, turning, deviations)) and all(map(_is_count, [*faces, *turning])) \
         and all(isinstance(value, (int, float)) and not isinstance(value, bool) and 0 <= value < math.inf
                 for value in deviations)
+
+
+def _is_grids(said, width):
+    """Whether each begins with the number of a face or an edge and ends with numbers of steps."""
+    whole = 2 if width == max(GRIDS.values()) else 1
+    return isinstance(said, list) and all(
+        isinstance(grid, list) and len(grid) == width and _is_count(grid[0])
+        and all(_is_count(steps) and 0 < steps <= _MOST_STEPS for steps in grid[-whole:])
+        and all(isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value) for value in grid[1:-whole])
+        for grid in said)
 
 
 def _is_file(said):

@@ -55,6 +55,8 @@ class ThicknessMap(metaclass=Public):
     opposite     int32 (T,), the triangle on the other side; -1: none
     areas        float64 (T,), mm^2, of the triangles
     minimum      mm, the smallest of values of walls; infinite where there are none
+    bounds       (float, float), mm, between which the smallest thickness of the shape is there: both sides of a wall may deviate
+                 by chord_height; a note says where the limit is between them
     minimum_triangle, minimum_point, minimum_faces
                  where that is: the triangle, float64 (3,) in mm, and the names of the CAD faces on both sides, such as
                  ("Face3", "Face7"); -1, None and () where there are no walls
@@ -84,6 +86,11 @@ class ThicknessMap(metaclass=Public):
         self.chord_height, self.seconds, self.cpu_seconds = chord_height, seconds, cpu_seconds
         self.areas = tables.areas_of(self.mesh)
         self.notes = [*self.mesh.report.notes]
+        low, high = self.bounds
+        if self.min_thickness is not None and low < self.min_thickness <= high and low < high:
+            self.notes.append(f"the smallest {'gap' if self.gap else 'thickness'} is {low:.4g} to {high:.4g} mm, as the mesh deviates by "
+                              f"up to {chord_height:.3g} mm from the shape: whether it is below {self.min_thickness:g} mm is not known; "
+                              "give a smaller tolerance")
         hidden = int(np.isnan(self.by_rays).sum())
         if hidden:
             self.notes.append(f"{hidden:,} triangles lie inside of another body of the mesh and were not measured: unite "
@@ -120,6 +127,12 @@ class ThicknessMap(metaclass=Public):
     def minimum(self):
         """The smallest thickness of walls, mm."""
         return float(self.values[self.minimum_triangle]) if self.minimum_triangle >= 0 else float("inf")
+
+    @property
+    def bounds(self):
+        """Between which it is, mm, by the deviation of the mesh."""
+        error = 2.0 * max(self.chord_height or 0.0, 0.0)
+        return max(0.0, self.minimum - error), self.minimum + error
 
     @property
     def minimum_point(self):
@@ -201,7 +214,7 @@ class ThicknessMap(metaclass=Public):
         has_walls = self.minimum_triangle >= 0
         return {
             "measure": self.measure, "gap": self.gap, "triangles": len(self.values),
-            "minimum": self.minimum if has_walls else None,
+            "minimum": self.minimum if has_walls else None, "bounds": list(self.bounds) if has_walls else None,
             "minimum_point": self.minimum_point.tolist() if has_walls else None,
             "minimum_faces": list(self.minimum_faces), "minimum_triangle": self.minimum_triangle,
             "percentiles": dict(zip(map(str, _PERCENTILES), finite)), "min_thickness": self.min_thickness,

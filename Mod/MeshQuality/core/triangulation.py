@@ -5,7 +5,7 @@ from .. import element_names, options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert
+from . import convert, hidden_parts
 from .patches import division_for, kept
 from .surface_mesh import SurfaceMesh
 
@@ -83,7 +83,7 @@ def _meshed(shape, values, progress, cache, division):
     core_options.local_sizes = element_names.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
     surface = module.triangulate(live_shape, core_options, progress, _core_cache(cache))
-    return SurfaceMesh(surface, kept(division, surface), overlap)
+    return hidden_parts.note(SurfaceMesh(surface, kept(division, surface), overlap), [shape])
 
 
 class MeshCache(metaclass=Public):

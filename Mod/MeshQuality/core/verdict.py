@@ -23,6 +23,7 @@ from .sides_on_edges import edges_of_shape
 SHAPE_DISTORTION_LIMIT = 10.0
 
 UNKNOWN = "unknown: the mesh was made by an older version; update it"
+NOT_COMPUTED = "unknown: the mesh could not be computed with these options and sources"
 _OLD_MET, _OLD_NOT_MET = "kept", "missed: "  # in documents of older versions
 _NAMED = 3  # elements or faces that a sentence names
 _NO_VOLUME = 1e-9  # of the area to the power 3/2: a sheet with two sides encloses that much by rounding

@@ -9,7 +9,7 @@ from .. import options
 from ..errors import Cancelled, IoError
 from ..listing import Public
 from . import convert, crossing_verifier, distance_verifier, saved_certificate, verifier
-from .certification import sides_of_surface, triangles_of_surface
+from .certification import is_between_solids, sides_of_surface, triangles_of_surface
 from .element_mesh import ElementMesh
 from .elements import bodies, hanging, kinds
 from .saved_certificate import CLAIMS
@@ -166,8 +166,13 @@ def _check_distances(mesh, order, surface, cad, content, found, progress):
         found.faults.append("the certificate says that triangles follow their CAD faces, which cannot be shown again: put the CAD "
                             "file where the certificate says, or certify the mesh again")
         return
-    if not claims:
+    if content["cad"] is not None:
+        found.faults += _faults_of_not_measured(mesh, surface, proven)
+        if surface is not None and proven["cad_deviation"] is None:
+            found.faults.append("the certificate does not say how far the shape is from the mesh: certify the mesh again")
+    if not claims and proven["not_on_shape"] is None:
         return
+    claims = claims or ["not_on_shape"]
     if cad is None and content["cad"] is not None:
         found.notes.append("the distance from the shape was not looked for again")
         return
@@ -181,13 +186,28 @@ def _check_distances(mesh, order, surface, cad, content, found, progress):
         return
     shape = _shape_in(cad)
     if "max_deviation" in claims:
-        found.faults += distance_verifier.faults_of(shape, mesh.nodes, order, surface, said, proven, progress)
+        found.faults += distance_verifier.faults_of(shape, mesh.nodes, surface, said, proven, progress)
+    if proven["not_on_shape"] is not None and proven["max_deviation"] is None:
+        far, nothing = distance_verifier.largest(shape, mesh.nodes, surface, progress)
+        if far <= nothing:
+            found.faults.append(f"the certificate says not_on_shape = {proven['not_on_shape']!r}, which cannot be shown: no point of the "
+                                f"surface was found more than {nothing:.3g} mm from the shape")
     if "cad_deviation" in claims:
         listed = [block.nodes for block in mesh.blocks if block.kind == "triangle" and block.order == order]
         rows = np.concatenate([surface, *listed]) if mesh.dimension == 3 else surface
-        faults, reach = distance_verifier.missing(shape, mesh.nodes, rows, order, proven["cad_deviation"])
-        found.faults += faults
-        found.notes.append(f"the shape was held against points of the mesh: what it leaves out is found from {reach:.3g} mm on")
+        found.faults += distance_verifier.cad_faults(shape, mesh.nodes, rows, said, proven)
+
+
+def _faults_of_not_measured(mesh, surface, proven):
+    """Whether it says of all that can be measured either the figure or why there is none."""
+    said = proven["not_on_shape"]
+    if proven["max_deviation"] is not None:
+        text = f"the certificate says not_on_shape = {said!r}, and yet max_deviation = {proven['max_deviation']!r}"
+        return [] if said is None else [text]
+    if said is None and surface is not None and not is_between_solids(mesh):
+        return ["the certificate says neither how far the surface is from the shape nor why that was not measured: certify the mesh "
+                "again"]
+    return []
 
 
 def _shape_in(path):

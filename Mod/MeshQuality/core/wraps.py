@@ -9,7 +9,7 @@ from .. import options, phrases, wrap_options
 from ..compat import extension
 from ..errors import Error, InvalidInput
 from ..listing import Public
-from . import frames
+from . import frames, hidden_parts
 from .booleans import BooleanMesh
 from .operands import Operands, is_arrays, part_of
 from .patches import Division, patches_of
@@ -98,7 +98,8 @@ def wrap(objects, gap, tolerance=None, dry=None, progress=None, threads=0):
         raise InvalidInput(f"gap = {gap!r}: give a length in mm")
     options.require_callable(progress)
     places = _places(dry)
-    return run(Wrapped(objects), values, progress, places)
+    wrapped = Wrapped(objects)
+    return hidden_parts.note(run(wrapped, values, progress, places), wrapped.sources, with_meshes=True)
 
 
 class Wrapped:
@@ -107,7 +108,7 @@ class Wrapped:
     def __init__(self, objects):
         several = isinstance(objects, list) or (isinstance(objects, tuple) and not is_arrays(objects)
                                                 and not frames.is_object(objects))
-        sources = list(objects) if several else [objects]
+        sources = self.sources = list(objects) if several else [objects]
         if not sources:
             raise InvalidInput("the list of objects is empty")
         self.operands = Operands(sources)

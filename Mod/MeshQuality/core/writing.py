@@ -32,6 +32,8 @@ _3MF_PARTS = {
         f'<Relationship Target="/{_3MF_MODEL}" Id="rel0" '
         'Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>\n',
 }
+# What is written at most, and the least size of a mesh: beyond, single precision has infinities, or fewer digits.
+_LARGEST, _SMALLEST = float(np.finfo(np.float32).max), float(np.finfo(np.float32).tiny / np.finfo(np.float32).eps)
 _FASTEST = 1  # of zlib's levels: a third of the time of the usual one, for files a tenth larger
 
 
@@ -41,6 +43,7 @@ def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, for
     name = convert.file_name(path)
     suffix = _suffix_of(mesh, os.fsdecode(name), format)
     scale = checked_scale(scale)
+    require_in_range(points_of(mesh, 1.0), scale)
     if ascii:
         formats.check_text(suffix)
     if interfaces not in (False, True, None, SHEET):
@@ -80,6 +83,19 @@ def checked_scale(scale, name="scale", example="0.001"):
     if isinstance(scale, bool) or not isinstance(scale, numbers.Real) or not 0.0 < scale < math.inf:
         raise InvalidInput(f"{name} = {scale!r} is not possible: give a number greater than 0, such as {example} for metres")
     return float(scale)
+
+
+def require_in_range(points, scale):
+    """Raises InvalidInput where coordinates times a factor leave what files hold: single precision, as in .stl and .ply."""
+    if not len(points):
+        return
+    size, largest = float(np.ptp(points, axis=0).max()), float(np.abs(points).max())
+    if not largest * scale <= _LARGEST:
+        raise InvalidInput(f"scale = {scale:.6g} gives coordinates of {largest * scale:.3g}, which single precision does not hold: give a "
+                           "smaller scale")
+    if size * scale < _SMALLEST and size > 0.0:
+        raise InvalidInput(f"scale = {scale:.6g} gives a size of {size * scale:.3g}, in which single precision does not tell points "
+                           "apart: give a larger scale")
 
 
 def _patches_for(mesh, patches, patch_rest):

@@ -241,7 +241,7 @@ class MeshObject(PlainState):
 
     def held(self, obj):
         """The fingerprint of the result that the object holds; empty when it holds none."""
-        known = obj.Certificate != verdict.UNKNOWN
+        known = obj.Certificate not in (verdict.UNKNOWN, verdict.NOT_COMPUTED)
         return obj.Fingerprint if known and self.holds_mesh(obj) else ""
 
 
@@ -413,3 +413,20 @@ def show_certificate(obj, report, closed, findings):
     obj.Certificate, obj.CertificateData = certificate, json.dumps(phrases.to_data(certificate))
     obj.CertificateFaces = verdict.faces(findings)
     obj.CertificatePlace = [FreeCAD.Vector(*corner) for corner in verdict.place(findings)]
+
+
+class _Observer:
+    """Sees what execute is never called for: FreeCAD does not compute an object of which an expression has no value."""
+
+    def slotRecomputedDocument(self, document):
+        """Called by FreeCAD: what an object promises of a mesh that is not of its options counts no longer."""
+        for obj in document.Objects:
+            if not isinstance(getattr(obj, "Proxy", None), MeshObject) or "Invalid" not in obj.State \
+                    or not getattr(obj, "Fingerprint", "") or obj.Status == SOURCE_DELETED or obj.Certificate == verdict.NOT_COMPUTED:
+                continue
+            obj.Certificate, obj.CertificateData = verdict.NOT_COMPUTED, ""
+            if not obj.Status.startswith(FAILED):
+                obj.Status, obj.StatusData = f"{FAILED}{obj.getStatusString()}", ""
+
+
+FreeCAD.addDocumentObserver(_Observer())

@@ -179,6 +179,8 @@ class CurvedTriangles {
 struct Samples {
     std::vector<Vec3> points;
     double spacing = 0.0;
+    int columns = 0;  ///< steps along u, or along the edge
+    int rows = 0;
 };
 
 double between(const std::array<double, 2>& low_high, int i, int steps) {
@@ -251,7 +253,7 @@ Samples samples_of_face(Session& session, int face, const std::array<double, 2>&
         return static_cast<int>(std::clamp(std::ceil(length / spacing), 2.0, kMostSteps));
     };
     const Grid grid = grid_of(session, face, steps(extent[0]), steps(extent[1]), true);
-    Samples found;
+    Samples found{{}, 0.0, grid.columns, grid.rows};
     for (int j = 0; j <= grid.rows; ++j) {
         for (int i = 0; i <= grid.columns; ++i) {
             if (grid.there[grid.at(i, j)] == 0) {
@@ -289,7 +291,8 @@ Samples samples_of_edge(Session& session, int edge, double spacing) {
     for (std::size_t i = 0; i + 1 < coarse.size(); ++i) {
         length += (coarse[i + 1] - coarse[i]).norm();
     }
-    Samples found{ask(static_cast<int>(std::clamp(std::ceil(length / spacing), 2.0, kMostSteps))), 0.0};
+    const int steps = static_cast<int>(std::clamp(std::ceil(length / spacing), 2.0, kMostSteps));
+    Samples found{ask(steps), 0.0, steps, 0};
     for (std::size_t i = 0; i + 1 < found.points.size(); ++i) {
         found.spacing = std::max(found.spacing, (found.points[i + 1] - found.points[i]).norm());
     }
@@ -322,6 +325,16 @@ std::vector<std::array<double, 2>> extents_of_faces(Session& session) {
     return found;
 }
 
+/// The spacing that is wanted on faces of these extents, mm.
+double spacing_for(const std::vector<std::array<double, 2>>& extents, double triangles, double size) {
+    double area = 0.0;
+    for (const std::array<double, 2>& sides : extents) {
+        area += sides[0] * sides[1];
+    }
+    const double count = std::max(kLeastSamples, kSamplesOfTriangle * triangles);
+    return std::max(std::sqrt(area / count), 1e-9 * size);
+}
+
 }  // namespace
 
 CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
@@ -337,13 +350,8 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
     Session session(engine, model, &watched);
     const geometry::Topology& topology = session.topology();
     const std::vector<std::array<double, 2>> extents = extents_of_faces(session);
-    double area = 0.0;
-    for (const std::array<double, 2>& sides : extents) {
-        area += sides[0] * sides[1];
-    }
-    const double count =
-        std::max(kLeastSamples, kSamplesOfTriangle * double(triangles.size()) / Lattice::of(2, order).size());
-    const double spacing = std::max(std::sqrt(area / count), 1e-9 * topology.box.largest_side());
+    const double spacing = spacing_for(extents, double(triangles.size()) / Lattice::of(2, order).size(),
+                                       topology.box.largest_side());
     CadDistances result;
     double largest = -1.0;
     const auto take = [&](const Samples& samples, const std::vector<int>& faces) {
@@ -366,7 +374,10 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
         if (topology.faces[f].no_area) {
             continue;
         }
-        take(samples_of_face(session, static_cast<int>(f), extents[f], spacing), {static_cast<int>(f)});
+        const Samples samples = samples_of_face(session, static_cast<int>(f), extents[f], spacing);
+        take(samples, {static_cast<int>(f)});
+        result.face_grids.push_back({topology.of_shape({2, static_cast<int>(f)}).index, topology.faces[f].low,
+                                     topology.faces[f].high, samples.columns, samples.rows});
         for (const geometry::Loop& loop : topology.faces[f].loops) {
             for (const int use : loop.uses) {
                 faces_of_edge[static_cast<std::size_t>(topology.uses[static_cast<std::size_t>(use)].edge)].push_back(
@@ -376,7 +387,12 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
     }
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
         if (!topology.edges[e].degenerate && !faces_of_edge[e].empty()) {
-            take(samples_of_edge(session, static_cast<int>(e), spacing), faces_of_edge[e]);
+            const Samples samples = samples_of_edge(session, static_cast<int>(e), spacing);
+            take(samples, faces_of_edge[e]);
+            const geometry::Entity own = topology.of_shape({1, static_cast<int>(e)});
+            if (own.dimension == 1) {
+                result.edge_grids.push_back({own.index, topology.edges[e].t0, topology.edges[e].t1, samples.columns});
+            }
         }
     }
     return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -16,6 +17,23 @@ struct CadDistances {
     Vec3 farthest = Vec3::Zero();
     double spacing = 0.0;  ///< mm, the largest distance of samples that are next to each other on a face or an edge
     std::size_t samples = 0;
+    /// A grid of (u, v) on a face of the shape, or on a piece of it: those inside of it were sampled.
+    struct FaceGrid {
+        int face = -1;
+        std::array<double, 2> low{};
+        std::array<double, 2> high{};
+        int columns = 0;  ///< steps along u
+        int rows = 0;
+    };
+    /// Even parameters of an edge of the shape, or of a piece of it.
+    struct EdgeGrid {
+        int edge = -1;
+        double low = 0.0;
+        double high = 0.0;
+        int steps = 0;
+    };
+    std::vector<FaceGrid> face_grids;
+    std::vector<EdgeGrid> edge_grids;  ///< creases inside of faces are not listed
 };
 
 /// Samples a grid of each CAD face, and its edges, and looks for the nearest point of the curved triangles. The number

@@ -413,7 +413,7 @@ std::vector<double> CadNodes::deviations(const std::vector<Vec3>& nodes) {
     std::vector<int> triangles;
     std::vector<std::size_t> owners;
     const Eigen::MatrixXd weights = between_nodes(table_.order());
-    geometry::Engine::Batch batch;
+    std::vector<geometry::TrimmedFaceDistances::Place> places;
     std::vector<std::size_t> asked;
     for (std::size_t f = 0; f < found_.faces.size(); ++f) {
         const CadFace& face = found_.faces[f];
@@ -428,19 +428,17 @@ std::vector<double> CadNodes::deviations(const std::vector<Vec3>& nodes) {
             for (std::size_t k = 0; k < numbers.size(); ++k) {
                 point += weights(i, static_cast<Eigen::Index>(k)) * nodes[at(numbers[k])];
             }
-            batch.push_back(Query::face_nearest_global(face.face, point));
+            places.push_back({face.face, point});
             asked.push_back(f);
         }
     }
-    const auto answers = session_.ask(std::move(batch));
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-        if (answers[i].found()) {
-            result[asked[i]] = std::max(result[asked[i]], answers[i].distance);
-        }
+    const std::vector<double> distances = geometry::TrimmedFaceDistances(session_).measure(places);
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        result[asked[i]] = std::max(result[asked[i]], distances[i]);
     }
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const std::vector<double> distances = placement_.deviations({triangles[i]});
-        result[owners[i]] = distances.empty() ? 0.0 : *std::max_element(distances.begin(), distances.end());
+        const std::vector<double> own = placement_.deviations({triangles[i]});
+        result[owners[i]] = own.empty() ? 0.0 : *std::max_element(own.begin(), own.end());
     }
     return result;
 }

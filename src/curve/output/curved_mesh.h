@@ -33,6 +33,7 @@ struct CurveReport {
     double rms_deviation = 0.0;
     double volume = 0.0;              ///< volume that the curved triangles enclose, mm^3; 0 without a solid
     double cad_volume = 0.0;          ///< volume of the model's solids, mm^3; 0: unknown
+    double cad_volume_error = 0.0;    ///< how far it may be off, mm^3 (geometry/occt/solid_volume.h)
     std::size_t moved_vertices = 0;   ///< corner vertices that left their places in the straight mesh
     double chord_height_asked = 0.0;  ///< largest deviation that was requested, mm; 0: none
     /// Pairs of curved triangles that are proven to cross, and those that are neither proven to cross nor to be apart

@@ -21,7 +21,8 @@ constexpr int kSampleDegree = 7;
 
 }  // namespace
 
-Placement::Placement(geometry::Session& session, CurvedSurface& surface) : session_(session), surface_(surface) {}
+Placement::Placement(geometry::Session& session, CurvedSurface& surface)
+    : session_(session), surface_(surface), distances_(session) {}
 
 bool Placement::planar(int face) const {
     return std::strcmp(session_.topology().faces[static_cast<std::size_t>(face)].surface, "plane") == 0;
@@ -275,30 +276,30 @@ void Placement::measure(const std::vector<int>& triangles) {
 std::vector<double> Placement::deviations(const std::vector<int>& triangles) {
     const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
     const Lattice& samples = Lattice::of(2, kSampleDegree);
-    const auto per = static_cast<std::size_t>(samples.size() - 3);  // but for the corners
-    constexpr double kNone = -1.0;
-    std::vector<double> result(per * triangles.size(), kNone);
-    const auto work = [&](geometry::Answerer& answerer, std::size_t from, std::size_t to) {
-        std::vector<Vec3> control;
-        for (std::size_t k = from; k < to; ++k) {
-            const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(triangles[k])];
-            surface_.shapes.triangle(triangle.corners, control);
-            const std::array<Vec2, 3> uv = corner_uv(triangle);
-            std::size_t next = per * k;
-            for (int i = 0; i < samples.size(); ++i) {
-                if (samples.carriers(i) == 1) {
-                    continue;
-                }
-                const Barycentric b = samples.node(i);
-                const Vec2 guess = b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2];
-                const Answer answer = answerer.answer(
-                    Query::face_nearest(triangle.face, value(lattice, control, b), guess.x(), guess.y()));
-                result[next++] = answer.found() ? answer.distance : kNone;
+    std::vector<geometry::TrimmedFaceDistances::Place> places;
+    std::vector<Vec3> control;
+    for (const int t : triangles) {
+        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
+        surface_.shapes.triangle(triangle.corners, control);
+        const std::array<Vec2, 3> uv = corner_uv(triangle);
+        const auto add = [&](const Barycentric& b) {
+            places.push_back(
+                {triangle.face, value(lattice, control, b), Vec2(b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2])});
+        };
+        for (int i = 0; i < samples.size(); ++i) {
+            if (samples.carriers(i) > 1) {
+                add(samples.node(i));
             }
         }
-    };
-    session_.for_chunks(triangles.size(), work, per);
-    result.erase(std::remove(result.begin(), result.end(), kNone), result.end());
+        // Chords are farthest in the middle, where curved edges may have a node.
+        for (const Barycentric& b : {Barycentric{0.5, 0.5, 0.0, 0.0}, {0.0, 0.5, 0.5, 0.0}, {0.5, 0.0, 0.5, 0.0}}) {
+            if (lattice.degree() == 1) {
+                add(b);
+            }
+        }
+    }
+    std::vector<double> result = distances_.measure(places);
+    result.erase(std::remove_if(result.begin(), result.end(), [](double d) { return d < 0.0; }), result.end());
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "curve/surface/curved_surface.h"
+#include "geometry/trimmed_face_distances.h"
 
 namespace mq::curve {
 
@@ -62,7 +63,8 @@ class Placement {
     /// The distance of a vertex from the edges and faces at it, mm.
     double distance_off_cad(int vertex);
 
-    /// Distances of points on the triangles from their CAD faces: 33 points each, none of them a node.
+    /// Distances of points on the triangles from their trimmed CAD faces: 33 points each, none of them a node, and of
+    /// flat ones the middles of their sides.
     std::vector<double> deviations(const std::vector<int>& triangles);
 
   private:
@@ -118,6 +120,7 @@ class Placement {
 
     geometry::Session& session_;
     CurvedSurface& surface_;
+    geometry::TrimmedFaceDistances distances_;
 };
 
 /// The edges of a surface as they are at order 2, whatever the order of its shapes.

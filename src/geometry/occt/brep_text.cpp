@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <climits>
 #include <functional>
+#include <ios>
 #include <sstream>
 
 #include "base/error.h"
@@ -30,10 +31,35 @@ std::shared_ptr<const TopoDS_Shape> read_brep_text(const std::string& text) {
     return shape;
 }
 
-std::string write_brep_text(const TopoDS_Shape& shape) {
+namespace {
+
+/// With the digits that a FreeCAD document keeps: a fixed number of decimals, however small a number is.
+std::string text_of_document(const TopoDS_Shape& shape) {
     std::ostringstream stream;
+    stream.setf(std::ios::fixed, std::ios::floatfield);
     BRepTools::Write(shape, stream, false, false, TopTools_FormatVersion_CURRENT);
-    std::string text = stream.str();
+    return stream.str();
+}
+
+/// Takes the sign of zeros away, which directions computed anew may have or not.
+std::string without_signs_of_zeros(const std::string& text) {
+    std::string result;
+    result.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool begins = text[i] == '-' && (i == 0 || text[i - 1] == ' ' || text[i - 1] == '\n');
+        const std::size_t end = begins ? text.find_first_not_of("0.", i + 1) : i;
+        if (!begins || (end != std::string::npos && text[end] != ' ' && text[end] != '\n')) {
+            result += text[i];
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string write_brep_text(const TopoDS_Shape& shape) {
+    // Read once: small numbers lose digits, and directions are computed anew.
+    std::string text = without_signs_of_zeros(text_of_document(*read_brep_text(text_of_document(shape))));
     // Number of marks, on a line of their own: free, modified, checked, orientable, closed, infinite, convex.
     constexpr std::size_t kMarks = 7;
     for (std::size_t begin = 0; begin < text.size();) {

@@ -285,7 +285,7 @@ Answer ShapeAnswerer::on_face(const Query& query) {
         case Query::Kind::FaceOnLine:
             return surface.on_line(query.point, query.along, query.u, query.v);
         default:
-            return surface.contains(query.u, query.v);
+            return surface.contains(query.u, query.v, query.distance);
     }
 }
 

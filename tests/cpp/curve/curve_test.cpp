@@ -111,7 +111,7 @@ TEST(CurveCurvedSurface, WhatItEnclosesNearsTheVolumeOfTheCad) {
     const gp_Ax2 far(gp_Pnt(1e4, -1e4, 1e4), gp::DZ());
     for (const Case& c : {Case{BRepPrimAPI_MakeTorus(2.0, 0.6).Shape(), 4.0 * M_PI * M_PI * 0.36},
                           Case{BRepPrimAPI_MakeCylinder(far, 1.0, 2.0).Shape(), 2.0 * M_PI}}) {
-        EXPECT_NEAR(geometry::solid_content(c.shape), c.volume, 1e-9 * c.volume);
+        EXPECT_NEAR(geometry::solid_content(c.shape).volume, c.volume, 1e-9 * c.volume);
         std::vector<double> errors;
         for (int order = 1; order <= 5; ++order) {
             CurveReport report = curved(geometry::make_shape_model(c.shape), of_order(order)).report;
@@ -135,7 +135,7 @@ TEST(CurveTetrahedralMesh, TwoSolidsWithACommonFaceAreBothCounted) {
     const CurvedMesh mesh = curved(geometry::make_shape_model(builder.Shape()), of_order(3, true));
     EXPECT_NEAR(mesh.report.volume, 3.0 * M_PI, 1e-3);
     EXPECT_NEAR(mesh.report.volume, volume_of(mesh), 1e-9);
-    EXPECT_NEAR(geometry::solid_content(builder.Shape()), 3.0 * M_PI, 1e-9);
+    EXPECT_NEAR(geometry::solid_content(builder.Shape()).volume, 3.0 * M_PI, 1e-9);
 }
 
 TEST(CurveTetrahedralMesh, TheSurfaceStaysAsItIs) {

@@ -101,7 +101,7 @@ void FaceEvaluator::search_peak(int i, int k, int axis, double sign, Box& box) {
         part *= better ? 1.0 : 0.5;
     }
     const double more = kAnything * size_;
-    if (sign * best[axis] > bound + more && contains(at.x(), at.y()).side >= 0) {
+    if (sign * best[axis] > bound + more && contains(at.x(), at.y(), 0.0).side >= 0) {
         box.add(best);
     }
 }

@@ -413,7 +413,7 @@ Answer FaceEvaluator::curvatures(double u, double v) const {
     return answer;
 }
 
-Answer FaceEvaluator::contains(double u, double v) {
+Answer FaceEvaluator::contains(double u, double v, double border) {
     Answer answer;
     answer.u = u;
     answer.v = v;
@@ -421,10 +421,9 @@ Answer FaceEvaluator::contains(double u, double v) {
         answer.status = Status::BadQuery;
         return answer;
     }
-    const double tolerance = std::min(surface_.UResolution(tolerance_), surface_.VResolution(tolerance_));
-    if (!classifier_) {
-        classifier_ = std::make_unique<BRepTopAdaptor_FClass2d>(shape_, tolerance);
-    }
+    const double width = border > 0.0 ? std::min(border, tolerance_) : tolerance_;
+    const double tolerance = std::min(surface_.UResolution(width), surface_.VResolution(width));
+    BRepTopAdaptor_FClass2d& classifier = classifiers_.try_emplace(width, shape_, tolerance).first->second;
     // All turns of (u, v) within the face's bounds; the classifier's own walk through the periods does not end for a
     // far u.
     answer.status = Status::Ok;
@@ -443,7 +442,7 @@ Answer FaceEvaluator::contains(double u, double v) {
     }
     for (const double a : turns[0]) {
         for (const double b : turns[1]) {
-            const TopAbs_State state = classifier_->Perform(gp_Pnt2d(a, b), Standard_False);
+            const TopAbs_State state = classifier.Perform(gp_Pnt2d(a, b), Standard_False);
             answer.side = std::max(answer.side, state == TopAbs_IN ? 1 : (state == TopAbs_ON ? 0 : -1));
         }
     }

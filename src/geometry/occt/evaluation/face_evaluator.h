@@ -5,6 +5,7 @@
 #include <GeomAdaptor_Surface.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Trsf.hxx>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -33,7 +34,9 @@ class FaceEvaluator {
     Answer nearest_global(const Vec3& point);
     /// The point of the surface on the line through `point`, by Newton's method from a guess; `along` is a unit vector.
     Answer on_line(const Vec3& point, const Vec3& along, double u, double v) const;
-    Answer contains(double u, double v);
+    /// @param border  half the width of what counts as the border, mm, where that is less than the face's tolerance; 0:
+    ///                the tolerance
+    Answer contains(double u, double v, double border);
     /// The surface by formula, with the face's location; empty where there is none.
     std::optional<ElementarySurface> elementary() const;
     /// Extends the box so that it holds the face, given that it holds its edges.
@@ -112,7 +115,7 @@ class FaceEvaluator {
     std::optional<ElementarySurface> elementary_;
     std::array<int, 2> samples_{0, 0};
     std::vector<Vec3> grid_;
-    std::unique_ptr<BRepTopAdaptor_FClass2d> classifier_;
+    std::map<double, BRepTopAdaptor_FClass2d> classifiers_;  ///< by half the width of the border, mm
 };
 
 }  // namespace mq::geometry

@@ -46,10 +46,10 @@ Handle(Geom_BSplineSurface) waves(double side, double height, int points) {
 }
 
 TEST(ShapeContent, IsThatOfSimpleSolids) {
-    EXPECT_NEAR(solid_content(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape()), 6.0, 1e-12);
-    EXPECT_NEAR(solid_content(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape().Reversed()), 6.0, 1e-12);
-    EXPECT_NEAR(solid_content(BRepPrimAPI_MakeSphere(7.0).Shape()), 4.0 / 3.0 * M_PI * 343.0, 1e-2);
-    EXPECT_EQ(solid_content(BRepBuilderAPI_MakeFace(gp_Pln(), 0.0, 1.0, 0.0, 1.0).Shape()), 0.0);
+    EXPECT_NEAR(solid_content(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape()).volume, 6.0, 1e-12);
+    EXPECT_NEAR(solid_content(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape().Reversed()).volume, 6.0, 1e-12);
+    EXPECT_NEAR(solid_content(BRepPrimAPI_MakeSphere(7.0).Shape()).volume, 4.0 / 3.0 * M_PI * 343.0, 1e-2);
+    EXPECT_EQ(solid_content(BRepBuilderAPI_MakeFace(gp_Pln(), 0.0, 1.0, 0.0, 1.0).Shape()).volume, 0.0);
 }
 
 TEST(ShapeContent, IsThatOfATrimmedSplineFace) {
@@ -83,7 +83,7 @@ TEST(ShapeContent, IsThatOfATrimmedSplineFace) {
             exact += p.Z() * r * (9.0 / kRings) * (2.0 * M_PI / kAngles);
         }
     }
-    EXPECT_NEAR(solid_content(solid) / exact, 1.0, 1e-5);
+    EXPECT_NEAR(solid_content(solid).volume / exact, 1.0, 1e-5);
     EXPECT_GT(std::abs(plain_content(solid) / exact - 1.0), 1e-4);
 }
 
@@ -95,7 +95,7 @@ TEST(ShapeContent, CountsASolidOnceHoweverOftenItIsListed) {
     builder.Add(all, box);
     builder.Add(all, box.Reversed());
     builder.Add(all, TopExp_Explorer(box, TopAbs_SHELL).Current());
-    EXPECT_NEAR(solid_content(all), 6.0, 1e-12);
+    EXPECT_NEAR(solid_content(all).volume, 6.0, 1e-12);
 }
 
 }  // namespace
