@@ -41,7 +41,7 @@ def _overlap(a, b):
 
 def read(path):
     """{dimension: (points, Jacobian matrices [column, row], determinants, weights)}, each [element, place], by Gmsh."""
-    gmsh.initialize(interruptible=False)
+    gmsh.initialize()
     try:
         gmsh.option.setNumber("General.Terminal", 0)
         gmsh.open(path)
@@ -110,7 +110,7 @@ def _distances(judge, curved, shape, surface, numbers):
         away = measures.distances(places, skin).max()
         judge.claim(away <= max(slack, 1.001 * said), f"a node is {away:.4g} mm from the shape, reported {said:.4g}")
     asked = curved.report.chord_height_asked
-    nearest = measures.Nearest(*_fine(curved))
+    nearest = measures.Nearest(*lattice(curved))
     back, _ = measures.points_on(shape, numbers, SAMPLES)
     away = nearest.distances(back).max(initial=0.0)
     judge.limit(not asked or away <= asked + _FINE * measures.size(shape) + slack,
@@ -120,7 +120,7 @@ def _distances(judge, curved, shape, surface, numbers):
 _FINE = 1e-3  # of the size: distance of the flat triangles from the curved ones
 
 
-def _fine(curved):
+def lattice(curved):
     """Flat triangles through Lagrange polynomials at the nodes of a lattice, by solving for them at the nodes."""
     order, parts = curved.order, 4
     reference = _reference(order)

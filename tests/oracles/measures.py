@@ -29,6 +29,8 @@ def size(shape):
 
 def rounding(points):
     """What single-precision coordinates leave open: of numbers as large as these, mm."""
+    if not len(points):
+        return 0.0
     return 4e-7 * max(float(np.abs(points).max(initial=0.0)), float(np.ptp(points, axis=0).max(initial=0.0)))
 
 
@@ -42,7 +44,17 @@ def skin(shape):
 
 def distances(points, shape):
     """Of each point from the shape, by OpenCASCADE."""
-    return np.array([shape.distToShape(Part.Vertex(*map(float, point)))[0] for point in points])
+    shape, factor = magnified(shape)
+    return np.array([shape.distToShape(Part.Vertex(*map(float, factor * point)))[0] for point in np.asarray(points)]) / factor
+
+
+def magnified(shape):
+    """(shape, factor): OpenCASCADE's tolerance of 1e-7 mm is too coarse for the distances of micro parts."""
+    factor = 10.0 / size(shape) if size(shape) < 0.1 else 1.0
+    if factor > 1.0:
+        shape = shape.copy()
+        shape.scale(factor)
+    return shape, factor
 
 
 def points_on(shape, numbers, count):
@@ -79,7 +91,9 @@ def points_around(shape, numbers, count, reach):
 
 def inside(points, shape):
     """Whether each point is in one of the solids, by OpenCASCADE."""
-    return np.array([any(solid.isInside(vector(p), 1e-9, False) for solid in shape.Solids) for p in points], dtype=bool)
+    shape, factor = magnified(shape)
+    return np.array([any(solid.isInside(vector(factor * p), 1e-9, False) for solid in shape.Solids)
+                     for p in np.asarray(points)], dtype=bool)
 
 
 def tessellated(shape, tolerance):
@@ -90,17 +104,15 @@ def tessellated(shape, tolerance):
 
 def volume_of(shape):
     """(mm^3, mm^3 that this may be wrong) of the solids: OpenCASCADE's own where all faces are elementary between lines and
-    conics. Elsewhere BRepGProp is off by up to a third, and a fine mesh of BRepMesh has to agree, or is taken instead.
+    conics. Elsewhere BRepGProp is off by up to a third, and a fine mesh of BRepMesh is taken instead.
     """
     found, error = 0.0, 0.0
     for solid in shape.Solids:
-        exact, fine = abs(solid.Volume), 1e-3 * size(solid)
-        slack = 1e-5 * exact
-        if not _is_elementary(solid):
-            rough, allowed = abs(volume(*tessellated(solid, fine))), 2.0 * fine * solid.Area
-            if abs(exact - rough) > allowed:
-                exact, slack = rough, allowed
-        found, error = found + exact, error + slack
+        exact, fine = abs(solid.Volume), 5e-4 * size(solid)
+        if _is_elementary(solid):
+            found, error = found + exact, error + 1e-5 * exact
+        else:
+            found, error = found + abs(volume(*tessellated(solid, fine))), error + fine * solid.Area
     return found, error
 
 
