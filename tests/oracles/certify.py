@@ -23,17 +23,17 @@ def check(shape, seed):
         mesh, cad, saved = (os.path.join(folder, name) for name in ("mesh.msh", "shape.brep", "certificate.json"))
         shape.exportBrep(cad)
         if dice.random() < 0.3:
-            made = mq.triangulate(shape, chord_height=0.02 * size)
+            made = mq.triangulate(shape, chord_height=0.04 * size)
             made.write(mesh)
         else:
-            made = mq.curve(shape, order=dice.choice([1, 2, 2, 3]), volume=dice.random() < 0.4, chord_height_relative=0.03)
+            made = mq.curve(shape, order=dice.choice([1, 2, 2, 3]), volume=dice.random() < 0.4, chord_height_relative=0.05)
             made.write(mesh)
         certificate = mq.certify(mesh, shape)
         judge.claim(certificate.not_on_shape is None, f"an honest mesh is called off its shape: {certificate.not_on_shape}")
         _true(judge, certificate, made, shape, numbers)
         certificate.save(saved, cad=cad)
         _holds(judge, saved)
-        for name in dice.sample(sorted(FORGED), 4):
+        for name in dice.sample(sorted(FORGED), 3):
             _refused(judge, name, saved, mesh, cad, dice)
     return judge.verdict()
 

@@ -8,7 +8,7 @@ Environment
     MESHQUALITY_ORACLES_OF     names of functions, all unless given: "boolean curve"
     MESHQUALITY_ORACLES_KINDS  kinds of inputs, "," between them; all of each function unless given
     MESHQUALITY_ORACLES_FIRST  the first seed; 0 unless given
-    MESHQUALITY_ORACLES_LIMIT  seconds of processor for each input; 6 unless given
+    MESHQUALITY_ORACLES_LIMIT  seconds of processor for each input; 5 unless given
 
 Each input runs in a process of its own. Outcomes: right; said (a limit is missed, and the result says so); refused (an error
 of MeshQuality); late (not done within its seconds); no input (no valid solid of this seed). Wrong ones, and what
@@ -31,7 +31,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(HERE))
 FUNCTIONS = ("triangulate", "curve", "boolean", "offset", "hollow", "wrap", "improve", "quality", "thickness",
-             "clearance", "draft", "voids", "certify", "files", "patches")
+             "clearance", "draft", "voids", "certify", "files", "patches", "objects")
 PATIENCE = 6  # times the limit, on a machine that others use, too: one that waits for itself is late by then
 COMPARED = ("right", "said")
 FAILED = ("wrong", "ended")
@@ -123,7 +123,7 @@ def main():
     environment = os.environ.get
     count, first = int(environment("MESHQUALITY_ORACLES", "20")), int(environment("MESHQUALITY_ORACLES_FIRST", "0"))
     chosen = [kind for kind in environment("MESHQUALITY_ORACLES_KINDS", "").split(",") if kind]
-    limit = int(environment("MESHQUALITY_ORACLES_LIMIT", "6"))
+    limit = int(environment("MESHQUALITY_ORACLES_LIMIT", "5"))
     os.environ["MESHQUALITY_THREADS"] = "1"  # as many inputs at a time as there are cores
     from MeshQuality.compat import extension  # noqa: PLC0415
 
