@@ -30,13 +30,25 @@ def check(shape, seed):
     _jacobians(judge, curved, elements, 3 if volume else 2)
     _volume(judge, curved, shape, elements, volume)
     _distances(judge, curved, shape, elements[2], numbers)
-    if len(shape.Solids) > 1 and _overlap(*shape.Solids):
-        judge.claim(judge.findings, "two bodies overlap, or one contains the other, and the mesh is called met")
+    if len(shape.Solids) > 1:
+        _bodies(judge, curved, shape)
     return judge.verdict()
 
 
-def _overlap(a, b):
-    return a.common(b).Volume > 1e-6 * min(a.Volume, b.Volume)
+def _bodies(judge, curved, shape):
+    """Those that contain or overlap each other are named; those that are apart do not cross, farther than the lattice is from
+    the elements.
+    """
+    a, b = shape.Solids
+    if a.common(b).Volume > 1e-6 * min(a.Volume, b.Volume):
+        judge.claim(judge.findings, "two bodies overlap, or one contains the other, and the mesh is called met")
+    if curved.report.curved_intersections > 0:
+        judge.claim(judge.findings, f"{curved.report.curved_intersections} proven crossings, and the mesh is called met")
+    if a.distToShape(b)[0] > 4e-3 * measures.size(shape):
+        points, triangles = lattice(curved)
+        body = (curved.triangle_face >= len(a.Faces)).repeat(len(triangles) // len(curved.triangles))
+        pairs = measures.crossings(points, triangles, body)
+        judge.limit(not pairs, f"bodies apart cross: {len(pairs)} pairs of flat parts of curved triangles")
 
 
 def read(path):

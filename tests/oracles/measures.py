@@ -108,7 +108,7 @@ def volume_of(shape):
     """
     found, error = 0.0, 0.0
     for solid in shape.Solids:
-        exact, fine = abs(solid.Volume), 5e-4 * size(solid)
+        exact, fine = abs(solid.Volume), 1e-3 * size(solid)
         if _is_elementary(solid):
             found, error = found + exact, error + 1e-5 * exact
         else:

@@ -113,6 +113,12 @@ def results(cases, limit):
                 yield child.case, *child.result(not ended), time.monotonic() - child.start
 
 
+def processor_seconds():
+    """Of all inputs until now."""
+    spent = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return spent.ru_utime + spent.ru_stime
+
+
 def cases_of(function, count, first, chosen):
     kinds = [kind for kind in importlib.import_module(function).KINDS if not chosen or kind in chosen]
     step = max(1, len(kinds) // count) if kinds else 1  # few inputs still are of all sorts
@@ -130,7 +136,7 @@ def main():
     extension()  # loaded once, before the processes part
     passed = failed = 0
     for function in environment("MESHQUALITY_ORACLES_OF", "").split() or FUNCTIONS:
-        begin, counts = time.monotonic(), collections.Counter()
+        begin, used, counts = time.monotonic(), processor_seconds(), collections.Counter()
         for (_, kind, seed), found, sentence, seconds in results(cases_of(function, count, first, chosen), limit):
             counts[found] += 1
             if found not in COMPARED:
@@ -140,7 +146,7 @@ def main():
         good, bad = sum(counts[one] for one in COMPARED), sum(counts[one] for one in FAILED)
         passed, failed = passed + good, failed + (bad or int(not good))
         text = ", ".join(f"{number} {name}" for name, number in counts.most_common())
-        print(f"{function}: {text}; {time.monotonic() - begin:.0f} s", flush=True)
+        print(f"{function}: {text}; {time.monotonic() - begin:.0f} s, {processor_seconds() - used:.0f} s of processor", flush=True)
     print(f"{passed} passed, {failed} failed", flush=True)
     return 1 if failed else 0
 
