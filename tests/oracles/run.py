@@ -72,13 +72,15 @@ class Child:
         sys.stdout.flush()
         self.number = os.fork()
         if self.number == 0:
-            os.close(self.pipe)
-            quiet = os.open(os.devnull, os.O_RDWR)
-            for stream in (0, 1, 2):
-                os.dup2(quiet, stream)
-            resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
-            os.write(writing, json.dumps(outcome(*case)).encode())
-            os._exit(0)
+            try:  # whatever happens, this process does not go on as the runner
+                os.close(self.pipe)
+                quiet = os.open(os.devnull, os.O_RDWR)
+                for stream in (0, 1, 2):
+                    os.dup2(quiet, stream)
+                resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
+                os.write(writing, json.dumps(outcome(*case)).encode())
+            finally:
+                os._exit(0)
         os.close(writing)
 
     def read(self):
