@@ -366,5 +366,4 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         straight = module.TriangulateOptions()
         options.hand_over({name: value for name, value in values.items() if name != "overlap"}, straight)
         curved = module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress)
-    source = shape_or_mesh if shape is None else shape
-    return hidden_parts.note(CurvedMesh(curved, patches=kept(division, curved)), [source])
+    return hidden_parts.note(CurvedMesh(curved, patches=kept(division, curved)), [shape_or_mesh if shape is None else shape])
