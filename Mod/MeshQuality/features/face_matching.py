@@ -12,10 +12,21 @@ def described(shape):
     return [[type(face.Surface).__name__, face.Area, *back.multVec(face.CenterOfMass)] for face in shape.Faces]
 
 
-def same_faces(before, now):
-    """{number of a face before an edit: its number after it}, of those of which there is one alike, and for which no other
-    is. An edit of dimensions alone leaves the kinds of all faces, and FreeCAD then their numbers: it does not come here.
+def followed(before, now):
+    """{number of a face before an edit: its number after it}, of those that are found again.
+
+    An edit of dimensions alone leaves the kinds of all faces, and FreeCAD then their numbers, so that all are kept; unless
+    one of them lies at another number, as in a shape that lists its faces in another order.
     """
+    found = _same_faces(before, now) if now else {}
+    same_kinds = [face[0] for face in before] == [face[0] for face in now]
+    if same_kinds and all(index == place for index, place in found.items()):
+        return {index: index for index in range(len(before))}
+    return found
+
+
+def _same_faces(before, now):
+    """Of those of which there is one alike, and for which no other is."""
     kinds, numbers = np.array([face[0] for face in now]), np.array([face[1:] for face in now], dtype=float)
     near = _SAME * max(float(np.ptp(numbers[:, 1:], axis=0).max(initial=0.0)), 1.0)
     found = {}

@@ -32,6 +32,7 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
     BOUND_BEFORE = options.RELATIVE
     PROMISES, MEASURED = curved_mesh.PROMISES, curved_mesh.MEASURED
     HIDDEN = (PART,)
+    _shown = None  # fingerprint of the mesh that was made last, as long as the document is open
 
     def size(self, obj):
         """Number of tetrahedra, of a mesh of shells that of triangles."""
@@ -59,7 +60,13 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
     def _bring_up_to_date(self, obj):
         """As for all; patches may have been changed in the property editor."""
         super()._bring_up_to_date(obj)
+        self._shown = obj.Fingerprint
         fem_groups.update(obj)
+
+    def held(self, obj):
+        """As for all; nothing after undo or redo, which bring back the fingerprint, and not always the FemMesh."""
+        known = super().held(obj)
+        return known if self._shown in (None, known) else ""
 
     @classmethod
     def compute(cls, shape, values, progress):

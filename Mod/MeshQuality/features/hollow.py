@@ -93,8 +93,8 @@ def _followed(names, before, now):
     """
     try:
         held = json.loads(before or "{}")
-        same = held.get("names") != names or [face[0] for face in held["faces"]] == [face[0] for face in now]
-        places = {} if same else face_matching.same_faces(held["faces"], now)
+        same = held.get("names") != names
+        places = {} if same else face_matching.followed(held["faces"], now)
     except (ValueError, KeyError, TypeError, IndexError, AttributeError):  # edited by hand
         same = True
     if same:

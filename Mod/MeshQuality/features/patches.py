@@ -96,11 +96,11 @@ def follow_sources(obj, faces):
     now, lost = _described(faces), []
     for prefix in before:
         old, new = before[prefix], now.get(prefix, [])
-        if [face[0] for face in old] != [face[0] for face in new]:
-            places = face_matching.same_faces(old, new) if new else {}
-            for name, said in patches.items():
-                said["faces"] = [_followed(face, prefix, name, places, lost) for face in said["faces"]]
-            obj.Patches = lines_of_patches(patches)
+        places = face_matching.followed(old, new)
+        for name, said in patches.items():
+            said["faces"] = [_followed(face, prefix, name, places, lost) for face in said["faces"]]
+    if lines_of_patches(patches) != lines_of_patches(patches_of_lines(obj.Patches)):
+        obj.Patches = lines_of_patches(patches)
     obj.PatchesChanged = [*obj.PatchesChanged, *lost]  # until they are chosen anew
     obj.PatchFaces = _saved(now)
     return lost
