@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "improve/tuning.h"
 #include "mesh/edge_table.h"
 #include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/nearest_tree.h"
 #include "mesh/quality/surface_verification.h"
 #include "mesh/quality/triangle_quality.h"
 
@@ -44,14 +46,17 @@ mesh::TriangleMesh checked(const mesh::TriangleMesh& given) {
     return mesh;
 }
 
-/// What must not become worse: faults by kind, and the smallest angle.
+/// What must not become worse: faults by kind, and the smallest angle; and the surface, which stays where it was.
 class Condition {
   public:
+    /// @param mesh  is referred to
     Condition(const mesh::TriangleMesh& mesh, Progress& progress)
-        : count_(verified(mesh, progress).count), least_(least_angle(mesh)) {}
+        : count_(verified(mesh, progress).count), least_(least_angle(mesh)), surface_(mesh.vertices, mesh.triangles) {}
 
-    /// The triangles of an improved mesh at faults of a kind of which it has more, and those with smaller angles.
-    std::vector<std::int32_t> worse_in(const mesh::TriangleMesh& mesh, Progress& progress) const {
+    /// The triangles of an improved mesh at faults of a kind of which it has more, those with smaller angles, and those
+    /// of which a corner, the middle of a side or the centre is farther than the tolerance, mm, from the given mesh:
+    /// halves of triangles have other ones than these, which were looked at when they were made.
+    std::vector<std::int32_t> worse_in(const mesh::TriangleMesh& mesh, double tolerance, Progress& progress) const {
         const mesh::Verification after = verified(mesh, progress);
         std::vector<std::int32_t> found;
         for (const mesh::Fault& fault : after.faults) {
@@ -65,7 +70,7 @@ class Condition {
                          [](std::int32_t t) { return t >= 0; });
         }
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            if (angle(mesh, mesh.triangles[t]) < least_) {
+            if (angle(mesh, mesh.triangles[t]) < least_ || !is_within(mesh, mesh.triangles[t], tolerance)) {
                 found.push_back(static_cast<std::int32_t>(t));
             }
         }
@@ -83,6 +88,14 @@ class Condition {
         const auto corner = [&](std::size_t k) { return mesh.vertices[static_cast<std::size_t>(t[k])]; };
         return mesh::min_angle_of({corner(0), corner(1), corner(2)});
     }
+    bool is_within(const mesh::TriangleMesh& mesh, const mesh::Triangle& t, double tolerance) const {
+        const auto corner = [&](std::size_t k) { return mesh.vertices[static_cast<std::size_t>(t[k % 3])]; };
+        std::int32_t guess = surface_.any_within((corner(0) + corner(1) + corner(2)) / 3.0, tolerance, 0);
+        for (std::size_t k = 0; k < 3 && guess >= 0; ++k) {
+            guess = surface_.any_within(0.5 * (corner(k) + corner(k + 1)), tolerance, guess);
+        }
+        return guess >= 0;
+    }
     static double least_angle(const mesh::TriangleMesh& mesh) {
         double least = 180.0;
         for (const mesh::Triangle& t : mesh.triangles) {
@@ -93,6 +106,7 @@ class Condition {
 
     std::array<std::size_t, mesh::kFaultKinds> count_;
     double least_;
+    mesh::NearestTree surface_;
 };
 
 Result result_of(Improver& improver, const mesh::TriangleMesh& start) {
@@ -131,6 +145,11 @@ Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, P
     StageTimes seconds;
     StageClock clock(seconds);
     watched.stage("improving", 0.0, 1.0);
+    // Vertices are rounded to single precision after they are looked at.
+    double rounding = 0.0;
+    for (const Vec3& p : start.vertices) {
+        rounding = std::max(rounding, std::numeric_limits<float>::epsilon() * p.cwiseAbs().maxCoeff());
+    }
     const Condition before(start, watched);
     std::vector<Vec3> points;
     std::vector<mesh::Triangle> frozen;
@@ -144,7 +163,7 @@ Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, P
         improver.run();
         Result result = result_of(improver, start);
         result.kept = frozen.size();
-        const std::vector<std::int32_t> worse = before.worse_in(result.mesh, watched);
+        const std::vector<std::int32_t> worse = before.worse_in(result.mesh, improver.tolerance() + rounding, watched);
         if (worse.empty() || round == ImproveTuning::kRepeats) {
             clock.end("improving");
             result.seconds = std::move(seconds);

@@ -44,15 +44,15 @@ struct Result {
 /// LEPP-Delaunay). Swaps, collapses and moves are made only if the worst angle around becomes better. A change is
 /// refused if it
 /// - moves the corners, edge middles and centres of new triangles farther than the tolerance from the given surface, or
-///   a given vertex farther than that from the new one (halves of such triangles, which are on the same surface, may
-///   exceed it slightly),
+///   a given vertex farther than that from the new one,
 /// - makes the angle between a triangle's normal and that of the surface larger than 60 degrees,
 /// - removes a sharp edge (see ImproveOptions::feature_angle), a border, or an edge of more than two triangles;
 /// vertices on
 ///   them move along them only, and stay where these meet or bend.
 /// The connections of the given mesh are kept; it need not be closed. The result has no more degenerate triangles,
-/// pinched vertices, vertices in one place and pairs of triangles that meet than the given mesh, and no smaller angle:
-/// it is verified, and where it fails improved again with that place left as it was given. Deterministic.
+/// pinched vertices, vertices in one place and pairs of triangles that meet than the given mesh, no smaller angle, and
+/// none of these points farther than the tolerance, also on halves of triangles: it is verified, and where it fails
+/// improved again with that place left as it was given. Deterministic.
 /// @throws InvalidInput for an option out of range, or a mesh with a triangle that names a vertex twice
 /// @throws Cancelled
 Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, Progress* progress = nullptr);

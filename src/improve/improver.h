@@ -19,6 +19,7 @@ class Improver {
     Improver(const mesh::TriangleMesh& given, const ImproveOptions& options, Progress& progress,
              const mesh::AabbTree* frozen = nullptr);
 
+    double tolerance() const { return tolerance_; }  ///< mm
     /// Works until no bad triangle can be improved.
     void run();
 

@@ -20,6 +20,8 @@ def check(shape, seed):
     size = measures.size(shape)
     if shared > 0.999999 * least and gap > 1e-6 * size:
         right = "inside"
+    elif shared > 0.999999 * max(a.Volume, b.Volume):
+        right = "equal"
     elif shared > 1e-6 * least:
         right = "overlapping"
     else:
