@@ -219,7 +219,8 @@ std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& sea
             const double most = std::min(reach, NearCoincidenceTuning::kLargestGap * gap + least);
             for (const FacingPair* pair : region.pairs) {
                 if (-pair->overlap.low <= most && pair->overlap.high <= most) {
-                    result.push_back({pair->earlier, pair->later, pair->overlap.low, pair->overlap.high, most});
+                    result.push_back(
+                        {pair->earlier, pair->later, pair->overlap.low, pair->overlap.high, most, pair->same_side});
                 }
             }
         }
@@ -227,7 +228,7 @@ std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& sea
     }
     for (const CoincidentTriangle& twin : twins) {
         if (operand_of(soup, twin.of) < operand_of(soup, twin.triangle)) {
-            result.push_back({twin.of, twin.triangle, 0.0, 0.0, least});
+            result.push_back({twin.of, twin.triangle, 0.0, 0.0, least, twin.turn > 0});
         }
     }
     std::sort(result.begin(), result.end(), [&](const ContactFace& a, const ContactFace& b) {

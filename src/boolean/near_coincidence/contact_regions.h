@@ -17,7 +17,8 @@ struct ContactFace {
     /// Heights of the later triangle over the plane of the earlier one where they overlap, mm.
     double low = 0.0;
     double high = 0.0;
-    double most = 0.0;  ///< mm, the largest gap that counts as contact in their region
+    double most = 0.0;       ///< mm, the largest gap that counts as contact in their region
+    bool same_side = false;  ///< the normals have the same direction
 };
 
 /// The pairs of triangles in which faces of different operands lie on each other within the tolerance, mm; in order of

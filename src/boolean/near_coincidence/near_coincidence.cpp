@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -182,10 +183,10 @@ class PlanesToLeave {
     void settle() {
         for (const auto& [v, spaces] : planes_) {
             std::optional<Vec3> way = ShortestDisplacement::in(spaces);
-            if (!allowed(way)) {
+            if (!way || way->norm() > options_.tolerance) {
                 way = by_rank(spaces);
             }
-            if (allowed(way)) {
+            if (way) {
                 displacement_[static_cast<std::size_t>(v)] = *way;
             }
         }
@@ -208,7 +209,8 @@ class PlanesToLeave {
         for (const HalfSpace& space : spaces) {
             kept.push_back(space);
             const std::optional<Vec3> way = ShortestDisplacement::in(kept);
-            if (allowed(way)) {
+            // What joins or parts bodies may take twice the tolerance, where three faces meet in a corner.
+            if (way && way->norm() <= (space.rank == 0 ? 2.0 : 1.0) * options_.tolerance) {
                 result = way;
             } else {
                 kept.pop_back();
@@ -216,8 +218,6 @@ class PlanesToLeave {
         }
         return result;
     }
-    bool allowed(const std::optional<Vec3>& way) const { return way && way->norm() <= 2.0 * options_.tolerance; }
-
     const Soup& soup_;
     const Expression& expression_;
     const OverlapOptions& options_;
@@ -253,6 +253,16 @@ std::vector<std::pair<std::int32_t, double>> around(const Soup& soup, const std:
     return result;
 }
 
+/// Whether the pair is among those from `first` on, which are in ascending order of the later triangle.
+bool is_listed(const ContactFace* first, const ContactFace* last, std::int32_t earlier, std::int32_t later) {
+    const auto before = [](const ContactFace& face, const std::pair<std::int32_t, std::int32_t>& pair) {
+        return std::pair(face.later, face.earlier) < pair;
+    };
+    const std::pair<std::int32_t, std::int32_t> pair(later, earlier);
+    const ContactFace* found = std::lower_bound(first, last, pair, before);
+    return found != last && found->later == later && found->earlier == earlier;
+}
+
 }  // namespace
 
 bool differs(const ContactFace& face) {
@@ -269,21 +279,24 @@ NearCoincidence overlap_contacts(Soup& soup, const FacingSearch& search, const E
         const ContactFace* last = std::find_if(first, end, [&](const ContactFace& face) {
             return operand_of(soup, face.later) != operand_of(soup, first->later);
         });
+        std::set<std::pair<std::int32_t, bool>> common_faces;
+        for (const ContactFace* face = first; face != last; ++face) {
+            common_faces.insert({face->earlier, face->same_side});
+        }
         for (const auto& [later, most] : around(soup, search.near(), first, last, planes, options.clearance)) {
             pace.step();
             const std::int32_t t = later;
             const double gap = most;
-            std::vector<std::int32_t> below;
-            search.for_each_facing(t, gap, 0.0,
-                                   [&](std::int32_t earlier, const Overlap&) { below.push_back(earlier); });
-            // What faces the triangle only where it has moved to counts, too.
-            search.for_each_facing(
-                t, gap, gap / NearCoincidenceTuning::kLargestGap, [&](std::int32_t earlier, const Overlap& overlap) {
-                    if (-overlap.low <= gap && overlap.high <= gap) {
-                        const bool beside = std::find(below.begin(), below.end(), earlier) == below.end();
-                        planes.leave(earlier, t, overlap, beside);
-                    }
-                });
+            // What faces the triangle only where it has moved to counts, too, if it is of a common face, or in one
+            // plane with the triangle.
+            search.for_each_facing(t, gap, gap / NearCoincidenceTuning::kLargestGap,
+                                   [&](std::int32_t earlier, const Overlap& overlap) {
+                                       const bool common = common_faces.count({earlier, overlap.same_side}) > 0;
+                                       const double limit = common ? gap : options.clearance;
+                                       if (-overlap.low <= limit && overlap.high <= limit) {
+                                           planes.leave(earlier, t, overlap, !is_listed(first, last, earlier, t));
+                                       }
+                                   });
         }
         planes.settle();
         first = last;
