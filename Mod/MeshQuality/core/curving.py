@@ -347,9 +347,9 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     })
     values["threads"] = options.THREADS.checked(threads)
     _check_given(mesh, mesh_scale, values, shape)
-    of_shape = shape is not None or not isinstance(shape_or_mesh, SurfaceMesh)
-    division = division_for(shape_or_mesh if shape is None else shape, patches, patch_rest) if of_shape else None
-    module = extension()
+    source, module = shape_or_mesh if shape is None else shape, extension()
+    division = None if isinstance(source, SurfaceMesh) else division_for(source, patches, patch_rest)
+    left_out = hidden_parts.sentences_of(source)
     module.set_fill_program(program("meshquality_fill"))
     curving = module.CurveOptions()
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid", "threads")}, curving)
@@ -366,4 +366,4 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         straight = module.TriangulateOptions()
         options.hand_over({name: value for name, value in values.items() if name != "overlap"}, straight)
         curved = module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress)
-    return hidden_parts.note(CurvedMesh(curved, patches=kept(division, curved)), [shape_or_mesh if shape is None else shape])
+    return hidden_parts.noted(CurvedMesh(curved, patches=kept(division, curved)), left_out)

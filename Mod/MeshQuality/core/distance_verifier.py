@@ -44,7 +44,9 @@ def faults_of(shape, nodes, rows, said, proven, progress=None):
     compared = np.unique(np.linspace(0, len(rows) - 1, min(_COMPARED, len(rows))).astype(int))
     own, cosine = _own_faces(shape, nodes, rows[compared], faces[compared], _MIDDLE)
     folded = np.zeros(len(rows), dtype=bool)
-    listed = np.array(said.get("folded_on_cad", []), dtype=int)
+    if "folded_on_cad" not in said:
+        return [*found, "the certificate does not list the triangles that fold over their CAD face"]
+    listed = np.array(said["folded_on_cad"], dtype=int)
     if listed.max(initial=-1) >= len(rows) or len(np.unique(listed)) != _number(proven["folded_on_cad"]):
         return [*found, f"the certificate says folded_on_cad = {proven['folded_on_cad']!r}, but lists {len(listed):,} such triangles"]
     folded[listed] = True

@@ -31,11 +31,12 @@ def sentences_of(source, with_meshes=False):
     return [verdict.counted_list(phrases.LEFT_OUT, labels, name=convert.label_of(source))] if labels else []
 
 
-def note(mesh, sources, with_meshes=False):
-    """Adds these sentences to the report of a mesh that is made of sources."""
-    left = [text for source in sources for text in sentences_of(source, with_meshes)]
-    if left:
-        mesh.report.notes = [*mesh.report.notes, *left]
+def noted(mesh, sentences):
+    """The mesh, with sentences_of its sources among the notes of its report. They are asked for before the mesh is made:
+    meanwhile documents may be closed.
+    """
+    if sentences:
+        mesh.report.notes = [*mesh.report.notes, *sentences]
     return mesh
 
 

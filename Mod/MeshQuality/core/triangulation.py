@@ -82,8 +82,9 @@ def _meshed(shape, values, progress, cache, division):
     overlap = values.pop("overlap")
     core_options.local_sizes = element_names.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
+    left_out = hidden_parts.sentences_of(shape)
     surface = module.triangulate(live_shape, core_options, progress, _core_cache(cache))
-    return hidden_parts.note(SurfaceMesh(surface, kept(division, surface), overlap), [shape])
+    return hidden_parts.noted(SurfaceMesh(surface, kept(division, surface), overlap), left_out)
 
 
 class MeshCache(metaclass=Public):

@@ -99,7 +99,8 @@ def wrap(objects, gap, tolerance=None, dry=None, progress=None, threads=0):
     options.require_callable(progress)
     places = _places(dry)
     wrapped = Wrapped(objects)
-    return hidden_parts.note(run(wrapped, values, progress, places), wrapped.sources, with_meshes=True)
+    left_out = [text for source in wrapped.sources for text in hidden_parts.sentences_of(source, with_meshes=True)]
+    return hidden_parts.noted(run(wrapped, values, progress, places), left_out)
 
 
 class Wrapped:

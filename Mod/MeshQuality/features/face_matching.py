@@ -13,15 +13,15 @@ def described(shape):
 
 
 def followed(before, now):
-    """{number of a face before an edit: its number after it}, of those that are found again.
+    """{number of a face before an edit: its number after it}, of those that are found again; None: all keep their numbers.
 
-    An edit of dimensions alone leaves the kinds of all faces, and FreeCAD then their numbers, so that all are kept; unless
-    one of them lies at another number, as in a shape that lists its faces in another order.
+    An edit of dimensions alone leaves the kinds of all faces, and FreeCAD then their numbers; unless one of them lies at
+    another number, as in a shape that lists its faces in another order.
     """
     found = _same_faces(before, now) if now else {}
     same_kinds = [face[0] for face in before] == [face[0] for face in now]
     if same_kinds and all(index == place for index, place in found.items()):
-        return {index: index for index in range(len(before))}
+        return None
     return found
 
 

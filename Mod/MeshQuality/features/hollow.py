@@ -93,8 +93,8 @@ def _followed(names, before, now):
     """
     try:
         held = json.loads(before or "{}")
-        same = held.get("names") != names
-        places = {} if same else face_matching.followed(held["faces"], now)
+        places = face_matching.followed(held["faces"], now) if held.get("names") == names else None
+        same = places is None
     except (ValueError, KeyError, TypeError, IndexError, AttributeError):  # edited by hand
         same = True
     if same:

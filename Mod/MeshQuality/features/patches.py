@@ -97,10 +97,10 @@ def follow_sources(obj, faces):
     for prefix in before:
         old, new = before[prefix], now.get(prefix, [])
         places = face_matching.followed(old, new)
-        for name, said in patches.items():
-            said["faces"] = [_followed(face, prefix, name, places, lost) for face in said["faces"]]
-    if lines_of_patches(patches) != lines_of_patches(patches_of_lines(obj.Patches)):
-        obj.Patches = lines_of_patches(patches)
+        if places is not None:
+            for name, said in patches.items():
+                said["faces"] = [_followed(face, prefix, name, places, lost) for face in said["faces"]]
+            obj.Patches = lines_of_patches(patches)
     obj.PatchesChanged = [*obj.PatchesChanged, *lost]  # until they are chosen anew
     obj.PatchFaces = _saved(now)
     return lost
