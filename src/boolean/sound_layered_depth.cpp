@@ -16,7 +16,7 @@ namespace mq::boolean {
 namespace {
 
 /// How far vertices of faulty triangles are moved inward, as a fraction of the tolerance, in the mean.
-constexpr double kShift = 0.02;
+constexpr double kShift = 0.005;
 
 /// Moves the vertices of triangles with faults inward, each by a length of its own, but for those of operands' own
 /// triangles. The scheme lays sheets on each other that are coplanar but for rounding: where they enclose such a film,

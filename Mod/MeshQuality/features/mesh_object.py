@@ -424,9 +424,10 @@ class _Observer:
             if not isinstance(getattr(obj, "Proxy", None), MeshObject) or "Invalid" not in obj.State \
                     or not getattr(obj, "Fingerprint", "") or obj.Status == SOURCE_DELETED or obj.Certificate == verdict.NOT_COMPUTED:
                 continue
-            obj.Certificate, obj.CertificateData = verdict.NOT_COMPUTED, ""
-            if not obj.Status.startswith(FAILED):
-                obj.Status, obj.StatusData = f"{FAILED}{obj.getStatusString()}", ""
+            with suppress(AttributeError):  # where they are read-only, FreeCAD's own mark is all there is
+                obj.Certificate, obj.CertificateData = verdict.NOT_COMPUTED, ""
+                if not obj.Status.startswith(FAILED):
+                    obj.Status, obj.StatusData = f"{FAILED}{obj.getStatusString()}", ""
 
 
 FreeCAD.addDocumentObserver(_Observer())

@@ -360,8 +360,8 @@ void require_some(const OperandMesh& draft) {
 
 }  // namespace
 
-Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, double reach,
-                        const Progress* progress, bool oriented) {
+Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, double reach, const Progress* progress,
+                        bool oriented) {
     OperandMesh draft = welded_draft(mesh, name, progress);
     if (!is_fit(draft)) {
         repair_with_cracks(draft, reach, progress);

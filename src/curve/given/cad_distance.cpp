@@ -350,8 +350,8 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
     Session session(engine, model, &watched);
     const geometry::Topology& topology = session.topology();
     const std::vector<std::array<double, 2>> extents = extents_of_faces(session);
-    const double spacing = spacing_for(extents, double(triangles.size()) / Lattice::of(2, order).size(),
-                                       topology.box.largest_side());
+    const double spacing =
+        spacing_for(extents, double(triangles.size()) / Lattice::of(2, order).size(), topology.box.largest_side());
     CadDistances result;
     double largest = -1.0;
     const auto take = [&](const Samples& samples, const std::vector<int>& faces) {
