@@ -15,8 +15,10 @@ namespace mq::boolean {
 
 namespace {
 
-/// How far vertices of faulty triangles are moved inward, as a fraction of the tolerance, in the mean.
-constexpr double kShift = 0.005;
+/// How far vertices of faulty triangles are moved inward, as a fraction of the tolerance, in the mean: less where
+/// vertices were put on CAD faces, near which they are to stay.
+constexpr double kShift = 0.02;
+constexpr double kShiftOnFaces = 0.005;
 
 /// Moves the vertices of triangles with faults inward, each by a length of its own, but for those of operands' own
 /// triangles. The scheme lays sheets on each other that are coplanar but for rounding: where they enclose such a film,
@@ -94,7 +96,7 @@ void remove_crossings(UniformResult& result, double tolerance, Progress& progres
     if (check.passed()) {
         return;
     }
-    shift_faulty(result, check.faults, kShift * tolerance);
+    shift_faulty(result, check.faults, (result.fitted > 0 ? kShiftOnFaces : kShift) * tolerance);
     BooleanOptions options;
     options.tolerance = tolerance;
     options.oriented = true;
