@@ -28,9 +28,8 @@ struct ContactFace {
 /// or a disc. How its area grows with the distance tells them from a common face: that of a strip or a disc is
 /// proportional to the distance, that of a common face stays. So pairs of triangles that face each other within twice
 /// the tolerance are joined to regions, and a region is a common face if nine tenths of its area are within the
-/// tolerance, and if it is at least eight times as wide as its gap. Of it
-/// those pairs count whose gap is at most four times as large as that of nine tenths: not those of a rounding beside a
-/// plane face, which moves away from it.
+/// tolerance, and if it is at least eight times as wide as its gap. Of it those pairs count whose gap is at most four
+/// times as large as that of nine tenths: not those of a rounding beside a plane face, which moves away from it.
 ///
 /// Where a wall is thinner than the tolerance both of its sides are near the other surface: the nearer one counts.
 /// @param search  with a reach of at least twice the tolerance

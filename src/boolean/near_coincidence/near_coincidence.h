@@ -17,7 +17,8 @@ struct NearCoincidence {
 };
 
 struct OverlapOptions {
-    double tolerance = 0.0;  ///< mm, the largest displacement
+    /// mm, the largest displacement; twice this where it joins or parts bodies, as in a corner of three faces
+    double tolerance = 0.0;
     /// mm, how far a common face of the later operand goes beyond that of the earlier one: more than what rounding
     /// moves
     double clearance = 0.0;
@@ -32,12 +33,13 @@ bool differs(const ContactFace& face);
 /// left between them; in an intersection and a difference, out of it.
 ///
 /// A vertex takes the shortest way that leaves the planes of all faces on which its triangles lie, each by as much as
-/// the pair needs: a quadratic programme in three variables. Other faces on which
-/// it lies are planes of no constraint, so that a side of a body stays in its place while its base is moved along it;
-/// but planes of the earlier operand in which or beside which a face of the vertex lies are left as well, or the vertex
-/// would slide along them. A vertex whose way is longer than the tolerance stays.
+/// the pair needs: a quadratic programme in three variables. Planes of other faces are no constraint, so that a side of
+/// a body stays in its place while its base is moved along it; but planes of the common face, or in one plane with the
+/// triangle, on which it lies only after the move are left as well. Where not all can be left, those that join or part
+/// bodies come first. A vertex whose way is longer than the tolerance allows stays.
 ///
-/// Faces that coincide exactly are left alone: the arrangement knows them. Nothing is moved for a symmetric difference.
+/// Faces that coincide exactly are left alone, unless a vertex of them moves: the arrangement knows them. Nothing is
+/// moved for a symmetric difference.
 /// @param search, contacts  of the soup
 NearCoincidence overlap_contacts(Soup& soup, const FacingSearch& search, const Expression& expression,
                                  const std::vector<ContactFace>& contacts, const OverlapOptions& options,
