@@ -249,7 +249,7 @@ void bind_measures(ReportClass& report) {
                       "whether solids that touch have the same triangles on both sides")
         .def_readonly("self_intersections", &MeshReport::self_intersections,
                       "pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, "
-                      "and of loose faces that cross; -1: not looked for")
+                      "and of loose faces that cross; counted up to MOST_CROSSINGS; -1: not looked for")
         .def_readonly("overlaps", &MeshReport::overlaps,
                       "pairs of triangles of different volumes, such as the solids of an assembly, that cross, but for "
                       "those of bodies that only touch; -1: not looked for")

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/occt/shape_model.h"
+#include "mesh/intersection/self_intersection.h"
 #include "python/bindings.h"
 #include "python/progress_watch.h"
 #include "python/running_work.h"
@@ -42,6 +43,7 @@ PYBIND11_MODULE(_core, m) {
     m.doc() = "The C++ core of MeshQuality. Scripts use the package MeshQuality.";
     require_same_kernel();
     m.attr("occt_version") = mq::geometry::occt_version();
+    m.attr("MOST_CROSSINGS") = mq::mesh::kMostCounted;
     mq::python::bind_errors(m);
     mq::python::bind_freecad_mesh(m);
     mq::python::bind_mesh(m);

@@ -115,7 +115,7 @@ WrapSurface wrap_objects(const std::vector<BooleanOperand>& objects, const std::
     figures.reconstructed = result.mesh.triangles.size();
     figures.seconds = std::move(wrapped.seconds);
     const std::vector<mesh::ContactPair> contacts =
-        mesh::self_intersections(result.mesh.vertices, result.mesh.triangles, mesh::kAllPairs, &progress);
+        mesh::self_intersections(result.mesh.vertices, result.mesh.triangles, mesh::kMostCounted, &progress);
     figures.self_intersections = static_cast<std::int64_t>(contacts.size());
     figures.faults_left = contacts.size();
     complete_report(result, before, "the result is empty: nothing of what is given is as large as the tolerance",

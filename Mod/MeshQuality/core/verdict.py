@@ -451,9 +451,14 @@ def _crossing_pairs(mesh, progress=None):
     """The finding of crossing triangles of a SurfaceMesh whose report does not count them."""
     check = None if progress is None else lambda fraction, stage: progress(1.0, "checking")
     count = extension().verify(mesh._surface, check)["crossing pair of triangles"]
-    if count >= _COUNTED:
-        return [Finding(_sentence(phrases.CROSSING_MANY, count=f"{_COUNTED:,}"))]
-    return [Finding(_counted(phrases.CROSSING, count))] if count else []
+    return [Finding(_pairs(count, _COUNTED))] if count else []
+
+
+def _pairs(count, most):
+    """How many pairs of triangles cross; counting ended at the most."""
+    if count >= most:
+        return _sentence(phrases.CROSSING_MANY, count=f"{most:,}")
+    return _counted(phrases.CROSSING, count)
 
 
 def _crossings(report):
@@ -461,7 +466,7 @@ def _crossings(report):
     if report.self_intersections <= 0:
         return []
     pairs = [tuple(f"Face{face + 1}" for face in crossing[:2]) for crossing in report.crossing_faces]
-    said = [_counted(phrases.CROSSING, report.self_intersections)]
+    said = [_pairs(report.self_intersections, extension().MOST_CROSSINGS)]
     for first, second in pairs[:_NAMED]:
         said.append(Text(phrases.CROSSES_ITSELF, face=first) if first == second
                     else Text(phrases.FACES_CROSS, face=first, face2=second))

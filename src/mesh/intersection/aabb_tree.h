@@ -53,7 +53,8 @@ class AabbTree {
     template <typename Visit>
     void for_each_pair(const AabbTree& other, Visit&& visit) const;
 
-    /// visit(i, j) once for each two different triangles of this tree whose boxes meet.
+    /// visit(i, j) once for each two different triangles of this tree whose boxes meet. A visit that returns a bool
+    /// ends the search by false; so do those of the traversals below.
     template <typename Visit>
     void for_each_own_pair(Visit&& visit) const {
         if (size() > 0) {
@@ -63,8 +64,7 @@ class AabbTree {
     template <typename Visit>
     void for_each_own_pair(Task task, Visit&& visit) const;
 
-    /// visit(i) for each triangle whose box meets the closed box. A visit that returns a bool ends the search by false;
-    /// so do the visits below.
+    /// visit(i) for each triangle whose box meets the closed box.
     template <typename Visit>
     void for_each_in_box(const Box& box, Visit&& visit) const;
 
@@ -144,20 +144,21 @@ class AabbTree {
     static bool divide_first(const Node& a, const Node& b) {
         return b.count > 0 || (a.count == 0 && a.bounds.size() >= b.bounds.size());
     }
-    /// Runs one task of a traversal: reports the pairs of two leaves, or puts the subtasks on the stack.
+    /// Runs one task of a traversal: reports the pairs of two leaves, or puts the subtasks on the stack. False when a
+    /// visit ended the search.
     template <typename Visit>
-    void step(const AabbTree& other, Task task, std::vector<Task>& stack, Visit& visit) const;
+    bool step(const AabbTree& other, Task task, std::vector<Task>& stack, Visit& visit) const;
     template <typename Visit>
-    void own_step(Task task, std::vector<Task>& stack, Visit& visit) const;
+    bool own_step(Task task, std::vector<Task>& stack, Visit& visit) const;
     bool in_one_group(Task task) const {
         return !node_group_.empty() && node_group_[task.a] >= 0 && node_group_[task.a] == node_group_[task.b];
     }
-    template <typename Visit>
-    static bool go_on(Visit& visit, std::int32_t triangle) {
-        if constexpr (std::is_same_v<decltype(visit(triangle)), bool>) {
-            return visit(triangle);
+    template <typename Visit, typename... Triangles>
+    static bool go_on(Visit& visit, Triangles... triangles) {
+        if constexpr (std::is_same_v<decltype(visit(triangles...)), bool>) {
+            return visit(triangles...);
         } else {
-            visit(triangle);
+            visit(triangles...);
             return true;
         }
     }
@@ -204,19 +205,19 @@ class AabbTree::Ray {
 };
 
 template <typename Visit>
-void AabbTree::step(const AabbTree& other, Task task, std::vector<Task>& stack, Visit& visit) const {
+bool AabbTree::step(const AabbTree& other, Task task, std::vector<Task>& stack, Visit& visit) const {
     const Node& a = nodes_[task.a];
     const Node& b = other.nodes_[task.b];
     if (!a.bounds.meets(b.bounds)) {
-        return;
+        return true;
     }
     if (a.count > 0 && b.count > 0) {
         const Item* a_end = items_.data() + a.first + a.count;
         const Item* b_end = other.items_.data() + b.first + b.count;
         for (const Item* i = &items_[a.first]; i != a_end; ++i) {
             for (const Item* j = &other.items_[b.first]; j != b_end; ++j) {
-                if (i->bounds.meets(j->bounds)) {
-                    visit(i->triangle, j->triangle);
+                if (i->bounds.meets(j->bounds) && !go_on(visit, i->triangle, j->triangle)) {
+                    return false;
                 }
             }
         }
@@ -227,32 +228,33 @@ void AabbTree::step(const AabbTree& other, Task task, std::vector<Task>& stack, 
         stack.push_back({task.a, b.first + 1});
         stack.push_back({task.a, b.first});
     }
+    return true;
 }
 
 template <typename Visit>
-void AabbTree::own_step(Task task, std::vector<Task>& stack, Visit& visit) const {
+bool AabbTree::own_step(Task task, std::vector<Task>& stack, Visit& visit) const {
     if (in_one_group(task)) {
-        return;
+        return true;
     }
     if (task.a != task.b) {
-        step(*this, task, stack, visit);
-        return;
+        return step(*this, task, stack, visit);
     }
     const Node& node = nodes_[task.a];
     if (node.count == 0) {
         stack.push_back({node.first, node.first + 1});
         stack.push_back({node.first + 1, node.first + 1});
         stack.push_back({node.first, node.first});
-        return;
+        return true;
     }
     const Item* end = items_.data() + node.first + node.count;
     for (const Item* i = &items_[node.first]; i != end; ++i) {
         for (const Item* j = i + 1; j != end; ++j) {
-            if (i->bounds.meets(j->bounds)) {
-                visit(i->triangle, j->triangle);
+            if (i->bounds.meets(j->bounds) && !go_on(visit, i->triangle, j->triangle)) {
+                return false;
             }
         }
     }
+    return true;
 }
 
 template <typename Visit>
@@ -264,7 +266,9 @@ void AabbTree::for_each_pair(const AabbTree& other, Visit&& visit) const {
     while (!stack.empty()) {
         const Task top = stack.back();
         stack.pop_back();
-        step(other, top, stack, visit);
+        if (!step(other, top, stack, visit)) {
+            return;
+        }
     }
 }
 
@@ -274,7 +278,9 @@ void AabbTree::for_each_own_pair(Task task, Visit&& visit) const {
     while (!stack.empty()) {
         const Task top = stack.back();
         stack.pop_back();
-        own_step(top, stack, visit);
+        if (!own_step(top, stack, visit)) {
+            return;
+        }
     }
 }
 

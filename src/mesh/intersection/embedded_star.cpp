@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/intersection/embedded_star.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 namespace mq::mesh {
 namespace {
 
-constexpr std::size_t kLargestStar = 24;  ///< larger ones are tested pair by pair
-
-/// The edge of a triangle opposite the vertex.
-struct LinkEdge {
-    std::int32_t tail;
-    std::int32_t head;
+/// A triangle of the star: the vertices of its edge opposite the center, as seen from there.
+struct Sector {
+    std::int32_t from;
+    std::int32_t to;
+    Vec3 tail;
+    Vec3 head;
 };
 
-/// Every vertex is as often a head as a tail, so that the link is made of closed walks.
-bool is_closed(const LinkEdge* link, std::size_t count) {
+/// Every vertex is as often a head as a tail, so that the link is made of closed walks. The rooms are for `count`
+/// vertices each.
+bool is_closed(const Sector* sectors, std::size_t count, std::int32_t* tails, std::int32_t* heads) {
     for (std::size_t i = 0; i < count; ++i) {
-        int balance = 0;
-        for (std::size_t j = 0; j < count; ++j) {
-            balance += (link[j].tail == link[i].head) - (link[j].head == link[i].head);
-        }
-        if (balance != 0) {
-            return false;
-        }
+        tails[i] = sectors[i].from;
+        heads[i] = sectors[i].to;
     }
-    return true;
+    std::sort(tails, tails + count);
+    std::sort(heads, heads + count);
+    return std::equal(tails, tails + count, heads);
 }
 
 /// Two directions that span the plane across `normal`, roughly as long as it and turning counter-clockwise around it.
@@ -37,40 +37,13 @@ void span_plane(const Vec3& normal, Vec3& x, Vec3& y) {
     y = normal.cross(x);
 }
 
-}  // namespace
-
 // The projection (q . x, q . y) of q = p - v is a linear map with exactly the coefficients x and y, whatever their
 // rounding errors. A computed coordinate has an error of less than 5 u |q| |x|, the turn of two of them, x1 y2 - x2 y1,
 // of less than 24 u |q1| |q2| |x| |y|, with u the unit roundoff. A turn above the margin of 64 u is then positive for
 // the true projections, for the computed ones, and for all those between them: both polygons turn equally often around
 // v. As every step turns by less than half a turn, the number of turns is the number of times that the sign of y
 // changes from - to +.
-bool embedded_star(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, VertexStars::Star star) {
-    const std::size_t count = star.size();
-    if (count < 3 || count > kLargestStar) {
-        return false;
-    }
-    std::array<LinkEdge, kLargestStar> link;
-    std::array<Vec3, kLargestStar> tail;
-    std::array<Vec3, kLargestStar> head;
-    Vec3 normal = Vec3::Zero();
-    const Vec3 center = vertices[triangles[*star.first / 3][*star.first % 3]];
-    for (std::size_t k = 0; k < count; ++k) {
-        const Triangle& t = triangles[star.first[k] / 3];
-        const std::uint32_t i = star.first[k] % 3;
-        link[k] = {t[(i + 1) % 3], t[(i + 2) % 3]};
-        tail[k] = vertices[link[k].tail] - center;
-        head[k] = vertices[link[k].head] - center;
-        const Vec3 cross = tail[k].cross(head[k]);
-        const double length = cross.norm();
-        if (length == 0.0) {
-            return false;
-        }
-        normal += cross / length;
-    }
-    if (!is_closed(link.data(), count)) {
-        return false;
-    }
+bool turns_once(const Sector* sectors, std::size_t count, const Vec3& normal) {
     Vec3 x;
     Vec3 y;
     span_plane(normal, x, y);
@@ -78,16 +51,56 @@ bool embedded_star(const std::vector<Vec3>& vertices, const std::vector<Triangle
     constexpr double kMargin = 32.0 * std::numeric_limits<double>::epsilon();
     const double margin = kMargin * kMargin * x.squaredNorm() * y.squaredNorm();
     int turns = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-        const double y_tail = tail[k].dot(y);
-        const double y_head = head[k].dot(y);
-        const double turn = tail[k].dot(x) * y_head - head[k].dot(x) * y_tail;
-        if (turn <= 0.0 || !(turn * turn > margin * tail[k].squaredNorm() * head[k].squaredNorm())) {
+    for (const Sector* s = sectors; s != sectors + count; ++s) {
+        const double y_tail = s->tail.dot(y);
+        const double y_head = s->head.dot(y);
+        const double turn = s->tail.dot(x) * y_head - s->head.dot(x) * y_tail;
+        if (turn <= 0.0 || !(turn * turn > margin * s->tail.squaredNorm() * s->head.squaredNorm())) {
             return false;
         }
         turns += static_cast<int>(y_tail < 0.0 && y_head >= 0.0);
     }
     return turns == 1;
+}
+
+/// With rooms for as many sectors and vertices as the star has triangles.
+bool is_embedded(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, VertexStars::Star star,
+                 Sector* sectors, std::int32_t* tails, std::int32_t* heads) {
+    Vec3 normal = Vec3::Zero();
+    const Vec3 center = vertices[triangles[*star.first / 3][*star.first % 3]];
+    for (std::size_t k = 0; k < star.size(); ++k) {
+        const Triangle& t = triangles[star.first[k] / 3];
+        const std::uint32_t i = star.first[k] % 3;
+        const std::int32_t from = t[(i + 1) % 3];
+        const std::int32_t to = t[(i + 2) % 3];
+        sectors[k] = {from, to, vertices[from] - center, vertices[to] - center};
+        const Vec3 cross = sectors[k].tail.cross(sectors[k].head);
+        const double length = cross.norm();
+        if (length == 0.0) {
+            return false;
+        }
+        normal += cross / length;
+    }
+    return is_closed(sectors, star.size(), tails, heads) && turns_once(sectors, star.size(), normal);
+}
+
+}  // namespace
+
+bool embedded_star(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, VertexStars::Star star) {
+    constexpr std::size_t kOnStack = 24;  // triangles of a star for which no memory is asked for
+    if (star.size() < 3) {
+        return false;
+    }
+    if (star.size() <= kOnStack) {
+        std::array<Sector, kOnStack> sectors;
+        std::array<std::int32_t, kOnStack> tails;
+        std::array<std::int32_t, kOnStack> heads;
+        return is_embedded(vertices, triangles, star, sectors.data(), tails.data(), heads.data());
+    }
+    std::vector<Sector> sectors(star.size());
+    std::vector<std::int32_t> tails(star.size());
+    std::vector<std::int32_t> heads(star.size());
+    return is_embedded(vertices, triangles, star, sectors.data(), tails.data(), heads.data());
 }
 
 }  // namespace mq::mesh

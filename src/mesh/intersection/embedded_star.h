@@ -13,7 +13,7 @@ namespace mq::mesh {
 /// The star must be closed: each other vertex of it is as often the head as the tail of a link edge. It is then
 /// projected along the mean of its normals. Where every triangle keeps its orientation, with a margin for rounding, and
 /// the link turns once around the vertex, the projection is one-to-one, and so the triangles are disjoint. False means
-/// undecided. About 0.1 us for six triangles.
+/// undecided. About 0.1 us for six triangles; O(n log n).
 bool embedded_star(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, VertexStars::Star star);
 
 }  // namespace mq::mesh

@@ -9,6 +9,8 @@
 #include "base/memory/large_vector.h"
 #include "base/predicates.h"
 #include "mesh/corner_table.h"
+#include "mesh/intersection/embedded_star.h"
+#include "mesh/vertex_stars.h"
 
 namespace mq::mesh {
 namespace {
@@ -214,6 +216,7 @@ class PatchFinder {
     std::vector<std::int32_t> run(const Progress* progress) {
         std::int32_t trial = 0;
         std::int32_t patches = 0;
+        take_large_stars(trial, patches);
         for (std::size_t seed = 0; seed < triangles_.size(); ++seed) {
             if (tried_[seed] != kNone) {
                 continue;
@@ -234,6 +237,35 @@ class PatchFinder {
     }
 
   private:
+    /// A star with more triangles than the largest patch is one where it is embedded: as their boxes all meet in its
+    /// center, every two of them would be tested.
+    void take_large_stars(std::int32_t& trial, std::int32_t& patches) {
+        std::vector<std::uint32_t> valence(vertices_.size(), 0);
+        for (const Triangle& t : triangles_) {
+            for (const std::int32_t v : t) {
+                ++valence[static_cast<std::size_t>(v)];
+            }
+        }
+        if (std::none_of(valence.begin(), valence.end(), [](std::uint32_t count) { return count > kMost; })) {
+            return;
+        }
+        const VertexStars stars(triangles_, vertices_.size());
+        for (std::size_t v = 0; v < vertices_.size(); ++v) {
+            const VertexStars::Star star = stars[v];
+            if (star.size() <= kMost ||
+                std::any_of(star.begin(), star.end(), [&](std::uint32_t c) { return tried_[c / 3] != kNone; }) ||
+                !embedded_star(vertices_, triangles_, star)) {
+                continue;
+            }
+            for (const std::uint32_t corner : star) {
+                tried_[corner / 3] = trial;
+                patch_[corner / 3] = patches;
+            }
+            ++trial;
+            ++patches;
+        }
+    }
+
     Vec3 normal(std::int32_t t) const {
         const Triangle& c = triangles_[static_cast<std::size_t>(t)];
         const Vec3& a = vertices_[static_cast<std::size_t>(c[0])];

@@ -11,7 +11,8 @@
 namespace mq::mesh {
 
 /// For each triangle the patch to which it belongs, -1 where it belongs to none. A patch is a height field over a
-/// coordinate plane: no two of its triangles meet except in the vertices and edges they share.
+/// coordinate plane, or the star of a vertex with more than 4096 triangles over another plane (see embedded_star): no
+/// two of its triangles meet except in the vertices and edges they share.
 ///
 /// Patches grow over edges of two triangles as long as the projection keeps their orientation. A patch is proven by its
 /// border (compare Volino, Magnenat-Thalmann 1994): where the projected border consists of loops that are simple and

@@ -35,20 +35,22 @@ class Collector {
           limit_(limit),
           progress_(progress) {}
 
-    void operator()(std::int32_t i, std::int32_t j) {
+    /// False once there are as many as the limit.
+    bool operator()(std::int32_t i, std::int32_t j) {
         // Pairs tested between two checks for cancellation.
         constexpr std::uint32_t kPairsBetweenChecks = 1u << 16;
         if (progress_ != nullptr && ++asked_ % kPairsBetweenChecks == 0) {
             progress_->check();
         }
-        if (found_.size() >= limit_ || in_one_patch(i, j) || settled(triangles_[i], triangles_[j])) {
-            return;
+        if (in_one_patch(i, j) || settled(triangles_[i], triangles_[j])) {
+            return true;
         }
         const auto [a, b] = std::minmax(i, j);
         const Contact how = contact(vertices_, triangles_[a], triangles_[b]);
         if (how != Contact::None) {
             found_.push_back({a, b, how});
         }
+        return found_.size() < limit_;
     }
 
     std::vector<ContactPair> take() { return std::move(found_); }
@@ -296,9 +298,7 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
     const std::vector<std::int32_t> no_patches;
     Collector collector(vertices, triangles, no_patches, embedded, limit, progress);
     part->for_each_pair(*whole, [&](std::int32_t i, std::int32_t j) {
-        if (i != j && !(in_subset[j] != 0 && j < i)) {
-            collector(i, j);
-        }
+        return i == j || (in_subset[j] != 0 && j < i) || collector(i, j);
     });
     return sorted(collector.take());
 }

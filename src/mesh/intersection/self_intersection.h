@@ -23,6 +23,9 @@ struct ContactPair {
 /// The value of a limit that lists all pairs.
 constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 
+/// The value of a limit for pairs that are only counted: a report that counts as many says that there are more.
+constexpr std::size_t kMostCounted = 1'000'000;
+
 /// All pairs of triangles of a mesh that touch or cross each other, in ascending order; at most `limit` of them. If
 /// fewer are returned the list is complete.
 ///

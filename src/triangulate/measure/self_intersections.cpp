@@ -10,13 +10,6 @@
 
 namespace mq::triangulate {
 
-namespace {
-
-// Largest number of pairs found, which bounds memory and time on badly broken meshes.
-constexpr std::size_t kMostPairs = 1'000'000;
-
-}  // namespace
-
 SelfIntersections::SelfIntersections(Workspace& work) : work_(work) {
     const geometry::Topology& topology = work.session.topology();
     volumes_of_face_.resize(topology.faces.size());
@@ -114,8 +107,8 @@ void SelfIntersections::find() {
     pairs_.clear();
     others_.clear();
     const std::vector<mesh::ContactPair> found =
-        mesh::self_intersections(mesh.points(), triangles, kMostPairs, &work_.progress);
-    incomplete_ = found.size() >= kMostPairs;
+        mesh::self_intersections(mesh.points(), triangles, mesh::kMostCounted, &work_.progress);
+    incomplete_ = found.size() >= mesh::kMostCounted;
     for (const mesh::ContactPair& pair : found) {
         if (one_volume(faces_of({pair.a, pair.b}))) {
             pairs_.push_back({pair.a, pair.b});
