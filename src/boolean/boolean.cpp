@@ -114,12 +114,14 @@ class BooleanPipeline {
     void make_soup() {
         soup_ = Soup();
         soup_.operands = static_cast<int>(prepared_.size());
+        boxes_.assign(prepared_.size(), Box());
         const Vec3 origin = inputs_.front()->origin;
         for (std::size_t i = 0; i < prepared_.size(); ++i) {
             const auto first = static_cast<std::int32_t>(soup_.vertices.size());
             const Vec3 shift = inputs_[i]->origin - origin;
             for (const Vec3& p : prepared_[i].vertices) {
                 soup_.vertices.emplace_back(shift.isZero() ? p : Vec3(p + shift));
+                boxes_[i].add(soup_.vertices.back());
             }
             for (std::size_t t = 0; t < prepared_[i].triangles.size(); ++t) {
                 const Triangle& c = prepared_[i].triangles[t];
@@ -161,7 +163,7 @@ class BooleanPipeline {
     void merge() {
         forget_moved_triangles(soup_);
         progress_.check();
-        merge_vertices(soup_);
+        merge_vertices(soup_, boxes_);
         progress_.check();
         twins_ = find_twins(soup_);
         progress_.check();
@@ -170,7 +172,7 @@ class BooleanPipeline {
     bool find_crossings() {
         stages_.start("finding contacts", 0.15, 0.25);
         merge();
-        const FacingSearch search(soup_, 2.0 * tolerance_);
+        const FacingSearch search(soup_, boxes_, 2.0 * tolerance_, progress_);
         const std::vector<ContactFace> faces = contact_faces(soup_, search, twins_, tolerance_, clearance(), progress_);
         if (std::any_of(faces.begin(), faces.end(), differs)) {
             // In a symmetric difference faces that go to either side would be wrong.
@@ -189,6 +191,7 @@ class BooleanPipeline {
                     in_short(2.0 * moved_) + " mm thin may be gone");
             }
             undo_degenerate_moves(soup_, before);
+            boxes_ = operand_boxes(soup_);
             merge();
         }
         stages_.start("finding crossings", 0.25, 0.5);
@@ -276,6 +279,7 @@ class BooleanPipeline {
     double joined_ = 0.0;  ///< how far operands were moved where cracks were closed, mm
     std::vector<Operand> prepared_;
     Soup soup_;
+    std::vector<Box> boxes_;  ///< that contain the operands
     std::vector<CoincidentTriangle> twins_;
     std::vector<std::array<std::int32_t, 2>> crossing_;
     StageWatch stages_{progress_, result_.seconds};

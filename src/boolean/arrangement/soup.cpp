@@ -13,17 +13,6 @@ namespace mq::boolean {
 
 namespace {
 
-std::vector<Box> operand_boxes(const Soup& soup) {
-    std::vector<Box> boxes(static_cast<std::size_t>(soup.operands));
-    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-        Box& box = boxes[static_cast<std::size_t>(soup.source[i].operand)];
-        for (const int v : soup.triangles[i]) {
-            box.add(soup.vertices[static_cast<std::size_t>(v)]);
-        }
-    }
-    return boxes;
-}
-
 /// The closed boxes common to two operands each.
 std::vector<Box> meeting_boxes(const std::vector<Box>& boxes) {
     std::vector<Box> found;
@@ -97,8 +86,19 @@ void forget_moved_triangles(Soup& soup) {
     }
 }
 
-void merge_vertices(Soup& soup) {
-    const std::vector<Box> meeting = meeting_boxes(operand_boxes(soup));
+std::vector<Box> operand_boxes(const Soup& soup) {
+    std::vector<Box> boxes(static_cast<std::size_t>(soup.operands));
+    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+        Box& box = boxes[static_cast<std::size_t>(soup.source[i].operand)];
+        for (const int v : soup.triangles[i]) {
+            box.add(soup.vertices[static_cast<std::size_t>(v)]);
+        }
+    }
+    return boxes;
+}
+
+void merge_vertices(Soup& soup, const std::vector<Box>& boxes) {
+    const std::vector<Box> meeting = meeting_boxes(boxes);
     if (meeting.empty()) {
         return;
     }

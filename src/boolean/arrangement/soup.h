@@ -41,8 +41,12 @@ struct CoincidentTriangle {
 /// Marks the triangles with moved vertices as no operand's own.
 void forget_moved_triangles(Soup& soup);
 
+/// The box of each operand's triangles.
+std::vector<Box> operand_boxes(const Soup& soup);
+
 /// Gives vertices in the same place the same index (the lowest), wherever boxes of operands meet.
-void merge_vertices(Soup& soup);
+/// @param boxes  that contain the operands
+void merge_vertices(Soup& soup, const std::vector<Box>& boxes);
 
 /// Does the same for all vertices.
 void merge_all_vertices(Soup& soup);

@@ -10,75 +10,90 @@ namespace mq::boolean {
 
 namespace {
 
-Box box_of(const Soup& soup, std::size_t t) {
-    Box box;
-    for (const std::int32_t v : soup.triangles[t]) {
-        box.add(soup.vertices[static_cast<std::size_t>(v)]);
-    }
-    return box;
-}
-
 /// A grid over the places where boxes of operands come near each other, which knows the operands in each cell.
 class OperandCells {
   public:
     /// @param box  what the grid covers
-    /// @param cell  mm, the least side of a cell
-    OperandCells(const Box& box, double cell, std::size_t triangles) : box_(box) {
+    /// @param least  mm, the least side of a cell
+    OperandCells(const Soup& soup, const Box& box, double least) : cell_(soup.vertices.size()) {
         // About as many cells on a surface as it has triangles.
-        const double most = std::clamp(std::sqrt(static_cast<double>(triangles)), 1.0, kMostCells);
+        const double most = std::clamp(std::sqrt(static_cast<double>(soup.triangles.size())), 1.0, kMostCells);
+        Vec3 scale;
+        std::array<double, 3> last;
         for (int i = 0; i < 3; ++i) {
             const double side = box.high[i] - box.low[i];
-            count_[i] = std::max(1, static_cast<int>(std::min(most, side / cell)));
-            scale_[i] = side > 0.0 ? count_[i] / side : 0.0;
+            const int count = std::max(1, static_cast<int>(std::min(most, side / least)));
+            scale[i] = side > 0.0 ? count / side : 0.0;
+            last[i] = count;
+            side_[i] = count + 2;
         }
-        operand_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2], kNone);
+        // Cells 0 and count + 1 take what is outside of the box. The cell of a coordinate is a monotone function of it,
+        // however it is rounded.
+        for (std::size_t v = 0; v < cell_.size(); ++v) {
+            for (int i = 0; i < 3; ++i) {
+                const double x = soup.vertices[v][i];
+                const double inside = 1.0 + std::min((x - box.low[i]) * scale[i], last[i] - 1.0);
+                cell_[v][i] = static_cast<std::uint8_t>(x < box.low[i]    ? 0.0
+                                                        : x > box.high[i] ? last[i] + 1.0
+                                                                          : inside);
+            }
+        }
+        operand_.assign(static_cast<std::size_t>(side_[0]) * side_[1] * side_[2], kNone);
     }
 
-    /// Calls use(cell) for each cell that a box meets.
+    void mark(const Triangle& t, std::int32_t operand) {
+        all_ = all_ || !visit(t, 0, kMostMarked, [&](std::size_t cell) {
+                   operand_[cell] = operand_[cell] == kNone || operand_[cell] == operand ? operand : kSeveral;
+                   return true;
+               });
+    }
+    /// False only if no triangle of another operand was marked within a cell's side of this one.
+    bool is_near_other(const Triangle& t, std::int32_t operand) const {
+        const auto is_free = [&](std::size_t cell) { return operand_[cell] == kNone || operand_[cell] == operand; };
+        return all_ || !visit(t, 1, kMostAsked, is_free);
+    }
+
+  private:
+    static constexpr double kMostCells = 126.0;  ///< inside, along a side: 8 MB
+    /// Cells of one triangle at most; larger triangles make the grid useless, or are near without being asked.
+    static constexpr int kMostMarked = 32768;
+    static constexpr int kMostAsked = 4096;
+    static constexpr std::int32_t kNone = -1;
+    static constexpr std::int32_t kSeveral = -2;
+
+    /// use(cell) for each cell of the box of a triangle, larger by some cells. False when that has too many, or as soon
+    /// as `use` says so. Boxes outside of the grid have no cells.
     template <typename Use>
-    void visit(const Box& box, const Use& use) const {
+    bool visit(const Triangle& t, int larger, int most, const Use& use) const {
         std::array<int, 3> low;
         std::array<int, 3> high;
         for (int i = 0; i < 3; ++i) {
-            if (box.high[i] < box_.low[i] || box.low[i] > box_.high[i]) {
-                return;
+            const auto [least, greatest] = std::minmax({cell_[t[0]][i], cell_[t[1]][i], cell_[t[2]][i]});
+            low[i] = std::max(least - larger, 0);
+            high[i] = std::min(greatest + larger, side_[i] - 1);
+            if (greatest == 0 || least == side_[i] - 1) {
+                return true;
             }
-            low[i] = place(box.low[i], i);
-            high[i] = place(box.high[i], i);
+        }
+        if ((high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1) > most) {
+            return false;
         }
         for (int z = low[2]; z <= high[2]; ++z) {
             for (int y = low[1]; y <= high[1]; ++y) {
                 for (int x = low[0]; x <= high[0]; ++x) {
-                    use((static_cast<std::size_t>(z) * count_[1] + y) * count_[0] + x);
+                    if (!use((static_cast<std::size_t>(z) * side_[1] + y) * side_[0] + x)) {
+                        return false;
+                    }
                 }
             }
         }
-    }
-    void mark(const Box& box, std::int32_t operand) {
-        visit(box, [&](std::size_t cell) {
-            operand_[cell] = operand_[cell] == kNone || operand_[cell] == operand ? operand : kSeveral;
-        });
-    }
-    bool has_other(const Box& box, std::int32_t operand) const {
-        bool result = false;
-        visit(box,
-              [&](std::size_t cell) { result = result || (operand_[cell] != kNone && operand_[cell] != operand); });
-        return result;
+        return true;
     }
 
-  private:
-    static constexpr double kMostCells = 128.0;  ///< along a side: 8 MB
-    static constexpr std::int32_t kNone = -1;
-    static constexpr std::int32_t kSeveral = -2;
-
-    int place(double x, int i) const {
-        return std::clamp(static_cast<int>((x - box_.low[i]) * scale_[i]), 0, count_[i] - 1);
-    }
-
-    Box box_;
-    std::array<int, 3> count_{};
-    Vec3 scale_ = Vec3::Zero();
+    std::vector<std::array<std::uint8_t, 3>> cell_;  ///< of each vertex
+    std::array<int, 3> side_{};
     std::vector<std::int32_t> operand_;
+    bool all_ = false;  ///< whether everything may be near other operands
 };
 
 /// What is common to the boxes of two operands at least, each larger by `reach`.
@@ -97,24 +112,22 @@ Box common_box(const std::vector<Box>& boxes, double reach) {
 }
 
 /// Triangles near those of other operands: at least all that are within `reach` of one.
-std::vector<std::int32_t> near_other_operands(const Soup& soup, double reach) {
-    std::vector<Box> boxes(static_cast<std::size_t>(soup.operands));
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-        boxes[static_cast<std::size_t>(soup.source[t].operand)].add(box_of(soup, t));
-    }
+std::vector<std::int32_t> near_other_operands(const Soup& soup, const std::vector<Box>& boxes, double reach,
+                                              const Progress& progress) {
     std::vector<std::int32_t> result;
     const Box common = common_box(boxes, reach);
     if (common.empty()) {
         return result;
     }
-    OperandCells cells(common, reach, soup.triangles.size());
+    CancelPace pace(progress);
+    OperandCells cells(soup, common, reach);
     for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-        cells.mark(box_of(soup, t), soup.source[t].operand);
+        pace.step();
+        cells.mark(soup.triangles[t], soup.source[t].operand);
     }
     for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-        const Box own = box_of(soup, t);
-        const Box larger{own.low - Vec3::Constant(reach), own.high + Vec3::Constant(reach)};
-        if (cells.has_other(larger, soup.source[t].operand)) {
+        pace.step();
+        if (cells.is_near_other(soup.triangles[t], soup.source[t].operand)) {
             result.push_back(static_cast<std::int32_t>(t));
         }
     }
@@ -139,42 +152,33 @@ Box swept(const std::array<Vec3, 3>& q, double reach, double margin) {
     return {box.low - Vec3::Constant(margin), box.high + Vec3::Constant(margin)};
 }
 
-FacingSearch::BoundingCircle::BoundingCircle(const std::array<Vec3, 3>& q)
+BoundingCircle::BoundingCircle(const std::array<Vec3, 3>& q)
     : middle((q[0] + q[1] + q[2]) / 3.0), axis((q[1] - q[0]).cross(q[2] - q[0]).normalized()) {
     for (const Vec3& x : q) {
         radius = std::max(radius, (x - middle).norm());
     }
 }
 
-bool FacingSearch::BoundingCircle::meets_column_of(const std::array<Vec3, 3>& p, double margin) const {
-    const Vec3 way = (p[0] + p[1] + p[2]) / 3.0 - middle;
-    const double aside = way.squaredNorm() - std::pow(way.dot(axis), 2);
-    const Vec3 center = (p[0] + p[1] + p[2]) / 3.0;
-    const double other = std::sqrt(
-        std::max({(p[0] - center).squaredNorm(), (p[1] - center).squaredNorm(), (p[2] - center).squaredNorm()}));
-    // An edge that is shifted by the margin shifts corners of the enlarged triangle farther; what is left out there
-    // lies beside a corner.
-    return aside <= std::pow(radius + other + 2.0 * margin, 2);
-}
-
-FacingSearch::FacingSearch(const Soup& soup, double reach) : soup_(soup), near_(near_other_operands(soup, reach)) {
-    const auto operands = static_cast<std::size_t>(soup.operands);
-    std::vector<std::vector<std::int32_t>> own(operands);
+FacingSearch::FacingSearch(const Soup& soup, const std::vector<Box>& boxes, double reach, const Progress& progress)
+    : soup_(soup), near_(near_other_operands(soup, boxes, reach, progress)), operands_(boxes.size()) {
     for (const std::int32_t t : near_) {
-        own[static_cast<std::size_t>(operand_of(soup, t))].push_back(t);
+        NearTriangles& own = operands_[static_cast<std::size_t>(operand_of(soup, t))];
+        own.index.push_back(t);
+        own.triangles.push_back(soup.triangles[static_cast<std::size_t>(t)]);
     }
-    trees_.resize(operands);
-    parallel_for(soup.operands, [&](int k) {
-        const auto i = static_cast<std::size_t>(k);
-        trees_[i] = std::make_unique<mesh::AabbTree>(soup.vertices, soup.triangles, own[i]);
+    parallel_for(static_cast<int>(operands_.size()), [&](int k) {
+        NearTriangles& own = operands_[static_cast<std::size_t>(k)];
+        for (const std::int32_t t : own.index) {
+            own.circles.emplace_back(corners(soup, t));
+        }
+        own.tree.emplace(soup.vertices, own.triangles);
     });
-    earlier_.resize(operands);
-    for (std::size_t i = 0; i < operands; ++i) {
-        const Box box = trees_[i]->box();
+    for (std::size_t i = 0; i < operands_.size(); ++i) {
+        const Box box = operands_[i].tree->box();
         const Box larger{box.low - Vec3::Constant(reach), box.high + Vec3::Constant(reach)};
         for (std::size_t k = 0; k < i; ++k) {
-            if (trees_[k]->size() > 0 && trees_[k]->box().meets(larger)) {
-                earlier_[i].push_back(k);
+            if (operands_[k].tree->size() > 0 && operands_[k].tree->box().meets(larger)) {
+                operands_[i].earlier.push_back(k);
             }
         }
     }

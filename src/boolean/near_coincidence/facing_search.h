@@ -2,13 +2,16 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <vector>
 
+#include "base/progress.h"
 #include "boolean/arrangement/soup.h"
 #include "boolean/near_coincidence/facing_triangles.h"
+#include "boolean/near_coincidence/tuning.h"
 #include "mesh/intersection/aabb_tree.h"
 
 namespace mq::boolean {
@@ -22,11 +25,35 @@ inline std::int32_t operand_of(const Soup& soup, std::int32_t t) {
 /// The box of a triangle that moves along its normal to both sides, and that is larger by a margin, mm.
 Box swept(const std::array<Vec3, 3>& q, double reach, double margin = 0.0);
 
+/// A circle in the plane of a triangle, around it.
+struct BoundingCircle {
+    explicit BoundingCircle(const std::array<Vec3, 3>& q);
+    /// False only if a triangle and one in another circle, enlarged by a margin, do not face each other: their planes
+    /// differ by more than 45 degrees, or seen along the axis one is beside the other.
+    bool may_face(const BoundingCircle& other, double margin) const {
+        // Normals have rounding errors; overlap_of decides.
+        constexpr double kRounding = 1e-9;
+        const Vec3 way = other.middle - middle;
+        const double along = way.dot(axis);
+        // An edge that is shifted by the margin shifts corners of the enlarged triangle farther; what is left out there
+        // lies beside a corner.
+        const double reach = radius + other.radius + 2.0 * margin;
+        return std::abs(axis.dot(other.axis)) > NearCoincidenceTuning::kParallelPlanes - kRounding &&
+               way.squaredNorm() - along * along <= reach * reach;
+    }
+
+    Vec3 middle;
+    Vec3 axis;
+    double radius = 0.0;
+};
+
 /// Finds triangles of different operands that face each other. The soup is referred to.
 class FacingSearch {
   public:
+    /// @param boxes  that contain the operands
     /// @param reach  mm, at least as much as is asked for later
-    FacingSearch(const Soup& soup, double reach);
+    /// @throws Cancelled
+    FacingSearch(const Soup& soup, const std::vector<Box>& boxes, double reach, const Progress& progress);
 
     /// Triangles near those of other operands: at least all that are within the reach of one; in ascending order.
     const std::vector<std::int32_t>& near() const { return near_; }
@@ -38,13 +65,14 @@ class FacingSearch {
         const std::array<Vec3, 3> q = corners(soup_, later);
         const BoundingCircle circle(q);
         const Box box = swept(q, reach, margin);
-        for (const std::size_t operand : earlier_[static_cast<std::size_t>(operand_of(soup_, later))]) {
-            trees_[operand]->for_each_in_box(box, [&](std::int32_t earlier) {
-                const std::array<Vec3, 3> p = corners(soup_, earlier);
-                if (circle.meets_column_of(p, margin)) {
-                    const Overlap overlap = overlap_of(p, q, reach, margin);
+        for (const std::size_t operand : operands_[static_cast<std::size_t>(operand_of(soup_, later))].earlier) {
+            const NearTriangles& others = operands_[operand];
+            others.tree->for_each_in_box(box, [&](std::int32_t k) {
+                const auto i = static_cast<std::size_t>(k);
+                if (circle.may_face(others.circles[i], margin)) {
+                    const Overlap overlap = overlap_of(corners(soup_, others.index[i]), q, reach, margin);
                     if (overlap.area > 0.0) {
-                        visit(earlier, overlap);
+                        visit(others.index[i], overlap);
                     }
                 }
             });
@@ -52,21 +80,18 @@ class FacingSearch {
     }
 
   private:
-    /// A circle in the plane of a triangle, around it.
-    struct BoundingCircle {
-        explicit BoundingCircle(const std::array<Vec3, 3>& q);
-        /// False only if, seen along the circle's axis, a triangle enlarged by the margin does not meet it.
-        bool meets_column_of(const std::array<Vec3, 3>& p, double margin) const;
-
-        Vec3 middle;
-        Vec3 axis;
-        double radius = 0.0;
+    /// The triangles of one operand near others.
+    struct NearTriangles {
+        std::vector<std::int32_t> index;  ///< in the soup
+        std::vector<Triangle> triangles;
+        std::vector<BoundingCircle> circles;
+        std::optional<mesh::AabbTree> tree;
+        std::vector<std::size_t> earlier;  ///< operands before this one that come near its box
     };
 
     const Soup& soup_;
     const std::vector<std::int32_t> near_;
-    std::vector<std::unique_ptr<mesh::AabbTree>> trees_;  ///< by operand, of its triangles near others
-    std::vector<std::vector<std::size_t>> earlier_;       ///< by operand, those before it that come near its box
+    std::vector<NearTriangles> operands_;
 };
 
 }  // namespace mq::boolean
