@@ -185,10 +185,13 @@ class BooleanPipeline {
                 overlap_contacts(soup_, search, expression_, faces, {tolerance_, clearance()}, progress_);
             result_.separated_vertices = done.moved;
             moved_ = done.largest;
+            for (const ContactFace& face : faces) {
+                result_.closed_gaps = std::max({result_.closed_gaps, std::abs(face.low), std::abs(face.high)});
+            }
             if (moved_ > 4.0 * clearance()) {
                 result_.notes.push_back(
                     "faces that lie on each other within the tolerance were taken as one: slivers and gaps up to " +
-                    in_short(2.0 * moved_) + " mm thin may be gone");
+                    in_short(result_.closed_gaps) + " mm thin may be gone");
             }
             undo_degenerate_moves(soup_, before);
             boxes_ = operand_boxes(soup_);
@@ -215,6 +218,7 @@ class BooleanPipeline {
                                                   : std::array<std::int32_t, 2>{-1, -1});
             ++(own ? result_.retained : result_.reconstructed);
         }
+        result_source_ = draft.from;
         for (const std::int32_t from : draft.from) {
             const Source& source = soup_.source[static_cast<std::size_t>(from)];
             const bool known = source.moved_from >= 0;
@@ -226,10 +230,9 @@ class BooleanPipeline {
         }
     }
 
-    /// How far the result is from the exact Boolean of the operands as they were before common faces were moved, mm: at
-    /// least as far as these were moved, as gaps and slivers of the operands as thin as twice that may be gone. It is
-    /// measured, too: a gap that the moves had opened would have sides that are farther away.
-    double error_of_moves() {
+    /// How far the result is from the exact Boolean of the operands as they were before common faces were moved, mm,
+    /// but for the gaps and slivers that were closed.
+    double error_of_moves() const {
         std::vector<std::vector<Vec3>> places(prepared_.size());
         std::vector<EnclosedOperand> enclosed(prepared_.size());
         for (std::size_t i = 0; i < prepared_.size(); ++i) {
@@ -244,9 +247,17 @@ class BooleanPipeline {
         for (const std::array<std::int32_t, 2>& source : result_.triangle_source) {
             own.push_back(source[0] >= 0 ? 1 : 0);
         }
-        const MeasuredError measured =
-            measure_error(enclosed, expression_, result_.mesh, own, tolerance_, moved_, 2.0 * moved_, progress_);
-        return std::max(moved_, measured.largest());
+        MovedOperands moved;
+        moved.reach = 2.0 * moved_;
+        moved.source = result_source_;
+        for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
+            moved.triangles.push_back(corners(soup_, static_cast<std::int32_t>(t)));
+        }
+        // Distances below a twentieth of the tolerance are not told apart. A gap is at most 3^0.5 times as wide along an
+        // axis as along its normal.
+        return measure_error(enclosed, expression_, result_.mesh, own, tolerance_, 0.05 * tolerance_,
+                             1.75 * result_.closed_gaps, progress_, &moved)
+            .largest();
     }
 
     /// The triangles of the soup of which pieces are at edges or vertices where the surface is no manifold: what is
@@ -276,7 +287,8 @@ class BooleanPipeline {
     bool in_single_ = true;  ///< all vertices of the operands are single-precision numbers
     double tolerance_ = 0.0;
     double moved_ = 0.0;
-    double joined_ = 0.0;  ///< how far operands were moved where cracks were closed, mm
+    std::vector<std::int32_t> result_source_;  ///< for each triangle of the result that of the soup
+    double joined_ = 0.0;                      ///< how far operands were moved where cracks were closed, mm
     std::vector<Operand> prepared_;
     Soup soup_;
     std::vector<Box> boxes_;  ///< that contain the operands
@@ -327,6 +339,7 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
             }
         }
         joined.error_bound += std::max(one.error_bound, two.error_bound) + sum.error_bound;
+        joined.closed_gaps = std::max({joined.closed_gaps, one.closed_gaps, two.closed_gaps, sum.closed_gaps});
         joined.separated_vertices += one.separated_vertices + two.separated_vertices + sum.separated_vertices;
         joined.separated_contacts += sum.separated_contacts;
         joined.repaired = one.repaired;

@@ -46,10 +46,13 @@ struct BooleanResult {
     /// Operand and triangle index there of which each triangle is a piece, also where it was moved; {-1, -1} for
     /// triangles that fill holes of operands.
     std::vector<std::array<std::int32_t, 2>> triangle_origin;
-    /// mm. The result is the exact Boolean of operands whose surfaces were moved by no more than this, rounded within
-    /// it. Its surface and that of the exact result are nowhere farther from each other, in both directions, but for
-    /// slivers and gaps thinner than twice this, which may come or go: see separated_vertices.
+    /// mm. The surface of the result and that of the exact Boolean are nowhere farther from each other, in both
+    /// directions, but for slivers and gaps thinner than closed_gaps, which are gone. Rounding and the closing of
+    /// cracks are counted by how far they move points; what the moves of common faces come to is measured
+    /// (measure_error), as most of what moves is not in the result.
     double error_bound = 0.0;
+    /// mm, the widest gap or sliver between common faces of operands that was closed; 0: none was.
+    double closed_gaps = 0.0;
     std::size_t retained = 0;       ///< triangles that are an operand's own
     std::size_t reconstructed = 0;  ///< all others
     std::size_t crossing_pairs = 0;

@@ -44,6 +44,17 @@ int side_of_edge(const Vec3& p, const Vec3& v, const Vec3& w, int axis) {
     return v[i] < w[i] ? 1 : v[i] > w[i] ? -1 : 0;
 }
 
+/// Calls visit for the 26 steps to neighbours in a grid, of one length, until it returns false.
+template <typename Visit>
+void for_each_way(double length, const Visit& visit) {
+    for (int k = 0; k < 27; ++k) {
+        const Vec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+        if (k != 13 && !visit(Vec3(length / way.norm() * way))) {
+            return;
+        }
+    }
+}
+
 /// The points of space that an expression makes of its operands.
 class ExactSolid {
   public:
@@ -61,6 +72,7 @@ class ExactSolid {
                 vertices_[static_cast<std::size_t>(t[2])]};
     }
     std::int32_t first_triangle(std::size_t operand) const { return first_[operand]; }
+    std::int32_t operand_of(std::int32_t triangle) const { return operand_[static_cast<std::size_t>(triangle)]; }
 
     bool contains(const Vec3& p) const {
         const Box box = tree_.box();
@@ -124,13 +136,21 @@ class ExactSolid {
     }
 
     /// Whether the solid is on one side only of a point of a triangle.
-    bool is_bounded_at(const Vec3& p, const Vec3& normal) const { return is_bounded_at(p, normal, beside_); }
-    /// The same of points at this distance on both sides.
-    bool is_bounded_at(const Vec3& p, const Vec3& normal, double beside) const {
+    bool is_bounded_at(const Vec3& p, const Vec3& normal) const {
         int axis = 0;
         normal.cwiseAbs().maxCoeff(&axis);
-        const auto [before, behind] = sides(p, axis, beside);
+        const auto [before, behind] = sides(p, axis, beside_);
         return before != behind;
+    }
+
+    /// Whether there is a ball of this diameter near a point of a triangle in the solid, and one outside of it: in a
+    /// film or a gap that is thinner there is none. Near are centers up to a diameter away, so that edges of 60 degrees
+    /// are not taken for films. Balls are tested by 26 points.
+    bool is_thick_at(const Vec3& p, const Vec3& normal, double diameter) const {
+        int axis = 0;
+        normal.cwiseAbs().maxCoeff(&axis);
+        const auto [before, behind] = sides(p, axis, diameter);
+        return before != behind && has_ball(p, true, 0.5 * diameter) && has_ball(p, false, 0.5 * diameter);
     }
 
     /// The steps by which the winding numbers of open operands would come to 0.5, where they have a gradient, and those
@@ -153,6 +173,21 @@ class ExactSolid {
     }
 
   private:
+    bool has_ball(const Vec3& p, bool inside, double radius) const {
+        bool found = false;
+        for (double way = radius; way <= 2.0 * radius && !found; way += radius) {
+            for_each_way(way, [&](const Vec3& step) {
+                found = contains(p + step) == inside;
+                for_each_way(radius, [&](const Vec3& around) {
+                    found = found && contains(p + step + around) == inside;
+                    return found;
+                });
+                return !found;
+            });
+        }
+        return found;
+    }
+
     /// Whether a point is in an open operand: in the box of its triangles, where it winds around it.
     bool guesses_inside(std::size_t operand, const Vec3& p) const {
         const mesh::WindingNumber& winding = *operands_[operand].winding;
@@ -338,17 +373,6 @@ class DistanceSearch {
         }
     }
 
-    /// The 26 steps to neighbours in a grid, of one length.
-    template <typename Visit>
-    static void for_each_way(double length, const Visit& visit) {
-        for (int k = 0; k < 27; ++k) {
-            const Vec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-            if (k != 13 && !visit(Vec3(length / way.norm() * way))) {
-                return;
-            }
-        }
-    }
-
     /// Whether a point on another side than p is found at this distance.
     bool is_any_beyond(double distance) const {
         bool found = false;
@@ -447,41 +471,62 @@ class DistanceSearch {
     double best_ = 0.0;
 };
 
-/// The centres of the pieces of a triangle that is halved across its longest side until no side is longer.
-template <typename Visit>
-void for_each_centre(const Corners& triangle, double longest, const Visit& visit) {
-    std::vector<Corners> pieces{triangle};
-    while (!pieces.empty()) {
-        const Corners t = pieces.back();
-        pieces.pop_back();
+/// A triangle of the result or of an operand, or a piece of one.
+struct Piece {
+    Corners corners;
+    std::int32_t operand = -1;  ///< whose surface it is on; -1: not known
+
+    double longest_side() const {
+        return std::max(
+            {(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
+    }
+    Vec3 centre() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
+    Vec3 normal() const { return (corners[1] - corners[0]).cross(corners[2] - corners[0]); }
+    /// Both halves of it, cut across the longest side.
+    std::array<Piece, 2> halves() const {
         std::size_t side = 0;
-        double length = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double here = (t[(k + 1) % 3] - t[k]).norm();
-            if (here > length) {
-                length = here;
+        for (std::size_t k = 1; k < 3; ++k) {
+            if ((corners[(k + 1) % 3] - corners[k]).norm() > (corners[(side + 1) % 3] - corners[side]).norm()) {
                 side = k;
             }
         }
-        if (length <= longest) {
-            visit(Vec3((t[0] + t[1] + t[2]) / 3.0));
+        const Vec3& a = corners[side];
+        const Vec3& b = corners[(side + 1) % 3];
+        const Vec3& c = corners[(side + 2) % 3];
+        const Vec3 middle = 0.5 * (a + b);
+        return {{{{a, middle, c}, operand}, {{middle, b, c}, operand}}};
+    }
+};
+
+/// visit(piece) for the pieces of a triangle that is halved until no side is longer; not for those that are settled.
+template <typename IsSettled, typename Visit>
+void for_each_piece(const Piece& triangle, double longest, const IsSettled& is_settled, const Visit& visit) {
+    std::vector<Piece> pieces{triangle};
+    while (!pieces.empty()) {
+        const Piece piece = pieces.back();
+        pieces.pop_back();
+        if (is_settled(piece)) {
             continue;
         }
-        const Vec3 middle = 0.5 * (t[side] + t[(side + 1) % 3]);
-        pieces.push_back({t[side], middle, t[(side + 2) % 3]});
-        pieces.push_back({middle, t[(side + 1) % 3], t[(side + 2) % 3]});
+        if (piece.longest_side() <= longest) {
+            visit(piece);
+            continue;
+        }
+        const auto [one, two] = piece.halves();
+        pieces.push_back(one);
+        pieces.push_back(two);
     }
 }
 
 /// The spacing of samples on these triangles: the finest, or twice, four times ... that where it takes too many.
-double spacing_on(const std::vector<Corners>& triangles, double finest) {
+double spacing_on(const std::vector<Piece>& triangles, double finest) {
     double spacing = finest;
     for (double pieces = 2.0 * kLargeSamples; pieces > kLargeSamples; spacing *= 2.0) {
         pieces = 0.0;
-        for (const Corners& t : triangles) {
-            const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+        for (const Piece& t : triangles) {
+            const double longest = t.longest_side();
             if (longest > spacing) {  // pieces are half as large as a square of this side, or there is one row of them
-                const double area = 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
+                const double area = 0.5 * t.normal().norm();
                 pieces += 2.0 * (area / spacing + longest) / spacing;
             }
         }
@@ -489,14 +534,58 @@ double spacing_on(const std::vector<Corners>& triangles, double finest) {
     return 0.5 * spacing;
 }
 
-/// measure(triangle, centre) for samples of all triangles.
-template <typename Measure>
-void sample(const std::vector<Corners>& triangles, double spacing, const Progress& progress, const Measure& measure) {
+/// What of triangles has to be sampled: all, or what is near other operands where some were moved.
+class Unsettled {
+  public:
+    Unsettled(const ExactSolid& solid, const MovedOperands* moved) : solid_(solid), moved_(moved) {}
+
+    /// Whether no triangle of another operand is within the reach of a piece.
+    bool is_alone(const Piece& piece) const {
+        if (moved_ == nullptr || piece.operand < 0) {
+            return false;
+        }
+        Box box;
+        for (const Vec3& p : piece.corners) {
+            box.add(p);
+        }
+        const Vec3 around = Vec3::Constant(moved_->reach);
+        bool alone = true;
+        solid_.tree().for_each_in_box({box.low - around, box.high + around}, [&](std::int32_t triangle) {
+            alone = solid_.operand_of(triangle) == piece.operand;
+            return alone;
+        });
+        return alone;
+    }
+
+    /// Large pieces with all that is not settled.
+    std::vector<Piece> of(const std::vector<Piece>& triangles, double finest) const {
+        if (moved_ == nullptr) {
+            return triangles;
+        }
+        constexpr double kLarge = 8.0;  // as a multiple of the finest spacing: few enough to be held in memory
+        std::vector<Piece> result;
+        for (const Piece& triangle : triangles) {
+            for_each_piece(
+                triangle, kLarge * finest, [&](const Piece& piece) { return is_alone(piece); },
+                [&](const Piece& piece) { result.push_back(piece); });
+        }
+        return result;
+    }
+
+  private:
+    const ExactSolid& solid_;
+    const MovedOperands* moved_;
+};
+
+/// measure(piece) for pieces of all triangles that are not settled.
+template <typename IsSettled, typename Measure>
+void sample(const std::vector<Piece>& triangles, double spacing, const Progress& progress, const IsSettled& is_settled,
+            const Measure& measure) {
     parallel_for(static_cast<int>((triangles.size() + kBlock - 1) / kBlock), [&](int block) {
         progress.check();
         const std::size_t first = kBlock * static_cast<std::size_t>(block);
         for (std::size_t t = first; t < std::min(first + kBlock, triangles.size()); ++t) {
-            for_each_centre(triangles[t], spacing, [&](const Vec3& centre) { measure(triangles[t], centre); });
+            for_each_piece(triangles[t], spacing, is_settled, measure);
         }
     });
 }
@@ -505,60 +594,110 @@ bool is_marked(const std::vector<char>& marks, std::size_t index) {
     return !marks.empty() && marks[index] != 0;
 }
 
-double distance_to_exact(const ExactSolid& solid, const mesh::TriangleMesh& result, const std::vector<char>& own,
-                         double finest, double enough, const Progress& progress, double& spacing) {
-    std::vector<Corners> triangles;
-    std::vector<char> used(result.vertices.size(), 0);
-    for (std::size_t t = 0; t < result.triangles.size(); ++t) {
+/// The largest distance of a triangle's points from another triangle: it is that of a corner.
+double distance_to_triangle(const Corners& corners, const Corners& other) {
+    double largest = 0.0;
+    for (const Vec3& p : corners) {
+        largest = std::max(largest, (mesh::nearest_on_triangle(p, other[0], other[1], other[2]) - p).norm());
+    }
+    return largest;
+}
+
+/// What a measurement compares, and how finely.
+struct Comparison {
+    const ExactSolid& solid;
+    const std::vector<EnclosedOperand>& operands;
+    const mesh::TriangleMesh& result;
+    const MovedOperands* moved;
+    double finest;
+    double enough;
+    const Progress& progress;
+};
+
+double distance_to_exact(const Comparison& c, const std::vector<char>& own, double& spacing) {
+    const Unsettled unsettled(c.solid, c.moved);
+    std::vector<Piece> triangles;
+    std::vector<char> used(c.result.vertices.size(), 0);
+    Largest largest;
+    for (std::size_t t = 0; t < c.result.triangles.size(); ++t) {
         if (is_marked(own, t)) {
             continue;
         }
-        const Triangle& c = result.triangles[t];
-        triangles.push_back({result.vertices[c[0]], result.vertices[c[1]], result.vertices[c[2]]});
-        used[c[0]] = used[c[1]] = used[c[2]] = 1;
+        const Triangle& v = c.result.triangles[t];
+        const std::int32_t source = c.moved != nullptr ? c.moved->source[t] : -1;
+        const Corners corners{c.result.vertices[v[0]], c.result.vertices[v[1]], c.result.vertices[v[2]]};
+        triangles.push_back({corners, source >= 0 ? c.solid.operand_of(source) : -1});
+        if (unsettled.is_alone(triangles.back())) {
+            largest.add(distance_to_triangle(corners, c.solid.corners(source)));
+            triangles.pop_back();
+        } else {
+            used[v[0]] = used[v[1]] = used[v[2]] = 1;
+        }
     }
-    Largest largest;
     const auto measure = [&](const Vec3& p) {
-        largest.add(DistanceSearch(solid, p).bound(std::max(enough, largest.get())));
+        largest.add(DistanceSearch(c.solid, p).bound(std::max(c.enough, largest.get())));
     };
     parallel_for(static_cast<int>((used.size() + kBlock - 1) / kBlock), [&](int block) {
-        progress.check();
+        c.progress.check();
         const std::size_t first = kBlock * static_cast<std::size_t>(block);
         for (std::size_t v = first; v < std::min(first + kBlock, used.size()); ++v) {
             if (used[v] != 0) {
-                measure(result.vertices[v]);
+                measure(c.result.vertices[v]);
             }
         }
     });
-    spacing = spacing_on(triangles, finest);
-    sample(triangles, spacing, progress, [&](const Corners&, const Vec3& centre) { measure(centre); });
+    triangles = unsettled.of(triangles, c.finest);
+    spacing = spacing_on(triangles, c.finest);
+    sample(
+        triangles, spacing, c.progress, [&](const Piece& piece) { return unsettled.is_alone(piece); },
+        [&](const Piece& piece) { measure(piece.centre()); });
     return largest.get();
 }
 
-double distance_from_exact(const ExactSolid& solid, const std::vector<EnclosedOperand>& operands,
-                           const mesh::TriangleMesh& result, double finest, double enough, double thinnest,
-                           const Progress& progress, double& spacing) {
-    std::vector<Corners> triangles;
-    for (std::size_t k = 0; k < operands.size(); ++k) {
-        for (std::size_t t = 0; t < operands[k].triangles->size(); ++t) {
-            if (!is_marked(operands[k].retained, t)) {
-                triangles.push_back(solid.corners(solid.first_triangle(k) + static_cast<std::int32_t>(t)));
+double distance_from_exact(const Comparison& c, double thinnest, double& spacing) {
+    const Unsettled unsettled(c.solid, c.moved);
+    Largest largest;
+    std::vector<Piece> triangles;
+    for (std::size_t k = 0; k < c.operands.size(); ++k) {
+        for (std::size_t t = 0; t < c.operands[k].triangles->size(); ++t) {
+            if (is_marked(c.operands[k].retained, t)) {
+                continue;
+            }
+            const std::int32_t triangle = c.solid.first_triangle(k) + static_cast<std::int32_t>(t);
+            triangles.push_back({c.solid.corners(triangle), static_cast<std::int32_t>(k)});
+            if (unsettled.is_alone(triangles.back())) {
+                const Piece& alone = triangles.back();
+                if (c.solid.is_bounded_at(alone.centre(), alone.normal())) {
+                    largest.add(
+                        distance_to_triangle(alone.corners, c.moved->triangles[static_cast<std::size_t>(triangle)]));
+                }
+                triangles.pop_back();
             }
         }
     }
-    const mesh::NearestTree tree(result.vertices, result.triangles);
-    const Box box = solid.tree().box();
+    const mesh::NearestTree tree(c.result.vertices, c.result.triangles);
+    const Box box = c.solid.tree().box();
     const double none = box.empty() ? 0.0 : (box.high - box.low).norm();  // the result is empty
-    Largest largest;
-    spacing = std::max(spacing, spacing_on(triangles, finest));
-    sample(triangles, spacing, progress, [&](const Corners& t, const Vec3& centre) {
-        const double known = std::max(enough, largest.get());
-        const bool near = tree.nearest(centre, known).triangle >= 0;
-        const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-        if (!near && solid.is_bounded_at(centre, normal) && solid.is_bounded_at(centre, normal, thinnest)) {
-            largest.add(tree.size() > 0 ? tree.nearest(centre).distance : none);
+    triangles = unsettled.of(triangles, c.finest);
+    spacing = std::max(spacing, spacing_on(triangles, c.finest));
+    const auto measure = [&](const Vec3& p, const Vec3& normal) {
+        const bool near = tree.nearest(p, std::max(c.enough, largest.get())).triangle >= 0;
+        if (!near && c.solid.is_bounded_at(p, normal) && c.solid.is_thick_at(p, normal, thinnest)) {
+            largest.add(tree.size() > 0 ? tree.nearest(p).distance : none);
         }
-    });
+    };
+    sample(
+        triangles, spacing, c.progress, [&](const Piece& piece) { return unsettled.is_alone(piece); },
+        [&](const Piece& piece) {
+            // Distance of points from the corners beside them, as a fraction of the way to the centre: at the corners
+            // themselves other triangles bound the solid, too.
+            constexpr double kInside = 0.02;
+            const Vec3 centre = piece.centre();
+            measure(centre, piece.normal());
+            for (const Vec3& corner : piece.corners) {
+                measure(corner + kInside * (centre - corner), piece.normal());
+            }
+        });
     return largest.get();
 }
 
@@ -566,11 +705,12 @@ double distance_from_exact(const ExactSolid& solid, const std::vector<EnclosedOp
 
 MeasuredError measure_error(const std::vector<EnclosedOperand>& operands, const Expression& expression,
                             const mesh::TriangleMesh& result, const std::vector<char>& own, double finest,
-                            double enough, double thinnest, const Progress& progress) {
+                            double enough, double thinnest, const Progress& progress, const MovedOperands* moved) {
     const ExactSolid solid(operands, expression);
+    const Comparison comparison{solid, operands, result, moved, finest, enough, progress};
     MeasuredError error;
-    error.to_exact = distance_to_exact(solid, result, own, finest, enough, progress, error.spacing);
-    error.from_exact = distance_from_exact(solid, operands, result, finest, enough, thinnest, progress, error.spacing);
+    error.to_exact = distance_to_exact(comparison, own, error.spacing);
+    error.from_exact = distance_from_exact(comparison, thinnest, error.spacing);
     return error;
 }
 

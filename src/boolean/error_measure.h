@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "base/progress.h"
+#include "base/vec.h"
 #include "boolean/input/operation.h"
 #include "mesh/intersection/winding_number.h"
 #include "mesh/triangle_mesh.h"
@@ -18,6 +21,17 @@ struct EnclosedOperand {
     /// least 0.5.
     const mesh::WindingNumber* winding = nullptr;
     std::vector<char> retained;  ///< for each triangle whether the result has it bit for bit; empty: for none
+};
+
+/// Operands of which vertices were moved before a result was made of them. Where it is far from other operands a piece
+/// of a triangle is as far from the exact surface as it is from the triangle as that was: moves change no winding
+/// number there. Samples are taken elsewhere only.
+struct MovedOperands {
+    /// For each triangle of the operands, all in one list in their order, its corners after the moves.
+    std::vector<std::array<Vec3, 3>> triangles;
+    /// For each triangle of the result the one in that list of which it is a piece; -1: not known.
+    std::vector<std::int32_t> source;
+    double reach = 0.0;  ///< mm, twice the largest move
 };
 
 /// The largest distances found between a result and the exact Boolean of its operands, mm.
@@ -46,9 +60,11 @@ struct MeasuredError {
 /// @param enough   mm; distances up to this are not told apart
 /// @param thinnest mm; where the exact solid, or a gap in it, is thinner than this, nobody looks for its surface in the
 ///     result
+/// @param moved    null: the operands have not been moved
 /// @throws Cancelled
 MeasuredError measure_error(const std::vector<EnclosedOperand>& operands, const Expression& expression,
                             const mesh::TriangleMesh& result, const std::vector<char>& own, double finest,
-                            double enough, double thinnest, const Progress& progress);
+                            double enough, double thinnest, const Progress& progress,
+                            const MovedOperands* moved = nullptr);
 
 }  // namespace mq::boolean

@@ -150,6 +150,8 @@ void bind_boolean_report(py::module_& m) {
         .def_readonly("curve_edges", &BooleanReport::curve_edges, "edges on the intersection curves")
         .def_readonly("parted_contacts", &BooleanReport::separated_contacts,
                       "points in which parts of the result touched")
+        .def_readonly("closed_gaps", &BooleanReport::closed_gaps,
+                      "mm; the widest gap or sliver between common faces of operands that was closed")
         .def_readonly("separated_vertices", &BooleanReport::separated_vertices,
                       "vertices moved beyond common faces of another operand")
         .def_readonly("fitted_vertices", &BooleanReport::fitted_vertices,

@@ -36,6 +36,7 @@ void take(BooleanSurface& surface, BooleanResult&& result) {
     figures.crossing_pairs = result.crossing_pairs;
     figures.curve_edges = result.curve_edges;
     figures.separated_contacts = result.separated_contacts;
+    figures.closed_gaps = result.closed_gaps;
     figures.separated_vertices = result.separated_vertices;
     std::copy_if(result.repaired.begin(), result.repaired.end(), std::back_inserter(figures.repaired),
                  [](const std::string& sentence) { return !sentence.empty(); });

@@ -25,6 +25,7 @@ struct BooleanReport : mesh::MeshReport {
     std::size_t crossing_pairs = 0;
     std::size_t curve_edges = 0;         ///< edges on the intersection curves
     std::size_t separated_contacts = 0;  ///< points in which regions of the result touched
+    double closed_gaps = 0.0;  ///< mm, the widest gap or sliver between common faces of operands that was closed
     std::size_t separated_vertices = 0;  ///< vertices moved beyond common faces of another operand
     std::size_t fitted_vertices = 0;     ///< vertices put onto the surfaces of the shapes that were operands
     std::size_t unfitted_vertices = 0;   ///< vertices left on the meshes of these shapes

@@ -43,7 +43,7 @@ REPORT_FIELDS = (
 BOOLEAN_REPORT_FIELDS = (
     "method", "guessed_share", "error_bound", "tolerance_asked", "retained", "reconstructed", "repaired",
     "operand_components", "operand_euler", "faults_left", "crossing_pairs",
-    "curve_edges", "parted_contacts", "separated_vertices", "fitted_vertices", "unfitted_vertices",
+    "curve_edges", "parted_contacts", "closed_gaps", "separated_vertices", "fitted_vertices", "unfitted_vertices",
     "samples", "face_samples",
 )
 WRAP_FIELDS = ("distance_to_input", "distance_from_input", "gap_triangles", "gap_area")  # of the mesh itself

@@ -11,7 +11,7 @@ from .surface_mesh import SurfaceMesh
 _MESHING = 0.4
 # Largest deviation of the meshes of shapes by method, as a fraction of the tolerance. Rays take from the meshes which
 # CAD faces they meet: the finer these are, the fewer rays pass between mesh and face.
-_DEVIATION = {"default": 0.5, "exact": 0.5, "uniform": 1.0 / 16.0}
+_DEVIATION = {"default": 0.25, "exact": 0.25, "uniform": 1.0 / 16.0}
 
 
 class BooleanMesh(SurfaceMesh):

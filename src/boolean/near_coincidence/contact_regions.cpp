@@ -137,10 +137,21 @@ class FarSides {
 
 /// Pairs of the same two operands and the same side that hang together.
 struct Region {
-    std::vector<const FacingPair*> pairs;  ///< by their largest distance
+    std::vector<const FacingPair*> pairs;
 
-    /// The distance within which the share of its area is, mm.
-    double gap() const {
+    /// Whether the share of its area is within a distance.
+    bool is_within(double distance) const {
+        double sum = 0.0;
+        for (const FacingPair* pair : pairs) {
+            sum += pair->overlap.worst <= distance ? pair->overlap.area : 0.0;
+        }
+        return sum >= NearCoincidenceTuning::kContactShare * area();
+    }
+    /// The distance within which the share of its area is, mm. Sorts the pairs by their largest distance.
+    double gap() {
+        std::sort(pairs.begin(), pairs.end(), [](const FacingPair* a, const FacingPair* b) {
+            return std::pair(a->overlap.worst, a) < std::pair(b->overlap.worst, b);
+        });
         const double share = NearCoincidenceTuning::kContactShare * area();
         double sum = 0.0;
         for (const FacingPair* pair : pairs) {
@@ -166,30 +177,25 @@ struct Region {
 };
 
 /// Pairs of the same two operands and the same side, joined by common triangles to regions.
-std::vector<Region> regions_of(const FacingPair* begin, const FacingPair* end) {
-    std::vector<std::int32_t> triangles;
-    for (const FacingPair* pair = begin; pair != end; ++pair) {
-        triangles.insert(triangles.end(), {pair->earlier, pair->later});
-    }
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    const auto place = [&](std::int32_t t) {
-        return static_cast<std::int32_t>(std::lower_bound(triangles.begin(), triangles.end(), t) - triangles.begin());
-    };
-    DisjointSets<std::int32_t> sets(triangles.size());
-    for (const FacingPair* pair = begin; pair != end; ++pair) {
-        sets.unite(place(pair->earlier), place(pair->later));
+/// @param last  for each triangle of the soup -1, then and now
+std::vector<Region> regions_of(const FacingPair* begin, const FacingPair* end, std::vector<std::int32_t>& last) {
+    const auto size = static_cast<std::size_t>(end - begin);
+    DisjointSets<std::int32_t> sets(size);
+    for (std::size_t i = 0; i < size; ++i) {
+        for (const std::int32_t triangle : {begin[i].earlier, begin[i].later}) {
+            std::int32_t& before = last[static_cast<std::size_t>(triangle)];
+            if (before >= 0) {
+                sets.unite(before, static_cast<std::int32_t>(i));
+            }
+            before = static_cast<std::int32_t>(i);
+        }
     }
     std::int32_t count = 0;
     const std::vector<std::int32_t> number = sets.number(count);
     std::vector<Region> result(static_cast<std::size_t>(count));
-    for (const FacingPair* pair = begin; pair != end; ++pair) {
-        result[static_cast<std::size_t>(number[static_cast<std::size_t>(place(pair->earlier))])].pairs.push_back(pair);
-    }
-    for (Region& region : result) {
-        std::sort(region.pairs.begin(), region.pairs.end(), [](const FacingPair* a, const FacingPair* b) {
-            return std::pair(a->overlap.worst, a) < std::pair(b->overlap.worst, b);
-        });
+    for (std::size_t i = 0; i < size; ++i) {
+        result[static_cast<std::size_t>(number[i])].pairs.push_back(begin + i);
+        last[static_cast<std::size_t>(begin[i].earlier)] = last[static_cast<std::size_t>(begin[i].later)] = -1;
     }
     return result;
 }
@@ -203,6 +209,7 @@ std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& sea
     std::vector<FacingPair> pairs = facing_pairs(soup, search, twins, reach, progress);
     FarSides(soup, reach).remove(pairs);
     std::vector<ContactFace> result;
+    std::vector<std::int32_t> last(pairs.empty() ? 0 : soup.triangles.size(), -1);
     const auto one_surface = [](const FacingPair& a, const FacingPair& b) {
         return a.operands == b.operands && a.same_side == b.same_side;
     };
@@ -211,9 +218,12 @@ std::vector<ContactFace> contact_faces(const Soup& soup, const FacingSearch& sea
         while (end != pairs.data() + pairs.size() && one_surface(*begin, *end)) {
             ++end;
         }
-        for (const Region& region : regions_of(begin, end)) {
+        for (Region& region : regions_of(begin, end, last)) {
+            if (!region.is_within(tolerance)) {
+                continue;
+            }
             const double gap = region.gap();
-            if (gap > tolerance || region.area() < NearCoincidenceTuning::kLeastWidth * gap * region.length()) {
+            if (region.area() < NearCoincidenceTuning::kLeastWidth * gap * region.length()) {
                 continue;
             }
             const double most = std::min(reach, NearCoincidenceTuning::kLargestGap * gap + least);

@@ -42,35 +42,54 @@ class OperandCells {
     }
 
     void mark(const Triangle& t, std::int32_t operand) {
-        all_ = all_ || !visit(t, 0, kMostMarked, [&](std::size_t cell) {
-                   operand_[cell] = operand_[cell] == kNone || operand_[cell] == operand ? operand : kSeveral;
+        all_ = all_ || !visit(t, kMostMarked, [&](std::size_t cell) {
+                   if (operand_[cell] == kNone) {
+                       operand_[cell] = operand;
+                       occupied_.push_back(static_cast<std::int32_t>(cell));
+                   } else if (operand_[cell] != operand) {
+                       operand_[cell] = kSeveral;
+                   }
                    return true;
                });
     }
+    /// Once all are marked: finds the cells beside which, or in which, there are several operands.
+    void find_near() {
+        near_.assign(operand_.size(), 0);
+        for (const std::int32_t cell : occupied_) {
+            const std::array<int, 3> at{cell % side_[0], cell / side_[0] % side_[1], cell / side_[0] / side_[1]};
+            near_[static_cast<std::size_t>(cell)] = static_cast<char>(!visit_between(
+                {std::max(at[0] - 1, 0), std::max(at[1] - 1, 0), std::max(at[2] - 1, 0)},
+                {std::min(at[0] + 1, side_[0] - 1), std::min(at[1] + 1, side_[1] - 1),
+                 std::min(at[2] + 1, side_[2] - 1)},
+                [&](std::size_t beside) {
+                    return operand_[beside] == kNone || (operand_[beside] == operand_[static_cast<std::size_t>(cell)] &&
+                                                         operand_[beside] != kSeveral);
+                }));
+        }
+    }
     /// False only if no triangle of another operand was marked within a cell's side of this one.
-    bool is_near_other(const Triangle& t, std::int32_t operand) const {
-        const auto is_free = [&](std::size_t cell) { return operand_[cell] == kNone || operand_[cell] == operand; };
-        return all_ || !visit(t, 1, kMostAsked, is_free);
+    bool is_near_other(const Triangle& t) const {
+        return all_ || !visit(t, kMostAsked, [&](std::size_t cell) { return near_[cell] == 0; });
     }
 
   private:
-    static constexpr double kMostCells = 126.0;  ///< inside, along a side: 8 MB
+    static constexpr double kMostCells = 126.0;  ///< inside, along a side: 10 MB
     /// Cells of one triangle at most; larger triangles make the grid useless, or are near without being asked.
     static constexpr int kMostMarked = 32768;
     static constexpr int kMostAsked = 4096;
     static constexpr std::int32_t kNone = -1;
     static constexpr std::int32_t kSeveral = -2;
 
-    /// use(cell) for each cell of the box of a triangle, larger by some cells. False when that has too many, or as soon
-    /// as `use` says so. Boxes outside of the grid have no cells.
+    /// use(cell) for each cell of the box of a triangle. False when that has too many, or as soon as `use` says so.
+    /// Boxes outside of the grid have no cells.
     template <typename Use>
-    bool visit(const Triangle& t, int larger, int most, const Use& use) const {
+    bool visit(const Triangle& t, int most, const Use& use) const {
         std::array<int, 3> low;
         std::array<int, 3> high;
         for (int i = 0; i < 3; ++i) {
             const auto [least, greatest] = std::minmax({cell_[t[0]][i], cell_[t[1]][i], cell_[t[2]][i]});
-            low[i] = std::max(least - larger, 0);
-            high[i] = std::min(greatest + larger, side_[i] - 1);
+            low[i] = least;
+            high[i] = greatest;
             if (greatest == 0 || least == side_[i] - 1) {
                 return true;
             }
@@ -78,6 +97,10 @@ class OperandCells {
         if ((high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1) > most) {
             return false;
         }
+        return visit_between(low, high, use);
+    }
+    template <typename Use>
+    bool visit_between(const std::array<int, 3>& low, const std::array<int, 3>& high, const Use& use) const {
         for (int z = low[2]; z <= high[2]; ++z) {
             for (int y = low[1]; y <= high[1]; ++y) {
                 for (int x = low[0]; x <= high[0]; ++x) {
@@ -93,7 +116,9 @@ class OperandCells {
     std::vector<std::array<std::uint8_t, 3>> cell_;  ///< of each vertex
     std::array<int, 3> side_{};
     std::vector<std::int32_t> operand_;
-    bool all_ = false;  ///< whether everything may be near other operands
+    std::vector<std::int32_t> occupied_;  ///< cells
+    std::vector<char> near_;              ///< cells near others
+    bool all_ = false;                    ///< whether everything may be near other operands
 };
 
 /// What is common to the boxes of two operands at least, each larger by `reach`.
@@ -125,9 +150,10 @@ std::vector<std::int32_t> near_other_operands(const Soup& soup, const std::vecto
         pace.step();
         cells.mark(soup.triangles[t], soup.source[t].operand);
     }
+    cells.find_near();
     for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
         pace.step();
-        if (cells.is_near_other(soup.triangles[t], soup.source[t].operand)) {
+        if (cells.is_near_other(soup.triangles[t])) {
             result.push_back(static_cast<std::int32_t>(t));
         }
     }

@@ -22,13 +22,25 @@ class ConvexPolygon {
     /// Leaves the points with value(point) >= 0, a linear function (Sutherland and Hodgman 1974).
     template <typename Value>
     void clip(const Value& value) {
-        const ConvexPolygon whole = *this;
+        std::array<double, kMostCorners> values;
+        bool inside = true;
+        for (std::size_t i = 0; i < size_; ++i) {
+            values[i] = value(points_[i]);
+            inside = inside && values[i] >= 0.0;
+        }
+        if (inside) {
+            return;
+        }
+        std::array<Vec3, kMostCorners> whole;
+        const std::size_t count = size_;
+        std::copy(points_.begin(), points_.begin() + count, whole.begin());
         size_ = 0;
-        for (std::size_t i = 0; i < whole.size_; ++i) {
-            const Vec3& p = whole.points_[i];
-            const Vec3& q = whole.points_[(i + 1) % whole.size_];
-            const double at_p = value(p);
-            const double at_q = value(q);
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t next = i + 1 < count ? i + 1 : 0;
+            const Vec3& p = whole[i];
+            const Vec3& q = whole[next];
+            const double at_p = values[i];
+            const double at_q = values[next];
             if (at_p >= 0.0) {
                 add(p);
             }
@@ -78,11 +90,19 @@ Overlap overlap_of(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q, d
     }
     const Vec3 up = m.normalized();
     const auto height = [&](const Vec3& x) { return up.dot(x - p[0]); };
+    const Vec3 heights(height(q[0]), height(q[1]), height(q[2]));
+    if (heights.minCoeff() > reach || heights.maxCoeff() < -reach) {
+        return result;
+    }
     ConvexPolygon common(q);
     const Vec3 along = cosine > 0.0 ? n : Vec3(-n);
     for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 inward = along.cross(p[(k + 1) % 3] - p[k]).normalized();
-        common.clip([&](const Vec3& x) { return inward.dot(x - p[k]) + margin; });
+        const Vec3 inward = along.cross(p[(k + 1) % 3] - p[k]);
+        const double farther = margin > 0.0 ? margin * inward.norm() : 0.0;
+        common.clip([&](const Vec3& x) { return inward.dot(x - p[k]) + farther; });
+        if (common.begin() == common.end()) {
+            return result;
+        }
     }
     result.low = std::numeric_limits<double>::infinity();
     result.high = -result.low;

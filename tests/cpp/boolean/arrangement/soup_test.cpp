@@ -27,10 +27,10 @@ Soup stacked_cubes() {
 TEST(Soup, VerticesInOnePlaceGetOneIndexWhereBoxesMeet) {
     Soup soup = stacked_cubes();
     EXPECT_EQ(vertices_in_use(soup), 16u);
-    merge_vertices(soup);
+    merge_vertices(soup, operand_boxes(soup));
     EXPECT_EQ(vertices_in_use(soup), 12u);
     Soup apart = soups::soup_of({solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), solids::box(Vec3(2, 0, 0), Vec3(3, 1, 1))});
-    merge_vertices(apart);
+    merge_vertices(apart, operand_boxes(apart));
     EXPECT_EQ(vertices_in_use(apart), 16u);
 }
 
@@ -44,12 +44,12 @@ TEST(Soup, MergingByPairsTouchesTheirVerticesOnly) {
 
 TEST(Soup, SheetsOfOneOperandThatAreMergedAreMarked) {
     Soup soup = stacked_cubes();
-    merge_vertices(soup);
+    merge_vertices(soup, operand_boxes(soup));
     EXPECT_TRUE(std::none_of(soup.shared.begin(), soup.shared.end(), [](char c) { return c != 0; }));
     const mesh::TriangleMesh touching =
         solids::together(solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), solids::box(Vec3(1, 1, 0), Vec3(2, 2, 1)));
     Soup two = soups::soup_of({touching, solids::box(Vec3(0.5, 0.5, -1), Vec3(1.5, 1.5, 1.5))});
-    merge_vertices(two);
+    merge_vertices(two, operand_boxes(two));
     for (std::size_t v = 0; v < two.vertices.size(); ++v) {
         const Vec3& p = two.vertices[v];
         const bool first_of_edge = v < 8 && p.x() == 1.0 && p.y() == 1.0;
@@ -59,7 +59,7 @@ TEST(Soup, SheetsOfOneOperandThatAreMergedAreMarked) {
 
 TEST(CoincidentTriangles, AreFoundWithTheirOrientation) {
     Soup soup = stacked_cubes();
-    merge_vertices(soup);
+    merge_vertices(soup, operand_boxes(soup));
     const std::vector<CoincidentTriangle> twins = find_twins(soup);
     ASSERT_EQ(twins.size(), 2u);
     for (const CoincidentTriangle& twin : twins) {
@@ -71,7 +71,7 @@ TEST(CoincidentTriangles, AreFoundWithTheirOrientation) {
         EXPECT_EQ(a, b);
     }
     Soup same = soups::soup_of({solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1))});
-    merge_vertices(same);
+    merge_vertices(same, operand_boxes(same));
     const std::vector<CoincidentTriangle> all = find_twins(same);
     EXPECT_EQ(all.size(), 12u);
     EXPECT_TRUE(std::all_of(all.begin(), all.end(), [](const CoincidentTriangle& twin) { return twin.turn == 1; }));
