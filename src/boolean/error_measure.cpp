@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <mutex>
+#include <utility>
 
 #include "base/parallel.h"
 #include "base/predicates.h"
@@ -136,21 +138,20 @@ class ExactSolid {
     }
 
     /// Whether the solid is on one side only of a point of a triangle.
-    bool is_bounded_at(const Vec3& p, const Vec3& normal) const {
+    bool is_bounded_at(const Vec3& p, const Vec3& normal) const { return is_bounded_at(p, normal, beside_); }
+    /// The same of points at this distance on both sides.
+    bool is_bounded_at(const Vec3& p, const Vec3& normal, double beside) const {
         int axis = 0;
         normal.cwiseAbs().maxCoeff(&axis);
-        const auto [before, behind] = sides(p, axis, beside_);
+        const auto [before, behind] = sides(p, axis, beside);
         return before != behind;
     }
 
-    /// Whether there is a ball of this diameter near a point of a triangle in the solid, and one outside of it: in a
-    /// film or a gap that is thinner there is none. Near are centers up to a diameter away, so that edges of 60 degrees
-    /// are not taken for films. Balls are tested by 26 points.
-    bool is_thick_at(const Vec3& p, const Vec3& normal, double diameter) const {
-        int axis = 0;
-        normal.cwiseAbs().maxCoeff(&axis);
-        const auto [before, behind] = sides(p, axis, diameter);
-        return before != behind && has_ball(p, true, 0.5 * diameter) && has_ball(p, false, 0.5 * diameter);
+    /// Whether there is a ball of this diameter near a point of the surface in the solid, and one outside of it: in a
+    /// film or a gap that is thinner, or at its rim, there is none. Near are centers up to a diameter away, so that
+    /// edges of 60 degrees are not taken for films. Balls are tested by 26 points.
+    bool is_thick_at(const Vec3& p, double diameter) const {
+        return has_ball(p, true, 0.5 * diameter) && has_ball(p, false, 0.5 * diameter);
     }
 
     /// The steps by which the winding numbers of open operands would come to 0.5, where they have a gradient, and those
@@ -620,7 +621,7 @@ double distance_to_exact(const Comparison& c, const std::vector<char>& own, doub
     std::vector<char> used(c.result.vertices.size(), 0);
     Largest largest;
     for (std::size_t t = 0; t < c.result.triangles.size(); ++t) {
-        if (is_marked(own, t)) {
+        if (c.moved == nullptr && is_marked(own, t)) {
             continue;
         }
         const Triangle& v = c.result.triangles[t];
@@ -654,6 +655,9 @@ double distance_to_exact(const Comparison& c, const std::vector<char>& own, doub
     return largest.get();
 }
 
+/// The distance of a point of the exact surface from the result, and the point.
+using FarPoint = std::pair<double, std::array<double, 3>>;
+
 double distance_from_exact(const Comparison& c, double thinnest, double& spacing) {
     const Unsettled unsettled(c.solid, c.moved);
     Largest largest;
@@ -680,25 +684,37 @@ double distance_from_exact(const Comparison& c, double thinnest, double& spacing
     const double none = box.empty() ? 0.0 : (box.high - box.low).norm();  // the result is empty
     triangles = unsettled.of(triangles, c.finest);
     spacing = std::max(spacing, spacing_on(triangles, c.finest));
+    std::mutex taking;
+    std::vector<FarPoint> far;
     const auto measure = [&](const Vec3& p, const Vec3& normal) {
         const bool near = tree.nearest(p, std::max(c.enough, largest.get())).triangle >= 0;
-        if (!near && c.solid.is_bounded_at(p, normal) && c.solid.is_thick_at(p, normal, thinnest)) {
-            largest.add(tree.size() > 0 ? tree.nearest(p).distance : none);
+        if (!near && c.solid.is_bounded_at(p, normal) && c.solid.is_bounded_at(p, normal, thinnest)) {
+            const double distance = tree.size() > 0 ? tree.nearest(p).distance : none;
+            const std::lock_guard<std::mutex> lock(taking);
+            far.push_back({distance, {p.x(), p.y(), p.z()}});
         }
     };
     sample(
         triangles, spacing, c.progress, [&](const Piece& piece) { return unsettled.is_alone(piece); },
         [&](const Piece& piece) {
-            // Distance of points from the corners beside them, as a fraction of the way to the centre: at the corners
-            // themselves other triangles bound the solid, too.
+            // Distance of points from the border, as a fraction of the way to the centre: on the border itself other
+            // triangles bound the solid, too.
             constexpr double kInside = 0.02;
             const Vec3 centre = piece.centre();
             measure(centre, piece.normal());
-            for (const Vec3& corner : piece.corners) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3& corner = piece.corners[k];
+                const Vec3 middle = 0.5 * (corner + piece.corners[(k + 1) % 3]);
                 measure(corner + kInside * (centre - corner), piece.normal());
+                measure(middle + kInside * (centre - middle), piece.normal());
             }
         });
-    return largest.get();
+    std::sort(far.rbegin(), far.rend());
+    const auto farthest = std::find_if(far.begin(), far.end(), [&](const FarPoint& point) {
+        c.progress.check();
+        return c.solid.is_thick_at(Vec3(point.second[0], point.second[1], point.second[2]), thinnest);
+    });
+    return farthest != far.end() ? std::max(largest.get(), farthest->first) : largest.get();
 }
 
 }  // namespace
