@@ -107,7 +107,13 @@ EXEMPT = {
     "apex": "the surface comes to a point with too little angle around it at {vertex}",
     "narrow_cluster": "edges at the narrow corner of the shape would become ever shorter at {vertex}",
     "infeasible_corner": "edges of the shape that meet at {number}° leave no room for larger angles at {vertex}",
+    "tolerance_corner":
+        "{name} and {name2} count as one, as the shape's tolerances do not tell them apart ({length}): that makes a corner of "
+        "{number}° between {edge} and {edge2} at {vertex}",
     "sharp_edges": "its smallest angle lies between two sharp edges that must stay",
+    "identified_corner":
+        "{name} and {name2} count as one, as they are no farther apart than {length}: that makes a corner of {number}°, which "
+        "the shape does not have and a smaller max. deviation avoids, between {edge} and {edge2} at {vertex}",
     "resolution": "points cannot be placed any closer in single precision",
     "face_floor_raised":
         "too many triangles there have no room for a further point, so the face is refined no further",
@@ -119,7 +125,7 @@ EXEMPT = {
     "budget": "the triangle limit max_triangles was reached",
     "no_change_within_tolerance": "no change within the tolerance makes it better",
 }
-FORCED = ("narrow_corner", "apex", "narrow_cluster", "infeasible_corner", "sharp_edges")  # by the shape itself
+FORCED = ("narrow_corner", "apex", "narrow_cluster", "infeasible_corner", "tolerance_corner", "sharp_edges")  # by the shape itself
 CREASE, CREASE_END = "a crease of {name}", "the end of a crease on {name}"
 NOT_REACHABLE = "target angle not reachable: {phrase}."
 _EXEMPT_TRIANGLE = "triangle {count}: {phrase}"
