@@ -279,8 +279,9 @@ void bind_course(ReportClass& report) {
         .def_property_readonly(
             "exempt_reasons", [](const MeshReport& r) { return r.exempt; },
             "[(triangle, reason), ...]: the same as data: reason.cause, .forced (by the shape itself), .angle (of the "
-            "shape in "
-            "degrees, or -1), .entities (names of the edges, the vertex and the face)")
+            "corner that causes it in degrees, or -1), .entities (names of the edges, the vertex and the face), "
+            ".joined "
+            "(names of two that count as one) and .apart (their distance in mm, or -1)")
         .def_readonly("spanning", &MeshReport::spanning,
                       "[(triangle, the CAD faces that it lies on), ...], of keep_edges = feature; its own face is that "
                       "with the largest share")
