@@ -121,7 +121,7 @@ TEST(Spikes, TheCornersOfTheShapeStayKnown) {
     const auto model = make_shape_model(spiked(width, 0.5), nullptr, Creases::Keep, finely());
     EXPECT_NEAR(corner_at(*model, Vec3(1.0, 0.0, 0.0)), 0.5 * M_PI, 1e-9);
     EXPECT_NEAR(corner_at(*model, Vec3(1.0, 2.0, 0.0)), std::atan(width), 1e-9);
-    EXPECT_NEAR(corner_at(*model, Vec3(1.0 - width, 1.0, 0.0)), 1.5 * M_PI + std::atan(width), 1e-9);
+    EXPECT_NEAR(corner_at(*model, Vec3(1.0 - width, 1.0, 0.0)), 1.5 * M_PI - std::atan(width), 1e-9);
     EXPECT_EQ(corner_at(*model, Vec3(0.0, 2.0, 0.0)), -1.0);
     EXPECT_TRUE(model->topology().joined.empty());  // the narrow corner is the shape's: it only moves
 }
