@@ -58,8 +58,7 @@ BODY_TWICE = "{name} and {name2} are one body twice."
 BODIES_NEAR = ("1 pair of bodies crosses in the mesh only.", "{count} pairs of bodies cross in the mesh only.")
 BODY_NEAR = "{name} and {name2} cross: a smaller max. deviation separates them."
 LIMIT = "the mesh is incomplete: a limit ended the work early"
-FAULTS_LEFT = ("1 fault remains that no repair removed.",
-               "{count} faults remain that no repair removed.")
+FAULTS_LEFT = ("1 fault remains that no repair removed.", "{count} faults remain that no repair removed.")
 GUESSED = "{number} % of the surface is a guess, where operands are open."
 FOLDED = ("1 of {count2} elements is not proven valid: {list}.",
           "{count} of {count2} elements are not proven valid: {list}.")
@@ -107,10 +106,11 @@ EXEMPT = {
     "apex": "the surface comes to a point with too little angle around it at {vertex}",
     "narrow_cluster": "edges at the narrow corner of the shape would become ever shorter at {vertex}",
     "infeasible_corner": "edges of the shape that meet at {number}° leave no room for larger angles at {vertex}",
+    "tolerance_corner": "{name} and {name2} count as one, as the shape's tolerances do not tell them apart ({length}): that makes a corner of {number}° between {edge} and {edge2} at {vertex}",
     "sharp_edges": "its smallest angle lies between two sharp edges that must stay",
+    "identified_corner": "{name} and {name2} count as one, as they are no farther apart than {length}: that makes a corner of {number}°, which the shape does not have and a smaller max. deviation avoids, between {edge} and {edge2} at {vertex}",
     "resolution": "points cannot be placed any closer in single precision",
-    "face_floor_raised":
-        "too many triangles there have no room for a further point, so the face is refined no further",
+    "face_floor_raised": "too many triangles there have no room for a further point, so the face is refined no further",
     "min_edge": "a further point would make an edge shorter than min_edge",
     "crowded": "a further point would lie closer to its neighbours than they do to each other",
     "fold": "a further point would fold the mesh",
@@ -119,7 +119,7 @@ EXEMPT = {
     "budget": "the triangle limit max_triangles was reached",
     "no_change_within_tolerance": "no change within the tolerance makes it better",
 }
-FORCED = ("narrow_corner", "apex", "narrow_cluster", "infeasible_corner", "sharp_edges")  # by the shape itself
+FORCED = ("narrow_corner", "apex", "narrow_cluster", "infeasible_corner", "tolerance_corner", "sharp_edges")  # by the shape itself
 CREASE, CREASE_END = "a crease of {name}", "the end of a crease on {name}"
 NOT_REACHABLE = "target angle not reachable: {phrase}."
 _EXEMPT_TRIANGLE = "triangle {count}: {phrase}"

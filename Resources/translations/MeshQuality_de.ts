@@ -2974,6 +2974,14 @@
         <source>finding common faces</source>
         <translation>gemeinsame Flächen suchen</translation>
     </message>
+    <message>
+        <source>{name} and {name2} count as one, as the shape's tolerances do not tell them apart ({length}): that makes a corner of {number}° between {edge} and {edge2} at {vertex}</source>
+        <translation>{name} und {name2} gelten als eins, da die Toleranzen der Form sie nicht unterscheiden ({length}): dadurch entsteht bei {vertex} eine Ecke von {number}° zwischen {edge} und {edge2}</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} count as one, as they are no farther apart than {length}: that makes a corner of {number}°, which the shape does not have and a smaller max. deviation avoids, between {edge} and {edge2} at {vertex}</source>
+        <translation>{name} und {name2} gelten als eins, da sie höchstens {length} voneinander entfernt sind: dadurch entsteht bei {vertex} zwischen {edge} und {edge2} eine Ecke von {number}°, die die Form nicht hat und eine kleinere max. Abweichung vermeidet</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

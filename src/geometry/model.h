@@ -42,6 +42,9 @@ class Model : public Answerer {
     /// The placement of a face: the motion from the frame of its own definition to that of the topology and the
     /// answers. None where that is no rigid motion.
     virtual std::optional<RigidMotion> place_of_face(int /*face*/) { return std::nullopt; }
+    /// The smallest angle of a face between its edges at a node, radians, as the shape has it, whatever the topology
+    /// counts as one (Topology::joined). None where the node is no corner of the face.
+    virtual std::optional<double> corner_angle(int /*face*/, int /*node*/) { return std::nullopt; }
     /// Adds all numbers that define the geometry of a face (its surface), an edge (its curve) or a node (its point).
     /// @param frame  a face with a placement, in whose frame they are; -1: in the model's own frame
     virtual void add_definition(Entity entity, int frame, Fingerprint& key) = 0;

@@ -87,6 +87,13 @@ struct Volume {
     std::vector<Side> sides;
 };
 
+/// Two nodes or two edges of a topology that count as one, although the shape has both.
+struct Joined {
+    std::array<Entity, 2> entities;
+    double distance = 0.0;  ///< mm, at most
+    bool by_shape = false;  ///< whether the shape's own tolerances do not tell them apart
+};
+
 struct Topology {
     std::vector<Node> nodes;
     std::vector<Edge> edges;
@@ -97,8 +104,10 @@ struct Topology {
     /// mm; edges shorter and faces thinner than this are not told apart where that is safe (degenerate_faces,
     /// triangulate/edges/short_edges); 0: all are
     double detail = 0.0;
-    bool sewn = false;                ///< faces without a shell are joined where borders lie together within `detail`
-    bool imprinted = false;           ///< faces of two solids that lie on each other are one face
+    bool sewn = false;       ///< faces without a shell are joined where borders lie together within `detail`
+    bool imprinted = false;  ///< faces of two solids that lie on each other are one face
+    std::vector<Joined> joined;
+    std::vector<int> joined_nodes;    ///< by node, the node that it is one with; empty: no nodes are joined
     std::vector<std::string> faults;  ///< faults of the model by the kernel's own checks, naming entities
     /// By dimension, for the entities after the shape's own: the entity of the shape to which each belongs. A piece of
     /// an edge or a face belongs to the whole one, a crease to its face, the end of a crease to the edge or face on
@@ -111,6 +120,8 @@ struct Topology {
     }
     /// The number of entities that are the shape's own.
     std::size_t own_count(int dimension) const;
+    /// The node that a node is one with, or itself.
+    int node_of(int node) const { return joined_nodes.empty() ? node : joined_nodes[static_cast<std::size_t>(node)]; }
     /// The entity itself, unless it is in `parts_of`.
     Entity of_shape(Entity entity) const;
     /// The indices of all pieces of an entity of the shape; only its own where it was not cut.

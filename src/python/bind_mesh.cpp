@@ -161,13 +161,21 @@ void bind_exempt_reason(py::module_& m) {
             "whether the shape itself is the reason")
         .def_property_readonly(
             "angle", [](const ExemptReason& r) { return r.angle; },
-            "degrees: the angle of the shape that causes it; -1: none")
+            "degrees: the angle of the corner that causes it, of the shape if `forced`; -1: none")
         .def_property_readonly(
             "entities",
             [](const ExemptReason& r) {
                 return names_of({r.edges[0], r.edges[1], r.vertex, r.face});
             },
             "the names of the edges and the vertex of the shape that cause it, and of its face")
+        .def_property_readonly(
+            "joined",
+            [](const ExemptReason& r) {
+                return names_of({r.joined[0], r.joined[1]});
+            },
+            "the names of two entities of the shape that count as one, where that makes the corner")
+        .def_property_readonly(
+            "apart", [](const ExemptReason& r) { return r.apart; }, "mm: how far apart these are at most; -1: none")
         .def_property_readonly(
             "message", [](const ExemptReason& r) { return text_of(mesh::message_of(r)); },
             "what it says, a MeshQuality.phrases.Text")
@@ -271,8 +279,9 @@ void bind_course(ReportClass& report) {
         .def_property_readonly(
             "exempt_reasons", [](const MeshReport& r) { return r.exempt; },
             "[(triangle, reason), ...]: the same as data: reason.cause, .forced (by the shape itself), .angle (of the "
-            "shape in "
-            "degrees, or -1), .entities (names of the edges, the vertex and the face)")
+            "corner that causes it in degrees, or -1), .entities (names of the edges, the vertex and the face), "
+            ".joined "
+            "(names of two that count as one) and .apart (their distance in mm, or -1)")
         .def_readonly("spanning", &MeshReport::spanning,
                       "[(triangle, the CAD faces that it lies on), ...], of keep_edges = feature; its own face is that "
                       "with the largest share")

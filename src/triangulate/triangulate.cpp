@@ -22,6 +22,7 @@
 #include "triangulate/refine/tuning.h"
 #include "triangulate/refinement.h"
 #include "triangulate/report/final_report.h"
+#include "triangulate/report/joined_corners.h"
 #include "triangulate/report/manifold_output.h"
 #include "triangulate/report/stage_meshes.h"
 #include "triangulate/sampling/sampling.h"
@@ -262,7 +263,8 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     Output out = write_out(surface, topology, task.grid.origin(), task.progress);
     task.progress.check();
     Result result;
-    result.report = final_report(work, findings, farthest, out, options, task.chord);
+    JoinedCorners joined(work, first.faces.chains);
+    result.report = final_report(work, findings, farthest, out, joined, options, task.chord);
     result.mesh = std::move(out.mesh);
     result.angle_history = work.angle_history.entries();
     result.report.reused_faces = recall != nullptr ? count(recall->kept(surface), topology) : 0;

@@ -20,6 +20,7 @@
 #include "geometry/closed_edge.h"
 #include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/evaluation/edge_curves.h"
+#include "geometry/occt/evaluation/face_corner.h"
 #include "geometry/occt/evaluation/face_evaluator.h"
 #include "geometry/occt/geometry_fingerprint.h"
 #include "geometry/occt/plane_curves.h"
@@ -94,6 +95,10 @@ class ShapeModel final : public Model {
     std::optional<ElementarySurface> elementary_surface(int index) override { return first_.face(index).elementary(); }
     std::optional<RigidMotion> place_of_face(int face) override {
         return GeometryFingerprint::motion_of(live_.faces[static_cast<std::size_t>(face)].Location());
+    }
+    std::optional<double> corner_angle(int face, int node) override {
+        return smallest_corner(live_.faces[static_cast<std::size_t>(face)],
+                               live_.nodes[static_cast<std::size_t>(node)]);
     }
     void add_definition(Entity entity, int frame, Fingerprint& key) override;
     void add_definition_of_use(int use, Fingerprint& key) override;

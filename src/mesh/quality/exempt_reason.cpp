@@ -51,6 +51,11 @@ Message message_of(const ExemptReason& reason) {
         std::snprintf(number, sizeof number, "%.2f", reason.angle);
         message.places.push_back({"number", Message::value(number)});
     }
+    if (is_there(reason.joined[0])) {
+        message.places.push_back({"name", name_of(reason.joined[0])});
+        message.places.push_back({"name2", name_of(reason.joined[1])});
+        message.places.push_back({"length", Message::value(in_digits(reason.apart, 3) + " mm")});
+    }
     if (is_there(reason.vertex)) {
         message.places.push_back({"vertex", name_of(reason.vertex)});
     }

@@ -16,7 +16,9 @@ enum class ExemptCause {
     Apex,              ///< singular point of the surface with too little angle around it for three triangles
     NarrowCluster,     ///< splitting further would shrink edges towards a small input angle without terminating
     InfeasibleCorner,  ///< edges meet at an angle beside which no triangulation reaches the bound
+    ToleranceCorner,   ///< a corner that is narrow only as the shape's tolerances do not tell its entities apart
     SharpEdges,        ///< the angle lies between two sharp edges of a mesh without CAD
+    IdentifiedCorner,  ///< a corner that is narrow only as entities closer than the detail count as one
     Resolution,        ///< a further vertex would be closer to others than the resolution of single precision
     FaceFloorRaised,   ///< too many triangles of the face are exempt at the resolution, so that it is refined no finer
     MinEdge,           ///< a further vertex would make an edge shorter than min_edge
@@ -43,14 +45,16 @@ struct NamedEntity {
 /// it, as far as it has any.
 struct ExemptReason {
     ExemptCause cause = ExemptCause::Fold;
-    double angle = -1.0;                 ///< degrees, of the shape; -1: none
-    std::array<NamedEntity, 2> edges{};  ///< the edges that enclose that angle, or one edge where the triangle lies
-    NamedEntity vertex{};                ///< where the edges meet, or the singular point
-    NamedEntity face{};                  ///< the face that the triangle lies on
+    double angle = -1.0;                  ///< degrees, of the corner that causes it; -1: none
+    std::array<NamedEntity, 2> edges{};   ///< the edges that enclose that angle, or one edge where the triangle lies
+    NamedEntity vertex{};                 ///< where the edges meet, or the singular point
+    NamedEntity face{};                   ///< the face that the triangle lies on
+    std::array<NamedEntity, 2> joined{};  ///< entities of the shape that count as one, where that makes the corner
+    double apart = -1.0;                  ///< mm: how far apart these are at most; -1: none
 
     bool operator==(const ExemptReason& other) const {
         return cause == other.cause && angle == other.angle && edges == other.edges && vertex == other.vertex &&
-               face == other.face;
+               face == other.face && joined == other.joined && apart == other.apart;
     }
 };
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/angle.h"
+#include "geometry/detail.h"
 #include "triangulate/edges/tuning.h"
 
 namespace mq::triangulate {
@@ -19,18 +21,25 @@ struct FaceCorner {
     std::array<int, 2> edge;
     std::array<int, 2> end;
     std::vector<double> distances{};  // from the node, mm, descending
+
+    int node(const geometry::Topology& topology, int k) const { return topology.edges[edge[k]].nodes[end[k]]; }
+    bool at_one_node(const geometry::Topology& topology) const { return node(topology, 0) == node(topology, 1); }
 };
 
-std::vector<FaceCorner> corners_of_faces(const geometry::Topology& topology) {
+// @param lengths  of the edges, mm; 0: it is a point, and the edges before and after it meet there
+std::vector<FaceCorner> corners_of_faces(const geometry::Topology& topology, const std::vector<double>& lengths) {
     std::vector<FaceCorner> corners;
     for (const geometry::Face& face : topology.faces) {
         for (const geometry::Loop& loop : face.loops) {
-            for (std::size_t i = 0; i < loop.uses.size(); ++i) {
-                const geometry::EdgeUse& a = topology.uses[loop.uses[i]];
-                const geometry::EdgeUse& b = topology.uses[loop.uses[(i + 1) % loop.uses.size()]];
+            std::vector<int> uses = loop.uses;
+            uses.erase(std::remove_if(uses.begin(), uses.end(),
+                                      [&](int use) { return !(lengths[topology.uses[use].edge] > 0.0); }),
+                       uses.end());
+            for (std::size_t i = 0; i < uses.size(); ++i) {
+                const geometry::EdgeUse& a = topology.uses[uses[i]];
+                const geometry::EdgeUse& b = topology.uses[uses[(i + 1) % uses.size()]];
                 const FaceCorner corner{{a.edge, b.edge}, {a.forward ? 1 : 0, b.forward ? 0 : 1}};
-                const int node = topology.edges[a.edge].nodes[corner.end[0]];
-                if (a.edge != b.edge && node >= 0 && node == topology.edges[b.edge].nodes[corner.end[1]]) {
+                if (a.edge != b.edge && corner.node(topology, 0) >= 0 && corner.node(topology, 1) >= 0) {
                     corners.push_back(corner);
                 }
             }
@@ -115,21 +124,75 @@ geometry::Engine::Batch places(const geometry::Topology& topology, const std::ve
     return batch;
 }
 
+// The nodes where something closer than the detail counts as one.
+std::set<int> joined_nodes(const geometry::Topology& topology) {
+    std::set<int> nodes;
+    for (const geometry::Joined& joined : topology.joined) {
+        for (const geometry::Entity& entity : joined.entities) {
+            if (!joined.by_shape && entity.dimension == 0) {
+                nodes.insert(topology.node_of(entity.index));
+            } else if (!joined.by_shape) {
+                nodes.insert(topology.edges[entity.index].nodes.begin(), topology.edges[entity.index].nodes.end());
+            }
+        }
+    }
+    return nodes;
+}
+
+// Sets the radius around joined nodes, and those that contracted edges make one, to the distance at which the edges
+// have opened, where they have: nearer to the node the mesh would have a corner that the shape does not have.
+void keep_open(geometry::Session& session, std::vector<FaceCorner> corners, std::vector<std::array<double, 2>>& radii) {
+    using geometry::DetailCorners;
+    const geometry::Topology& topology = session.topology();
+    const std::set<int> joined = joined_nodes(topology);
+    const double reach = DetailCorners::kReach * topology.detail;
+    // The angle was compared from a place up to a detail away.
+    const double least = DetailCorners::kLeast - 1.0 / DetailCorners::kReach;
+    const auto elsewhere = [&](const FaceCorner& corner) {
+        const bool apart = !corner.at_one_node(topology);  // the edges between are contracted
+        const auto closed = [&](int e) { return topology.edges[e].nodes[0] == topology.edges[e].nodes[1]; };
+        return (!apart && joined.count(corner.node(topology, 0)) == 0) || closed(corner.edge[0]) ||
+               closed(corner.edge[1]);
+    };
+    corners.erase(std::remove_if(corners.begin(), corners.end(), elsewhere), corners.end());
+    geometry::Engine::Batch batch;
+    for (const FaceCorner& corner : corners) {
+        for (int k = 0; k < 2; ++k) {
+            const geometry::Edge& edge = topology.edges[corner.edge[k]];
+            const auto [from, to] = corner.end[k] == 0 ? std::pair{edge.t0, edge.t1} : std::pair{edge.t1, edge.t0};
+            batch.push_back(geometry::Query::edge_at_distance(corner.edge[k], from, to, reach));
+            batch.push_back(geometry::Query::edge_point(corner.edge[k], to));
+        }
+    }
+    const geometry::Engine::Answers answers = session.ask(std::move(batch));
+    const geometry::Answer* at = answers.data();
+    for (const FaceCorner& corner : corners) {
+        std::array<Vec3, 2> ways;
+        for (int k = 0; k < 2; ++k, at += 2) {
+            ways[k] = (at[0].found() ? at[0] : at[1]).point - topology.nodes[corner.node(topology, k)].point;
+        }
+        for (int k = 0; k < 2 && angle_between(ways[0], ways[1]) >= least; ++k) {
+            double& known = radii[corner.edge[k]][corner.end[k]];
+            known = std::max(known, reach);
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<std::array<double, 2>> unresolved_ends(geometry::Session& session, const SinglePrecisionGrid& grid,
                                                    const std::vector<double>& lengths) {
     const geometry::Topology& topology = session.topology();
-    std::vector<FaceCorner> corners = corners_of_faces(topology);
-    const auto collapsed = [&](const FaceCorner& corner) {
-        return !(lengths[corner.edge[0]] > 0.0) || !(lengths[corner.edge[1]] > 0.0);
-    };
-    corners.erase(std::remove_if(corners.begin(), corners.end(), collapsed), corners.end());
+    std::vector<FaceCorner> corners = corners_of_faces(topology, lengths);
     keep_narrow(session, corners);
+    std::vector<std::array<double, 2>> result(topology.edges.size(), {0.0, 0.0});
+    keep_open(session, corners, result);
+    corners.erase(std::remove_if(corners.begin(), corners.end(),
+                                 [&](const FaceCorner& corner) { return !corner.at_one_node(topology); }),
+                  corners.end());
     std::map<int, double> deviation = deviations(session, corners);
     const geometry::Engine::Answers answers = session.ask(places(topology, lengths, grid.shortest_side(), corners));
     const geometry::Answer* at = answers.data();
-    std::vector<std::array<double, 2>> result(topology.edges.size(), {0.0, 0.0});
     for (const FaceCorner& corner : corners) {
         const double apart = deviation[corner.edge[0]] + deviation[corner.edge[1]] + 2.0 * grid.resolution();
         // From the farthest to the nearest: the last distance at which they are apart ends the stretch at the node.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/report/exemption.h"
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
 #include "base/angle.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/edges_angle.h"
@@ -21,14 +25,42 @@ mesh::NamedEntity entity_at(const Workspace& work, int vertex) {
     return entity_of(work, {e[0], e[1]});
 }
 
-ExemptReason narrow_corner(const Workspace& work, int triangle) {
+ExemptReason between_segments(const Workspace& work, int a, int b, int vertex, double angle) {
+    const auto edge_of = [&](int segment) { return entity_of(work, {1, work.mesh.segment(segment).edge}); };
+    return {Cause::NarrowCorner, angle / kDegree, {edge_of(a), edge_of(b)}, entity_at(work, vertex)};
+}
+
+// A corner that the shape does not have.
+ExemptReason joined_corner(const Workspace& work, const geometry::Joined& joined, ExemptReason reason) {
+    reason.cause = joined.by_shape ? Cause::ToleranceCorner : Cause::IdentifiedCorner;
+    reason.joined = {entity_of(work, joined.entities[0]), entity_of(work, joined.entities[1])};
+    reason.apart = joined.distance;
+    return reason;
+}
+
+ExemptReason narrow_corner(const Workspace& work, JoinedCorners& joined, int triangle, double bound) {
     const SmallestAngle smallest = smallest_angle(work.mesh, triangle);
-    const int a = work.mesh.segment(work.mesh.segment_of(smallest.half_edge)).edge;
-    const int b = work.mesh.segment(work.mesh.segment_of(ClassifiedMesh::prev(smallest.half_edge))).edge;
-    return {Cause::NarrowCorner,
-            smallest.angle / kDegree,
-            {entity_of(work, {1, a}), entity_of(work, {1, b})},
-            entity_at(work, work.mesh.vertex_of(smallest.half_edge))};
+    const int vertex = work.mesh.vertex_of(smallest.half_edge);
+    const int a = work.mesh.segment_of(smallest.half_edge);
+    const int b = work.mesh.segment_of(ClassifiedMesh::prev(smallest.half_edge));
+    const ExemptReason reason = between_segments(work, a, b, vertex, smallest.angle);
+    const auto spanned = work.spanning.find(triangle);
+    const auto found = joined.at(
+        vertex, spanned != work.spanning.end() ? spanned->second.faces : std::vector<int>{work.mesh.face_of(triangle)});
+    return found && found->own > std::max(bound, kNarrowed * smallest.angle)
+               ? joined_corner(work, found->joined, reason)
+               : reason;
+}
+
+// The corner of the mesh at a vertex, if it is below `angle`, and no corner of the shape there is; radians.
+std::optional<ExemptReason> joined_corner_at(const Workspace& work, JoinedCorners& joined, int vertex, double angle) {
+    const auto found = joined.at(vertex);
+    const JoinedCorners::Meeting* const meeting = found && found->own >= angle ? joined.narrowest(vertex) : nullptr;
+    if (meeting == nullptr || meeting->angle >= angle) {
+        return std::nullopt;
+    }
+    const auto [a, b] = meeting->segments;
+    return joined_corner(work, found->joined, between_segments(work, a, b, vertex, meeting->angle));
 }
 
 // Whether the triangle fills a corner that the edges themselves enclose, not only their chords. Local improvement can
@@ -55,29 +87,34 @@ ExemptReason at_vertex(const Workspace& work, Cause cause, int vertex, double an
     return {cause, angle, {}, entity_at(work, vertex)};
 }
 
-ExemptReason reason_of(const Workspace& work, InfeasibleCorner& forces, int triangle, const Exemption& exemption,
+ExemptReason reason_of(const Workspace& work, const CornersOfReport& corners, int triangle, const Exemption& exemption,
                        double bound) {
     if (exemption.cause == Cause::Budget) {
         return {Cause::Budget};  // takes precedence over all other causes, since the triangle was not tried
     }
     // The present shape of a triangle explains it, independent of what prevented the improvement of earlier ones.
     if (fills_corner(work, triangle)) {
-        return narrow_corner(work, triangle);
+        return narrow_corner(work, corners.joined, triangle, bound);
     }
     const int corner = smallest_angle(work.mesh, triangle).half_edge;
     if (too_little_around(work.mesh, corner, bound)) {
         return at_vertex(work, Cause::Apex, work.mesh.vertex_of(corner));
     }
     if (exemption.cause == Cause::NarrowCorner) {
-        return narrow_corner(work, triangle);
+        return narrow_corner(work, corners.joined, triangle, bound);
     }
     if (exemption.cause == Cause::Apex) {
         return at_vertex(work, Cause::Apex, exemption.vertex);
     }
     ExemptReason reason{exemption.cause};
     if (exemption.cause == Cause::NarrowCluster) {
-        if (const auto angle = forces.at(exemption.vertex)) {
-            return at_vertex(work, Cause::InfeasibleCorner, exemption.vertex, *angle / kDegree);
+        const auto infeasible = corners.infeasible.at(exemption.vertex);
+        const double least = infeasible ? bound : kNarrowCorner;  // corners below that end splitting
+        if (const auto joined = joined_corner_at(work, corners.joined, exemption.vertex, least)) {
+            return *joined;
+        }
+        if (infeasible) {
+            return at_vertex(work, Cause::InfeasibleCorner, exemption.vertex, *infeasible / kDegree);
         }
         reason.vertex = entity_at(work, exemption.vertex);
     }
@@ -90,9 +127,9 @@ ExemptReason reason_of(const Workspace& work, InfeasibleCorner& forces, int tria
 
 }  // namespace
 
-ExemptReason explain(const Workspace& work, InfeasibleCorner& forces, int triangle, const Exemption& exemption,
+ExemptReason explain(const Workspace& work, const CornersOfReport& corners, int triangle, const Exemption& exemption,
                      double bound) {
-    ExemptReason reason = reason_of(work, forces, triangle, exemption, bound);
+    ExemptReason reason = reason_of(work, corners, triangle, exemption, bound);
     reason.face = entity_of(work, {2, work.mesh.face_of(triangle)});
     return reason;
 }

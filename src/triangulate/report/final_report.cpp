@@ -51,7 +51,8 @@ Angles angles_of(const Workspace& work, const Output& out, double bound, std::si
     return angles;
 }
 
-void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {
+void report_exemptions(const Workspace& work, const Output& out, JoinedCorners& joined, double bound,
+                       mesh::MeshReport& report) {
     constexpr std::size_t kBlock = 8192;  // triangles, measured in about half a millisecond
     std::vector<Angles> blocks((out.source.size() + kBlock - 1) / kBlock);
     parallel_for(static_cast<int>(blocks.size()), [&](int k) {
@@ -67,8 +68,9 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
         report.min_angle_unexempted = std::min(report.min_angle_unexempted, angles.least);
         for (const auto& [triangle, exemption] : angles.below) {
             pace.step();
-            report.exempt.emplace_back(static_cast<std::int32_t>(triangle),
-                                       explain(work, forces, out.source[triangle], exemption, bound * kDegree));
+            report.exempt.emplace_back(
+                static_cast<std::int32_t>(triangle),
+                explain(work, {forces, joined}, out.source[triangle], exemption, bound * kDegree));
         }
     }
 }
@@ -198,7 +200,8 @@ MaxChordError measure_against_part(Workspace& work, MeasurementCache& findings, 
 }
 
 mesh::MeshReport final_report(const Workspace& work, MeasurementCache& findings, const MaxChordError& farthest,
-                              const Output& out, const TriangulateOptions& options, double chord) {
+                              const Output& out, JoinedCorners& joined, const TriangulateOptions& options,
+                              double chord) {
     mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
     report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
     report.chord_height_asked = chord;
@@ -206,7 +209,7 @@ mesh::MeshReport final_report(const Workspace& work, MeasurementCache& findings,
     report.imprinted = work.session.topology().imprinted;
     report.contacts = solid_contacts(out.mesh);
     report.sewn = work.session.topology().sewn;
-    report_exemptions(work, out, report.min_angle_asked, report);
+    report_exemptions(work, out, joined, report.min_angle_asked, report);
     report_spanning(work, out, report);
     report.notes = work.session.topology().faults;
     report_chord_height(work, farthest, out, options.keeps_bounds(), report);

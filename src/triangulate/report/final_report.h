@@ -6,6 +6,7 @@
 #include "triangulate/measure/chord_error.h"
 #include "triangulate/measure/max_chord_error.h"
 #include "triangulate/measure/self_intersections.h"
+#include "triangulate/report/joined_corners.h"
 #include "triangulate/report/manifold_output.h"
 #include "triangulate/work_mesh/options.h"
 #include "triangulate/work_mesh/workspace.h"
@@ -30,6 +31,7 @@ MaxChordError measure_against_part(Workspace& work, MeasurementCache& findings, 
 /// measure_against_part, which must have been called.
 /// @throws Cancelled
 mesh::MeshReport final_report(const Workspace& work, MeasurementCache& findings, const MaxChordError& farthest,
-                              const Output& out, const TriangulateOptions& options, double chord);
+                              const Output& out, JoinedCorners& joined, const TriangulateOptions& options,
+                              double chord);
 
 }  // namespace mq::triangulate

@@ -4,6 +4,7 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <Precision.hxx>
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "base/angle.h"
@@ -47,9 +48,15 @@ std::optional<Vec3> EdgeJoining::conormal(int use, double t) const {
 }
 
 void EdgeJoining::unite(int a, int b) {
-    if (a >= 0 && b >= 0) {
-        nodes_.unite(a, b);
+    if (a < 0 || b < 0 || same_node(a, b)) {
+        return;
     }
+    const Node& first = topology_.nodes[static_cast<std::size_t>(a)];
+    const Node& second = topology_.nodes[static_cast<std::size_t>(b)];
+    const double distance = (first.point - second.point).norm();
+    topology_.joined.push_back(
+        {{Entity{0, a}, Entity{0, b}}, distance, distance <= first.tolerance + second.tolerance});
+    nodes_.unite(a, b);
 }
 
 double EdgeJoining::tolerance(int e) const {
@@ -137,11 +144,13 @@ std::optional<EdgeJoining::Alignment> EdgeJoining::alignment(int a, int b, doubl
 }
 
 bool EdgeJoining::join(int a, int b, double within) {
-    within = std::max(within, tolerance(a) + tolerance(b));
+    const double own = tolerance(a) + tolerance(b);
+    within = std::max(within, own);
     const std::optional<Alignment> along = alignment(a, b, within);
     if (!along || !alignment(b, a, within)) {
         return false;
     }
+    topology_.joined.push_back({{Entity{1, a}, Entity{1, b}}, along->distance, along->distance <= own});
     unite(edge(a).nodes[0], edge(b).nodes[along->same_way ? 0 : 1]);
     unite(edge(a).nodes[1], edge(b).nodes[along->same_way ? 1 : 0]);
     for (const int u : edge(b).uses) {
@@ -202,6 +211,13 @@ void EdgeJoining::rename_nodes() {
         for (int& node : edge.nodes) {
             node = node < 0 ? node : nodes_.find(node);
         }
+    }
+    if (topology_.joined_nodes.empty()) {
+        topology_.joined_nodes.resize(topology_.nodes.size());
+        std::iota(topology_.joined_nodes.begin(), topology_.joined_nodes.end(), 0);
+    }
+    for (int& node : topology_.joined_nodes) {
+        node = nodes_.find(node);
     }
 }
 

@@ -33,6 +33,7 @@ class EdgeJoining {
     /// Divides an edge at its parameter `t`, where it gets the node: the edge keeps the first piece.
     /// @return the second piece, a new edge (Topology::parts_of)
     int divide(int e, double t, int node);
+    /// Makes one node of two, if both exist, and notes that.
     void unite(int a, int b);
     bool same_node(int a, int b) { return a >= 0 && b >= 0 && nodes_.find(a) == nodes_.find(b); }
     /// Gives the edges the nodes that stand for theirs.

@@ -154,6 +154,7 @@ class Spikes : EdgeJoining {
         const int b = edge_of(spike.sides.shorter);
         const int face = use_of(spike.sides.longer).face;
         const bool tip_is_last = use_of(spike.sides.longer).forward == spike.sides.ascending;
+        const bool moved = spike.sides.tips.empty() && tip_angle(spike.sides) < DetailCorners::kLeast;
         const int second = divide(a, spike.t, spike.node);
         const int piece = tip_is_last ? second : a;
         if (!alignment(piece, b, spike.within) || !alignment(b, piece, spike.within)) {
@@ -170,7 +171,9 @@ class Spikes : EdgeJoining {
         }
         drop(loop, use_on(piece, face));
         drop(loop, spike.sides.shorter);
-        join(piece, b, spike.within);
+        if (join(piece, b, spike.within) && moved) {
+            topology_.joined.pop_back();  // the shape has the narrow corner: it only moves
+        }
         return true;
     }
 

@@ -20,6 +20,24 @@ TEST(ExemptReason, IsSaidWithItsEntitiesAndItsAngle) {
               "its smallest angle lies between two sharp edges that must stay");
 }
 
+TEST(ExemptReason, NamesWhatCountsAsOne) {
+    ExemptReason corner{ExemptCause::IdentifiedCorner, 11.25, {edge(4), edge(9)}, vertex(3), face(2)};
+    corner.joined = {edge(5), edge(9)};
+    corner.apart = 0.00212;
+    EXPECT_EQ(
+        message_of(corner).text(),
+        "Edge5 and Edge9 count as one, as they are no farther apart than 0.00212 mm: that makes a corner of 11.25°, "
+        "which the shape does not have and a smaller max. deviation avoids, between Edge4 and Edge9 at Vertex3 on "
+        "Face2");
+    EXPECT_FALSE(is_forced(corner.cause));
+    corner.cause = ExemptCause::ToleranceCorner;
+    EXPECT_EQ(
+        message_of(corner).text(),
+        "Edge5 and Edge9 count as one, as the shape's tolerances do not tell them apart (0.00212 mm): that makes a "
+        "corner of 11.25° between Edge4 and Edge9 at Vertex3 on Face2");
+    EXPECT_TRUE(is_forced(corner.cause));
+}
+
 TEST(ExemptReason, NamesCreasesByTheFaceThatTheyLieOn) {
     const ExemptReason apex{ExemptCause::Apex, -1.0, {}, {0, {2, 4}}, face(5)};
     EXPECT_EQ(message_of(apex).text(),

@@ -60,6 +60,9 @@ TEST(CollapsedPieces, SliversWithinTheToleranceOfTheirEdgesAreOneEdge) {
     const Topology& topology = model->topology();
     EXPECT_TRUE(topology.faces[1].no_area);
     EXPECT_EQ(shared_edges(topology), 1);
+    ASSERT_EQ(topology.joined.size(), 1U);
+    EXPECT_TRUE(topology.joined[0].by_shape);
+    EXPECT_NEAR(topology.joined[0].distance, 4e-3, 1e-3);
     ASSERT_FALSE(topology.faults.empty());
     EXPECT_EQ(topology.faults[0].rfind("Face2: is no wider than the tolerance of its edges", 0), 0u);
 
@@ -163,6 +166,14 @@ TEST(CollapsedPieces, SliversBetweenSeveralEdgesAreThoseEdges) {
     const auto model = with_detail(shell, 5.0 * kWidth);
     EXPECT_TRUE(model->topology().faces[1].no_area);
     EXPECT_EQ(shared_edges(model->topology()), 2);
+    int edges_joined = 0;
+    for (const Joined& joined : model->topology().joined) {
+        EXPECT_FALSE(joined.by_shape);
+        EXPECT_GE(joined.distance, 0.99 * kWidth);
+        EXPECT_LE(joined.distance, 1.5 * kWidth);
+        edges_joined += joined.entities[0].dimension == 1 ? 1 : 0;
+    }
+    EXPECT_EQ(edges_joined, 2);
     const auto fine = with_detail(shell, 0.5 * kWidth);
     EXPECT_FALSE(fine->topology().faces[1].no_area);
 }

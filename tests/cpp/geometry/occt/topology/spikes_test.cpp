@@ -106,6 +106,26 @@ TEST(Spikes, ASpikeIsTakenOffAndTheFacesBesideItMeet) {
     }
 }
 
+/// The smallest corner of the first face at a point in the shape, radians; -1: it has none there.
+double corner_at(Model& model, const Vec3& point) {
+    for (int n = 0; n < static_cast<int>(model.topology().nodes.size()); ++n) {
+        if ((model.topology().nodes[static_cast<std::size_t>(n)].point - point).norm() < 1e-9) {
+            return model.corner_angle(0, n).value_or(-1.0);
+        }
+    }
+    return -1.0;
+}
+
+TEST(Spikes, TheCornersOfTheShapeStayKnown) {
+    const double width = 1e-3;
+    const auto model = make_shape_model(spiked(width, 0.5), nullptr, Creases::Keep, finely());
+    EXPECT_NEAR(corner_at(*model, Vec3(1.0, 0.0, 0.0)), 0.5 * M_PI, 1e-9);
+    EXPECT_NEAR(corner_at(*model, Vec3(1.0, 2.0, 0.0)), std::atan(width), 1e-9);
+    EXPECT_NEAR(corner_at(*model, Vec3(1.0 - width, 1.0, 0.0)), 1.5 * M_PI - std::atan(width), 1e-9);
+    EXPECT_EQ(corner_at(*model, Vec3(0.0, 2.0, 0.0)), -1.0);
+    EXPECT_TRUE(model->topology().joined.empty());  // the narrow corner is the shape's: it only moves
+}
+
 TEST(Spikes, ANarrowCornerMayBeLeftWhereANarrowerOneIsTakenOff) {
     const auto wider = make_shape_model(tapering(1.0, 1e-3, 0.2), nullptr, Creases::Keep, finely());
     EXPECT_TRUE(has_spike(wider->topology()));
