@@ -32,8 +32,10 @@ LIMIT = 1800  # seconds for a job, on a machine that does much else
 SLOWEST = 12  # jobs that are named at the end
 PARTS_OF_THE_WINDOW = 8  # FreeCAD's window takes seconds to open
 # Jobs of more than half a minute, the longest first: the others fill what is left beside them.
-LONGEST = ("attacks/meshes_given", "freecad/test_batch", "freecad/test_curve", "freecad/test_attacks", "oracles/certify", "freecad/test_boolean",
-           "freecad/test_exchange", "freecad/test_layers", "freecad/test_triangulate", "freecad/test_wrap")
+LONGEST = ("freecad/test_certify", "attacks/meshes_given", "freecad/test_offset", "freecad/test_wrap", "freecad/test_placement",
+           "freecad/test_layers", "oracles/certify", "freecad/test_batch", "freecad/test_injectivity", "oracles/wrap",
+           "oracles/hollow", "attacks/documents_edited", "attacks/shapes_given", "attacks/callbacks", "freecad/test_given_meshes",
+           "freecad/test_cli", "freecad/test_attacks_batch", "freecad/test_cure")
 
 
 @dataclass
