@@ -5,6 +5,7 @@ import os
 import resource
 import shutil
 import tempfile
+import time
 import unittest
 
 import FreeCAD
@@ -12,6 +13,7 @@ import numpy as np
 import Part
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+SLOWEST = 10  # tests that are named with their seconds
 
 
 def simple_parts():
@@ -88,6 +90,22 @@ def copy_without_binary(folder):
                         ignore=shutil.ignore_patterns("*.so", "meshquality_fill", "__pycache__"))
 
 
+class TimedResult(unittest.TextTestResult):
+    """Also has how long each test took, in seconds by its name."""
+
+    def __init__(self, *arguments, **values):
+        super().__init__(*arguments, **values)
+        self.seconds = {}
+
+    def startTest(self, test):
+        super().startTest(test)
+        self.seconds[test.id()] = -time.monotonic()
+
+    def stopTest(self, test):
+        self.seconds[test.id()] += time.monotonic()
+        super().stopTest(test)
+
+
 def run_tests(folder, chosen, stream):
     """Runs the tests of a folder, or those with the chosen names, and returns how many failed.
 
@@ -95,7 +113,9 @@ def run_tests(folder, chosen, stream):
     """
     loader = unittest.TestLoader()
     suite = loader.loadTestsFromNames(chosen) if chosen else loader.discover(folder)
-    result = unittest.TextTestRunner(stream=stream, verbosity=2).run(suite)
+    result = unittest.TextTestRunner(stream=stream, verbosity=2, resultclass=TimedResult).run(suite)
+    for name, seconds in sorted(result.seconds.items(), key=lambda item: -item[1])[:SLOWEST]:
+        stream.write(f"{seconds:8.2f} s  {name}\n")
     # A test with several failed sub-tests counts once.
     faults = [test for test, _ in result.failures + result.errors] + result.unexpectedSuccesses
     failed = len({getattr(test, "test_case", test).id() for test in faults})
