@@ -21,6 +21,7 @@
 #include "boolean/input/operand_repair.h"
 #include "boolean/input/tuning.h"
 #include "boolean/near_coincidence/near_coincidence.h"
+#include "boolean/near_coincidence/thin_shells.h"
 #include "boolean/rounding/snap_rounding.h"
 #include "boolean/tuning.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
@@ -188,6 +189,7 @@ class BooleanPipeline {
             for (const ContactFace& face : faces) {
                 result_.closed_gaps = std::max({result_.closed_gaps, std::abs(face.low), std::abs(face.high)});
             }
+            mark_contacts(faces);
             if (moved_ > 4.0 * clearance()) {
                 result_.notes.push_back(
                     "faces that lie on each other within the tolerance were taken as one: slivers and gaps up to " +
@@ -203,9 +205,26 @@ class BooleanPipeline {
         return true;
     }
 
+    /// Marks the triangles of common faces, and those that share their moved vertices.
+    void mark_contacts(const std::vector<ContactFace>& faces) {
+        in_contact_.assign(soup_.triangles.size(), 0);
+        for (const ContactFace& face : faces) {
+            in_contact_[static_cast<std::size_t>(face.earlier)] = in_contact_[static_cast<std::size_t>(face.later)] = 1;
+        }
+        for (std::size_t t = 0; t < in_contact_.size(); ++t) {
+            const Triangle& c = soup_.triangles[t];
+            if (std::any_of(c.begin(), c.end(), [&](int v) { return soup_.moved[static_cast<std::size_t>(v)] != 0; })) {
+                in_contact_[t] = 1;
+            }
+        }
+    }
+
     void finish(Extraction& extraction) {
         ResultMesh& draft = extraction.draft;
         RoundingCount rounded = snap_round(extraction, {size_, tolerance_, in_single_}, progress_);
+        if (moved_ > 0.0) {
+            remove_thin_shells(draft, in_contact_, result_.closed_gaps);
+        }
         result_.separated_contacts = rounded.separated;
         result_.faults_left = rounded.faulty.empty() ? nonmanifold(draft).size() : rounded.faulty.size();
         result_.error_bound = rounded.error_bound + joined_;
@@ -253,8 +272,8 @@ class BooleanPipeline {
         for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
             moved.triangles.push_back(corners(soup_, static_cast<std::int32_t>(t)));
         }
-        // Distances below a twentieth of the tolerance are not told apart. A gap is at most 3^0.5 times as wide along an
-        // axis as along its normal.
+        // Distances below a twentieth of the tolerance are not told apart. A gap is at most 3^0.5 times as wide along
+        // an axis as along its normal.
         return measure_error(enclosed, expression_, result_.mesh, own, tolerance_, 0.05 * tolerance_,
                              1.75 * result_.closed_gaps, progress_, &moved)
             .largest();
@@ -287,6 +306,7 @@ class BooleanPipeline {
     bool in_single_ = true;  ///< all vertices of the operands are single-precision numbers
     double tolerance_ = 0.0;
     double moved_ = 0.0;
+    std::vector<char> in_contact_;             ///< for each triangle of the soup, where common faces were moved
     std::vector<std::int32_t> result_source_;  ///< for each triangle of the result that of the soup
     double joined_ = 0.0;                      ///< how far operands were moved where cracks were closed, mm
     std::vector<Operand> prepared_;

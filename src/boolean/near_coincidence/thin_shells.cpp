@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/near_coincidence/thin_shells.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdint>
+
+#include "base/disjoint_sets.h"
+
+namespace mq::boolean {
+
+std::size_t remove_thin_shells(ResultMesh& draft, const std::vector<char>& in_contact, double thickness) {
+    DisjointSets<std::int32_t> sets(draft.vertices.size());  // shells share no vertex
+    for (const Triangle& t : draft.triangles) {
+        sets.unite(t[0], t[1]);
+        sets.unite(t[0], t[2]);
+    }
+    std::int32_t count = 0;
+    const std::vector<std::int32_t> shell_of = sets.number(count);
+    struct Shell {
+        double area = 0.0;
+        double volume = 0.0;
+        bool in_contact = true;
+    };
+    std::vector<Shell> shells(static_cast<std::size_t>(count));
+    std::vector<Vec3> corner(shells.size());  // volumes are added up about a vertex of each shell
+    for (const Triangle& t : draft.triangles) {
+        corner[static_cast<std::size_t>(shell_of[static_cast<std::size_t>(t[0])])] =
+            draft.vertices[static_cast<std::size_t>(t[0])];
+    }
+    for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
+        const Triangle& c = draft.triangles[t];
+        const auto index = static_cast<std::size_t>(shell_of[static_cast<std::size_t>(c[0])]);
+        Shell& shell = shells[index];
+        const Vec3 a = draft.vertices[static_cast<std::size_t>(c[0])] - corner[index];
+        const Vec3 b = draft.vertices[static_cast<std::size_t>(c[1])] - corner[index];
+        const Vec3 d = draft.vertices[static_cast<std::size_t>(c[2])] - corner[index];
+        shell.area += 0.5 * (b - a).cross(d - a).norm();
+        shell.volume += a.dot(b.cross(d)) / 6.0;
+        shell.in_contact = shell.in_contact && in_contact[static_cast<std::size_t>(draft.from[t])] != 0;
+    }
+    std::vector<char> thin(draft.triangles.size(), 0);
+    std::size_t removed = 0;
+    for (std::size_t t = 0; t < thin.size(); ++t) {
+        const auto first = static_cast<std::size_t>(draft.triangles[t][0]);
+        const Shell& shell = shells[static_cast<std::size_t>(shell_of[first])];
+        thin[t] = static_cast<char>(shell.in_contact && 2.0 * std::abs(shell.volume) < thickness * shell.area);
+        removed += static_cast<std::size_t>(thin[t]);
+    }
+    if (removed > 0) {
+        remove_triangles(draft, thin);
+    }
+    return removed;
+}
+
+}  // namespace mq::boolean

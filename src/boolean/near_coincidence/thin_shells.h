@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "boolean/extraction/result_mesh.h"
+
+namespace mq::boolean {
+
+/// Removes what is left of closed gaps and films between common faces: the shells of a result, closed surfaces that
+/// hang together by edges, whose mean thickness, twice the volume by the area, is below a length, and of which all
+/// triangles are pieces of common faces. The rest of the result stays closed, as no shell has an edge of another one.
+/// @param in_contact  for each triangle of the soup whether it is of a common face, or was moved with one
+/// @param thickness   mm
+/// @return the number of triangles removed
+std::size_t remove_thin_shells(ResultMesh& draft, const std::vector<char>& in_contact, double thickness);
+
+}  // namespace mq::boolean
