@@ -21,8 +21,8 @@
 #include "boolean/input/operand_repair.h"
 #include "boolean/input/tuning.h"
 #include "boolean/near_coincidence/near_coincidence.h"
-#include "boolean/near_coincidence/thin_shells.h"
 #include "boolean/rounding/snap_rounding.h"
+#include "boolean/rounding/thin_shells.h"
 #include "boolean/tuning.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/intersection/self_intersection.h"

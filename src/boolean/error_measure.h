@@ -7,21 +7,11 @@
 
 #include "base/progress.h"
 #include "base/vec.h"
+#include "boolean/exact_solid.h"
 #include "boolean/input/operation.h"
-#include "mesh/intersection/winding_number.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
-
-/// An operand as the set of points that it encloses, in the frame of the result. All is referred to.
-struct EnclosedOperand {
-    const std::vector<Vec3>* vertices = nullptr;
-    const std::vector<mesh::Triangle>* triangles = nullptr;
-    /// Null: the triangles close, and inside is what they wind around at least once. Else inside is where this is at
-    /// least 0.5.
-    const mesh::WindingNumber* winding = nullptr;
-    std::vector<char> retained;  ///< for each triangle whether the result has it bit for bit; empty: for none
-};
 
 /// Operands of which vertices were moved before a result was made of them. Where it is far from other operands a piece
 /// of a triangle is as far from the exact surface as it is from the triangle as that was: moves change no winding

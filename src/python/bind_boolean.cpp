@@ -107,18 +107,27 @@ py::tuple surface_distance(const Surface& from, const Surface& to, const py::obj
     return py::make_tuple(distance.mean, distance.largest);
 }
 
-void bind_boolean_report(py::module_& m) {
-    py::class_<BooleanReport, mesh::MeshReport>(
-        m, "BooleanReport", "A MeshReport of a Boolean's result, and what happened to its operands.")
-        .def_readonly("method", &BooleanReport::method, "that has made the result: 'exact', 'uniform' or 'wrap'")
+using BooleanReportClass = py::class_<BooleanReport, mesh::MeshReport>;
+
+void bind_error(BooleanReportClass& bound) {
+    bound.def_readonly("method", &BooleanReport::method, "that has made the result: 'exact', 'uniform' or 'wrap'")
         .def_readonly("guessed_share", &BooleanReport::guessed_share,
                       "share of the surface where an open operand has no triangle, a guess, 0 to 1")
         .def_readonly(
             "error_bound", &BooleanReport::error_bound,
-            "mm; how far surfaces and vertices were moved at most, added up over the steps; of method 'uniform' "
-            "the largest distance found between the result and the exact one of these meshes, both ways")
+            "mm; the largest distance between the result and the exact one of what was given, both ways, but for what "
+            "closed_gaps tells: measured for the method 'uniform' and where common faces were moved, else proven")
+        .def_readonly("closed_gaps", &BooleanReport::closed_gaps,
+                      "mm; the widest gap or sliver between common faces of operands that was closed")
         .def_readonly("tolerance_asked", &BooleanReport::tolerance_asked,
-                      "mm; the tolerance that was requested, or that of the resolution")
+                      "mm; the tolerance that was requested, or that of the resolution");
+}
+
+void bind_boolean_report(py::module_& m) {
+    BooleanReportClass bound(m, "BooleanReport",
+                             "A MeshReport of a Boolean's result, and what happened to its operands.");
+    bind_error(bound);
+    bound
         .def_property_readonly(
             "operand_components",
             [](const BooleanReport& report) {
@@ -150,8 +159,6 @@ void bind_boolean_report(py::module_& m) {
         .def_readonly("curve_edges", &BooleanReport::curve_edges, "edges on the intersection curves")
         .def_readonly("parted_contacts", &BooleanReport::separated_contacts,
                       "points in which parts of the result touched")
-        .def_readonly("closed_gaps", &BooleanReport::closed_gaps,
-                      "mm; the widest gap or sliver between common faces of operands that was closed")
         .def_readonly("separated_vertices", &BooleanReport::separated_vertices,
                       "vertices moved beyond common faces of another operand")
         .def_readonly("fitted_vertices", &BooleanReport::fitted_vertices,

@@ -113,7 +113,7 @@ class OperandCells {
         return true;
     }
 
-    std::vector<std::array<std::uint8_t, 3>> cell_;  ///< of each vertex
+    std::vector<std::array<std::uint8_t, 3>> cell_;  ///< by vertex
     std::array<int, 3> side_{};
     std::vector<std::int32_t> operand_;
     std::vector<std::int32_t> occupied_;  ///< cells

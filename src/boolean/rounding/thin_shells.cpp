@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "boolean/near_coincidence/thin_shells.h"
+#include "boolean/rounding/thin_shells.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/LU>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/vec.h"
+#include "boolean/exact_solid.h"
+
+namespace mq::boolean {
+
+/// Bounds the distance of one point from the surface of a solid from above.
+class DistanceToSolid {
+  public:
+    DistanceToSolid(const ExactSolid& solid, const Vec3& p) : solid_(solid), p_(p) {}
+
+    /// @param enough  a bound up to this is not improved
+    double bound(double enough);
+
+  private:
+    /// Factor by which the ball grows in which triangles are sought.
+    static constexpr double kWider = 2.0;
+    /// By how much steps are longer than the way to a surface, and again where that is not enough, as on curved ones.
+    static constexpr std::array<double, 4> kBeyond{1.0, 1.01, 1.1, 1.5};
+    /// Steps whose ends are nearer to each other than this, by their length, are taken as one.
+    static constexpr double kSame = 0.05;
+    /// Steps shorter than this, by the radius of the ball, are not taken in pairs: they were in smaller balls.
+    static constexpr double kNear = 0.125;
+    /// Steps that are taken singly, looked around at their ends, taken in pairs, and in threes.
+    static constexpr std::size_t kMost = 256;
+    static constexpr std::size_t kMostAround = 8;
+    static constexpr std::size_t kMostInPairs = 16;
+    static constexpr std::size_t kMostInThrees = 6;
+
+    /// Whether a triangle at p bounds the solid there, or a little nearer to one of its corners: at an edge, a vertex
+    /// or a curve of intersection the solid may be on one side of it on a part only.
+    bool lies_on() const;
+
+    /// Whether the point a step away, and a little farther, is on another side than p.
+    bool try_step(const Vec3& step);
+
+    /// The same a little beside the end of a step, to four sides: where the step leads along a face to an edge, the
+    /// points beyond its end are on a border of the solid themselves.
+    bool try_around(const Vec3& step);
+
+    /// Tries what triangles of which the nearest points are in a ball lead to; those nearer than `searched` singly no
+    /// more.
+    void search(double searched, double reach);
+
+    /// Whether a point on another side than p is found at this distance.
+    bool is_any_beyond(double distance) const;
+
+    /// Tries points all around p: where no plane tells the way, as at edges and vertices.
+    void probe(double radius);
+
+    /// Takes a step to the other side, as far as the surface is on its way.
+    void shorten(const Vec3& step);
+
+    /// The ways to the nearest points of triangles around p, the shortest first.
+    std::vector<Vec3> steps_within(double reach) const;
+
+    /// The first of some steps, none shorter than `least`, whose ends are not near to each other.
+    static std::vector<Vec3> steps_apart(const std::vector<Vec3>& steps, double least);
+
+    /// The shortest step to the line, or point, in which the planes at the ends of steps meet, where it crosses all.
+    template <std::size_t n>
+    void try_to_meet(const Vec3* const (&steps)[n]) {
+        Eigen::Matrix<double, n, n> products;
+        Eigen::Matrix<double, n, 1> lengths;
+        for (std::size_t i = 0; i < n; ++i) {
+            lengths[i] = steps[i]->norm();
+            for (std::size_t j = 0; j < n; ++j) {
+                products(i, j) = steps[i]->dot(*steps[j]) / (lengths[i] * steps[j]->norm());
+            }
+        }
+        constexpr double kIndependent = 1e-3;  // determinant: normals about 2 degrees apart
+        if (lengths.minCoeff() <= 0.0 || products.determinant() < kIndependent) {
+            return;
+        }
+        const Eigen::Matrix<double, n, 1> shares = products.inverse() * lengths;
+        Vec3 step = Vec3::Zero();
+        for (std::size_t i = 0; i < n; ++i) {
+            step += shares[i] / lengths[i] * *steps[i];
+        }
+        if (shares.minCoeff() > 0.0) {
+            try_step(step);
+        }
+    }
+
+    const ExactSolid& solid_;
+    const Vec3 p_;
+    bool inside_ = false;
+    double best_ = 0.0;
+};
+
+}  // namespace mq::boolean
