@@ -66,6 +66,16 @@ class Contacts(unittest.TestCase):
         self.assertAlmostEqual(result.report.area, 2 * 400 + 4 * 20 * 30, delta=5.0)
         self.assertAlmostEqual(result.report.volume, 12000.0, delta=10.0)
 
+    def test_curved_faces_in_contact_keep_the_tolerance(self):
+        """What moves is not in the result of a union, so that it does not count."""
+        for kind in ("cylinder", "cone", "sphere", "torus", "spline"):
+            with self.subTest(kind=kind):
+                pair = contact_pair(kind, 9000)
+                report = mq.boolean(pair.first, pair.displaced, "union", tolerance=pair.tolerance).report
+                self.assertLessEqual(report.error_bound, pair.tolerance)
+                self.assertGreater(report.closed_gaps, 0.0)
+                self.assertLessEqual(report.closed_gaps, 2.0 * pair.tolerance)
+
     def test_an_expression(self):
         """A boss on a plate, less a shaft that fills its bore."""
         plate, boss = Part.makeBox(30, 30, 5, V(-15, -15, -5)), Part.makeCylinder(8, 12)

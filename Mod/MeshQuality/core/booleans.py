@@ -51,7 +51,7 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
     full        True: method "uniform" makes the whole surface anew from the samples, so that no triangle of an
                 operand stays (Wang 2010, Table III). Other methods refuse it
 
-    Shapes are meshed first, within half the tolerance; a sixteenth for method "uniform", whose rays
+    Shapes are meshed first, within a quarter of the tolerance; a sixteenth for method "uniform", whose rays
     meet the CAD faces themselves. Operands with small faults (holes,
     duplicate, flipped or degenerate triangles, self-intersections) are repaired, which the report
     tells. Where no repair closes an operand, method "uniform" takes for its inside where its generalised

@@ -115,5 +115,30 @@ TEST(SelfIntersections, WithinALimitNothingIsMissedWhereverThePairsAre) {
     EXPECT_EQ(self_intersections(vertices, triangles, pairs - 1).size(), pairs - 1);
 }
 
+/// Their time would grow with the square of the number of triangles: minutes.
+TEST(SelfIntersections, OfManyTrianglesInOnePlaceEndAtTheLimit) {
+    const std::vector<Vec3> vertices{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+    const std::vector<Triangle> triangles(100'000, {0, 1, 2});
+    EXPECT_EQ(self_intersections(vertices, triangles, 1000).size(), 1000u);
+}
+
+TEST(SelfIntersections, OfAWheelAreNone) {
+    constexpr int kRim = 50'000;
+    std::vector<Vec3> vertices{Vec3(0, 0, 1), Vec3(0, 0, -1)};
+    std::vector<Triangle> triangles;
+    for (int k = 0; k < kRim; ++k) {
+        vertices.emplace_back(std::cos(2.0 * M_PI * k / kRim), std::sin(2.0 * M_PI * k / kRim), 0.0);
+        const int next = (k + 1) % kRim;
+        triangles.push_back({0, 2 + k, 2 + next});
+        triangles.push_back({1, 2 + next, 2 + k});
+    }
+    EXPECT_TRUE(self_intersections(vertices, triangles).empty());
+    // Beside the rim one vertex of it comes out of the other half.
+    vertices[2] = Vec3(1.0, 0.0, -1.5);
+    vertices.emplace_back(0.5, 1e-5, 0.4);
+    triangles.push_back({0, 2, kRim + 2});
+    EXPECT_EQ(self_intersections(vertices, triangles, 1).size(), 1u);
+}
+
 }  // namespace
 }  // namespace mq::mesh
