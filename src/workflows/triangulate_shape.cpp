@@ -77,7 +77,8 @@ mesh::MeshReport report_with_crossings(const Result& surface, Progress& progress
     if (report.self_intersections < 0) {
         progress.stage("checking crossings", 0.0, 0.1);
         report.self_intersections = static_cast<std::int64_t>(
-            mesh::self_intersections(surface.mesh.vertices, surface.mesh.triangles, mesh::kMostCounted, &progress).size());
+            mesh::self_intersections(surface.mesh.vertices, surface.mesh.triangles, mesh::kMostCounted, &progress)
+                .size());
     }
     return report;
 }
