@@ -101,6 +101,7 @@ class BooleanPipeline {
         });
         for (std::size_t i = 0; i < inputs_.size(); ++i) {
             joined_ = std::max(joined_, prepared_[i].largest_move);
+            result_.operand_topology.push_back(prepared_[i].topology);
             const Repairs& repairs = prepared_[i].repairs;
             result_.repaired.push_back(repairs.any() ? operand_name(i, inputs_.size()) + ": " + repairs.summary()
                                                      : std::string());
@@ -368,6 +369,7 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
     sum.retained = static_cast<std::size_t>(std::count_if(sum.triangle_source.begin(), sum.triangle_source.end(),
                                                           [](const auto& source) { return source[0] >= 0; }));
     sum.reconstructed = sum.mesh.triangles.size() - sum.retained;
+    sum.operand_topology.clear();  // of parts
     return sum;
 }
 

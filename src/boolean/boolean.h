@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "boolean/input/operation.h"
+#include "mesh/quality/mesh_report.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
@@ -62,6 +63,8 @@ struct BooleanResult {
     /// Triangles of the operands at which the result touches or crosses itself or is not manifold: 0, or an error is
     /// raised.
     std::size_t faults_left = 0;
+    /// Of each operand; with 0 components where it had to be repaired.
+    std::vector<mesh::SurfaceTopology> operand_topology;
     std::vector<std::string> repaired;  ///< a sentence for each operand, empty when there was nothing to do
     std::vector<std::string> notes;
     StageTimes seconds;

@@ -37,6 +37,7 @@ void take(BooleanSurface& surface, BooleanResult&& result) {
     figures.curve_edges = result.curve_edges;
     figures.separated_contacts = result.separated_contacts;
     figures.closed_gaps = result.closed_gaps;
+    figures.operands = std::move(result.operand_topology);
     figures.separated_vertices = result.separated_vertices;
     std::copy_if(result.repaired.begin(), result.repaired.end(), std::back_inserter(figures.repaired),
                  [](const std::string& sentence) { return !sentence.empty(); });
@@ -315,7 +316,9 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
     result.figures.operands.resize(operands.size());
     parallel_for(static_cast<int>(operands.size()), [&](int k) {
         const auto i = static_cast<std::size_t>(k);
-        result.figures.operands[i] = mesh::topology_of(operands[i].surface->mesh);
+        if (result.figures.operands[i].components == 0) {
+            result.figures.operands[i] = mesh::topology_of(operands[i].surface->mesh);
+        }
     });
     complete_report(result, before,
                     expression.chained() == Operation::SymmetricDifference

@@ -237,11 +237,11 @@ void orient_open_sheets(OperandMesh& draft, const Progress* progress) {
     draft.turn(marked);
 }
 
-void orient_to_bound_volume(OperandMesh& draft) {
+std::size_t orient_to_bound_volume(OperandMesh& draft) {
     const mesh::Components components = mesh::components(draft.mates);
     const std::vector<double> volume = volumes(draft, components);
     if (std::none_of(volume.begin(), volume.end(), [](double v) { return v < 0.0; })) {
-        return;
+        return static_cast<std::size_t>(components.count);
     }
     const std::vector<char> turned =
         components.count == 1 ? std::vector<char>{1} : components_to_turn(draft, components, volume);
@@ -250,6 +250,7 @@ void orient_to_bound_volume(OperandMesh& draft) {
         marked[t] = turned[components.component_of[t]];
     }
     draft.turn(marked);
+    return static_cast<std::size_t>(components.count);
 }
 
 }  // namespace mq::boolean

@@ -80,7 +80,8 @@ void split_fans(OperandMesh& draft);
 
 /// Reverses components whose orientation contradicts what is around them. A component with negative volume is reversed
 /// where it does not lie in another one, together with all that lies in it; in another one it is a cavity.
-void orient_to_bound_volume(OperandMesh& draft);
+/// @return the number of components
+std::size_t orient_to_bound_volume(OperandMesh& draft);
 
 /// Reverses components with a border of which more area has, by rays that count the triangles, the inside in front of
 /// it than behind it.

@@ -348,8 +348,19 @@ Operand operand_of(OperandMesh& draft, const mesh::TriangleMesh& mesh) {
     if (draft.repairs.flipped > 0) {
         draft.repairs.flipped = count_flipped(draft, mesh);
     }
-    return {std::move(draft.vertices), std::move(draft.triangles), std::move(draft.source), draft.repairs,
-            draft.largest_move};
+    return {std::move(draft.vertices), std::move(draft.triangles),
+            std::move(draft.source),   draft.repairs,
+            draft.largest_move,        {}};
+}
+
+/// Of a closed manifold surface: an edge has two triangles.
+mesh::SurfaceTopology topology_of(const OperandMesh& draft, std::size_t components) {
+    std::vector<char> used(draft.vertices.size(), 0);
+    for (const mesh::Triangle& t : draft.triangles) {
+        used[t[0]] = used[t[1]] = used[t[2]] = 1;
+    }
+    const auto faces = static_cast<long>(draft.triangles.size());
+    return {components, std::count(used.begin(), used.end(), 1) - faces / 2};
 }
 
 void require_some(const OperandMesh& draft) {
@@ -368,10 +379,16 @@ Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name,
     }
     check_cancelled(progress);
     require_some(draft);
+    mesh::SurfaceTopology topology;
     if (!oriented) {
-        orient_to_bound_volume(draft);
+        const std::size_t components = orient_to_bound_volume(draft);
+        if (!draft.repairs.any()) {
+            topology = topology_of(draft, components);
+        }
     }
-    return operand_of(draft, mesh);
+    Operand operand = operand_of(draft, mesh);
+    operand.topology = topology;
+    return operand;
 }
 
 Operand prepare_open_operand(const mesh::TriangleMesh& mesh, const std::string& name, const Progress* progress) {

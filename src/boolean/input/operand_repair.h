@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/progress.h"
+#include "mesh/quality/mesh_report.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
@@ -40,6 +41,8 @@ struct Operand {
     std::vector<std::int32_t> source;
     Repairs repairs;
     double largest_move = 0.0;  ///< how far at most points of the surface were moved to close cracks, mm
+    /// Of the input, where there was nothing to repair and its components were told apart; else with 0 components.
+    mesh::SurfaceTopology topology;
 };
 
 /// Whether a triangle of a prepared operand has the corners of the input's triangle from which it comes, in any order.
