@@ -66,6 +66,8 @@ def _judged_faults(result, row, options):
     relative = options.get("chord_height_relative")
     if relative and judge["chord_max_L"] > relative * 1.05:
         found.append(f"judge: chord height {judge['chord_max_L']:.2e} of L")
+    if found and result.get("met"):
+        found.append("yet called met")
     return found
 
 

@@ -16,7 +16,6 @@ import brep_numbers
 import FreeCAD
 import Part
 from child import in_child
-from parts_report import FORCED
 
 JOB = json.loads(os.environ["MESHQUALITY_JOB"])
 BREPMESH_SECONDS = 60
@@ -86,7 +85,7 @@ def summarise(mesh, seconds):
     found["seconds"] = seconds
     found["stages"] = dict(report.seconds)
     found["exempt"] = len(report.exempt)
-    found["exempt_forced"] = sum(reason.cause in FORCED for _, reason in report.exempt_reasons)
+    found["exempt_forced"] = sum(reason.forced for _, reason in report.exempt_reasons)
     found["causes"] = report.exempt_causes[:5]
     found["notes"] = list(getattr(report, "notes", []))
     return found
@@ -120,6 +119,7 @@ def brepmesh(shape, distance):
 
 def work():
     import MeshQuality as mq  # noqa: PLC0415  a build that does not load is a result, too
+    from MeshQuality.core import verdict  # noqa: PLC0415
 
     start = time.monotonic()
     shape = read_shape(Path(JOB["file"]))
@@ -130,6 +130,7 @@ def work():
     start = time.monotonic()
     mesh = mq.triangulate(shape, **JOB["options"])
     result.update(summarise(mesh, time.monotonic() - start))
+    result["met"] = not verdict.of_triangulation(mesh, verdict.must_be_closed(shape), JOB["options"], shape)
     result["fallbacks"] = fallbacks(shape, mesh.report)
     mesh.write(JOB["mesh"])
     if JOB["brep"]:

@@ -14,8 +14,6 @@ ANGLE_SLACK = 1e-6
 MANY_TIMES = 20
 FREE_FORM = {"BSplineSurface", "BezierSurface", "SurfaceOfExtrusion", "SurfaceOfRevolution",
              "OffsetSurface", "other"}
-# Causes where the shape itself leaves no larger angle.
-FORCED = ("narrow_corner", "infeasible_corner", "apex")
 CLASSES = ("analytic solid", "free-form solid", "assembly", "loose faces", "not read")
 
 

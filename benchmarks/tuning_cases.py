@@ -10,7 +10,7 @@ import itertools
 from pathlib import Path
 
 import inside_freecad
-from parts_report import FORCED, angle, far_distances
+from parts_report import angle, far_distances
 
 BOUND = 25.0  # degrees
 DISTANCE = 0.002  # fraction of the largest side
@@ -42,7 +42,7 @@ def triangulated(shape, options):
     import MeshQuality as mq
 
     report = mq.triangulate(shape, **options).report
-    forced = sum(reason.cause in FORCED for _, reason in report.exempt_reasons)
+    forced = sum(reason.forced for _, reason in report.exempt_reasons)
     found = {
         "triangles": report.triangles, "vertices": report.vertices,
         "exempt": len(report.exempt), "exempt_forced": forced, "unforced": len(report.exempt) - forced,
