@@ -53,6 +53,40 @@ class CfdSurfaces(gui_helpers.PanelTest):
         image = self.picture("cfd_surface")
         self.assertGreater(np.count_nonzero(image.max(axis=2) - image.min(axis=2) > 60), 5000)
 
+    def test_undo_of_what_it_follows(self):
+        """FreeCAD keeps shapes without their triangles for undoing, and ended where faces had no surface either."""
+        part = self.document.addObject("Part::Cylinder", "Main")
+        part.Radius, part.Height = 20, 160
+        self.document.recompute()
+        mesh = mq.add_quality_mesh(part)
+        mq.set_patches(mesh, {"inlet": ["Face2"], "outlet": ["Face3"]}, patch_rest="walls")
+        surface = mq.add_cfd_surface(mesh)
+        FreeCADGui.updateGui()
+
+        def set_placement():
+            surface.Placement.Base = FreeCAD.Vector(50, 0, 0)
+
+        edits = {
+            "part": lambda: setattr(part, "Radius", 25), "option": lambda: setattr(mesh, "MinAngle", 20),
+            "patches": lambda: mq.set_patches(mesh, {"inlet": ["Face3"], "outlet": ["Face2"]}, patch_rest="walls"),
+            "placement": set_placement}
+        for name, edit in edits.items():
+            with self.subTest(edit=name):
+                before = [len(face.tessellate(1.0)[1]) for face in surface.Shape.Faces]
+                self.assertEqual(sum(before), mesh.Mesh.CountFacets)
+                self.document.openTransaction(name)
+                edit()
+                self.document.recompute()
+                self.document.commitTransaction()
+                FreeCADGui.updateGui()
+                after = [len(face.tessellate(1.0)[1]) for face in surface.Shape.Faces]
+                for step, expected in ((self.document.undo, before), (self.document.redo, after),
+                                       (self.document.undo, before)):
+                    step()
+                    FreeCADGui.updateGui()
+                    self.document.recompute()
+                    self.assertEqual([len(face.tessellate(1.0)[1]) for face in surface.Shape.Faces], expected)
+
     def test_an_open_mesh_is_told(self):
         face = self.document.addObject("Part::Feature", "Face")
         face.Shape = Part.makePlane(10, 10)

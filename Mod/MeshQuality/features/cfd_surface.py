@@ -3,7 +3,7 @@
 
 import FreeCAD
 
-from ..compat import PlainState, without_traceback
+from ..compat import PlainState, extension, without_traceback
 from ..core import convert, frames, patch_faces
 from ..core.openfoam_case import point_inside, require_closed
 from ..core.patches import colour_of, patches_of
@@ -15,9 +15,12 @@ from .transactions import undo_step
 
 
 class CfdSurface(PlainState):
-    """Proxy of a Part::FeaturePython whose faces are the patches of its Source; they have the triangles of that in place of
-    a surface. CfdOF takes it as the Part of its mesh and its faces as those of boundaries, and writes its triangles.
+    """Proxy of a Part::FeaturePython whose faces are the patches of its Source; they have the triangles of that in place
+    of a surface. CfdOF takes it as the Part of its mesh and its faces as those of boundaries, and writes its triangles.
     """
+
+    _has_surfaces = False  # whether its faces were given surfaces, so that FreeCAD can copy them
+    _is_making = False  # whether a shape with triangles alone is about to take their place
 
     def __init__(self, obj):
         obj.Proxy = self
@@ -41,13 +44,21 @@ class CfdSurface(PlainState):
         patches = mesh._patches or patches_of(None, mesh.triangle_face, len(mesh.triangles))
         points = mesh.vertices + mesh.origin
         used = sorted(set(patches.of_triangle.tolist()))
-        obj.Shape = patch_faces.shape_of(points, mesh.triangles, patches.of_triangle)
+        self._is_making = True
+        try:
+            obj.Shape = patch_faces.shape_of(points, mesh.triangles, patches.of_triangle)
+        finally:
+            self._is_making = self._has_surfaces = False
         obj.Patches = [f"Face{i + 1}: {patches.names[patch]}" for i, patch in enumerate(used)]
         obj.PointInside = FreeCAD.Vector(*point_inside(points[mesh.triangles]))
         window().show_faces(obj, [colour_of(patches, patch) for patch in used])
 
     def onDocumentRestored(self, obj):
         """The faces get their triangles back, which FreeCAD does not save."""
+        self.make_anew(obj)
+
+    def make_anew(self, obj):
+        """Gives the faces the triangles of the mesh as it is; says where that cannot be."""
         try:
             self._bring_up_to_date(obj)
         except Error as error:
@@ -81,3 +92,34 @@ def add_cfd_surface(obj):
             document.removeObject(made.Name)
             raise
     return made
+
+
+def _is_cfd_surface(obj):
+    return isinstance(getattr(obj, "Proxy", None), CfdSurface)
+
+
+class _Observer:
+    """Gives shapes their triangles back, which FreeCAD does not keep for undoing."""
+
+    def slotBeforeChangeObject(self, obj, name):
+        """Called by FreeCAD, which then copies the shape without its triangles, and would end when it shows that."""
+        if name == "Shape" and _is_cfd_surface(obj) and not obj.Shape.isNull():
+            extension().add_surfaces(obj.Shape)
+            obj.Proxy._has_surfaces = True
+
+    def slotChangedObject(self, obj, name):
+        """Called by FreeCAD, also where the same shape was placed elsewhere only."""
+        if name == "Shape" and _is_cfd_surface(obj) and obj.Proxy._has_surfaces and not obj.Proxy._is_making \
+                and not obj.Document.Transacting and not obj.Document.Restoring:
+            obj.Proxy.make_anew(obj)
+
+    def slotUndoDocument(self, document):
+        """Called by FreeCAD."""
+        for obj in document.Objects:
+            if _is_cfd_surface(obj) and obj.Source is not None:
+                obj.Proxy.make_anew(obj)
+
+    slotRedoDocument = slotAbortTransaction = slotUndoDocument
+
+
+FreeCAD.addDocumentObserver(_Observer())
