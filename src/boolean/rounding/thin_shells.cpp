@@ -20,7 +20,13 @@ std::size_t remove_thin_shells(ResultMesh& draft, const std::vector<char>& in_co
     struct Shell {
         double area = 0.0;
         double volume = 0.0;
-        bool in_contact = true;
+        bool all_in_contact = true;
+        bool any_in_contact = false;
+
+        bool is_thin(double thickness) const {
+            const bool in_contact = volume < 0.0 ? any_in_contact : all_in_contact;
+            return in_contact && 2.0 * std::abs(volume) < thickness * area;
+        }
     };
     std::vector<Shell> shells(static_cast<std::size_t>(count));
     std::vector<Vec3> corner(shells.size());  // volumes are added up about a vertex of each shell
@@ -37,14 +43,15 @@ std::size_t remove_thin_shells(ResultMesh& draft, const std::vector<char>& in_co
         const Vec3 d = draft.vertices[static_cast<std::size_t>(c[2])] - corner[index];
         shell.area += 0.5 * (b - a).cross(d - a).norm();
         shell.volume += a.dot(b.cross(d)) / 6.0;
-        shell.in_contact = shell.in_contact && in_contact[static_cast<std::size_t>(draft.from[t])] != 0;
+        const bool here = in_contact[static_cast<std::size_t>(draft.from[t])] != 0;
+        shell.all_in_contact = shell.all_in_contact && here;
+        shell.any_in_contact = shell.any_in_contact || here;
     }
     std::vector<char> thin(draft.triangles.size(), 0);
     std::size_t removed = 0;
     for (std::size_t t = 0; t < thin.size(); ++t) {
         const auto first = static_cast<std::size_t>(draft.triangles[t][0]);
-        const Shell& shell = shells[static_cast<std::size_t>(shell_of[first])];
-        thin[t] = static_cast<char>(shell.in_contact && 2.0 * std::abs(shell.volume) < thickness * shell.area);
+        thin[t] = static_cast<char>(shells[static_cast<std::size_t>(shell_of[first])].is_thin(thickness));
         removed += static_cast<std::size_t>(thin[t]);
     }
     if (removed > 0) {

@@ -9,8 +9,9 @@
 namespace mq::boolean {
 
 /// Removes what is left of closed gaps and films between common faces: the shells of a result, closed surfaces that
-/// hang together by edges, whose mean thickness, twice the volume by the area, is below a length, and of which all
-/// triangles are pieces of common faces. The rest of the result stays closed, as no shell has an edge of another one.
+/// hang together by edges, whose mean thickness, twice the volume by the area, is below a length. Of a void one
+/// triangle has to be a piece of a common face, of a body all. The rest of the result stays closed, as no shell has an
+/// edge of another one.
 /// @param in_contact  for each triangle of the soup whether it is of a common face, or was moved with one
 /// @param thickness   mm
 /// @return the number of triangles removed

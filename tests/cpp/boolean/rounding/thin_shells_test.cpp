@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "boolean/closed_solids.h"
 
 namespace mq::boolean {
@@ -43,6 +45,10 @@ TEST(ThinShells, SoDoThoseWithATriangleOfAnotherFace) {
     std::vector<char> in_contact(24, 1);
     in_contact[20] = 0;
     EXPECT_EQ(remove_thin_shells(draft, in_contact, 0.02), 0u);
+    for (Triangle& t : draft.triangles) {  // a void goes
+        std::swap(t[1], t[2]);
+    }
+    EXPECT_EQ(remove_thin_shells(draft, in_contact, 0.02), 12u);
 }
 
 }  // namespace
