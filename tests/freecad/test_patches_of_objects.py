@@ -84,6 +84,21 @@ class OfObjects(unittest.TestCase):
             mq.export_mesh(self.document.getObject(name), self.path("a.stl"), ascii=True)
             self.assertEqual(set(self.solids_in("a.stl")), {"wall", "rest"})
 
+    def test_undone_and_redone_a_mesh_is_up_to_date(self):
+        """FreeCAD keeps a copy of a shape for redoing, in which faces have no curve in common."""
+        part = self.document.addObject("Part::Cylinder", "Part")
+        part.Radius = 20
+        self.document.recompute()
+        mesh = mq.add_quality_mesh(part, chord_height=0.5)
+        mq.set_patches(mesh, {"lid": ["Face2"]}, patch_rest="walls")
+        self.document.openTransaction("edit")
+        part.Radius = 25
+        self.document.recompute()
+        self.document.commitTransaction()
+        for step in (self.document.undo, self.document.redo, self.document.undo, self.document.redo):
+            step()
+            mq.export_mesh(mesh, self.path("walls.stl"))  # of an older mesh it is refused
+
     def test_a_mesh_that_is_out_of_date_is_not_written_by_patches(self):
         mq.set_patches(self.obj, PATCHES, patch_rest="walls")
         self.obj.Recompute = "Manual"

@@ -84,7 +84,6 @@ class CfdSurfaces(gui_helpers.PanelTest):
                                        (self.document.undo, before)):
                     step()
                     FreeCADGui.updateGui()
-                    self.document.recompute()
                     self.assertEqual([len(face.tessellate(1.0)[1]) for face in surface.Shape.Faces], expected)
 
     def test_an_open_mesh_is_told(self):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/brep_text.h"
 
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <Standard_Failure.hxx>
@@ -8,7 +9,10 @@
 #include <TopTools_FormatVersion.hxx>
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <climits>
+#include <cmath>
 #include <functional>
 #include <ios>
 #include <sstream>
@@ -41,16 +45,33 @@ std::string text_of_document(const TopoDS_Shape& shape) {
     return stream.str();
 }
 
-/// Takes the sign of zeros away, which directions computed anew may have or not.
-std::string without_signs_of_zeros(const std::string& text) {
+/// Rounds the numbers with a decimal point to 12 decimals, without a sign of zeros: directions are computed anew
+/// whenever a shape is read, and differ in their last digits. 12 decimals are the rounding errors of coordinates of
+/// some metres.
+std::string with_rounded_numbers(const std::string& text) {
+    constexpr int kDecimals = 12;
+    constexpr std::size_t kLongest = 400;  // of a number with a fixed number of decimals: 309 digits before the point
+    constexpr double kZero = 0.5e-12;
     std::string result;
     result.reserve(text.size());
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool begins = text[i] == '-' && (i == 0 || text[i - 1] == ' ' || text[i - 1] == '\n');
-        const std::size_t end = begins ? text.find_first_not_of("0.", i + 1) : i;
-        if (!begins || (end != std::string::npos && text[end] != ' ' && text[end] != '\n')) {
-            result += text[i];
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" \n", i), text.size());
+        double value = 0.0;
+        const bool is_number = std::find(text.data() + i, text.data() + end, '.') != text.data() + end &&
+                               std::from_chars(text.data() + i, text.data() + end, value).ptr == text.data() + end;
+        if (is_number) {
+            std::array<char, kLongest> digits;
+            const double rounded = std::abs(value) < kZero ? 0.0 : value;
+            const auto last = std::to_chars(digits.data(), digits.data() + digits.size(), rounded,
+                                            std::chars_format::fixed, kDecimals);
+            result.append(digits.data(), last.ptr);
+        } else {
+            result.append(text, i, end - i);
         }
+        if (end < text.size()) {
+            result += text[end];
+        }
+        i = end + 1;
     }
     return result;
 }
@@ -58,8 +79,10 @@ std::string without_signs_of_zeros(const std::string& text) {
 }  // namespace
 
 std::string write_brep_text(const TopoDS_Shape& shape) {
-    // Read once: small numbers lose digits, and directions are computed anew.
-    std::string text = without_signs_of_zeros(text_of_document(*read_brep_text(text_of_document(shape))));
+    // Copied, as FreeCAD does for undoing: what faces have in common is no longer so. Read once, as from a document:
+    // small numbers lose digits, and directions are computed anew.
+    BRepBuilderAPI_Copy copy(shape, true, false);
+    std::string text = with_rounded_numbers(text_of_document(*read_brep_text(text_of_document(copy.Shape()))));
     // Number of marks, on a line of their own: free, modified, checked, orientable, closed, infinite, convex.
     constexpr std::size_t kMarks = 7;
     for (std::size_t begin = 0; begin < text.size();) {
