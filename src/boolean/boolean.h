@@ -63,7 +63,7 @@ struct BooleanResult {
     /// Triangles of the operands at which the result touches or crosses itself or is not manifold: 0, or an error is
     /// raised.
     std::size_t faults_left = 0;
-    /// Of each operand; with 0 components where it had to be repaired.
+    /// That of each operand; with 0 components where it had to be repaired.
     std::vector<mesh::SurfaceTopology> operand_topology;
     std::vector<std::string> repaired;  ///< a sentence for each operand, empty when there was nothing to do
     std::vector<std::string> notes;

@@ -353,7 +353,7 @@ Operand operand_of(OperandMesh& draft, const mesh::TriangleMesh& mesh) {
             draft.largest_move,        {}};
 }
 
-/// Of a closed manifold surface: an edge has two triangles.
+/// That of a closed manifold surface: an edge has two triangles.
 mesh::SurfaceTopology topology_of(const OperandMesh& draft, std::size_t components) {
     std::vector<char> used(draft.vertices.size(), 0);
     for (const mesh::Triangle& t : draft.triangles) {

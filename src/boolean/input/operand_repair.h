@@ -41,7 +41,7 @@ struct Operand {
     std::vector<std::int32_t> source;
     Repairs repairs;
     double largest_move = 0.0;  ///< how far at most points of the surface were moved to close cracks, mm
-    /// Of the input, where there was nothing to repair and its components were told apart; else with 0 components.
+    /// That of the input, where there was nothing to repair and its components were told apart; else with 0 components.
     mesh::SurfaceTopology topology;
 };
 

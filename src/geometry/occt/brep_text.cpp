@@ -50,7 +50,7 @@ std::string text_of_document(const TopoDS_Shape& shape) {
 /// some metres.
 std::string with_rounded_numbers(const std::string& text) {
     constexpr int kDecimals = 12;
-    constexpr std::size_t kLongest = 400;  // of a number with a fixed number of decimals: 309 digits before the point
+    constexpr std::size_t kLongest = 400;  // a number with a fixed number of decimals: 309 digits before the point
     constexpr double kZero = 0.5e-12;
     std::string result;
     result.reserve(text.size());
