@@ -261,11 +261,6 @@ class BooleanPipeline {
             }
             enclosed[i].vertices = &places[i];
             enclosed[i].triangles = &prepared_[i].triangles;
-            enclosed[i].retained.assign(prepared_[i].triangles.size(), 0);
-        }
-        std::vector<char> own;
-        for (const std::array<std::int32_t, 2>& source : result_.triangle_source) {
-            own.push_back(source[0] >= 0 ? 1 : 0);
         }
         MovedOperands moved;
         moved.reach = 2.0 * moved_;
@@ -275,9 +270,8 @@ class BooleanPipeline {
         }
         // Distances below a twentieth of the tolerance are not told apart. A gap is at most 3^0.5 times as wide along
         // an axis as along its normal.
-        return measure_error(enclosed, expression_, result_.mesh, own, tolerance_, 0.05 * tolerance_,
-                             1.75 * result_.closed_gaps, progress_, &moved)
-            .largest();
+        const ErrorLimits limits{tolerance_, 0.05 * tolerance_, 1.75 * result_.closed_gaps};
+        return measure_error(enclosed, expression_, result_.mesh, {}, limits, progress_, &moved).largest();
     }
 
     /// The triangles of the soup of which pieces are at edges or vertices where the surface is no manifold: what is

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <mutex>
 #include <utility>
 
 #include "base/parallel.h"
@@ -43,7 +42,7 @@ class Largest {
 /// A triangle of the result or of an operand, or a piece of one.
 struct Piece {
     Corners corners;
-    std::int32_t operand = -1;  ///< whose surface it is on; -1: not known
+    std::int32_t triangle = -1;  ///< on which it was before moves, in one list of all operands; -1: not known
 
     double longest_side() const {
         return std::max(
@@ -63,7 +62,7 @@ struct Piece {
         const Vec3& b = corners[(side + 1) % 3];
         const Vec3& c = corners[(side + 2) % 3];
         const Vec3 middle = 0.5 * (a + b);
-        return {{{{a, middle, c}, operand}, {{middle, b, c}, operand}}};
+        return {{{{a, middle, c}, triangle}, {{middle, b, c}, triangle}}};
     }
 };
 
@@ -103,60 +102,33 @@ double spacing_on(const std::vector<Piece>& triangles, double finest) {
     return 0.5 * spacing;
 }
 
-/// What of triangles has to be sampled: all, or what is near other operands where some were moved.
-class Unsettled {
-  public:
-    Unsettled(const ExactSolid& solid, const MovedOperands* moved) : solid_(solid), moved_(moved) {}
-
-    /// Whether no triangle of another operand is within the reach of a piece.
-    bool is_alone(const Piece& piece) const {
-        if (moved_ == nullptr || piece.operand < 0) {
-            return false;
-        }
-        Box box;
-        for (const Vec3& p : piece.corners) {
-            box.add(p);
-        }
-        const Vec3 around = Vec3::Constant(moved_->reach);
-        bool alone = true;
-        solid_.tree().for_each_in_box({box.low - around, box.high + around}, [&](std::int32_t triangle) {
-            alone = solid_.operand_of(triangle) == piece.operand;
-            return alone;
-        });
-        return alone;
-    }
-
-    /// Large pieces with all that is not settled.
-    std::vector<Piece> of(const std::vector<Piece>& triangles, double finest) const {
-        if (moved_ == nullptr) {
-            return triangles;
-        }
-        constexpr double kLarge = 8.0;  // as a multiple of the finest spacing: few enough to be held in memory
-        std::vector<Piece> result;
-        for (const Piece& triangle : triangles) {
-            for_each_piece(
-                triangle, kLarge * finest, [&](const Piece& piece) { return is_alone(piece); },
-                [&](const Piece& piece) { result.push_back(piece); });
-        }
-        return result;
-    }
-
-  private:
-    const ExactSolid& solid_;
-    const MovedOperands* moved_;
-};
-
-/// measure(piece) for pieces of all triangles that are not settled.
-template <typename IsSettled, typename Measure>
-void sample(const std::vector<Piece>& triangles, double spacing, const Progress& progress, const IsSettled& is_settled,
-            const Measure& measure) {
-    parallel_for(static_cast<int>((triangles.size() + kBlock - 1) / kBlock), [&](int block) {
+/// Calls work(i, block) for the numbers below `count`, in blocks for several threads.
+template <typename Work>
+void in_blocks(std::size_t count, const Progress& progress, const Work& work) {
+    parallel_for(static_cast<int>((count + kBlock - 1) / kBlock), [&](int block) {
         progress.check();
         const std::size_t first = kBlock * static_cast<std::size_t>(block);
-        for (std::size_t t = first; t < std::min(first + kBlock, triangles.size()); ++t) {
-            for_each_piece(triangles[t], spacing, is_settled, measure);
+        for (std::size_t i = first; i < std::min(first + kBlock, count); ++i) {
+            work(i, static_cast<std::size_t>(block));
         }
     });
+}
+
+/// What is left of triangles when settled pieces are taken out, in pieces with sides up to a length; for each the
+/// triangle that it is of, in the order of these.
+template <typename IsSettled>
+std::vector<std::pair<std::size_t, Piece>> unsettled_pieces(const std::vector<Piece>& triangles, double longest,
+                                                            const Progress& progress, const IsSettled& is_settled) {
+    std::vector<std::vector<std::pair<std::size_t, Piece>>> found((triangles.size() + kBlock - 1) / kBlock);
+    in_blocks(triangles.size(), progress, [&](std::size_t t, std::size_t block) {
+        for_each_piece(triangles[t], longest, is_settled,
+                       [&](const Piece& piece) { found[block].emplace_back(t, piece); });
+    });
+    std::vector<std::pair<std::size_t, Piece>> result;
+    for (const auto& part : found) {
+        result.insert(result.end(), part.begin(), part.end());
+    }
+    return result;
 }
 
 bool is_marked(const std::vector<char>& marks, std::size_t index) {
@@ -172,129 +144,190 @@ double distance_to_triangle(const Corners& corners, const Corners& other) {
     return largest;
 }
 
-/// What a measurement compares, and how finely.
-struct Comparison {
-    const ExactSolid& solid;
-    const std::vector<EnclosedOperand>& operands;
-    const mesh::TriangleMesh& result;
-    const MovedOperands* moved;
-    double finest;
-    double enough;
-    const Progress& progress;
-};
+/// Measures a result.
+class Measurement {
+  public:
+    Measurement(const ExactSolid& solid, const std::vector<EnclosedOperand>& operands, const mesh::TriangleMesh& result,
+                const ErrorLimits& limits, const MovedOperands* moved, const Progress& progress)
+        : solid_(solid),
+          operands_(operands),
+          result_(result),
+          tree_(result.vertices, result.triangles),
+          limits_(limits),
+          moved_(moved),
+          progress_(progress) {}
 
-double distance_to_exact(const Comparison& c, const std::vector<char>& own, double& spacing) {
-    const Unsettled unsettled(c.solid, c.moved);
-    std::vector<Piece> triangles;
-    std::vector<char> used(c.result.vertices.size(), 0);
-    Largest largest;
-    for (std::size_t t = 0; t < c.result.triangles.size(); ++t) {
-        if (c.moved == nullptr && is_marked(own, t)) {
-            continue;
-        }
-        const Triangle& v = c.result.triangles[t];
-        const std::int32_t source = c.moved != nullptr ? c.moved->source[t] : -1;
-        const Corners corners{c.result.vertices[v[0]], c.result.vertices[v[1]], c.result.vertices[v[2]]};
-        triangles.push_back({corners, source >= 0 ? c.solid.operand_of(source) : -1});
-        if (unsettled.is_alone(triangles.back())) {
-            largest.add(distance_to_triangle(corners, c.solid.corners(source)));
-            triangles.pop_back();
-        } else {
-            used[v[0]] = used[v[1]] = used[v[2]] = 1;
-        }
-    }
-    const auto measure = [&](const Vec3& p) {
-        largest.add(DistanceToSolid(c.solid, p).bound(std::max(c.enough, largest.get())));
-    };
-    parallel_for(static_cast<int>((used.size() + kBlock - 1) / kBlock), [&](int block) {
-        c.progress.check();
-        const std::size_t first = kBlock * static_cast<std::size_t>(block);
-        for (std::size_t v = first; v < std::min(first + kBlock, used.size()); ++v) {
-            if (used[v] != 0) {
-                measure(c.result.vertices[v]);
+    double to_exact(const std::vector<char>& own, double& spacing) const {
+        std::vector<Piece> triangles;
+        std::vector<Triangle> corners;
+        for (std::size_t t = 0; t < result_.triangles.size(); ++t) {
+            if (!is_marked(own, t)) {
+                const Triangle& v = result_.triangles[t];
+                triangles.push_back({{result_.vertices[v[0]], result_.vertices[v[1]], result_.vertices[v[2]]},
+                                     moved_ != nullptr ? moved_->source[t] : -1});
+                corners.push_back(v);
             }
         }
-    });
-    triangles = unsettled.of(triangles, c.finest);
-    spacing = spacing_on(triangles, c.finest);
-    sample(
-        triangles, spacing, c.progress, [&](const Piece& piece) { return unsettled.is_alone(piece); },
-        [&](const Piece& piece) { measure(piece.centre()); });
-    return largest.get();
-}
-
-/// The distance of a point of the exact surface from the result, and the point.
-using FarPoint = std::pair<double, std::array<double, 3>>;
-
-double distance_from_exact(const Comparison& c, double thinnest, double& spacing) {
-    const Unsettled unsettled(c.solid, c.moved);
-    Largest largest;
-    std::vector<Piece> triangles;
-    for (std::size_t k = 0; k < c.operands.size(); ++k) {
-        for (std::size_t t = 0; t < c.operands[k].triangles->size(); ++t) {
-            if (is_marked(c.operands[k].retained, t)) {
-                continue;
+        Largest largest;
+        const auto is_settled = [&](const Piece& piece) {
+            const bool alone = is_alone(piece);
+            if (alone) {
+                largest.add(distance_to_triangle(piece.corners, solid_.corners(piece.triangle)));
             }
-            const std::int32_t triangle = c.solid.first_triangle(k) + static_cast<std::int32_t>(t);
-            triangles.push_back({c.solid.corners(triangle), static_cast<std::int32_t>(k)});
-            if (unsettled.is_alone(triangles.back())) {
-                const Piece& alone = triangles.back();
-                if (c.solid.is_bounded_at(alone.centre(), alone.normal())) {
-                    largest.add(
-                        distance_to_triangle(alone.corners, c.moved->triangles[static_cast<std::size_t>(triangle)]));
-                }
-                triangles.pop_back();
-            }
+            return alone;
+        };
+        const auto left = unsettled_pieces(triangles, kLarge * limits_.finest, progress_, is_settled);
+        std::vector<std::int32_t> used;
+        std::vector<Piece> pieces;
+        for (const auto& [t, piece] : left) {
+            used.insert(used.end(), corners[t].begin(), corners[t].end());
+            pieces.push_back(piece);
         }
-    }
-    const mesh::NearestTree tree(c.result.vertices, c.result.triangles);
-    const Box box = c.solid.tree().box();
-    const double none = box.empty() ? 0.0 : (box.high - box.low).norm();  // the result is empty
-    triangles = unsettled.of(triangles, c.finest);
-    spacing = std::max(spacing, spacing_on(triangles, c.finest));
-    std::mutex taking;
-    std::vector<FarPoint> far;
-    const auto measure = [&](const Vec3& p, const Vec3& normal) {
-        const bool near = tree.nearest(p, std::max(c.enough, largest.get())).triangle >= 0;
-        if (!near && c.solid.is_bounded_at(p, normal) && c.solid.is_bounded_at(p, normal, thinnest)) {
-            const double distance = tree.size() > 0 ? tree.nearest(p).distance : none;
-            const std::lock_guard<std::mutex> lock(taking);
-            far.push_back({distance, {p.x(), p.y(), p.z()}});
-        }
-    };
-    sample(
-        triangles, spacing, c.progress, [&](const Piece& piece) { return unsettled.is_alone(piece); },
-        [&](const Piece& piece) {
-            // Distance of points from the border, as a fraction of the way to the centre: on the border itself other
-            // triangles bound the solid, too.
-            constexpr double kInside = 0.02;
-            const Vec3 centre = piece.centre();
-            measure(centre, piece.normal());
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Vec3& corner = piece.corners[k];
-                const Vec3 middle = 0.5 * (corner + piece.corners[(k + 1) % 3]);
-                measure(corner + kInside * (centre - corner), piece.normal());
-                measure(middle + kInside * (centre - middle), piece.normal());
-            }
+        std::sort(used.begin(), used.end());
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        const auto measure = [&](const Vec3& p) {
+            largest.add(DistanceToSolid(solid_, p).bound(std::max(limits_.enough, largest.get())));
+        };
+        in_blocks(used.size(), progress_, [&](std::size_t i, std::size_t /*block*/) {
+            measure(result_.vertices[static_cast<std::size_t>(used[i])]);
         });
-    std::sort(far.rbegin(), far.rend());
-    const auto farthest = std::find_if(far.begin(), far.end(), [&](const FarPoint& point) {
-        c.progress.check();
-        return c.solid.is_thick_at(Vec3(point.second[0], point.second[1], point.second[2]), thinnest);
-    });
-    return farthest != far.end() ? std::max(largest.get(), farthest->first) : largest.get();
-}
+        spacing = spacing_on(pieces, limits_.finest);
+        in_blocks(pieces.size(), progress_, [&](std::size_t i, std::size_t /*block*/) {
+            for_each_piece(pieces[i], spacing, is_settled, [&](const Piece& piece) { measure(piece.centre()); });
+        });
+        return largest.get();
+    }
+
+    double from_exact(double& spacing) const {
+        std::vector<Piece> triangles;
+        for (std::size_t k = 0; k < operands_.size(); ++k) {
+            for (std::size_t t = 0; t < operands_[k].triangles->size(); ++t) {
+                if (!is_marked(operands_[k].retained, t)) {
+                    const std::int32_t triangle = solid_.first_triangle(k) + static_cast<std::int32_t>(t);
+                    triangles.push_back({solid_.corners(triangle), triangle});
+                }
+            }
+        }
+        Largest largest;
+        const auto is_settled = [&](const Piece& piece) {
+            const bool alone = is_alone(piece);
+            if (alone) {
+                largest.add(distance_where_alone(piece));
+            }
+            return alone;
+        };
+        std::vector<Piece> pieces;
+        for (const auto& [t, piece] : unsettled_pieces(triangles, kLarge * limits_.finest, progress_, is_settled)) {
+            pieces.push_back(piece);
+        }
+        spacing = std::max(spacing, spacing_on(pieces, limits_.finest));
+        std::vector<std::vector<FarPoint>> far((pieces.size() + kBlock - 1) / kBlock);
+        in_blocks(pieces.size(), progress_, [&](std::size_t i, std::size_t block) {
+            for_each_piece(pieces[i], spacing, is_settled, [&](const Piece& piece) {
+                add_far_points(piece, std::max(limits_.enough, largest.get()), far[block]);
+            });
+        });
+        return std::max(largest.get(), farthest_of(far));
+    }
+
+  private:
+    /// The distance of a point of the exact surface from the result, and the point.
+    using FarPoint = std::pair<double, std::array<double, 3>>;
+
+    /// Sides of the pieces that are held in memory, as a multiple of the finest spacing.
+    static constexpr double kLarge = 8.0;
+
+    /// Whether no triangle of another operand is within the reach of a piece; never where operands were not moved.
+    bool is_alone(const Piece& piece) const {
+        if (moved_ == nullptr || piece.triangle < 0) {
+            return false;
+        }
+        Box box;
+        for (const Vec3& p : piece.corners) {
+            box.add(p);
+        }
+        const Vec3 around = Vec3::Constant(moved_->reach);
+        const std::int32_t operand = solid_.operand_of(piece.triangle);
+        bool alone = true;
+        solid_.tree().for_each_in_box({box.low - around, box.high + around}, [&](std::int32_t triangle) {
+            alone = solid_.operand_of(triangle) == operand;
+            return alone;
+        });
+        return alone;
+    }
+
+    /// How far the points of a piece of an operand, alone, are from the result.
+    double distance_where_alone(const Piece& piece) const {
+        const Corners& moved = moved_->triangles[static_cast<std::size_t>(piece.triangle)];
+        if (moved == solid_.corners(piece.triangle) || !solid_.is_bounded_at(piece.centre(), piece.normal())) {
+            return 0.0;
+        }
+        // Where a sheet was moved through another one of the same operand the moved triangle is not in the result.
+        const double at_centre = tree_.size() > 0 ? tree_.nearest(piece.centre()).distance : size();
+        return std::max(at_centre, distance_to_triangle(piece.corners, moved));
+    }
+
+    double size() const {
+        const Box box = solid_.tree().box();
+        return box.empty() ? 0.0 : (box.high - box.low).norm();
+    }
+
+    /// Adds the points of a piece that bound the exact solid, but no film or gap, and are farther from the result than
+    /// a distance.
+    void add_far_points(const Piece& piece, double known, std::vector<FarPoint>& far) const {
+        // Distance of points from the border, as a fraction of the way to the centre: on the border itself other
+        // triangles bound the solid, too.
+        constexpr double kInside = 0.02;
+        const Vec3 centre = piece.centre();
+        const Vec3 normal = piece.normal();
+        const auto add = [&](const Vec3& p) {
+            if (tree_.nearest(p, known).triangle < 0 && solid_.is_bounded_at(p, normal) &&
+                solid_.is_bounded_at(p, normal, limits_.thinnest)) {
+                far.push_back({tree_.size() > 0 ? tree_.nearest(p).distance : size(), {p.x(), p.y(), p.z()}});
+            }
+        };
+        add(centre);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& corner = piece.corners[k];
+            const Vec3 middle = 0.5 * (corner + piece.corners[(k + 1) % 3]);
+            add(corner + kInside * (centre - corner));
+            add(middle + kInside * (centre - middle));
+        }
+    }
+
+    /// The distance of the farthest point where the solid and what is around it are thick.
+    double farthest_of(const std::vector<std::vector<FarPoint>>& far) const {
+        std::vector<FarPoint> all;
+        for (const std::vector<FarPoint>& part : far) {
+            all.insert(all.end(), part.begin(), part.end());
+        }
+        std::sort(all.rbegin(), all.rend());
+        const auto farthest = std::find_if(all.begin(), all.end(), [&](const FarPoint& point) {
+            progress_.check();
+            return solid_.is_thick_at(Vec3(point.second[0], point.second[1], point.second[2]), limits_.thinnest);
+        });
+        return farthest != all.end() ? farthest->first : 0.0;
+    }
+
+    const ExactSolid& solid_;
+    const std::vector<EnclosedOperand>& operands_;
+    const mesh::TriangleMesh& result_;
+    const mesh::NearestTree tree_;
+    const ErrorLimits& limits_;
+    const MovedOperands* moved_;
+    const Progress& progress_;
+};
 
 }  // namespace
 
 MeasuredError measure_error(const std::vector<EnclosedOperand>& operands, const Expression& expression,
-                            const mesh::TriangleMesh& result, const std::vector<char>& own, double finest,
-                            double enough, double thinnest, const Progress& progress, const MovedOperands* moved) {
+                            const mesh::TriangleMesh& result, const std::vector<char>& own, const ErrorLimits& limits,
+                            const Progress& progress, const MovedOperands* moved) {
     const ExactSolid solid(operands, expression);
-    const Comparison comparison{solid, operands, result, moved, finest, enough, progress};
+    const Measurement measurement(solid, operands, result, limits, moved, progress);
     MeasuredError error;
-    error.to_exact = distance_to_exact(comparison, own, error.spacing);
-    error.from_exact = distance_from_exact(comparison, thinnest, error.spacing);
+    error.to_exact = measurement.to_exact(own, error.spacing);
+    error.from_exact = measurement.from_exact(error.spacing);
     return error;
 }
 

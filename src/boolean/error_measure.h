@@ -24,6 +24,15 @@ struct MovedOperands {
     double reach = 0.0;  ///< mm, twice the largest move
 };
 
+/// How finely a result is measured, mm.
+struct ErrorLimits {
+    /// The spacing of samples on large triangles; no more are taken than some 100,000 beyond one for each triangle.
+    double finest = 0.0;
+    double enough = 0.0;  ///< distances up to this are not told apart
+    /// Where the exact solid, or a gap in it, is thinner than this, nobody looks for its surface in the result.
+    double thinnest = 0.0;
+};
+
 /// The largest distances found between a result and the exact Boolean of its operands, mm.
 struct MeasuredError {
     double to_exact = 0.0;    ///< from points of the result to the exact surface
@@ -45,16 +54,10 @@ struct MeasuredError {
 /// From the exact surface: points of the operands' triangles on which the exact solid is on one side only, and their
 /// distances from the nearest triangle of the result.
 /// @param own      for each triangle of the result whether it is an operand's own, and not sampled; empty: none is
-/// @param finest   mm, the spacing of samples on large triangles; no more are taken than some 100,000 beyond one for
-///     each triangle
-/// @param enough   mm; distances up to this are not told apart
-/// @param thinnest mm; where the exact solid, or a gap in it, is thinner than this, nobody looks for its surface in the
-///     result
 /// @param moved    null: the operands have not been moved
 /// @throws Cancelled
 MeasuredError measure_error(const std::vector<EnclosedOperand>& operands, const Expression& expression,
-                            const mesh::TriangleMesh& result, const std::vector<char>& own, double finest,
-                            double enough, double thinnest, const Progress& progress,
-                            const MovedOperands* moved = nullptr);
+                            const mesh::TriangleMesh& result, const std::vector<char>& own, const ErrorLimits& limits,
+                            const Progress& progress, const MovedOperands* moved = nullptr);
 
 }  // namespace mq::boolean

@@ -82,7 +82,7 @@ double measured_error(const std::vector<UniformOperand>& prepared, const Express
         }
         moved = std::max(moved, operand.largest_move());
     }
-    return measure_error(enclosed, expression, result.mesh, own, tolerance, kEnough * tolerance, thinnest, progress)
+    return measure_error(enclosed, expression, result.mesh, own, {tolerance, kEnough * tolerance, thinnest}, progress)
                .largest() +
            moved;
 }

@@ -115,8 +115,9 @@ void bind_error(BooleanReportClass& bound) {
                       "share of the surface where an open operand has no triangle, a guess, 0 to 1")
         .def_readonly(
             "error_bound", &BooleanReport::error_bound,
-            "mm; the largest distance between the result and the exact one of what was given, both ways, but for what "
-            "closed_gaps tells: measured for the method 'uniform' and where common faces were moved, else proven")
+            "mm; the largest distance between the result and the exact one of the operands' meshes, both ways, but "
+            "for gaps and slivers up to 1.75 closed_gaps wide: measured for the method 'uniform' and where common "
+            "faces were moved, else proven")
         .def_readonly("closed_gaps", &BooleanReport::closed_gaps,
                       "mm; the widest gap or sliver between common faces of operands that was closed")
         .def_readonly("tolerance_asked", &BooleanReport::tolerance_asked,

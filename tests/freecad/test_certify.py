@@ -132,11 +132,11 @@ class Saved(helpers.DocumentTest):
             counts += [kinds.count_of(kind, 2, serendipity=True)] if kind in kinds._SERENDIPITY else []
             for count in counts:
                 order = kinds.order_of(kind, count)
-                shift = random.uniform(-1, 1, (12, count, 3)) * np.linspace(0.02, 0.4, 12)[:, None, None] / order**2
+                shift = random.uniform(-1, 1, (30, count, 3)) * np.linspace(0.02, 0.4, 30)[:, None, None] / order**2
                 if kinds.DIMENSION[kind] == 2:
                     shift[:, :, 2] = 0
                 nodes = (kinds.places(kind, count)[None] + shift).reshape(-1, 3)
-                rows = np.arange(len(nodes)).reshape(12, count)
+                rows = np.arange(len(nodes)).reshape(30, count)
                 low = np.concatenate(mq.certify(mesh_of(nodes, (kind, rows))).distortion)
                 J, distortion = verifier.examine(kind, order, nodes, rows)
                 np.testing.assert_array_equal(J == verifier.POSITIVE, low > 0, f"{kind} {count}")

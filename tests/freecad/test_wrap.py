@@ -104,8 +104,8 @@ class MeshesOfShapes(Sound):
 
     def test_triangulation_that_is_too_far_away_is_refined(self):
         face = Part.makeSphere(5).Faces[0]
-        points, corners, deviation = _tessellated(face, 0.03)
-        self.assertTrue(0.0 < deviation <= 0.03)
+        points, corners, deviation = _tessellated(face, 0.01)
+        self.assertTrue(0.0 < deviation <= 0.01)
         far = max(face.distToShape(Part.Vertex(Vector(*points[corner].mean(axis=0))))[0] for corner in corners[::50])
         self.assertLessEqual(far, deviation + 1e-7)
 
@@ -113,7 +113,7 @@ class MeshesOfShapes(Sound):
         shape = Part.makeSphere(5)
         shape.tessellate(1.0)
         before = len(shape.Faces[0].tessellate(2.0)[1])
-        _tessellated(shape.Faces[0], 0.03)
+        _tessellated(shape.Faces[0], 0.01)
         self.assertEqual(len(shape.Faces[0].tessellate(2.0)[1]), before)
 
     def test_error_bound_has_the_distance_of_the_meshes(self):

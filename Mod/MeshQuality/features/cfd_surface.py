@@ -63,6 +63,11 @@ class CfdSurface(PlainState):
             self._bring_up_to_date(obj)
         except Error as error:
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(error)}\n")
+            import Part
+
+            obj.Shape = Part.Shape()  # faces without their triangles are not those of the mesh
+            obj.touch()
+            return
         obj.purgeTouched()
 
 
@@ -110,7 +115,7 @@ class _Observer:
     def slotChangedObject(self, obj, name):
         """Called by FreeCAD, also where the same shape was placed elsewhere only."""
         if name == "Shape" and _is_cfd_surface(obj) and obj.Proxy._has_surfaces and not obj.Proxy._is_making \
-                and not obj.Document.Transacting and not obj.Document.Restoring:
+                and not obj.Shape.isNull() and not obj.Document.Transacting and not obj.Document.Restoring:
             obj.Proxy.make_anew(obj)
 
     def slotUndoDocument(self, document):

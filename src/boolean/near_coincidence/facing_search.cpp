@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "mesh/intersection/vertex_grid.h"
 
 namespace mq::boolean {
 
@@ -15,110 +16,59 @@ class OperandCells {
   public:
     /// @param box  what the grid covers
     /// @param least  mm, the least side of a cell
-    OperandCells(const Soup& soup, const Box& box, double least) : cell_(soup.vertices.size()) {
-        // About as many cells on a surface as it has triangles.
-        const double most = std::clamp(std::sqrt(static_cast<double>(soup.triangles.size())), 1.0, kMostCells);
-        Vec3 scale;
-        std::array<double, 3> last;
-        for (int i = 0; i < 3; ++i) {
-            const double side = box.high[i] - box.low[i];
-            const int count = std::max(1, static_cast<int>(std::min(most, side / least)));
-            scale[i] = side > 0.0 ? count / side : 0.0;
-            last[i] = count;
-            side_[i] = count + 2;
-        }
-        // Cells 0 and count + 1 take what is outside of the box. The cell of a coordinate is a monotone function of it,
-        // however it is rounded.
-        for (std::size_t v = 0; v < cell_.size(); ++v) {
-            for (int i = 0; i < 3; ++i) {
-                const double x = soup.vertices[v][i];
-                const double inside = 1.0 + std::min((x - box.low[i]) * scale[i], last[i] - 1.0);
-                cell_[v][i] = static_cast<std::uint8_t>(x < box.low[i]    ? 0.0
-                                                        : x > box.high[i] ? last[i] + 1.0
-                                                                          : inside);
-            }
-        }
-        operand_.assign(static_cast<std::size_t>(side_[0]) * side_[1] * side_[2], kNone);
-    }
+    OperandCells(const Soup& soup, const Box& box, double least)
+        : grid_(soup.vertices, box, counts(soup, box, least)), operand_(grid_.size(), kNone) {}
 
     void mark(const Triangle& t, std::int32_t operand) {
-        all_ = all_ || !visit(t, kMostMarked, [&](std::size_t cell) {
-                   if (operand_[cell] == kNone) {
-                       operand_[cell] = operand;
-                       occupied_.push_back(static_cast<std::int32_t>(cell));
-                   } else if (operand_[cell] != operand) {
-                       operand_[cell] = kSeveral;
-                   }
-                   return true;
-               });
+        all_ = all_ || !grid_.visit(t, kMostMarked, [&](std::size_t cell) {
+            if (operand_[cell] == kNone) {
+                operand_[cell] = operand;
+                occupied_.push_back(cell);
+            } else if (operand_[cell] != operand) {
+                operand_[cell] = kSeveral;
+            }
+            return true;
+        });
     }
     /// Once all are marked: finds the cells beside which, or in which, there are several operands.
     void find_near() {
         near_.assign(operand_.size(), 0);
-        for (const std::int32_t cell : occupied_) {
-            const std::array<int, 3> at{cell % side_[0], cell / side_[0] % side_[1], cell / side_[0] / side_[1]};
-            near_[static_cast<std::size_t>(cell)] = static_cast<char>(!visit_between(
-                {std::max(at[0] - 1, 0), std::max(at[1] - 1, 0), std::max(at[2] - 1, 0)},
-                {std::min(at[0] + 1, side_[0] - 1), std::min(at[1] + 1, side_[1] - 1),
-                 std::min(at[2] + 1, side_[2] - 1)},
-                [&](std::size_t beside) {
-                    return operand_[beside] == kNone || (operand_[beside] == operand_[static_cast<std::size_t>(cell)] &&
-                                                         operand_[beside] != kSeveral);
-                }));
+        for (const std::size_t cell : occupied_) {
+            const auto is_free = [&](std::size_t beside) {
+                return operand_[beside] == kNone ||
+                       (operand_[beside] == operand_[cell] && operand_[beside] != kSeveral);
+            };
+            near_[cell] = static_cast<char>(!grid_.visit_around(cell, is_free));
         }
     }
     /// False only if no triangle of another operand was marked within a cell's side of this one.
     bool is_near_other(const Triangle& t) const {
-        return all_ || !visit(t, kMostAsked, [&](std::size_t cell) { return near_[cell] == 0; });
+        return all_ || !grid_.visit(t, kMostAsked, [&](std::size_t cell) { return near_[cell] == 0; });
     }
 
   private:
-    static constexpr double kMostCells = 126.0;  ///< inside, along a side: 10 MB
     /// Cells of one triangle at most; larger triangles make the grid useless, or are near without being asked.
     static constexpr int kMostMarked = 32768;
     static constexpr int kMostAsked = 4096;
     static constexpr std::int32_t kNone = -1;
     static constexpr std::int32_t kSeveral = -2;
 
-    /// use(cell) for each cell of the box of a triangle. False when that has too many, or as soon as `use` says so.
-    /// Boxes outside of the grid have no cells.
-    template <typename Use>
-    bool visit(const Triangle& t, int most, const Use& use) const {
-        std::array<int, 3> low;
-        std::array<int, 3> high;
+    /// About as many cells on a surface as it has triangles.
+    static std::array<int, 3> counts(const Soup& soup, const Box& box, double least) {
+        const double most =
+            std::clamp(std::sqrt(static_cast<double>(soup.triangles.size())), 1.0, double(mesh::VertexGrid::kMost));
+        std::array<int, 3> result;
         for (int i = 0; i < 3; ++i) {
-            const auto [least, greatest] = std::minmax({cell_[t[0]][i], cell_[t[1]][i], cell_[t[2]][i]});
-            low[i] = least;
-            high[i] = greatest;
-            if (greatest == 0 || least == side_[i] - 1) {
-                return true;
-            }
+            result[i] = std::max(1, static_cast<int>(std::min(most, (box.high[i] - box.low[i]) / least)));
         }
-        if ((high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1) > most) {
-            return false;
-        }
-        return visit_between(low, high, use);
-    }
-    template <typename Use>
-    bool visit_between(const std::array<int, 3>& low, const std::array<int, 3>& high, const Use& use) const {
-        for (int z = low[2]; z <= high[2]; ++z) {
-            for (int y = low[1]; y <= high[1]; ++y) {
-                for (int x = low[0]; x <= high[0]; ++x) {
-                    if (!use((static_cast<std::size_t>(z) * side_[1] + y) * side_[0] + x)) {
-                        return false;
-                    }
-                }
-            }
-        }
-        return true;
+        return result;
     }
 
-    std::vector<std::array<std::uint8_t, 3>> cell_;  ///< by vertex
-    std::array<int, 3> side_{};
-    std::vector<std::int32_t> operand_;
-    std::vector<std::int32_t> occupied_;  ///< cells
-    std::vector<char> near_;              ///< cells near others
-    bool all_ = false;                    ///< whether everything may be near other operands
+    mesh::VertexGrid grid_;
+    std::vector<std::int32_t> operand_;  ///< by cell
+    std::vector<std::size_t> occupied_;  ///< cells
+    std::vector<char> near_;             ///< cells near others
+    bool all_ = false;                   ///< whether everything may be near other operands
 };
 
 /// What is common to the boxes of two operands at least, each larger by `reach`.

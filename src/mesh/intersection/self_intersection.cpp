@@ -15,6 +15,7 @@
 #include "mesh/intersection/embedded_star.h"
 #include "mesh/intersection/height_fields.h"
 #include "mesh/intersection/needle_frame.h"
+#include "mesh/intersection/vertex_grid.h"
 #include "mesh/vertex_stars.h"
 
 namespace mq::mesh {
@@ -78,78 +79,44 @@ class Collector {
     std::vector<ContactPair> found_;
 };
 
+Box box_of(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+           const std::vector<std::int32_t>& subset) {
+    Box box;
+    for (const std::int32_t t : subset) {
+        for (const std::int32_t v : triangles[t]) {
+            box.add(vertices[v]);
+        }
+    }
+    return box;
+}
+
 /// A grid whose cells are marked where they meet the boxes of some triangles: a quick test of what may meet them.
 class OccupiedCells {
   public:
     OccupiedCells(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                   const std::vector<std::int32_t>& marked)
-        : occupied_(kSide * kSide * kSide, 0) {
-        Box box;
+        : grid_(vertices, box_of(vertices, triangles, marked),
+                {VertexGrid::kMost, VertexGrid::kMost, VertexGrid::kMost}),
+          occupied_(grid_.size(), 0) {
         for (const std::int32_t t : marked) {
-            for (const std::int32_t v : triangles[t]) {
-                box.add(vertices[v]);
-            }
-        }
-        // The cell of a coordinate is a monotone function of it, however it is rounded. Cells 0 and kSide - 1 take all
-        // coordinates outside of the box.
-        cell_.resize(vertices.size());
-        Vec3 scale = box.high - box.low;
-        scale = scale.unaryExpr([](double size) { return size > 0.0 ? (kSide - 3) / size : 0.0; });
-        for (std::size_t v = 0; v < vertices.size(); ++v) {
-            for (int i = 0; i < 3; ++i) {
-                const double place = (vertices[v][i] - box.low[i]) * scale[i];
-                const double inside = 1.0 + std::min(place, kSide - 3.0);
-                cell_[v][i] = static_cast<std::uint8_t>(vertices[v][i] < box.low[i]    ? 0.0
-                                                        : vertices[v][i] > box.high[i] ? kSide - 1.0
-                                                                                       : inside);
-            }
-        }
-        for (const std::int32_t t : marked) {
-            all_ = all_ || !visit(triangles[t], kMostMarked, [this](std::size_t cell) {
-                       occupied_[cell] = 1;
-                       return true;
-                   });
+            all_ = all_ || !grid_.visit(triangles[t], kMostMarked, [this](std::size_t cell) {
+                occupied_[cell] = 1;
+                return true;
+            });
         }
     }
 
     /// False only if the triangle's box meets none of those of the marked triangles.
     bool may_meet(const Triangle& t) const {
-        return all_ || !visit(t, kMostAsked, [this](std::size_t cell) { return occupied_[cell] == 0; });
+        return all_ || !grid_.visit(t, kMostAsked, [this](std::size_t cell) { return occupied_[cell] == 0; });
     }
 
   private:
-    /// Cells along a side of the grid: 2 MB of marks.
-    static constexpr int kSide = 128;
     static constexpr int kMostMarked = 4096;  ///< cells of one triangle at most; larger triangles make the grid useless
     /// Cells of a tested triangle at most; for larger ones the test takes too long.
     static constexpr int kMostAsked = 64;
 
-    /// use(cell) for each cell of the box of a triangle. False when that has too many, or as soon as `use` says so.
-    template <typename Use>
-    bool visit(const Triangle& t, int most, const Use& use) const {
-        std::array<int, 3> low;
-        std::array<int, 3> high;
-        for (int i = 0; i < 3; ++i) {
-            const auto [least, greatest] = std::minmax({cell_[t[0]][i], cell_[t[1]][i], cell_[t[2]][i]});
-            low[i] = least;
-            high[i] = greatest;
-        }
-        if ((high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1) > most) {
-            return false;
-        }
-        for (int z = low[2]; z <= high[2]; ++z) {
-            for (int y = low[1]; y <= high[1]; ++y) {
-                for (int x = low[0]; x <= high[0]; ++x) {
-                    if (!use(static_cast<std::size_t>((z * kSide + y) * kSide + x))) {
-                        return false;
-                    }
-                }
-            }
-        }
-        return true;
-    }
-
-    std::vector<std::array<std::uint8_t, 3>> cell_;  ///< cell of each vertex
+    VertexGrid grid_;
     std::vector<char> occupied_;
     bool all_ = false;  ///< whether everything may meet the marked triangles
 };

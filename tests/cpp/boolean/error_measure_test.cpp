@@ -19,7 +19,7 @@ const Progress kUnwatched;
 
 MeasuredError measure(const TriangleMesh& a, const TriangleMesh& b, Operation operation, const TriangleMesh& result) {
     const std::vector<EnclosedOperand> operands{{&a.vertices, &a.triangles}, {&b.vertices, &b.triangles}};
-    return measure_error(operands, Expression::chain(operation, 2), result, {}, 0.02, 1e-6, 1e-6, kUnwatched);
+    return measure_error(operands, Expression::chain(operation, 2), result, {}, {0.02, 1e-6, 1e-6}, kUnwatched);
 }
 
 /// A triangle as small as rounding, as a result whose distance is that of a point.
@@ -83,13 +83,38 @@ TEST(ErrorMeasure, FindsSheetsThatShouldNotBeAndBodiesThatAreMissing) {
     EXPECT_EQ(measure(kLow, far, Operation::Intersection, none).largest(), 0.0);
 }
 
+/// A corner of a large block is moved, and another body is near the opposite corner of the same triangles: only what is
+/// near that is sampled, and the rest of the triangles counts by how far it is from where it was.
+TEST(ErrorMeasure, CountsMovesWhereNoOtherOperandIsNear) {
+    const TriangleMesh other = solids::box(Vec3(-1.9, -1.9, 0.05), Vec3(-1.5, -1.5, 0.5));
+    TriangleMesh moved_block = kLow;
+    for (Vec3& p : moved_block.vertices) {
+        p.z() += p == Vec3(2, 2, 0) ? 0.1 : 0.0;
+    }
+    const TriangleMesh result = solids::together(moved_block, other);
+    MovedOperands moved;
+    moved.reach = 0.2;
+    for (std::size_t t = 0; t < result.triangles.size(); ++t) {
+        const mesh::Triangle& c = result.triangles[t];
+        moved.triangles.push_back({result.vertices[static_cast<std::size_t>(c[0])],
+                                   result.vertices[static_cast<std::size_t>(c[1])],
+                                   result.vertices[static_cast<std::size_t>(c[2])]});
+        moved.source.push_back(static_cast<std::int32_t>(t));
+    }
+    const std::vector<EnclosedOperand> operands{{&kLow.vertices, &kLow.triangles}, {&other.vertices, &other.triangles}};
+    const MeasuredError error = measure_error(operands, Expression::chain(Operation::Union, 2), result, {},
+                                              {0.05, 1e-3, 1e-6}, kUnwatched, &moved);
+    EXPECT_NEAR(error.to_exact, 0.1, 0.005);
+    EXPECT_NEAR(error.from_exact, 0.1, 0.005);
+}
+
 TEST(ErrorMeasure, OpenOperandsAreWhereTheirWindingNumberSaysSo) {
     const TriangleMesh open =
         solids::only(solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), [](const Vec3& centre) { return centre.z() < 0.99; });
     const mesh::WindingNumber winding(open.vertices, open.triangles);
     const std::vector<EnclosedOperand> operands{{&open.vertices, &open.triangles, &winding}};
     const auto distance = [&](const Vec3& p) {
-        return measure_error(operands, Expression::chain(Operation::Union, 1), speck(p), {}, 0.02, 1e-6, 1e-6,
+        return measure_error(operands, Expression::chain(Operation::Union, 1), speck(p), {}, {0.02, 1e-6, 1e-6},
                              kUnwatched)
             .to_exact;
     };
