@@ -224,7 +224,7 @@ class BooleanPipeline {
         ResultMesh& draft = extraction.draft;
         RoundingCount rounded = snap_round(extraction, {size_, tolerance_, in_single_}, progress_);
         if (moved_ > 0.0) {
-            remove_thin_shells(draft, in_contact_, result_.closed_gaps);
+            remove_thin_shells(draft, soup_, in_contact_, result_.closed_gaps);
         }
         result_.separated_contacts = rounded.separated;
         result_.faults_left = rounded.faulty.empty() ? nonmanifold(draft).size() : rounded.faulty.size();

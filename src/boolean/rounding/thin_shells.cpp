@@ -9,7 +9,8 @@
 
 namespace mq::boolean {
 
-std::size_t remove_thin_shells(ResultMesh& draft, const std::vector<char>& in_contact, double thickness) {
+std::size_t remove_thin_shells(ResultMesh& draft, const Soup& soup, const std::vector<char>& in_contact,
+                               double thickness) {
     DisjointSets<std::int32_t> sets(draft.vertices.size());  // shells share no vertex
     for (const Triangle& t : draft.triangles) {
         sets.unite(t[0], t[1]);
@@ -20,12 +21,12 @@ std::size_t remove_thin_shells(ResultMesh& draft, const std::vector<char>& in_co
     struct Shell {
         double area = 0.0;
         double volume = 0.0;
-        bool all_in_contact = true;
-        bool any_in_contact = false;
+        bool in_contact = false;
+        std::int32_t operand = -1;  ///< that of a piece
+        bool of_several = false;
 
-        bool is_thin(double thickness) const {
-            const bool in_contact = volume < 0.0 ? any_in_contact : all_in_contact;
-            return in_contact && 2.0 * std::abs(volume) < thickness * area;
+        bool is_left_over(double thickness) const {
+            return in_contact && of_several && 2.0 * std::abs(volume) < thickness * area;
         }
     };
     std::vector<Shell> shells(static_cast<std::size_t>(count));
@@ -43,15 +44,17 @@ std::size_t remove_thin_shells(ResultMesh& draft, const std::vector<char>& in_co
         const Vec3 d = draft.vertices[static_cast<std::size_t>(c[2])] - corner[index];
         shell.area += 0.5 * (b - a).cross(d - a).norm();
         shell.volume += a.dot(b.cross(d)) / 6.0;
-        const bool here = in_contact[static_cast<std::size_t>(draft.from[t])] != 0;
-        shell.all_in_contact = shell.all_in_contact && here;
-        shell.any_in_contact = shell.any_in_contact || here;
+        const auto from = static_cast<std::size_t>(draft.from[t]);
+        const std::int32_t operand = soup.source[from].operand;
+        shell.in_contact = shell.in_contact || in_contact[from] != 0;
+        shell.of_several = shell.of_several || (shell.operand >= 0 && shell.operand != operand);
+        shell.operand = operand;
     }
     std::vector<char> thin(draft.triangles.size(), 0);
     std::size_t removed = 0;
     for (std::size_t t = 0; t < thin.size(); ++t) {
         const auto first = static_cast<std::size_t>(draft.triangles[t][0]);
-        thin[t] = static_cast<char>(shells[static_cast<std::size_t>(shell_of[first])].is_thin(thickness));
+        thin[t] = static_cast<char>(shells[static_cast<std::size_t>(shell_of[first])].is_left_over(thickness));
         removed += static_cast<std::size_t>(thin[t]);
     }
     if (removed > 0) {

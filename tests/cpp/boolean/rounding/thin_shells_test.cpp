@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <utility>
-
 #include "boolean/closed_solids.h"
 
 namespace mq::boolean {
@@ -26,9 +24,21 @@ ResultMesh block_and_film() {
     return draft;
 }
 
+/// Operand 0 has the first `count` triangles, operand 1 the others.
+Soup soup_of(std::size_t count) {
+    Soup soup;
+    soup.operands = 2;
+    for (std::size_t t = 0; t < 24; ++t) {
+        soup.source.push_back({t < count ? 0 : 1, static_cast<std::int32_t>(t)});
+    }
+    return soup;
+}
+
 TEST(ThinShells, OfCommonFacesAreRemoved) {
     ResultMesh draft = block_and_film();
-    EXPECT_EQ(remove_thin_shells(draft, std::vector<char>(24, 1), 0.02), 12u);
+    std::vector<char> in_contact(24, 0);
+    in_contact[20] = 1;
+    EXPECT_EQ(remove_thin_shells(draft, soup_of(18), in_contact, 0.02), 12u);
     ASSERT_EQ(draft.triangles.size(), 12u);
     EXPECT_EQ(draft.vertices.size(), 8u);
     EXPECT_EQ(draft.vertices.back().z(), 2.0);
@@ -36,19 +46,14 @@ TEST(ThinShells, OfCommonFacesAreRemoved) {
 
 TEST(ThinShells, ThickerOnesStay) {
     ResultMesh draft = block_and_film();
-    EXPECT_EQ(remove_thin_shells(draft, std::vector<char>(24, 1), 0.005), 0u);
+    EXPECT_EQ(remove_thin_shells(draft, soup_of(18), std::vector<char>(24, 1), 0.005), 0u);
     EXPECT_EQ(draft.triangles.size(), 24u);
 }
 
-TEST(ThinShells, SoDoThoseWithATriangleOfAnotherFace) {
+TEST(ThinShells, SoDoThoseOfOneOperandAndThoseWithoutACommonFace) {
     ResultMesh draft = block_and_film();
-    std::vector<char> in_contact(24, 1);
-    in_contact[20] = 0;
-    EXPECT_EQ(remove_thin_shells(draft, in_contact, 0.02), 0u);
-    for (Triangle& t : draft.triangles) {  // a void goes
-        std::swap(t[1], t[2]);
-    }
-    EXPECT_EQ(remove_thin_shells(draft, in_contact, 0.02), 12u);
+    EXPECT_EQ(remove_thin_shells(draft, soup_of(12), std::vector<char>(24, 1), 0.02), 0u);
+    EXPECT_EQ(remove_thin_shells(draft, soup_of(18), std::vector<char>(24, 0), 0.02), 0u);
 }
 
 }  // namespace
