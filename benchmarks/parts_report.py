@@ -139,6 +139,8 @@ def counts(results, options):
         ("good in every respect",
          share(sum(not symptoms(r, options) for r in results), len(results))),
         ("judged", sum(bool(judged(r)) for r in ok)),
+        ("called met", share(sum(bool(r.get("met")) for r in ok), len(ok))),
+        ("called met, and refuted", refuted(ok, options)),
         ("triangles", sum(r["triangles"] for r in ok)),
         ("triangles for each of BRepMesh, median", f"{median(ratios):.2f}" if ratios else "-"),
         (f"parts with more than {MANY_TIMES} times its triangles",
@@ -148,6 +150,13 @@ def counts(results, options):
          f"{median(seconds):.2f}, {max(seconds):.1f}" if seconds else "-"),
         ("CPU s of BRepMesh", f"{sum(peers):.1f}"),
     ]
+
+
+def refuted(results, options):
+    """How many results that are called met are not good, and of what."""
+    wrong = [found for r in results if r.get("met") and (found := [s for s in symptoms(r, options) if "times" not in s])]
+    causes = Counter(symptom for found in wrong for symptom in found)
+    return ", ".join([str(len(wrong)), *(f"{count} {cause}" for cause, count in sorted(causes.items()))])
 
 
 def share(count, total):

@@ -206,6 +206,13 @@ class BooleanPipeline {
         return true;
     }
 
+    bool an_operand_crosses_itself() const {
+        return std::any_of(crossing_.begin(), crossing_.end(), [&](const std::array<std::int32_t, 2>& pair) {
+            const auto operand = [&](std::int32_t t) { return soup_.source[static_cast<std::size_t>(t)].operand; };
+            return operand(pair[0]) == operand(pair[1]);
+        });
+    }
+
     /// Marks the triangles of common faces, and those that share their moved vertices.
     void mark_contacts(const std::vector<ContactFace>& faces) {
         in_contact_.assign(soup_.triangles.size(), 0);
@@ -223,8 +230,8 @@ class BooleanPipeline {
     void finish(Extraction& extraction) {
         ResultMesh& draft = extraction.draft;
         RoundingCount rounded = snap_round(extraction, {size_, tolerance_, in_single_}, progress_);
-        if (moved_ > 0.0) {
-            remove_thin_shells(draft, soup_, in_contact_, result_.closed_gaps);
+        if (moved_ > 0.0 || an_operand_crosses_itself()) {
+            remove_thin_shells(draft, soup_, in_contact_, {result_.closed_gaps, 0.5 * rounded.unit});
         }
         result_.separated_contacts = rounded.separated;
         result_.faults_left = rounded.faulty.empty() ? nonmanifold(draft).size() : rounded.faulty.size();

@@ -48,9 +48,9 @@ struct BooleanResult {
     /// triangles that fill holes of operands.
     std::vector<std::array<std::int32_t, 2>> triangle_origin;
     /// mm. The surface of the result and that of the exact Boolean are nowhere farther from each other, in both
-    /// directions, but for slivers and gaps thinner than 1.75 closed_gaps, which may be gone. Rounding and the closing
-    /// of cracks are counted by how far they move points; what the moves of common faces come to is measured
-    /// (measure_error), as most of what moves is not in the result.
+    /// directions, but for slivers and gaps thinner than 1.75 closed_gaps, or than half the spacing of single-precision
+    /// numbers, which may be gone. Rounding and the closing of cracks are counted by how far they move points; what the
+    /// moves of common faces come to is measured (measure_error), as most of what moves is not in the result.
     double error_bound = 0.0;
     /// mm, the widest gap or sliver between common faces of operands that was closed; 0: none was.
     double closed_gaps = 0.0;

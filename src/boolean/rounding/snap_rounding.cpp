@@ -29,7 +29,7 @@ class SnapRounder {
         for (const Vec3& p : extraction.draft.vertices) {
             farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
         }
-        unit_ = kSingleUnit * std::exp2(std::floor(std::log2(farthest)));
+        unit_ = count_.unit = kSingleUnit * std::exp2(std::floor(std::log2(farthest)));
     }
 
     RoundingCount run() {

@@ -19,6 +19,7 @@ struct RoundingOptions {
 struct RoundingCount {
     std::size_t rounds = 0;     ///< arrangements of the rounded surface
     std::size_t separated = 0;  ///< copies of points that were moved off others in the same place
+    double unit = 0.0;          ///< spacing of single-precision numbers at the farthest vertex, mm
     double error_bound = 0.0;   ///< bound for the distance of the surfaces before and after, both ways, mm
     /// Triangles of the soup (ResultMesh::from) that keep contacts, when the distance or the rounds allowed are used
     /// up; empty: the surface is embedded.

@@ -2,6 +2,7 @@
 #include "boolean/rounding/thin_shells.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -10,7 +11,7 @@
 namespace mq::boolean {
 
 std::size_t remove_thin_shells(ResultMesh& draft, const Soup& soup, const std::vector<char>& in_contact,
-                               double thickness) {
+                               const ShellThickness& thickness) {
     DisjointSets<std::int32_t> sets(draft.vertices.size());  // shells share no vertex
     for (const Triangle& t : draft.triangles) {
         sets.unite(t[0], t[1]);
@@ -24,9 +25,12 @@ std::size_t remove_thin_shells(ResultMesh& draft, const Soup& soup, const std::v
         bool in_contact = false;
         std::int32_t operand = -1;  ///< that of a piece
         bool of_several = false;
+        bool made = false;  ///< a triangle is no operand's own
 
-        bool is_left_over(double thickness) const {
-            return in_contact && of_several && 2.0 * std::abs(volume) < thickness * area;
+        bool is_too_thin(const ShellThickness& thickness) const {
+            const double limit = std::max(in_contact && of_several ? thickness.of_gaps : 0.0,  //
+                                          made ? thickness.of_any : 0.0);
+            return 2.0 * std::abs(volume) < limit * area;
         }
     };
     std::vector<Shell> shells(static_cast<std::size_t>(count));
@@ -46,7 +50,8 @@ std::size_t remove_thin_shells(ResultMesh& draft, const Soup& soup, const std::v
         shell.volume += a.dot(b.cross(d)) / 6.0;
         const auto from = static_cast<std::size_t>(draft.from[t]);
         const std::int32_t operand = soup.source[from].operand;
-        shell.in_contact = shell.in_contact || in_contact[from] != 0;
+        shell.in_contact = shell.in_contact || (!in_contact.empty() && in_contact[from] != 0);
+        shell.made = shell.made || draft.source[t].operand < 0;
         shell.of_several = shell.of_several || (shell.operand >= 0 && shell.operand != operand);
         shell.operand = operand;
     }
@@ -54,7 +59,7 @@ std::size_t remove_thin_shells(ResultMesh& draft, const Soup& soup, const std::v
     std::size_t removed = 0;
     for (std::size_t t = 0; t < thin.size(); ++t) {
         const auto first = static_cast<std::size_t>(draft.triangles[t][0]);
-        thin[t] = static_cast<char>(shells[static_cast<std::size_t>(shell_of[first])].is_left_over(thickness));
+        thin[t] = static_cast<char>(shells[static_cast<std::size_t>(shell_of[first])].is_too_thin(thickness));
         removed += static_cast<std::size_t>(thin[t]);
     }
     if (removed > 0) {

@@ -9,14 +9,21 @@
 
 namespace mq::boolean {
 
-/// Removes what is left of closed gaps and films between common faces: the shells of a result, closed surfaces that
-/// hang together by edges, whose mean thickness, twice the volume by the area, is below a length, which are made of
-/// pieces of several operands, and of which one at least is a piece of a common face. The rest of the result stays
-/// closed, as no shell has an edge of another one.
-/// @param in_contact  for each triangle of the soup whether it is of a common face, or was moved with one
-/// @param thickness   mm
+/// Below which mean thickness a shell, a closed surface that hangs together by edges, is no part of a result, mm. The
+/// mean thickness is twice the volume by the area.
+struct ShellThickness {
+    /// Shells that are left of closed gaps and of films between common faces: they are made of pieces of several
+    /// operands, and one piece at least is of a common face.
+    double of_gaps = 0.0;
+    /// Every shell with a triangle that no operand has: those that single precision flattens or turns, e.g. where an
+    /// operand crosses itself by less than its rounding.
+    double of_any = 0.0;
+};
+
+/// Removes shells that are too thin. The rest of the result stays closed, as no shell has an edge of another one.
+/// @param in_contact  for each triangle of the soup whether it is of a common face, or was moved with one; empty: none
 /// @return the number of triangles removed
 std::size_t remove_thin_shells(ResultMesh& draft, const Soup& soup, const std::vector<char>& in_contact,
-                               double thickness);
+                               const ShellThickness& thickness);
 
 }  // namespace mq::boolean

@@ -38,7 +38,7 @@ TEST(ThinShells, OfCommonFacesAreRemoved) {
     ResultMesh draft = block_and_film();
     std::vector<char> in_contact(24, 0);
     in_contact[20] = 1;
-    EXPECT_EQ(remove_thin_shells(draft, soup_of(18), in_contact, 0.02), 12u);
+    EXPECT_EQ(remove_thin_shells(draft, soup_of(18), in_contact, {0.02, 0.0}), 12u);
     ASSERT_EQ(draft.triangles.size(), 12u);
     EXPECT_EQ(draft.vertices.size(), 8u);
     EXPECT_EQ(draft.vertices.back().z(), 2.0);
@@ -46,14 +46,23 @@ TEST(ThinShells, OfCommonFacesAreRemoved) {
 
 TEST(ThinShells, ThickerOnesStay) {
     ResultMesh draft = block_and_film();
-    EXPECT_EQ(remove_thin_shells(draft, soup_of(18), std::vector<char>(24, 1), 0.005), 0u);
+    EXPECT_EQ(remove_thin_shells(draft, soup_of(18), std::vector<char>(24, 1), {0.005, 0.0}), 0u);
     EXPECT_EQ(draft.triangles.size(), 24u);
 }
 
 TEST(ThinShells, SoDoThoseOfOneOperandAndThoseWithoutACommonFace) {
     ResultMesh draft = block_and_film();
-    EXPECT_EQ(remove_thin_shells(draft, soup_of(12), std::vector<char>(24, 1), 0.02), 0u);
-    EXPECT_EQ(remove_thin_shells(draft, soup_of(18), std::vector<char>(24, 0), 0.02), 0u);
+    EXPECT_EQ(remove_thin_shells(draft, soup_of(12), std::vector<char>(24, 1), {0.02, 0.0}), 0u);
+    EXPECT_EQ(remove_thin_shells(draft, soup_of(18), std::vector<char>(24, 0), {0.02, 0.0}), 0u);
+}
+
+TEST(ThinShells, ThatSinglePrecisionFlattensAreRemovedWhoeverMadeThem) {
+    ResultMesh draft = block_and_film();
+    draft.source.assign(24, {0, 0});
+    EXPECT_EQ(remove_thin_shells(draft, soup_of(24), {}, {0.0, 0.02}), 0u) << "an operand's own shell stays";
+    draft.source[23].operand = -1;
+    EXPECT_EQ(remove_thin_shells(draft, soup_of(24), {}, {0.0, 0.005}), 0u) << "a thicker one stays";
+    EXPECT_EQ(remove_thin_shells(draft, soup_of(24), {}, {0.0, 0.02}), 12u);
 }
 
 }  // namespace
