@@ -141,23 +141,29 @@ class BooleanPipeline {
     }
 
     /// Pairs of triangles in contact; coincident triangles are left out.
-    std::vector<std::array<std::int32_t, 2>> contacts() const {
-        std::vector<char> twin(soup_.triangles.size(), 0);
-        for (const CoincidentTriangle& t : twins_) {
-            twin[static_cast<std::size_t>(t.triangle)] = 1;
-        }
+    /// @param search  over the soup as it is; none: the soup has changed
+    std::vector<std::array<std::int32_t, 2>> contacts(std::optional<mesh::SelfIntersectionSearch>& search) const {
         std::vector<Triangle> others;
         std::vector<std::int32_t> index;
-        for (std::size_t t = 0; t < twin.size(); ++t) {
-            if (twin[t] == 0) {
-                others.push_back(soup_.triangles[t]);
-                index.push_back(static_cast<std::int32_t>(t));
+        if (!twins_.empty()) {
+            std::vector<char> twin(soup_.triangles.size(), 0);
+            for (const CoincidentTriangle& t : twins_) {
+                twin[static_cast<std::size_t>(t.triangle)] = 1;
             }
+            for (std::size_t t = 0; t < twin.size(); ++t) {
+                if (twin[t] == 0) {
+                    others.push_back(soup_.triangles[t]);
+                    index.push_back(static_cast<std::int32_t>(t));
+                }
+            }
+            search.emplace(soup_.vertices, others, &progress_);
+        } else if (!search) {
+            search.emplace(soup_.vertices, soup_.triangles, &progress_);
         }
         std::vector<std::array<std::int32_t, 2>> result;
-        for (const mesh::ContactPair& pair : mesh::self_intersections(
-                 soup_.vertices, twins_.empty() ? soup_.triangles : others, mesh::kAllPairs, &progress_)) {
-            result.push_back({index[static_cast<std::size_t>(pair.a)], index[static_cast<std::size_t>(pair.b)]});
+        const auto own = [&](std::int32_t t) { return index.empty() ? t : index[static_cast<std::size_t>(t)]; };
+        for (const mesh::ContactPair& pair : search->pairs()) {
+            result.push_back({own(pair.a), own(pair.b)});
         }
         return result;
     }
@@ -174,7 +180,9 @@ class BooleanPipeline {
     bool find_crossings() {
         stages_.start("finding contacts", 0.15, 0.25);
         merge();
-        const FacingSearch search(soup_, boxes_, 2.0 * tolerance_, progress_);
+        std::optional<mesh::SelfIntersectionSearch> crossings;
+        crossings.emplace(soup_.vertices, soup_.triangles, &progress_);
+        const FacingSearch search(soup_, crossings->tree(), 2.0 * tolerance_, progress_);
         const std::vector<ContactFace> faces = contact_faces(soup_, search, twins_, tolerance_, clearance(), progress_);
         if (std::any_of(faces.begin(), faces.end(), differs)) {
             // In a symmetric difference faces that go to either side would be wrong.
@@ -199,9 +207,10 @@ class BooleanPipeline {
             undo_degenerate_moves(soup_, before);
             boxes_ = operand_boxes(soup_);
             merge();
+            crossings.reset();
         }
         stages_.start("finding crossings", 0.25, 0.5);
-        crossing_ = contacts();
+        crossing_ = contacts(crossings);
         merge_touching(soup_, crossing_);
         return true;
     }

@@ -5,109 +5,21 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "mesh/intersection/vertex_grid.h"
 
 namespace mq::boolean {
 
 namespace {
 
-/// A grid over the places where boxes of operands come near each other, which knows the operands in each cell.
-class OperandCells {
-  public:
-    /// @param box  what the grid covers
-    /// @param least  mm, the least side of a cell
-    OperandCells(const Soup& soup, const Box& box, double least)
-        : grid_(soup.vertices, box, counts(soup, box, least)), operand_(grid_.size(), kNone) {}
-
-    void mark(const Triangle& t, std::int32_t operand) {
-        all_ = all_ || !grid_.visit(t, kMostMarked, [&](std::size_t cell) {
-            if (operand_[cell] == kNone) {
-                operand_[cell] = operand;
-                occupied_.push_back(cell);
-            } else if (operand_[cell] != operand) {
-                operand_[cell] = kSeveral;
-            }
-            return true;
-        });
-    }
-    /// Once all are marked: finds the cells beside which, or in which, there are several operands.
-    void find_near() {
-        near_.assign(operand_.size(), 0);
-        for (const std::size_t cell : occupied_) {
-            const auto is_free = [&](std::size_t beside) {
-                return operand_[beside] == kNone ||
-                       (operand_[beside] == operand_[cell] && operand_[beside] != kSeveral);
-            };
-            near_[cell] = static_cast<char>(!grid_.visit_around(cell, is_free));
-        }
-    }
-    /// False only if no triangle of another operand was marked within a cell's side of this one.
-    bool is_near_other(const Triangle& t) const {
-        return all_ || !grid_.visit(t, kMostAsked, [&](std::size_t cell) { return near_[cell] == 0; });
-    }
-
-  private:
-    /// Cells of one triangle at most; larger triangles make the grid useless, or are near without being asked.
-    static constexpr int kMostMarked = 32768;
-    static constexpr int kMostAsked = 4096;
-    static constexpr std::int32_t kNone = -1;
-    static constexpr std::int32_t kSeveral = -2;
-
-    /// About as many cells on a surface as it has triangles.
-    static std::array<int, 3> counts(const Soup& soup, const Box& box, double least) {
-        const double most =
-            std::clamp(std::sqrt(static_cast<double>(soup.triangles.size())), 1.0, double(mesh::VertexGrid::kMost));
-        std::array<int, 3> result;
-        for (int i = 0; i < 3; ++i) {
-            result[i] = std::max(1, static_cast<int>(std::min(most, (box.high[i] - box.low[i]) / least)));
-        }
-        return result;
-    }
-
-    mesh::VertexGrid grid_;
-    std::vector<std::int32_t> operand_;  ///< by cell
-    std::vector<std::size_t> occupied_;  ///< cells
-    std::vector<char> near_;             ///< cells near others
-    bool all_ = false;                   ///< whether everything may be near other operands
-};
-
-/// What is common to the boxes of two operands at least, each larger by `reach`.
-Box common_box(const std::vector<Box>& boxes, double reach) {
-    Box result;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        for (std::size_t k = i + 1; k < boxes.size(); ++k) {
-            const Box common{boxes[i].low.cwiseMax(boxes[k].low) - Vec3::Constant(reach),
-                             boxes[i].high.cwiseMin(boxes[k].high) + Vec3::Constant(reach)};
-            if ((common.low.array() <= common.high.array()).all()) {
-                result.add(common);
-            }
-        }
-    }
-    return result;
-}
-
 /// Triangles near those of other operands: at least all that are within `reach` of one.
-std::vector<std::int32_t> near_other_operands(const Soup& soup, const std::vector<Box>& boxes, double reach,
+std::vector<std::int32_t> near_other_operands(const Soup& soup, mesh::AabbTree& all, double reach,
                                               const Progress& progress) {
-    std::vector<std::int32_t> result;
-    const Box common = common_box(boxes, reach);
-    if (common.empty()) {
-        return result;
+    std::vector<std::int32_t> operand;
+    operand.reserve(soup.source.size());
+    for (const Source& source : soup.source) {
+        operand.push_back(source.operand);
     }
-    CancelPace pace(progress);
-    OperandCells cells(soup, common, reach);
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-        pace.step();
-        cells.mark(soup.triangles[t], soup.source[t].operand);
-    }
-    cells.find_near();
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-        pace.step();
-        if (cells.is_near_other(soup.triangles[t])) {
-            result.push_back(static_cast<std::int32_t>(t));
-        }
-    }
-    return result;
+    all.set_groups(operand);
+    return all.near_other_groups(reach, &progress);
 }
 
 }  // namespace
@@ -135,8 +47,10 @@ BoundingCircle::BoundingCircle(const std::array<Vec3, 3>& q)
     }
 }
 
-FacingSearch::FacingSearch(const Soup& soup, const std::vector<Box>& boxes, double reach, const Progress& progress)
-    : soup_(soup), near_(near_other_operands(soup, boxes, reach, progress)), operands_(boxes.size()) {
+FacingSearch::FacingSearch(const Soup& soup, mesh::AabbTree& all, double reach, const Progress& progress)
+    : soup_(soup),
+      near_(near_other_operands(soup, all, reach, progress)),
+      operands_(static_cast<std::size_t>(soup.operands)) {
     for (const std::int32_t t : near_) {
         NearTriangles& own = operands_[static_cast<std::size_t>(operand_of(soup, t))];
         own.index.push_back(t);

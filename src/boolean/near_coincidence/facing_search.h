@@ -50,10 +50,10 @@ struct BoundingCircle {
 /// Finds triangles of different operands that face each other. The soup is referred to.
 class FacingSearch {
   public:
-    /// @param boxes  that contain the operands
+    /// @param all    a tree over the triangles of the soup, in any frame; its groups are set
     /// @param reach  mm, at least as much as is asked for later
     /// @throws Cancelled
-    FacingSearch(const Soup& soup, const std::vector<Box>& boxes, double reach, const Progress& progress);
+    FacingSearch(const Soup& soup, mesh::AabbTree& all, double reach, const Progress& progress);
 
     /// Triangles near those of other operands: at least all that are within the reach of one; in ascending order.
     const std::vector<std::int32_t>& near() const { return near_; }

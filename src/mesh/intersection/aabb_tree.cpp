@@ -208,6 +208,79 @@ void AabbTree::set_groups(const std::vector<std::int32_t>& group) {
     }
 }
 
+/// Finds the leaves near triangles of other groups by descending pairs of nodes.
+class AabbTree::NearGroups {
+  public:
+    NearGroups(const AabbTree& tree, double distance, const Progress* progress)
+        : tree_(tree), distance_(distance), near_(tree.nodes_.size(), 0), pace_(progress) {}
+
+    void visit(std::int32_t a, std::int32_t b) {
+        pace_.step();
+        if (tree_.in_one_group({a, b}) || (is_near(a) && is_near(b)) || !within_distance(a, b)) {
+            return;
+        }
+        const Node& first = tree_.nodes_[a];
+        const Node& second = tree_.nodes_[b];
+        if (first.count > 0 && second.count > 0) {
+            near_[a] = near_[b] = 1;
+        } else if (a == b) {
+            visit(first.first, first.first);
+            visit(first.first + 1, first.first + 1);
+            visit(first.first, first.first + 1);
+            join(a);
+        } else if (divide_first(first, second)) {
+            visit(first.first, b);
+            visit(first.first + 1, b);
+            join(a);
+        } else {
+            visit(a, second.first);
+            visit(a, second.first + 1);
+            join(b);
+        }
+    }
+    /// Whether all triangles of a node are known to be near others.
+    bool is_near(std::int32_t node) const { return near_[node] != 0; }
+
+  private:
+    bool within_distance(std::int32_t a, std::int32_t b) const {
+        const Bounds& one = tree_.nodes_[a].bounds;
+        const Bounds& other = tree_.nodes_[b].bounds;
+        for (int i = 0; i < 3; ++i) {
+            if (double(one.low[i]) - other.high[i] > distance_ || double(other.low[i]) - one.high[i] > distance_) {
+                return false;
+            }
+        }
+        return true;
+    }
+    void join(std::int32_t node) {
+        const std::int32_t child = tree_.nodes_[node].first;
+        near_[node] = static_cast<char>(is_near(child) && is_near(child + 1));
+    }
+
+    const AabbTree& tree_;
+    double distance_;
+    std::vector<char> near_;  ///< by node
+    CancelPace pace_;
+};
+
+std::vector<std::int32_t> AabbTree::near_other_groups(double distance, const Progress* progress) const {
+    std::vector<std::int32_t> result;
+    if (items_.empty()) {
+        return result;
+    }
+    NearGroups search(*this, distance, progress);
+    search.visit(0, 0);
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        if (nodes_[n].count > 0 && search.is_near(static_cast<std::int32_t>(n))) {
+            for (std::int32_t i = 0; i < nodes_[n].count; ++i) {
+                result.push_back(items_[nodes_[n].first + i].triangle);
+            }
+        }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
 std::size_t AabbTree::size_of(std::int32_t node) const {
     std::int32_t first = node;
     std::int32_t last = node;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/memory/large_vector.h"
+#include "base/progress.h"
 #include "base/vec.h"
 #include "mesh/morton_sort.h"
 #include "mesh/triangle_mesh.h"
@@ -39,6 +40,12 @@ class AabbTree {
     /// Groups of triangles of which no two need be reported as own pairs: the group of each triangle, -1 for none.
     /// Pairs of one group may still be reported where its subtrees hold other groups too.
     void set_groups(const std::vector<std::int32_t>& group);
+
+    /// The triangles whose boxes come within a distance of that of a triangle of another group, at least; ascending.
+    /// Every triangle must have a group. The triangles of a leaf are taken together, and subtrees that are near as a
+    /// whole are not divided any more, so that n triangles in one place take n steps.
+    /// @throws Cancelled
+    std::vector<std::int32_t> near_other_groups(double distance, const Progress* progress) const;
 
     /// One task of a traversal: all pairs between two subtrees, or within one when they are the same.
     struct Task {
@@ -128,6 +135,7 @@ class AabbTree {
 
   private:
     class Ray;
+    class NearGroups;
 
     Bounds bounds_of(std::int32_t triangle) const;
     void build();

@@ -175,29 +175,29 @@ std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std
 
 }  // namespace
 
-std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                            std::size_t limit, const Progress* progress) {
+SelfIntersectionSearch::SelfIntersectionSearch(const std::vector<Vec3>& vertices,
+                                               const std::vector<Triangle>& triangles, const Progress* progress)
+    : vertices_(vertices), triangles_(triangles), progress_(progress) {
     // Triangles from which a patch saves more pairs than its proof costs.
     constexpr std::size_t kWorthAProof = 64;
-    std::vector<std::int32_t> patch;
-    std::optional<NeedleFrame> frame;
-    std::optional<AabbTree> built;
     do_both(triangles.size(), [&](int task) {
         if (task == 0) {
-            patch = height_fields(vertices, triangles, kWorthAProof, progress);
+            patch_ = height_fields(vertices, triangles, kWorthAProof, progress);
         } else {
-            frame.emplace(vertices, triangles);
+            frame_.emplace(vertices, triangles);
             check_cancelled(progress);
-            built.emplace(frame->vertices(), triangles, frame->slack());
+            tree_.emplace(frame_->vertices(), triangles, frame_->slack());
         }
     });
     check_cancelled(progress);
-    const std::vector<char> embedded = embedded_vertices(vertices, triangles, patch, progress);
-    AabbTree& tree = *built;
-    tree.set_groups(patch);
+}
+
+std::vector<ContactPair> SelfIntersectionSearch::pairs(std::size_t limit) {
+    const std::vector<char> embedded = embedded_vertices(vertices_, triangles_, patch_, progress_);
+    tree_->set_groups(patch_);
     // Tasks of the traversal within a node: several for each thread, so that all threads end at about the same time.
     constexpr std::size_t kTasks = 64;
-    const std::vector<AabbTree::Task> tasks = tree.own_pair_tasks(kTasks);
+    const std::vector<AabbTree::Task> tasks = tree_->own_pair_tasks(kTasks);
     // With a limit the tasks run in groups, so that the search can end early; each group is larger than the one before,
     // as each starts threads. The first pairs do not depend on the groups.
     std::size_t turn = limit == kAllPairs ? tasks.size() : 8;
@@ -205,9 +205,9 @@ std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, c
     for (std::size_t first = 0; first < tasks.size() && all.size() < limit;) {
         std::vector<std::vector<ContactPair>> found(std::min(turn, tasks.size() - first));
         parallel_for(static_cast<int>(found.size()), [&](int k) {
-            check_cancelled(progress);  // a collector looks only after many pairs
-            Collector collector(vertices, triangles, patch, embedded, limit, progress);
-            tree.for_each_own_pair(tasks[first + static_cast<std::size_t>(k)], collector);
+            check_cancelled(progress_);  // a collector looks only after many pairs
+            Collector collector(vertices_, triangles_, patch_, embedded, limit, progress_);
+            tree_->for_each_own_pair(tasks[first + static_cast<std::size_t>(k)], collector);
             found[static_cast<std::size_t>(k)] = collector.take();
         });
         for (const std::vector<ContactPair>& part : found) {
@@ -218,6 +218,11 @@ std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, c
     }
     all.resize(std::min(all.size(), limit));
     return sorted(std::move(all));
+}
+
+std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                                            std::size_t limit, const Progress* progress) {
+    return SelfIntersectionSearch(vertices, triangles, progress).pairs(limit);
 }
 
 std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertices,

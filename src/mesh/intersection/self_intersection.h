@@ -5,9 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "base/progress.h"
+#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/needle_frame.h"
 #include "mesh/intersection/triangle_contact.h"
 #include "mesh/triangle_mesh.h"
 
@@ -25,6 +28,29 @@ constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 
 /// The value of a limit for pairs that are only counted: a report that counts as many says that there are more.
 constexpr std::size_t kMostCounted = 1'000'000;
+
+/// A search for contacts whose tree may be asked other things first. Vertices and triangles are referred to.
+class SelfIntersectionSearch {
+  public:
+    /// @throws Cancelled
+    SelfIntersectionSearch(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                           const Progress* progress);
+    /// See self_intersections. Sets the groups of the tree.
+    /// @throws Cancelled
+    std::vector<ContactPair> pairs(std::size_t limit = kAllPairs);
+
+    /// A tree over all triangles, in the coordinates of the frame.
+    AabbTree& tree() { return *tree_; }
+    const NeedleFrame& frame() const { return *frame_; }
+
+  private:
+    const std::vector<Vec3>& vertices_;
+    const std::vector<Triangle>& triangles_;
+    const Progress* progress_;
+    std::vector<std::int32_t> patch_;  ///< of each triangle: height_fields
+    std::optional<NeedleFrame> frame_;
+    std::optional<AabbTree> tree_;
+};
 
 /// All pairs of triangles of a mesh that touch or cross each other, in ascending order; at most `limit` of them. If
 /// fewer are returned the list is complete.
