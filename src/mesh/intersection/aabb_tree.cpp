@@ -60,20 +60,22 @@ AabbTree::Bounds AabbTree::bounds_of(std::int32_t triangle) const {
 }
 
 AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack)
-    : vertices_(&vertices), triangles_(&triangles), items_(triangles.size()), slack_(slack) {
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-        items_[i].triangle = static_cast<std::int32_t>(i);
+    : vertices_(&vertices), triangles_(&triangles), slack_(slack) {
+    LargeVector<MortonKey> keys(triangles.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        keys[i].item = static_cast<std::uint32_t>(i);
     }
-    build();
+    build(std::move(keys));
 }
 
 AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                    const std::vector<std::int32_t>& subset, double slack)
-    : vertices_(&vertices), triangles_(&triangles), items_(subset.size()), slack_(slack) {
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-        items_[i].triangle = subset[i];
+    : vertices_(&vertices), triangles_(&triangles), slack_(slack) {
+    LargeVector<MortonKey> keys(subset.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        keys[i].item = static_cast<std::uint32_t>(subset[i]);
     }
-    build();
+    build(std::move(keys));
 }
 
 Box AabbTree::node_box(std::int32_t node) const {
@@ -88,57 +90,47 @@ Box AabbTree::box() const {
     return nodes_.empty() ? Box() : node_box(0);
 }
 
-void AabbTree::build() {
-    if (items_.empty()) {
+void AabbTree::build(LargeVector<MortonKey> triangles) {
+    if (triangles.empty()) {
         return;
     }
-    sort_items();
+    sort(triangles);
+    items_.reserve(triangles.size());
+    for (const MortonKey& key : triangles) {
+        const auto triangle = static_cast<std::int32_t>(key.item);
+        items_.push_back({bounds_of(triangle), triangle, key.code});
+    }
     nodes_.reserve(items_.size());
     nodes_.push_back({});
     build_node(0, 0, items_.size());
 }
 
 /// Morton order of the middles of the boxes, in cubic cells, ties by position in the input.
-void AabbTree::sort_items() {
-    Bounds all = bounds_of(items_[0].triangle);
-    for (Item& item : items_) {
-        item.bounds = bounds_of(item.triangle);
-        all.add(item.bounds);
+void AabbTree::sort(LargeVector<MortonKey>& triangles) const {
+    Box box;
+    for (const MortonKey& key : triangles) {
+        for (const std::int32_t v : (*triangles_)[key.item]) {
+            box.add((*vertices_)[v]);
+        }
     }
+    const Bounds all = outward({box.low - Vec3::Constant(slack_), box.high + Vec3::Constant(slack_)});
     double side = 0.0;
     for (int i = 0; i < 3; ++i) {
         side = std::max(side, double(all.high[i]) - double(all.low[i]));
     }
     const double scale = side > 0.0 ? 0.5 * (kMortonCells - 1) / side : 0.0;
-    LargeVector<MortonKey> keys(items_.size());
-    for (std::size_t k = 0; k < items_.size(); ++k) {
-        const Bounds& bounds = items_[k].bounds;
+    for (MortonKey& key : triangles) {
+        // Boxes are computed again for the items in their order: to move these there takes longer.
+        const Bounds bounds = bounds_of(static_cast<std::int32_t>(key.item));
         std::array<double, 3> cell{};
         for (int i = 0; i < 3; ++i) {
             const double twice_middle = double(bounds.low[i]) + double(bounds.high[i]) - 2.0 * double(all.low[i]);
             // No number where bounds are infinite, beyond single precision: then items need no order.
             cell[i] = twice_middle * scale;
         }
-        items_[k].code = morton_code(cell);
-        keys[k] = {items_[k].code, static_cast<std::uint32_t>(k)};
+        key.code = morton_code(cell);
     }
-    sort_by_code(keys);
-    put_in_order(std::move(keys));
-}
-
-/// Moves items to their places along the cycles of the permutation: a copy of all would double the memory.
-void AabbTree::put_in_order(LargeVector<MortonKey> keys) {
-    for (std::uint32_t start = 0; start < keys.size(); ++start) {
-        const Item first = items_[start];
-        std::uint32_t place = start;
-        while (keys[place].item != start) {
-            const std::uint32_t from = std::exchange(keys[place].item, place);
-            items_[place] = items_[from];
-            place = from;
-        }
-        items_[place] = first;
-        keys[place].item = place;
-    }
+    sort_by_code(triangles);
 }
 
 void AabbTree::build_node(std::int32_t node, std::size_t begin, std::size_t end) {

@@ -138,9 +138,8 @@ class AabbTree {
     class NearGroups;
 
     Bounds bounds_of(std::int32_t triangle) const;
-    void build();
-    void sort_items();
-    void put_in_order(LargeVector<MortonKey> keys);
+    void build(LargeVector<MortonKey> triangles);
+    void sort(LargeVector<MortonKey>& triangles) const;
     void build_node(std::int32_t node, std::size_t begin, std::size_t end);
     std::size_t split(std::size_t begin, std::size_t end);
 
