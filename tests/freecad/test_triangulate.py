@@ -321,6 +321,13 @@ class SimpleParts(unittest.TestCase):
         for min_edge in (0.03, 1.0):  # which gives way to it
             self.check(shape, min_edge=min_edge)
 
+    def test_edges_of_no_face_are_named(self):
+        axis = Part.makeLine(FreeCAD.Vector(-50, 0, 0), FreeCAD.Vector(50, 0, 0))
+        result = mq.triangulate(Part.makeCompound([Part.makeBox(10, 10, 10), axis, Part.Vertex(0, 0, 99)]))
+        self.assertEqual([note for note in result.report.notes if "of no face" in note],
+                         ["Edge13: of no face, so that no mesh has it", "Vertex11: of no face, so that no mesh has it"])
+        self.assertEqual(mq.triangulate(Part.makeBox(10, 10, 10)).report.notes, [])
+
     def test_open_faces_give_an_open_mesh(self):
         mesh = mq.triangulate(Part.makePlane(10, 10))
         self.assertFalse(mesh.report.closed)

@@ -303,6 +303,34 @@ void add_repeated_solids(const ShapeMap& live, const Topology& topology, std::ve
     }
 }
 
+/// Edges and vertices beside the faces, e.g. axes and sketches in a STEP file, which no mesh of the faces follows.
+void add_lines_beside_faces(const TopoDS_Shape& shape, std::vector<std::string>& faults, const Progress* progress) {
+    TopTools_IndexedMapOfShape on_faces;
+    for (const auto& [kind, name] : {std::pair(TopAbs_EDGE, "Edge"), std::pair(TopAbs_VERTEX, "Vertex")}) {
+        TopExp_Explorer beside(shape, kind, kind == TopAbs_EDGE ? TopAbs_FACE : TopAbs_EDGE);
+        if (!beside.More()) {
+            continue;
+        }
+        for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+            map_sub_shapes(faces.Current(), kind, on_faces, progress);
+        }
+        TopTools_IndexedMapOfShape all;
+        map_sub_shapes(shape, kind, all, progress);
+        TopTools_IndexedMapOfShape found;
+        for (; beside.More(); beside.Next()) {
+            if (!on_faces.Contains(beside.Current())) {
+                found.Add(beside.Current());
+            }
+        }
+        if (!found.IsEmpty()) {
+            const int others = found.Extent() - 1;
+            faults.push_back(name + std::to_string(all.FindIndex(found(1))) +
+                             (others > 0 ? " and " + std::to_string(others) + " more" : std::string()) +
+                             ": of no face, so that no mesh has it");
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> kernel_faults(const TopoDS_Shape& shape, const ShapeMap& live, const Topology& topology,
@@ -310,6 +338,7 @@ std::vector<std::string> kernel_faults(const TopoDS_Shape& shape, const ShapeMap
     std::vector<std::string> faults = FaultList(shape, progress).collect();
     add_inverted_solids(live, topology, faults, progress);
     add_repeated_solids(live, topology, faults);
+    add_lines_beside_faces(shape, faults, progress);
     return faults;
 }
 
