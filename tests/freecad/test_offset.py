@@ -55,7 +55,15 @@ class Offsets(unittest.TestCase):
         np.testing.assert_allclose(sides, 6.0, atol=1e-3)
 
     def test_known_volumes(self):
-        ball, cylinder, torus = Part.makeSphere(5), Part.makeCylinder(5, 20), Part.makeTorus(10, 3)
+        # With the signed distance of points from each, in closed form.
+        ball = Part.makeSphere(5), lambda x, y, z: np.hypot(np.hypot(x, y), z) - 5
+        torus = Part.makeTorus(10, 3), lambda x, y, z: np.hypot(np.hypot(x, y) - 10, z) - 3
+
+        def from_cylinder(x, y, z):
+            beside, above = np.hypot(x, y) - 5, abs(z - 10) - 10
+            return np.hypot(np.maximum(beside, 0), np.maximum(above, 0)) + np.minimum(np.maximum(beside, above), 0)
+
+        cylinder = Part.makeCylinder(5, 20), from_cylinder
         cases = [
             (ball, 1.0, 4 / 3 * math.pi * 216), (ball, -2.0, 4 / 3 * math.pi * 27),
             (cylinder, -1.0, math.pi * 16 * 18),
@@ -63,13 +71,14 @@ class Offsets(unittest.TestCase):
             (cylinder, 1.0, math.pi * 36 * 20 + 2 * (math.pi * 25 + math.pi**2 * 5 / 2 + 2 / 3 * math.pi)),
             (torus, 1.0, 2 * math.pi**2 * 10 * 16), (torus, -1.0, 2 * math.pi**2 * 10 * 4),
         ]
-        for shape, distance, exact in cases:
+        for (shape, signed_distance), distance, exact in cases:
             with self.subTest(shape=shape.Faces[0].Surface, distance=distance):
                 result = mq.offset(shape, distance, tolerance=0.01)
                 self.assert_sound(result, 0.01)
                 self.assertAlmostEqual(result.report.volume / exact, 1.0, delta=4e-3)
-                far = distances_from(shape, result)
-                self.assertLessEqual(abs(far - abs(distance)).max(), 0.01)
+                points = np.asarray(result.vertices) + result.origin
+                points = np.concatenate((points, points[result.triangles].mean(axis=1)))
+                self.assertLessEqual(abs(signed_distance(*points.T) - distance).max(), 0.01)
 
     def test_a_finer_tolerance_is_nearer_to_the_known_volume(self):
         exact = 2 * math.pi**2 * 10 * 16
