@@ -508,7 +508,7 @@ class EdgeCollapse {
     std::uint32_t round_ = 0;
     std::vector<std::pair<std::int32_t, bool>> embedded_;  ///< vertices of moved triangles, whether their star is
     std::vector<mesh::StarSector> star_;                   ///< that is tested
-    std::vector<Vec3> of_pair_;  ///< points of two triangles that are tested
+    std::vector<Vec3> of_pair_;                            ///< points of two triangles that are tested
 };
 
 }  // namespace
