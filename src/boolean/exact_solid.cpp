@@ -53,7 +53,13 @@ std::array<bool, 2> ExactSolid::sides(const Vec3& p, int axis, double half) cons
     along[axis] = sign;
     std::vector<std::int32_t> beyond(operands_.size(), 0);
     std::vector<std::int32_t> between(operands_.size(), 0);
-    tree_.for_each_on_ray(p - 2.0 * half * along, along, [&](std::int32_t triangle) {
+    // The ray as a box without a width, which costs less than the test for rays of any direction.
+    Box ray;
+    ray.add(p - 2.0 * half * along);
+    ray.add(p);
+    ray.low[axis] = sign > 0.0 ? ray.low[axis] : std::min(ray.low[axis], box.low[axis]);
+    ray.high[axis] = sign > 0.0 ? std::max(ray.high[axis], box.high[axis]) : ray.high[axis];
+    tree_.for_each_in_box(ray, [&](std::int32_t triangle) {
         const auto operand = static_cast<std::size_t>(operand_[static_cast<std::size_t>(triangle)]);
         if (operands_[operand].winding != nullptr) {
             return;

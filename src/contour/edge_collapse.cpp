@@ -12,6 +12,7 @@
 #include "contour/quadric.h"
 #include "contour/triangle_grid.h"
 #include "contour/tuning.h"
+#include "mesh/intersection/embedded_star.h"
 #include "mesh/intersection/triangle_contact.h"
 
 namespace mq::contour {
@@ -313,6 +314,7 @@ class EdgeCollapse {
                 return true;
             });
         }
+        find_embedded(edge, moved);
         for (std::size_t i = 0; i < moved; ++i) {
             for (std::size_t j = i + 1; j < near_.size(); ++j) {
                 if (near_[i].second.meets(near_[j].second) && !apart(near_[i].first, near_[j].first, edge)) {
@@ -321,6 +323,38 @@ class EdgeCollapse {
             }
         }
         return true;
+    }
+    /// Finds the vertices of the moved triangles whose stars are embedded once the ends are at the new place: no two
+    /// triangles at one of them meet then.
+    void find_embedded(const Candidate& edge, std::size_t moved) {
+        embedded_.clear();
+        for (std::size_t i = 0; i < moved; ++i) {
+            for (const std::int32_t v : renamed(surface_.triangles[near_[i].first], edge, edge.a)) {
+                if (std::none_of(embedded_.begin(), embedded_.end(), [&](const auto& e) { return e.first == v; })) {
+                    embedded_.emplace_back(v, is_embedded(v, edge));
+                }
+            }
+        }
+    }
+    bool is_embedded(std::int32_t v, const Candidate& edge) {
+        star_.clear();
+        const auto place = [&](std::int32_t w) { return w == edge.a ? edge.place : surface_.points[w]; };
+        const auto add = [&](std::int32_t t) {
+            if (!edge.takes(surface_.triangles[t])) {
+                const Triangle c = renamed(surface_.triangles[t], edge, edge.a);
+                const std::size_t k = c[0] == v ? 0 : c[1] == v ? 1 : 2;
+                const std::int32_t from = c[(k + 1) % 3];
+                const std::int32_t to = c[(k + 2) % 3];
+                star_.push_back({from, to, place(from) - place(v), place(to) - place(v)});
+            }
+            return true;
+        };
+        if (v == edge.a) {
+            all_at(edge, add);
+        } else {
+            std::for_each(stars_[v].begin(), stars_[v].end(), add);
+        }
+        return mesh::embedded_star(star_.data(), star_.size());
     }
     /// Whether all moved triangles may be there.
     bool is_accepted(const Candidate& edge) const {
@@ -347,6 +381,20 @@ class EdgeCollapse {
     bool apart(std::int32_t t, std::int32_t other, const Candidate& edge) {
         const Triangle first = renamed(surface_.triangles[t], edge, edge.a);
         const Triangle second = renamed(surface_.triangles[other], edge, edge.a);
+        bool shared = false;
+        for (const std::int32_t v : first) {
+            if (has(second, v)) {
+                shared = true;
+                const auto at = std::find_if(embedded_.begin(), embedded_.end(),
+                                             [&](const auto& entry) { return entry.first == v; });
+                if (at->second) {
+                    return true;
+                }
+            }
+        }
+        if (!shared && mesh::certainly_apart(corners_at(first, edge), corners_at(second, edge))) {
+            return true;
+        }
         std::vector<Vec3>& points = of_pair_;
         points.clear();
         std::array<Triangle, 2> named{first, second};
@@ -458,7 +506,9 @@ class EdgeCollapse {
     std::vector<std::pair<std::int32_t, Box>> near_;  ///< triangles that are moved, and those near them, with boxes
     std::vector<std::uint32_t> seen_;                 ///< by triangle: the round in which it came into near_
     std::uint32_t round_ = 0;
-    std::vector<Vec3> of_pair_;  ///< points of two triangles that are tested
+    std::vector<std::pair<std::int32_t, bool>> embedded_;  ///< vertices of moved triangles, whether their star is
+    std::vector<mesh::StarSector> star_;                   ///< that is tested
+    std::vector<Vec3> of_pair_;                            ///< points of two triangles that are tested
 };
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "triangulate/refine/doubled_edges.h"
 #include "triangulate/refine/tuning.h"
 #include "triangulate/refinement.h"
+#include "triangulate/report/costly_slivers.h"
 #include "triangulate/report/final_report.h"
 #include "triangulate/report/joined_corners.h"
 #include "triangulate/report/manifold_output.h"
@@ -269,6 +270,7 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     result.angle_history = work.angle_history.entries();
     result.report.reused_faces = recall != nullptr ? count(recall->kept(surface), topology) : 0;
     add_note(result.report, released);
+    add_note(result.report, costly_slivers(result.mesh, topology.box.largest_side()));
     report_first(first, topology, options, result.report);
     if (left != nullptr && can_be_recalled(options) && result.report.complete) {
         left->faces = remember(work, findings.chords, first.faces.chains, keys, task.chord, recall);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The surfaces of solids to be inspected: of shapes, which are meshed, and of meshes."""
 
+from ..compat import extension
 from ..errors import InvalidInput, TopologyError
 from . import convert
 from .operands import is_arrays
@@ -9,6 +10,7 @@ from .triangulation import triangulate
 
 _RELATIVE = 1e-3  # first distance of the mesh from a shape, as a fraction of its largest dimension
 _FINEST = 1e-6  # likewise: single precision holds no finer ones
+_MOST_FOR_ANGLES = 200_000  # triangles: where a bound on angles takes more, as along a face of a millionth of the size, there is none
 
 
 def is_given_mesh(source):
@@ -44,13 +46,23 @@ class SolidSource:
             return self._surface
         chord_height = max(chord_height, _FINEST * self.size)
         try:
-            mesh = triangulate(self.shape, chord_height=chord_height, max_edge=max_edge, progress=progress)
+            mesh = triangulate(self.shape, chord_height=chord_height, max_edge=max_edge, progress=progress,
+                               max_triangles=_MOST_FOR_ANGLES)
+            if not mesh.report.complete:
+                mesh = self._of_any_angles(chord_height, max_edge, progress)
         except (InvalidInput, TopologyError) as error:
             raise self.named(error) from error
         if not mesh.report.complete:
             raise InvalidInput(f"{self.label} has more than {mesh.report.triangles} triangles at a max. deviation of "
                                f"{chord_height:g} mm: give a larger tolerance or spacing")
         return mesh._surface
+
+    def _of_any_angles(self, chord_height, max_edge, progress):
+        """The SurfaceMesh within this distance with edges up to this length, without a bound on its angles."""
+        core_options = extension().TriangulateOptions()
+        core_options.min_angle, core_options.chord_height = 0.0, chord_height
+        core_options.max_edge = max_edge or core_options.max_edge
+        return SurfaceMesh(extension().triangulate(self.shape, core_options, progress, None))
 
     def named(self, error):
         """An error of the core with the name of what was given."""

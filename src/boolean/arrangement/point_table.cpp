@@ -40,28 +40,45 @@ std::vector<std::int32_t> PointTable::canonical(std::vector<std::int32_t> vertic
     std::vector<std::int32_t> order = std::move(vertices);
     order.resize(order.size() + constructed_.size());
     std::iota(order.end() - static_cast<std::ptrdiff_t>(constructed_.size()), order.end(), given_);
+    // Places along a direction across which no plane of a part is likely to lie: along an axis, all points of a face
+    // across it are in one place.
+    const Vec3 skew(0.6086, 0.5257, 0.5943);
+    std::vector<double> along(static_cast<std::size_t>(size()));
+    double error = 0.0;
+    for (const std::int32_t p : order) {
+        along[static_cast<std::size_t>(p)] = skew.dot(approx(p));
+        error = std::max(error, given(p) ? 0.0 : constructed_[static_cast<std::size_t>(p - given_)].error());
+    }
     std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-        const double x = approx(a).x();
-        const double y = approx(b).x();
+        const double x = along[static_cast<std::size_t>(a)];
+        const double y = along[static_cast<std::size_t>(b)];
         return x != y ? x < y : a < b;
     });
-    double error = 0.0;
-    for (const ExactPoint& p : constructed_) {
-        error = std::max(error, p.error());
-    }
     std::vector<std::int32_t> result(static_cast<std::size_t>(size()));
     std::iota(result.begin(), result.end(), 0);
+    // Each is compared with the first of those that coincide: points through which many planes pass are many.
+    std::vector<char> found(order.size(), 0);
+    std::vector<std::int32_t> same;
     for (std::size_t i = 0; i < order.size(); ++i) {
+        if (found[i] != 0) {
+            continue;
+        }
         const Vec3 here = approx(order[i]);
-        for (std::size_t j = i + 1; j < order.size(); ++j) {
+        const double place = along[static_cast<std::size_t>(order[i])];
+        same.assign(1, order[i]);
+        // Coinciding points are within two errors along each axis, and within four along the direction; the rest is
+        // for its own rounding.
+        for (std::size_t j = i + 1;
+             j < order.size() && along[static_cast<std::size_t>(order[j])] - place <= 8.0 * error; ++j) {
             const Vec3 gap = (approx(order[j]) - here).cwiseAbs();
-            if (gap.x() > 4.0 * error) {
-                break;
+            if (found[j] == 0 && gap.maxCoeff() <= 4.0 * error && coincide(at(order[i]), at(order[j]))) {
+                found[j] = 1;
+                same.push_back(order[j]);
             }
-            if (gap.maxCoeff() <= 4.0 * error && coincide(at(order[i]), at(order[j]))) {
-                std::int32_t& low = result[static_cast<std::size_t>(std::max(order[i], order[j]))];
-                low = std::min(low, result[static_cast<std::size_t>(std::min(order[i], order[j]))]);
-            }
+        }
+        const std::int32_t low = *std::min_element(same.begin(), same.end());
+        for (const std::int32_t p : same) {
+            result[static_cast<std::size_t>(p)] = low;
         }
     }
     return result;

@@ -248,19 +248,43 @@ std::array<Expansion, 4> ExactPoint::homogeneous() const {
     return {Expansion(approx_.x()), Expansion(approx_.y()), Expansion(approx_.z()), Expansion(1.0)};
 }
 
-int compare(const ExactPoint& p, const ExactPoint& q, int axis) {
+namespace {
+
+/// Sign of p - q along a coordinate axis where the approximations tell.
+std::optional<int> compare_approximations(const ExactPoint& p, const ExactPoint& q, int axis) {
     const double gap = p.approx()[axis] - q.approx()[axis];
     if (std::abs(gap) > 2.0 * (p.error() + q.error()) || (p.given() && q.given())) {
         return (gap > 0.0) - (gap < 0.0);
     }
+    return std::nullopt;
+}
+
+int compare_exactly(const std::array<Expansion, 4>& a, const std::array<Expansion, 4>& b, int axis) {
     const auto k = static_cast<std::size_t>(axis);
-    const std::array<Expansion, 4> a = p.homogeneous();
-    const std::array<Expansion, 4> b = q.homogeneous();
     return (a[k] * b[3] - b[k] * a[3]).sign() * a[3].sign() * b[3].sign();
 }
 
+}  // namespace
+
+int compare(const ExactPoint& p, const ExactPoint& q, int axis) {
+    const std::optional<int> known = compare_approximations(p, q, axis);
+    return known ? *known : compare_exactly(p.homogeneous(), q.homogeneous(), axis);
+}
+
 bool coincide(const ExactPoint& p, const ExactPoint& q) {
-    return compare(p, q, 0) == 0 && compare(p, q, 1) == 0 && compare(p, q, 2) == 0;
+    std::array<std::optional<int>, 3> known;
+    for (int axis = 0; axis < 3; ++axis) {
+        known[static_cast<std::size_t>(axis)] = compare_approximations(p, q, axis);
+        if (known[static_cast<std::size_t>(axis)].value_or(0) != 0) {
+            return false;
+        }
+    }
+    if (known[0] && known[1] && known[2]) {
+        return true;
+    }
+    const std::array<Expansion, 4> a = p.homogeneous();
+    const std::array<Expansion, 4> b = q.homogeneous();
+    return compare_exactly(a, b, 0) == 0 && compare_exactly(a, b, 1) == 0 && compare_exactly(a, b, 2) == 0;
 }
 
 int orient2d(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r, int axis) {

@@ -9,17 +9,9 @@
 namespace mq::mesh {
 namespace {
 
-/// A triangle of the star: the vertices of its edge opposite the center, as seen from there.
-struct Sector {
-    std::int32_t from;
-    std::int32_t to;
-    Vec3 tail;
-    Vec3 head;
-};
-
 /// Every vertex is as often a head as a tail, so that the link is made of closed walks. The rooms are for `count`
 /// vertices each.
-bool is_closed(const Sector* sectors, std::size_t count, std::int32_t* tails, std::int32_t* heads) {
+bool is_closed(const StarSector* sectors, std::size_t count, std::int32_t* tails, std::int32_t* heads) {
     for (std::size_t i = 0; i < count; ++i) {
         tails[i] = sectors[i].from;
         heads[i] = sectors[i].to;
@@ -43,7 +35,7 @@ void span_plane(const Vec3& normal, Vec3& x, Vec3& y) {
 // the true projections, for the computed ones, and for all those between them: both polygons turn equally often around
 // v. As every step turns by less than half a turn, the number of turns is the number of times that the sign of y
 // changes from - to +.
-bool turns_once(const Sector* sectors, std::size_t count, const Vec3& normal) {
+bool turns_once(const StarSector* sectors, std::size_t count, const Vec3& normal) {
     Vec3 x;
     Vec3 y;
     span_plane(normal, x, y);
@@ -51,7 +43,7 @@ bool turns_once(const Sector* sectors, std::size_t count, const Vec3& normal) {
     constexpr double kMargin = 32.0 * std::numeric_limits<double>::epsilon();
     const double margin = kMargin * kMargin * x.squaredNorm() * y.squaredNorm();
     int turns = 0;
-    for (const Sector* s = sectors; s != sectors + count; ++s) {
+    for (const StarSector* s = sectors; s != sectors + count; ++s) {
         const double y_tail = s->tail.dot(y);
         const double y_head = s->head.dot(y);
         const double turn = s->tail.dot(x) * y_head - s->head.dot(x) * y_tail;
@@ -63,10 +55,45 @@ bool turns_once(const Sector* sectors, std::size_t count, const Vec3& normal) {
     return turns == 1;
 }
 
-/// With rooms for as many sectors and vertices as the star has triangles.
-bool is_embedded(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, VertexStars::Star star,
-                 Sector* sectors, std::int32_t* tails, std::int32_t* heads) {
+/// With rooms for as many vertices as there are triangles.
+bool is_embedded(const StarSector* sectors, std::size_t count, std::int32_t* tails, std::int32_t* heads) {
     Vec3 normal = Vec3::Zero();
+    for (const StarSector* s = sectors; s != sectors + count; ++s) {
+        const Vec3 cross = s->tail.cross(s->head);
+        const double length = cross.norm();
+        if (length == 0.0) {
+            return false;
+        }
+        normal += cross / length;
+    }
+    return is_closed(sectors, count, tails, heads) && turns_once(sectors, count, normal);
+}
+
+constexpr std::size_t kOnStack = 24;  // triangles of a star for which no memory is asked for
+
+}  // namespace
+
+bool embedded_star(const StarSector* sectors, std::size_t count) {
+    if (count < 3) {
+        return false;
+    }
+    if (count <= kOnStack) {
+        std::array<std::int32_t, kOnStack> tails;
+        std::array<std::int32_t, kOnStack> heads;
+        return is_embedded(sectors, count, tails.data(), heads.data());
+    }
+    std::vector<std::int32_t> tails(count);
+    std::vector<std::int32_t> heads(count);
+    return is_embedded(sectors, count, tails.data(), heads.data());
+}
+
+bool embedded_star(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, VertexStars::Star star) {
+    if (star.size() < 3) {
+        return false;
+    }
+    std::array<StarSector, kOnStack> on_stack;
+    std::vector<StarSector> large(star.size() <= kOnStack ? 0 : star.size());
+    StarSector* sectors = large.empty() ? on_stack.data() : large.data();
     const Vec3 center = vertices[triangles[*star.first / 3][*star.first % 3]];
     for (std::size_t k = 0; k < star.size(); ++k) {
         const Triangle& t = triangles[star.first[k] / 3];
@@ -74,33 +101,8 @@ bool is_embedded(const std::vector<Vec3>& vertices, const std::vector<Triangle>&
         const std::int32_t from = t[(i + 1) % 3];
         const std::int32_t to = t[(i + 2) % 3];
         sectors[k] = {from, to, vertices[from] - center, vertices[to] - center};
-        const Vec3 cross = sectors[k].tail.cross(sectors[k].head);
-        const double length = cross.norm();
-        if (length == 0.0) {
-            return false;
-        }
-        normal += cross / length;
     }
-    return is_closed(sectors, star.size(), tails, heads) && turns_once(sectors, star.size(), normal);
-}
-
-}  // namespace
-
-bool embedded_star(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, VertexStars::Star star) {
-    constexpr std::size_t kOnStack = 24;  // triangles of a star for which no memory is asked for
-    if (star.size() < 3) {
-        return false;
-    }
-    if (star.size() <= kOnStack) {
-        std::array<Sector, kOnStack> sectors;
-        std::array<std::int32_t, kOnStack> tails;
-        std::array<std::int32_t, kOnStack> heads;
-        return is_embedded(vertices, triangles, star, sectors.data(), tails.data(), heads.data());
-    }
-    std::vector<Sector> sectors(star.size());
-    std::vector<std::int32_t> tails(star.size());
-    std::vector<std::int32_t> heads(star.size());
-    return is_embedded(vertices, triangles, star, sectors.data(), tails.data(), heads.data());
+    return embedded_star(sectors, star.size());
 }
 
 }  // namespace mq::mesh

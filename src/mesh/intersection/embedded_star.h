@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
 #include "mesh/vertex_stars.h"
 
 namespace mq::mesh {
+
+/// A triangle of a star: the vertices of its edge opposite the center, as seen from there.
+struct StarSector {
+    std::int32_t from;
+    std::int32_t to;
+    Vec3 tail;  ///< from the center to these vertices
+    Vec3 head;
+};
 
 /// True when it is certain that no two triangles around a vertex meet apart from the vertices and edges they share.
 ///
@@ -15,5 +25,8 @@ namespace mq::mesh {
 /// the link turns once around the vertex, the projection is one-to-one, and so the triangles are disjoint. False means
 /// undecided. About 0.1 us for six triangles; O(n log n).
 bool embedded_star(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, VertexStars::Star star);
+
+/// The same for the `count` triangles of a star that is held otherwise.
+bool embedded_star(const StarSector* sectors, std::size_t count);
 
 }  // namespace mq::mesh

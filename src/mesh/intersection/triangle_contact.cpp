@@ -2,6 +2,7 @@
 #include "mesh/intersection/triangle_contact.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/predicates.h"
@@ -180,6 +181,24 @@ Contact contact_when_coplanar(const Corners& p, const Corners& q, int shared) {
     return elsewhere ? Contact::Touching : Contact::None;
 }
 
+/// Whether all corners of one triangle are farther along a direction than those of the other one. A sum of three
+/// products has an error of less than 4 unit roundoffs by its magnitudes; epsilon is two of them.
+bool parts(const Vec3& way, const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q) {
+    constexpr double kMargin = 4.0 * std::numeric_limits<double>::epsilon();
+    const Vec3 size = way.cwiseAbs();
+    std::array<double, 3> of_p{};
+    std::array<double, 3> of_q{};
+    double largest = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        of_p[k] = way.dot(p[k]);
+        of_q[k] = way.dot(q[k]);
+        largest = std::max({largest, size.dot(p[k].cwiseAbs()), size.dot(q[k].cwiseAbs())});
+    }
+    const auto [low_p, high_p] = std::minmax({of_p[0], of_p[1], of_p[2]});
+    const auto [low_q, high_q] = std::minmax({of_q[0], of_q[1], of_q[2]});
+    return std::max(low_p - high_q, low_q - high_p) > kMargin * largest;
+}
+
 /// p has an edge that meets q. Where a corner is shared only the edge opposite is tested: other common points begin at
 /// the corner and end on such an edge of one or the other.
 bool edge_meets(const Corners& p, const Signs& p_signs, const Corners& q, int shared) {
@@ -224,6 +243,21 @@ Contact contact(const std::vector<Vec3>& vertices, const Triangle& first, const 
         return Contact::Crossing;
     }
     return edge_meets(p, p_signs, q, shared) || edge_meets(q, q_signs, p, shared) ? Contact::Touching : Contact::None;
+}
+
+bool certainly_apart(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q) {
+    const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+    if (parts(normal, p, q)) {
+        return true;
+    }
+    for (const std::array<Vec3, 3>* t : {&p, &q}) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (parts(normal.cross((*t)[(k + 1) % 3] - (*t)[k]), p, q)) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 }  // namespace mq::mesh

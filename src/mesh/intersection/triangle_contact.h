@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
@@ -17,5 +18,9 @@ enum class Contact {
 /// Exact. Corners of equal coordinates but different index are not shared. A triangle without area meets nothing.
 /// (The test for interiors is that of Guigue and Devillers 2003.)
 Contact contact(const std::vector<Vec3>& vertices, const Triangle& p, const Triangle& q);
+
+/// Whether it is certain that two triangles have no point in common: one of seven directions in or across the plane of
+/// the first parts their corners, with a margin for rounding. False means undecided.
+bool certainly_apart(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q);
 
 }  // namespace mq::mesh

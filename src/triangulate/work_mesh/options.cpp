@@ -18,12 +18,9 @@ void check_length(const char* name, double value) {
     }
 }
 
-// Length below which an edge is a detail, as a fraction of the shape's size: at most, and where neither a tolerance nor
-// edge lengths are asked for.
-constexpr double kLargestDetail = 1e-4;
+// Length below which an edge is a detail, as a fraction of the shape's size, where neither a tolerance nor edge lengths
+// are asked for.
 constexpr double kDetailOfShape = 1e-5;
-// The same as a fraction of the tolerance, and of the edge lengths that are asked for.
-constexpr double kDetailOfWhatIsAsked = 0.1;
 
 }  // namespace
 

@@ -43,6 +43,26 @@ TEST(TriangleContact, IsThatOfTheIntersectionInRationalArithmetic) {
     }
 }
 
+TEST(TriangleContact, CertainlyApartAreOnlyTrianglesThatHaveNoContact) {
+    TiedPoints point(3);
+    int decided = 0;
+    int apart = 0;
+    for (int i = 0; i < scaled_cases(40000); ++i) {
+        point.set_flat(i % 4 == 0);
+        std::vector<Vec3> vertices;
+        for (int k = 0; k < 6; ++k) {
+            vertices.push_back(point());
+        }
+        const bool expected = exact::contact(vertices, {0, 1, 2}, {3, 4, 5}) == Contact::None;
+        const bool found =
+            certainly_apart({vertices[0], vertices[1], vertices[2]}, {vertices[3], vertices[4], vertices[5]});
+        ASSERT_TRUE(expected || !found) << "case " << i;
+        apart += expected ? 1 : 0;
+        decided += found ? 1 : 0;
+    }
+    EXPECT_GT(decided, apart / 4);
+}
+
 TEST(TriangleContact, OfRandomTrianglesToo) {
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> real(-1.0, 1.0);
