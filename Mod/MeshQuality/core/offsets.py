@@ -120,15 +120,7 @@ def _faces_named(operands, source, names):
 
 def _hollowed(work, faces):
     module = extension()
-    watched = work.progress(_UNITED, _OFFSET)
-    if faces is None:
-        operation = "difference"
-        inside = module.offset_surface(work.solid, -work.distance, work.share_of_offset(), work.threads,
-                                       work.before(), watched)
-    else:
-        operation = "intersection"
-        inside = module.thicken_walls(work.solid, work.triangles_of(faces), work.distance, work.share_of_offset(),
-                                      work.threads, work.before(), watched)
+    operation, inside = _inside(work, faces)
     work.add(inside.report)
     if not len(inside.triangles):
         work.note(_WHOLE)
@@ -141,6 +133,23 @@ def _hollowed(work, faces):
                             work.progress(_OFFSET, 1.0))
     module.name_faces(result, [surface for surface, *_ in operands])
     return OffsetMesh(result)
+
+
+def _inside(work, faces):
+    """(the operation that hollows the solid, the core.BooleanSurface that it does so with)."""
+    module, watched = extension(), work.progress(_UNITED, _OFFSET)
+    how = (work.distance, work.share_of_offset(), work.threads, work.before(), watched)
+    if faces is None:
+        return "difference", module.offset_surface(work.solid, -work.distance, *how[1:])
+    is_open = work.triangles_of(faces)
+    if is_open.all():
+        raise InvalidInput("all faces are left out: at least one is needed")
+    # Plane openings are extended by prisms, so that the hollow is an offset inward. Elsewhere both sides of all walls
+    # are offset, which takes many times as long.
+    inside = module.hollow_beyond_openings(work.solid, is_open, *how)
+    if inside is not None:
+        return "difference", inside
+    return "intersection", module.thicken_walls(work.solid, is_open, *how)
 
 
 class _Work:
