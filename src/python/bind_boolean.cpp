@@ -211,8 +211,8 @@ std::shared_ptr<BooleanSurface> hollow_beyond_openings(const BooleanSurface& sol
                                                        const WorkBefore& before, const py::object& progress) {
     const std::vector<char> left_out = open_triangles(solid, open);
     return watch(progress, [&](Progress& handle) {
-        std::optional<BooleanSurface> hollow = workflows::hollow_beyond_openings(
-            solid, left_out, {thickness, tolerance, threads}, before, handle);
+        std::optional<BooleanSurface> hollow =
+            workflows::hollow_beyond_openings(solid, left_out, {thickness, tolerance, threads}, before, handle);
         return hollow ? std::make_shared<BooleanSurface>(std::move(*hollow)) : nullptr;
     });
 }
@@ -244,11 +244,12 @@ void bind_offsets(py::module_& m) {
         py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
         "All that is within a distance (mm) of the triangles of a BooleanSurface that are not marked as open. Returns "
         "a BooleanSurface.");
-    m.def("hollow_beyond_openings", &hollow_beyond_openings, py::arg("solid"), py::arg("open"), py::arg("thickness"),
-          py::arg("tolerance"), py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
-          "What is deeper in a BooleanSurface than a thickness (mm), from its triangles that are not marked as open; it "
-          "reaches out of the openings. Returns a BooleanSurface, or None where openings are not plane, or are in "
-          "pockets.");
+    m.def(
+        "hollow_beyond_openings", &hollow_beyond_openings, py::arg("solid"), py::arg("open"), py::arg("thickness"),
+        py::arg("tolerance"), py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
+        "What is deeper in a BooleanSurface than a thickness (mm), from its triangles that are not marked as open; it "
+        "reaches out of the openings. Returns a BooleanSurface, or None where openings are not plane, or are in "
+        "pockets.");
 }
 
 using workflows::WrapSurface;

@@ -98,7 +98,7 @@ std::optional<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid
                                                      const boolean::OffsetOptions& options, const WorkBefore& before,
                                                      Progress& progress) {
     options.validate();
-    constexpr double kFlat = 0.05;  // fraction of the tolerance
+    constexpr double kFlat = 0.1;  // fraction of the tolerance
     BooleanSurface extended;
     std::optional<mesh::TriangleMesh> mesh =
         boolean::extend_openings(solid.mesh, open, {options.distance, kFlat * options.tolerance});
@@ -108,7 +108,10 @@ std::optional<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid
     extended.mesh = std::move(*mesh);
     boolean::OffsetOptions inward = options;
     inward.distance = -options.distance;
-    return offset_of_solid(extended, inward, before, progress);
+    inward.tolerance = (1.0 - kFlat) * options.tolerance;
+    WorkBefore extending = before;
+    extending.error_bound += kFlat * options.tolerance;
+    return offset_of_solid(extended, inward, extending, progress);
 }
 
 BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,

@@ -46,7 +46,7 @@ def offset(source, distance, tolerance=None, progress=None, threads=0):
     source     what boolean takes as an operand: a mesh, arrays (V, F), a shape, or a document object
     distance   mm; outward, or inward where it is below 0
     tolerance  mm, the largest distance between the result and the exact offset, in both directions; None: a thousandth of
-               the size, at most a tenth of the distance
+               the size of the result, at most a tenth of the distance
     progress   callable(fraction 0..1, stage); returning False cancels
     threads    that work at a time; 0: one for each core. The result is the same for any number
 
@@ -164,7 +164,8 @@ class _Work:
         self._progress, self._operands, self._min_angle = progress, operands, min_angle
         self.threads, self.distance = threads, distance
         size = self._operands.size()
-        self.tolerance = tolerance or min(1e-3 * size, 0.1 * abs(distance))
+        # An offset outward is larger than the part: by its own size its triangles are counted.
+        self.tolerance = tolerance or min(1e-3 * (size + 2.0 * max(distance, 0.0)), 0.1 * abs(distance))
         self._finest = _FINEST * size
         if self.tolerance > abs(distance):
             raise InvalidInput(f"tolerance = {self.tolerance:g} mm is larger than the distance of {abs(distance):g} mm: give "

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -22,6 +23,8 @@ using mesh::previous_corner;
 constexpr double kLength = 2.0;
 /// What closes prisms is at least so far from the solid, in thicknesses.
 constexpr double kLeastReach = 1.1;
+/// How far upright walls go on, in thicknesses.
+constexpr double kLift = 0.1;
 /// Normals whose cosine differs from 1 by less are the same.
 constexpr double kSameDirection = 1e-9;
 
@@ -66,6 +69,7 @@ class OpeningExtension {
         if (!close_vertices()) {
             return std::nullopt;
         }
+        lift_walls();
         return std::move(result_);
     }
 
@@ -269,6 +273,35 @@ class OpeningExtension {
             add({above[0], above[k - 1], above[k]}, its_face);
         }
         return above.size() < 3 || is_beyond_reach(base, above);
+    }
+
+    /// Moves vertices of rims along the walls there where all of these are upright. It moves the planes of their
+    /// triangles by less than the flatness.
+    void lift_walls() {
+        constexpr std::int32_t kNone = -1;
+        constexpr std::int32_t kStays = -2;
+        const double lift = kLift * options_.thickness;
+        std::vector<std::int32_t> along(solid_.vertices.size(), kNone);  // directions
+        for (std::int32_t c = 0; c < static_cast<std::int32_t>(twins_.size()); ++c) {
+            if (is_open(c)) {
+                std::int32_t& its = along[static_cast<std::size_t>(vertex(c))];
+                its = its == kNone || its == direction_at(c) ? direction_at(c) : kStays;
+            }
+        }
+        for (std::int32_t c = 0; c < static_cast<std::int32_t>(twins_.size()); ++c) {
+            std::int32_t& its = along[static_cast<std::size_t>(vertex(c))];
+            if (!is_open(c) && its >= 0) {
+                const std::array<Vec3, 3> p = corners(c / 3);
+                const Vec3 wall = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+                const double rise = lift * wall.dot(directions_[static_cast<std::size_t>(its)]);
+                its = std::abs(rise) <= options_.flatness ? its : kStays;
+            }
+        }
+        for (std::size_t v = 0; v < along.size(); ++v) {
+            if (along[v] >= 0) {
+                result_.vertices[v] += lift * directions_[static_cast<std::size_t>(along[v])];
+            }
+        }
     }
 
     const mesh::TriangleMesh& solid_;
