@@ -23,8 +23,8 @@ using mesh::previous_corner;
 constexpr double kLength = 2.0;
 /// What closes prisms is at least so far from the solid, in thicknesses.
 constexpr double kLeastReach = 1.1;
-/// How far upright walls go on, in thicknesses.
-constexpr double kLift = 0.1;
+/// How far upright walls go on at most, in thicknesses.
+constexpr double kMostLift = 1.5;
 /// Normals whose cosine differs from 1 by less are the same.
 constexpr double kSameDirection = 1e-9;
 
@@ -275,31 +275,31 @@ class OpeningExtension {
         return above.size() < 3 || is_beyond_reach(base, above);
     }
 
-    /// Moves vertices of rims along the walls there where all of these are upright. It moves the planes of their
-    /// triangles by less than the flatness.
+    /// Moves vertices of rims along the walls there, as far as the planes of these move by less than the flatness.
     void lift_walls() {
         constexpr std::int32_t kNone = -1;
-        constexpr std::int32_t kStays = -2;
-        const double lift = kLift * options_.thickness;
+        constexpr std::int32_t kSeveral = -2;
+        const auto count = static_cast<std::int32_t>(twins_.size());
         std::vector<std::int32_t> along(solid_.vertices.size(), kNone);  // directions
-        for (std::int32_t c = 0; c < static_cast<std::int32_t>(twins_.size()); ++c) {
+        std::vector<double> lift(solid_.vertices.size(), kMostLift * options_.thickness);
+        for (std::int32_t c = 0; c < count; ++c) {
             if (is_open(c)) {
                 std::int32_t& its = along[static_cast<std::size_t>(vertex(c))];
-                its = its == kNone || its == direction_at(c) ? direction_at(c) : kStays;
+                its = its == kNone || its == direction_at(c) ? direction_at(c) : kSeveral;
             }
         }
-        for (std::int32_t c = 0; c < static_cast<std::int32_t>(twins_.size()); ++c) {
-            std::int32_t& its = along[static_cast<std::size_t>(vertex(c))];
-            if (!is_open(c) && its >= 0) {
+        for (std::int32_t c = 0; c < count; ++c) {
+            const auto v = static_cast<std::size_t>(vertex(c));
+            if (!is_open(c) && along[v] >= 0) {
                 const std::array<Vec3, 3> p = corners(c / 3);
                 const Vec3 wall = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
-                const double rise = lift * wall.dot(directions_[static_cast<std::size_t>(its)]);
-                its = std::abs(rise) <= options_.flatness ? its : kStays;
+                const double slope = std::abs(wall.dot(directions_[static_cast<std::size_t>(along[v])]));
+                lift[v] = lift[v] * slope <= options_.flatness ? lift[v] : options_.flatness / slope;
             }
         }
         for (std::size_t v = 0; v < along.size(); ++v) {
             if (along[v] >= 0) {
-                result_.vertices[v] += lift * directions_[static_cast<std::size_t>(along[v])];
+                result_.vertices[v] += lift[v] * directions_[static_cast<std::size_t>(along[v])];
             }
         }
     }
