@@ -21,7 +21,7 @@ using mesh::previous_corner;
 
 /// Length of the prisms, in thicknesses.
 constexpr double kLength = 2.0;
-/// What closes prisms is at least so far from the solid, in thicknesses.
+/// Least distance between the solid and what closes prisms, in thicknesses.
 constexpr double kLeastReach = 1.1;
 /// How far upright walls go on at most, in thicknesses.
 constexpr double kMostLift = 1.5;

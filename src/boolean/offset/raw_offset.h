@@ -27,7 +27,7 @@ struct RawOffsetOptions {
     /// mm: how far the offset of a sheet goes on beyond its border, so that what cuts the sheet there meets no
     /// vertices.
     double extension = 0.0;
-    const Progress* progress = nullptr;  ///< of whoever may cancel
+    const Progress* progress = nullptr;  ///< may be null
 };
 
 /// The surface that a ball's centre may lie on while the ball touches a surface from its front: all points p + d u, for
