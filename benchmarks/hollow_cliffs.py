@@ -11,6 +11,7 @@ public part the largest plane faces are open, one and two of them, with a wall o
 
 import math
 import os
+import resource
 import time
 from pathlib import Path
 
@@ -22,7 +23,7 @@ import MeshQuality as mq
 
 # Of /cad; nobody has tuned anything for them.
 SUFFIXES = (".step", ".stp", ".brep")
-MOST_PARTS, MOST_FACES = 10, 60
+MOST_PARTS, MOST_FACES, MOST_SECONDS = 10, 60, 20
 
 
 def names_of(shape, test):
@@ -82,6 +83,17 @@ def measured(name, make, volume=None):
           f"{result.report.error_bound / result.report.tolerance_asked:.2f} {known} {contour}", flush=True)
 
 
+def in_a_child(name, make):
+    """Measured in a process of its own, which ends when it takes too long."""
+    child = os.fork()
+    if child == 0:
+        resource.setrlimit(resource.RLIMIT_CPU, (MOST_SECONDS + int(time.process_time()), -1))
+        measured(name, make)
+        os._exit(0)
+    if os.waitpid(child, 0)[1] != 0:
+        print(f"{name:<44} more than {MOST_SECONDS} s, or ended by a signal", flush=True)
+
+
 def known_shapes():
     cases = {"rounded box, one face open": rounded_box(), "box, two faces open": tube(),
              "plate with 6 bores, one opening": drilled(60, 40, [(12 + 18 * i, 10 + 20 * j) for i in range(3) for j in range(2)]),
@@ -108,10 +120,10 @@ def public_parts(folder):
         wall = 0.05 * min(box.XLength, box.YLength, box.ZLength)
         largest = [name for _, name in sorted(planes)[::-1]]
         for count in (1, 2):
-            measured(f"{path.name[:34]}, {count} open", lambda count=count: mq.hollow(shape, wall, largest[:count]))
+            in_a_child(f"{path.name[:34]}, {count} open", lambda count=count: mq.hollow(shape, wall, largest[:count]))
         done += 1
 
 
-known_shapes()
-if "MESHQUALITY_DATA" in os.environ:
+if "MESHQUALITY_DATA" in os.environ:  # first: a process that has run threads is not to be forked
     public_parts(Path(os.environ["MESHQUALITY_DATA"]) / "cad")
+known_shapes()
