@@ -186,18 +186,34 @@ std::shared_ptr<BooleanSurface> offset_surface(const BooleanSurface& solid, doub
     });
 }
 
-std::shared_ptr<BooleanSurface> thicken_walls(const BooleanSurface& solid,
-                                              const py::array_t<bool, py::array::c_style | py::array::forcecast>& open,
-                                              double distance, double tolerance, int threads, const WorkBefore& before,
-                                              const py::object& progress) {
+using OpenTriangles = py::array_t<bool, py::array::c_style | py::array::forcecast>;
+
+std::vector<char> open_triangles(const BooleanSurface& solid, const OpenTriangles& open) {
     if (static_cast<std::size_t>(open.size()) != solid.mesh.triangles.size()) {
         throw InvalidInput("openings are marked for " + std::to_string(open.size()) + " triangles of " +
                            std::to_string(solid.mesh.triangles.size()));
     }
-    const std::vector<char> left_out(open.data(), open.data() + open.size());
+    return {open.data(), open.data() + open.size()};
+}
+
+std::shared_ptr<BooleanSurface> thicken_walls(const BooleanSurface& solid, const OpenTriangles& open, double distance,
+                                              double tolerance, int threads, const WorkBefore& before,
+                                              const py::object& progress) {
+    const std::vector<char> left_out = open_triangles(solid, open);
     return watch(progress, [&](Progress& handle) {
         return std::make_shared<BooleanSurface>(
             workflows::thickened_walls(solid, left_out, {distance, tolerance, threads}, before, handle));
+    });
+}
+
+std::shared_ptr<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid, const OpenTriangles& open,
+                                                       double thickness, double tolerance, int threads,
+                                                       const WorkBefore& before, const py::object& progress) {
+    const std::vector<char> left_out = open_triangles(solid, open);
+    return watch(progress, [&](Progress& handle) {
+        std::optional<BooleanSurface> hollow =
+            workflows::hollow_beyond_openings(solid, left_out, {thickness, tolerance, threads}, before, handle);
+        return hollow ? std::make_shared<BooleanSurface>(std::move(*hollow)) : nullptr;
     });
 }
 
@@ -228,6 +244,12 @@ void bind_offsets(py::module_& m) {
         py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
         "All that is within a distance (mm) of the triangles of a BooleanSurface that are not marked as open. Returns "
         "a BooleanSurface.");
+    m.def(
+        "hollow_beyond_openings", &hollow_beyond_openings, py::arg("solid"), py::arg("open"), py::arg("thickness"),
+        py::arg("tolerance"), py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
+        "What is deeper in a BooleanSurface than a thickness (mm), from its triangles that are not marked as open; it "
+        "reaches out of the openings. Returns a BooleanSurface, or None where openings are not plane, or are in "
+        "pockets.");
 }
 
 using workflows::WrapSurface;

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "boolean/offset/opening_extension.h"
 #include "offset/contoured_offset.h"
 
 namespace mq::workflows {
@@ -91,6 +92,26 @@ BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::Offse
         options, [&](const boolean::OffsetOptions& how) { return boolean::offset(solid.mesh, how, progress); },
         [&](const boolean::OffsetOptions& how) { return offset::contoured_offset(solid.mesh, how, progress); });
     return reported(std::move(found), solid, options, before, watch, progress);
+}
+
+std::optional<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid, const std::vector<char>& open,
+                                                     const boolean::OffsetOptions& options, const WorkBefore& before,
+                                                     Progress& progress) {
+    options.validate();
+    constexpr double kFlat = 0.1;  // fraction of the tolerance
+    BooleanSurface extended;
+    std::optional<mesh::TriangleMesh> mesh =
+        boolean::extend_openings(solid.mesh, open, {options.distance, kFlat * options.tolerance});
+    if (!mesh) {
+        return std::nullopt;
+    }
+    extended.mesh = std::move(*mesh);
+    boolean::OffsetOptions inward = options;
+    inward.distance = -options.distance;
+    inward.tolerance = (1.0 - kFlat) * options.tolerance;
+    WorkBefore extending = before;
+    extending.error_bound += kFlat * options.tolerance;
+    return offset_of_solid(extended, inward, extending, progress);
 }
 
 BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/progress.h"
@@ -17,6 +17,16 @@ namespace mq::workflows {
 /// @throws as offset::contoured_offset
 BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::OffsetOptions& options,
                                const WorkBefore& before, Progress& progress);
+
+/// What is deeper in a solid than a distance, from those of its triangles that are not open (boolean::extend_openings),
+/// with its report and CAD faces likewise. It reaches out of the openings.
+/// @param open  for each triangle of the solid
+/// @param options  the distance is above 0
+/// @return nothing where openings are not plane, or are in pockets that are too narrow
+/// @throws as offset::contoured_offset
+std::optional<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid, const std::vector<char>& open,
+                                                     const boolean::OffsetOptions& options, const WorkBefore& before,
+                                                     Progress& progress);
 
 /// All that is within a distance of some triangles of a solid (boolean::thicken, offset::contoured_walls) with its
 /// report and CAD faces likewise.

@@ -171,6 +171,15 @@ class Offsets(unittest.TestCase):
         self.assertEqual(fractions, sorted(fractions))
         with self.assertRaises(mq.Cancelled):
             mq.offset(Part.makeTorus(10, 3), 1.0, tolerance=5e-4, progress=lambda f, s: False)
+        # Caps of millions of triangles, which take minutes to make.
+        with self.assertRaises(mq.Cancelled):
+            mq.offset(Part.makeBox(1e-3, 1e-3, 1e-3), 0.1, tolerance=1e-7, progress=lambda f, s: s != "offsetting")
+
+    def test_the_default_tolerance_follows_the_size_of_the_result(self):
+        result = mq.offset(Part.makeBox(1, 1, 1), 10.0)
+        self.assert_sound(result, 0.021)
+        self.assertAlmostEqual(result.report.tolerance_asked, 0.021, delta=1e-12)
+        self.assertLess(len(result.triangles), 50_000)  # 734,060 for a tolerance of 0.001
 
 
 class Hollows(unittest.TestCase):
@@ -197,6 +206,48 @@ class Hollows(unittest.TestCase):
         self.assert_sound(result, 0.01)
         self.assertAlmostEqual(result.report.volume / (math.pi * (25 - 4.2**2) * 20), 1.0, delta=4e-3)
         self.assertEqual(euler_characteristic(result), 0)
+
+    def test_openings_that_meet_leave_no_wall_between_them(self):
+        box = Part.makeBox(10, 10, 10)
+        box.rotate(Vector(1, 2, 3), Vector(1, 1, 2), 30)
+        for openings, hollow in ((("Face2", "Face6"), 8 * 9 * 9), (("Face2", "Face4", "Face6"), 9**3), (("Face1", "Face2"), 8 * 8 * 10)):
+            result = mq.hollow(box, 1.0, openings=openings, tolerance=0.01)
+            self.assert_sound(result, 0.01)
+            self.assertAlmostEqual(result.report.volume, 1000 - hollow, delta=0.3)
+            self.assertNotIn("dividing cells", result.report.seconds)
+            self.assertLess(len(result.triangles), 150)
+
+    def test_a_plane_opening_takes_little_more_than_a_closed_hollow(self):
+        """The offset inward of the solid with a prism on the opening: no contour, and not more triangles than it needs."""
+        box = Part.makeBox(20, 15, 10)
+        rounded, inner = box.makeFillet(3, box.Edges), Part.makeBox(18, 13, 8, Vector(1, 1, 1))
+        depth = (np.arange(1000) + 0.5) / 1000  # above the inner box, within a distance of 1 from the rim
+        away = np.sqrt(1.0 - depth**2)
+        hollow = inner.makeFillet(2, inner.Edges).Volume + np.mean((14 - 2 * away) * (9 - 2 * away))
+        drilled = box.cut(Part.makeCylinder(3, 10, Vector(7, 7, 0)))
+        left = 18 * 13 * 9 - math.pi * 4**2 * 9
+        for shape, volume in ((rounded, rounded.Volume - hollow), (drilled, drilled.Volume - left)):
+            top = next(f"Face{i + 1}" for i, face in enumerate(shape.Faces) if face.CenterOfMass.z > 9.9)
+            result, closed = mq.hollow(shape, 1.0, openings=[top], tolerance=0.05), mq.hollow(shape, 1.0, tolerance=0.05)
+            self.assert_sound(result, 0.05)
+            self.assertAlmostEqual(result.report.volume / volume, 1.0, delta=3e-3)
+            self.assertNotIn("dividing cells", result.report.seconds)
+            self.assertLess(len(result.triangles), 1.3 * len(closed.triangles))
+
+    def test_openings_that_are_not_plane_or_lie_in_pockets(self):
+        """No prism fits there: both sides of the walls are offset."""
+        rod = Part.makeCylinder(5, 20)
+        side = next(f"Face{i + 1}" for i, face in enumerate(rod.Faces) if face.Surface.TypeId == "Part::GeomCylinder")
+        result = mq.hollow(rod, 1.0, openings=[side], tolerance=0.05)
+        self.assert_sound(result, 0.05)
+        self.assertAlmostEqual(result.report.volume / (2 * math.pi * 25), 1.0, delta=1e-2)
+        pocket = Part.makeBox(10, 10, 10).cut(Part.makeBox(3, 10, 5, Vector(3.5, 0, 5)))
+        floor = next(f"Face{i + 1}" for i, face in enumerate(pocket.Faces) if abs(face.CenterOfMass.z - 5) < 1e-6
+                     and face.normalAt(0, 0).z > 0.9)
+        result = mq.hollow(pocket, 1.0, openings=[floor], tolerance=0.05)
+        self.assert_sound(result, 0.05)
+        self.assertLessEqual(distances_from(Part.Compound([f for i, f in enumerate(pocket.Faces) if f"Face{i + 1}" != floor]),
+                                            result).max(), 1.56)  # amid the rim of the floor, 3 wide, at most 1.5
 
     def test_what_is_closed_and_what_is_no_hollow_is_said(self):
         """An open shell is closed first: the result says so, as a Boolean does."""

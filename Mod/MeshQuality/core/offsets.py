@@ -46,7 +46,7 @@ def offset(source, distance, tolerance=None, progress=None, threads=0):
     source     what boolean takes as an operand: a mesh, arrays (V, F), a shape, or a document object
     distance   mm; outward, or inward where it is below 0
     tolerance  mm, the largest distance between the result and the exact offset, in both directions; None: a thousandth of
-               the size, at most a tenth of the distance
+               the size of the result, at most a tenth of the distance
     progress   callable(fraction 0..1, stage); returning False cancels
     threads    that work at a time; 0: one for each core. The result is the same for any number
 
@@ -120,15 +120,7 @@ def _faces_named(operands, source, names):
 
 def _hollowed(work, faces):
     module = extension()
-    watched = work.progress(_UNITED, _OFFSET)
-    if faces is None:
-        operation = "difference"
-        inside = module.offset_surface(work.solid, -work.distance, work.share_of_offset(), work.threads,
-                                       work.before(), watched)
-    else:
-        operation = "intersection"
-        inside = module.thicken_walls(work.solid, work.triangles_of(faces), work.distance, work.share_of_offset(),
-                                      work.threads, work.before(), watched)
+    operation, inside = _inside(work, faces)
     work.add(inside.report)
     if not len(inside.triangles):
         work.note(_WHOLE)
@@ -143,6 +135,23 @@ def _hollowed(work, faces):
     return OffsetMesh(result)
 
 
+def _inside(work, faces):
+    """(the operation that hollows the solid, the core.BooleanSurface that it does so with)."""
+    module, watched = extension(), work.progress(_UNITED, _OFFSET)
+    how = (work.distance, work.share_of_offset(), work.threads, work.before(), watched)
+    if faces is None:
+        return "difference", module.offset_surface(work.solid, -work.distance, *how[1:])
+    is_open = work.triangles_of(faces)
+    if is_open.all():
+        raise InvalidInput("all faces are left out: at least one is needed")
+    # Plane openings are extended by prisms, so that the hollow is an offset inward. Elsewhere both sides of all walls
+    # are offset, which takes many times as long.
+    inside = module.hollow_beyond_openings(work.solid, is_open, *how)
+    if inside is not None:
+        return "difference", inside
+    return "intersection", module.thicken_walls(work.solid, is_open, *how)
+
+
 class _Work:
     """What the steps of an offset share.
 
@@ -155,7 +164,8 @@ class _Work:
         self._progress, self._operands, self._min_angle = progress, operands, min_angle
         self.threads, self.distance = threads, distance
         size = self._operands.size()
-        self.tolerance = tolerance or min(1e-3 * size, 0.1 * abs(distance))
+        # An offset outward is larger than the part: by its own size its triangles are counted.
+        self.tolerance = tolerance or min(1e-3 * (size + 2.0 * max(distance, 0.0)), 0.1 * abs(distance))
         self._finest = _FINEST * size
         if self.tolerance > abs(distance):
             raise InvalidInput(f"tolerance = {self.tolerance:g} mm is larger than the distance of {abs(distance):g} mm: give "

@@ -34,8 +34,11 @@ double fan_area(const std::vector<Vec3>& loop, const Vec3& apex) {
 /// Refines a cap by dividing the sides within it that are too long, in all triangles that have them.
 class CapRefinement {
   public:
-    CapRefinement(DirectionCap& cap, std::size_t border, double step)
-        : cap_(cap), border_(static_cast<std::int32_t>(border)), least_cosine_(step < M_PI ? std::cos(step) : -2.0) {}
+    CapRefinement(DirectionCap& cap, std::size_t border, double step, const Progress* progress)
+        : cap_(cap),
+          border_(static_cast<std::int32_t>(border)),
+          least_cosine_(step < M_PI ? std::cos(step) : -2.0),
+          pace_(progress) {}
 
     void run() {
         // Half a circle is divided as often to the smallest angle that a tolerance leads to.
@@ -51,6 +54,7 @@ class CapRefinement {
                 }
             }
             for (const mesh::Triangle& t : cap_.triangles) {
+                pace_.step();
                 again = divide(t, done) || again;
             }
             cap_.triangles = std::move(done);
@@ -122,6 +126,7 @@ class CapRefinement {
             const std::vector<std::int32_t> twins = mesh::edge_twins(cap_.triangles, cap_.directions.size());
             std::vector<char> changed(cap_.triangles.size(), 0);
             for (std::size_t c = 0; c < twins.size(); ++c) {
+                pace_.step();
                 if (twins[c] < 0 || static_cast<std::size_t>(twins[c]) < c) {
                     continue;
                 }
@@ -157,6 +162,7 @@ class CapRefinement {
     DirectionCap& cap_;
     const std::int32_t border_;
     const double least_cosine_;
+    CancelPace pace_;
     std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middle_;
 };
 
@@ -175,7 +181,8 @@ Vec3 on_arc(const Vec3& from, const Vec3& to, double fraction) {
         .normalized();
 }
 
-DirectionCap cap_over(const std::vector<Vec3>& loop, const Vec3& mean, double curvature, double step) {
+DirectionCap cap_over(const std::vector<Vec3>& loop, const Vec3& mean, double curvature, double step,
+                      const Progress* progress) {
     Vec3 area = Vec3::Zero();  // the vector area of the loop, which points amid it
     for (std::size_t i = 0; i < loop.size(); ++i) {
         area += loop[i].cross(loop[(i + 1) % loop.size()]);
@@ -191,6 +198,7 @@ DirectionCap cap_over(const std::vector<Vec3>& loop, const Vec3& mean, double cu
     // Areas differ by 4 pi, the sphere; less is the loop's own deviation from the normals. Among those that fit, the
     // apex is best that has all of the loop before it.
     const auto quality = [&](const Vec3& apex) {
+        check_cancelled(progress);
         double least = 1.0;
         for (const Vec3& direction : loop) {
             least = std::min(least, apex.dot(direction));
@@ -219,7 +227,7 @@ DirectionCap cap_over(const std::vector<Vec3>& loop, const Vec3& mean, double cu
             cap.triangles.push_back({centre, i, next});
         }
     }
-    CapRefinement(cap, loop.size(), step).run();
+    CapRefinement(cap, loop.size(), step, progress).run();
     return cap;
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/progress.h"
 #include "base/vec.h"
 #include "mesh/triangle_mesh.h"
 
@@ -22,6 +23,9 @@ struct DirectionCap {
 /// @param mean       a direction amid the loop; its length does not matter
 /// @param curvature  the angle defect: 2 pi less the angles around the vertex
 /// @param step       largest angle of the sides within the cap, radians
-DirectionCap cap_over(const std::vector<Vec3>& loop, const Vec3& mean, double curvature, double step);
+/// @param progress   may be null
+/// @throws Cancelled
+DirectionCap cap_over(const std::vector<Vec3>& loop, const Vec3& mean, double curvature, double step,
+                      const Progress* progress = nullptr);
 
 }  // namespace mq::boolean

@@ -150,7 +150,7 @@ class OffsetPipeline {
     }
 
     void make_soup(double raw_error, double extension) {
-        RawOffset raw = raw_offset(surface_, {distance_, raw_error, &searched_, extension});
+        RawOffset raw = raw_offset(surface_, {distance_, raw_error, &searched_, extension, &progress_});
         result_.raw_triangles = raw.triangles.size();
         soup_.operands = 1;
         soup_.vertices = std::move(raw.vertices);

@@ -47,7 +47,9 @@ class RawOffsetBuilder {
         }
         node_.assign(surface_.twins.size(), -1);
         arc_.assign(surface_.twins.size(), -1);
+        CancelPace pace(options_.progress);
         for (std::int32_t c = 0; c < static_cast<std::int32_t>(node_.size()); ++c) {
+            pace.step();
             if (node_[static_cast<std::size_t>(c)] < 0) {
                 round_off(fan_of(c));
             }
@@ -301,7 +303,7 @@ class RawOffsetBuilder {
             mean += angle(c) * normal(c);
             curvature -= angle(c);
         }
-        const DirectionCap cap = cap_over(loop, mean, curvature, step);
+        const DirectionCap cap = cap_over(loop, mean, curvature, step, options_.progress);
         std::vector<std::int32_t> nodes = loop_node;
         for (std::size_t i = loop.size(); i < cap.directions.size(); ++i) {
             nodes.push_back(add_node(place, cap.directions[i]));
@@ -343,6 +345,9 @@ class RawOffsetBuilder {
         const auto count = static_cast<int>(result_.triangles.size());
         std::vector<char> near(result_.vertices.size(), 0);
         for_chunks(static_cast<int>(near.size()), [&](int v) {
+            if (v % 64 == 0) {
+                check_cancelled(options_.progress);
+            }
             const auto i = static_cast<std::size_t>(v);
             near[i] = options_.searched->tree.any_within(result_.vertices[i], deep, 0) >= 0 ? 1 : 0;
         });
@@ -352,6 +357,9 @@ class RawOffsetBuilder {
         std::vector<char> shallow(result_.triangles.size(), 0);
         for (bool first = true, again = true; again; first = false) {
             for_chunks(count, [&](int t) {
+                if (t % 64 == 0) {
+                    check_cancelled(options_.progress);
+                }
                 const mesh::Triangle& c = result_.triangles[static_cast<std::size_t>(t)];
                 const auto marked = [](const std::vector<char>& list) {
                     return [&list](std::int32_t v) { return list[static_cast<std::size_t>(v)] != 0; };

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/vec.h"
 #include "boolean/offset/offset_error.h"
 #include "mesh/triangle_mesh.h"
@@ -26,6 +27,7 @@ struct RawOffsetOptions {
     /// mm: how far the offset of a sheet goes on beyond its border, so that what cuts the sheet there meets no
     /// vertices.
     double extension = 0.0;
+    const Progress* progress = nullptr;  ///< may be null
 };
 
 /// The surface that a ball's centre may lie on while the ball touches a surface from its front: all points p + d u, for
@@ -42,6 +44,7 @@ struct RawOffset {
     std::vector<std::int32_t> source;  ///< ClosedSurface::source of a triangle from which each one is offset
 };
 
+/// @throws Cancelled
 RawOffset raw_offset(const ClosedSurface& surface, const RawOffsetOptions& options);
 
 }  // namespace mq::boolean
