@@ -13,6 +13,8 @@ YOUNG = 210000.0  # MPa
 # With 0.3 the clamp would stiffen the beam by 1.4 %, which beam theory does not know.
 POISSON_RATIO = 0.0
 FORCE, PRESSURE = 100.0, 0.1  # N downwards at the free end; MPa on the top
+BORED_FORCE = 1000.0  # N
+BORED_STRESS = 6.0 * BORED_FORCE * LENGTH / (WIDTH * HEIGHT**2)  # MPa
 SHEAR = 10.0 * (1.0 + POISSON_RATIO) / (12.0 + 11.0 * POISSON_RATIO)  # coefficient of Cowper for a rectangle
 
 
@@ -33,6 +35,21 @@ def bracket():
     return whole.makeFillet(4.0, root)
 
 
+def bored():
+    """The sharp bar along x, with a bore of 8 mm at its end: beam theory knows the stress where it is clamped, BORED_STRESS."""
+    return Part.makeBox(LENGTH, WIDTH, HEIGHT).cut(Part.makeCylinder(4, HEIGHT, FreeCAD.Vector(90, 10, 0)))
+
+
+def angle_bracket():
+    """Two plates of 6 mm at a right angle, with a fillet of 5 mm in between; the lower one has two bores."""
+    whole = Part.makeBox(60, 40, 6).fuse(Part.makeBox(6, 40, 50)).removeSplitter()
+    root = [edge for edge in whole.Edges if (edge.CenterOfMass - FreeCAD.Vector(6, 20, 6)).Length < 1e-6]
+    whole = whole.makeFillet(5, root)
+    for y in (10, 30):
+        whole = whole.cut(Part.makeCylinder(3.5, 10, FreeCAD.Vector(45, y, -1)))
+    return whole
+
+
 def deflections():
     """{"force", "pressure": deflection of the beam's free end in mm}, by Timoshenko's theory."""
     section = next(face for face in beam().Faces if abs(face.CenterOfMass.x) < 1e-6)
@@ -50,8 +67,10 @@ def face_at(shape, axis, value):
     return max(ends, key=ends.get)
 
 
-def add_analysis(part, load):
-    """An analysis of a part that is clamped at its least x, without a mesh; `load`: "force", "pressure" or "weight"."""
+def add_analysis(part, load, clamped=("x", -1)):
+    """An analysis of a part that is clamped at its plane face of least x, or at another `face_at`, without a mesh; `load`:
+    "force", "pressure" or "weight".
+    """
     import ObjectsFem
 
     document, shape = part.Document, part.Shape
@@ -61,7 +80,7 @@ def add_analysis(part, load):
     material.Material = {"Name": "Steel", "YoungsModulus": f"{YOUNG} MPa", "PoissonRatio": str(POISSON_RATIO),
                          "Density": "7900 kg/m^3"}
     fixed = ObjectsFem.makeConstraintFixed(document)
-    fixed.References = [(part, face_at(shape, "x", -1))]
+    fixed.References = [(part, face_at(shape, *clamped))]
     for obj in (solver, material, fixed, _load(part, load)):
         analysis.addObject(obj)
     return analysis

@@ -262,7 +262,7 @@ class MeshPanel:
             self._timer.start()
 
     def _counting(self):
-        self.estimate.setText(translate("MeshQuality", "Counting triangles ..."))
+        self.estimate.setText(self.operations[0].trial.func.begun())
 
     def _start_trial(self):
         try:
@@ -280,10 +280,7 @@ class MeshPanel:
 
     def _show_estimate(self, trials):
         self._trials = trials
-        count = sum(trial.triangles for trial in trials)
-        words = translate("MeshQuality", "{} triangles") if all(trial.complete for trial in trials) \
-            else translate("MeshQuality", "More than {} triangles")
-        self.estimate.setText(words.format(count_text(count)))
+        self.estimate.setText(trials[0].words(trials).format(count_text(sum(trial.count for trial in trials))))
 
     def _end_trial(self):
         self._timer.stop()
