@@ -468,6 +468,12 @@ class Volumes(unittest.TestCase):
         self.assertLess(abs((report.volume - 1.0) / tube.Volume - 1.0), 0.002)
         self.assertLess(report.triangles, 60000)
 
+    def test_many_shapes_are_told_in_one_note(self):
+        shapes = [Part.makeCylinder(1, 2, FreeCAD.Vector(5 * i, 0, 0)) for i in range(12)]
+        notes = mq.boolean(shapes, operation="union").report.notes
+        self.assertEqual(len(notes), 1, notes)
+        self.assertRegex(notes[0], r"^12 operands are shapes: their meshes deviate by at most \S+ mm from them; ")
+
     def test_what_would_take_too_many_triangles_is_told(self):
         with mock.patch.object(operands, "_MOST", 1000):
             report = mq.boolean(Part.makeCylinder(5, 200), Part.makeBox(1, 1, 1, FreeCAD.Vector(50, 0, 0)), "union").report

@@ -28,6 +28,7 @@ _FRAME = 4.0
 # the error that is accepted, as a fraction of that allowed, and the one that is aimed at; how much finer at most in one step; triangles that
 # are expected of a finer one at most.
 _COARSE, _FINER, _ACCEPTED, _AIM, _STEP, _MOST = 4.0, 3, 0.85, 0.75, 1.0 / 32.0, 500_000
+_MOST_NOTES = 3  # of operands that are shapes; more are told in one
 # Fraction of the size of all operands that a Boolean asks for at least.
 _FINEST_TOLERANCE = 4.0 * 2.0**-23
 
@@ -56,6 +57,7 @@ class Operands:
         self.seconds, self.cpu_seconds, self.notes, self.deviation = [], 0.0, [], 0.0
         self._sources = sources
         self._volume_error = None
+        self._deviations = []  # (name, mm) of operands whose meshes have nothing else to tell
         self._letters = letters(len(sources))
         self._names = [f"operand {letter}" for letter in self._letters]
         self._taken = [self._take(i) for i in range(len(sources))]
@@ -117,6 +119,7 @@ class Operands:
             for done, i in enumerate(shapes):
                 part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
                 self._found[i] = self._mesh_shape(i, fraction * wanted, part, meshing, any_faces)
+        self._note_deviations()
         return True
 
     def _possible(self, tolerance):
@@ -234,11 +237,22 @@ class Operands:
         else:
             mesh, volume_error = _keeping_volume(shape, chord_height, self._volume_error, progress, meshing)
         mixed = isinstance(self._found[i], _Mixed)
+        if not mixed and volume_error <= (self._volume_error or 1.0):
+            self._deviations.append((self._names[i], mesh.report.max_chord_height))
+            return mesh._surface, mesh.report.max_chord_height, False, ""
         volume = f", and its volume by about {100.0 * volume_error:.2g} %" if volume_error > (self._volume_error or 1.0) else ""
         what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
         return mesh._surface, mesh.report.max_chord_height, False, (
             f"{self._names[i]} {what} deviates by at most {mesh.report.max_chord_height:.3g} mm from "
             f"{'them' if mixed else 'it'}{volume}; the error bound is that of the Boolean of the meshes")
+
+    def _note_deviations(self):
+        """A note for each operand of _deviations, for many of them one."""
+        told = [(f"{name} is a shape: its mesh deviates", deviation, "it") for name, deviation in self._deviations]
+        if len(told) > _MOST_NOTES:
+            told = [(f"{len(told)} operands are shapes: their meshes deviate", max(note[1] for note in told), "them")]
+        self.notes += [f"{what} by at most {deviation:.3g} mm from {those}; the error bound is that of the Boolean of the meshes"
+                       for what, deviation, those in told]
 
     def _any_mesh(self, i, shape, chord_height, progress, meshing):
         """As _mesh_of_all_faces, of mesh_within."""
