@@ -16,7 +16,7 @@ from .parts import REMEDY, Parts, content, count_within, numbers_in, unsupported
 _TYPES = {"Float32": "f4", "Float64": "f8", "Int8": "i1", "Int16": "i2", "Int32": "i4", "Int64": "i8", "UInt8": "u1",
           "UInt16": "u2", "UInt32": "u4", "UInt64": "u8"}
 _NEWER = ("2.2", "2.3")  # versions
-# Bytes that compressed arrays of a file may unpack to, all together: so many times the size of the file, and some more. A mesh
+# Bytes that all compressed arrays of a file may unpack to: a multiple of the size of the file, and a constant. A mesh
 # of 1.7 million equal hexahedra unpacks to 8 times its size.
 _RATIO, _MORE = 64, 1 << 26
 
