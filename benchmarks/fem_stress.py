@@ -27,6 +27,7 @@ def work(arguments):
     import cantilever
 
     print(HEAD)
+    results = {}
     for name in arguments.parts:
         with tempfile.TemporaryDirectory() as folder:
             right = cantilever.BORED_STRESS if name == "cantilever" \
@@ -35,6 +36,8 @@ def work(arguments):
                 row = cantilever.largest_stress(name, folder, elements_through=through)
                 print(f"| {name} | {through} | {row['edge']:.2f} mm | {row['tetrahedra']:,} | {row['expected']:,} | "
                       f"{row['solver']:.0f} | {row['stress']:.1f} MPa | {100 * (row['stress'] / right - 1):+.1f} % |", flush=True)
+                results.setdefault(name, []).append(row)
+    return results
 
 
 inside_freecad.start(__file__, parser(), work)
