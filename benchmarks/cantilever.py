@@ -5,6 +5,8 @@ The beam is a bar with rounded edges, clamped at its face x = 0, whose deflectio
 shaft that a curved fillet joins to a plate.
 """
 
+import time
+
 import FreeCAD
 import Part
 
@@ -13,6 +15,8 @@ YOUNG = 210000.0  # MPa
 # With 0.3 the clamp would stiffen the beam by 1.4 %, which beam theory does not know.
 POISSON_RATIO = 0.0
 FORCE, PRESSURE = 100.0, 0.1  # N downwards at the free end; MPa on the top
+BORED_FORCE = 1000.0  # N
+BORED_STRESS = 6.0 * BORED_FORCE * LENGTH / (WIDTH * HEIGHT**2)  # MPa
 SHEAR = 10.0 * (1.0 + POISSON_RATIO) / (12.0 + 11.0 * POISSON_RATIO)  # coefficient of Cowper for a rectangle
 
 
@@ -33,6 +37,21 @@ def bracket():
     return whole.makeFillet(4.0, root)
 
 
+def bored():
+    """The sharp bar along x, with a bore of 8 mm at its end: beam theory knows the stress where it is clamped, BORED_STRESS."""
+    return Part.makeBox(LENGTH, WIDTH, HEIGHT).cut(Part.makeCylinder(4, HEIGHT, FreeCAD.Vector(90, 10, 0)))
+
+
+def angle_bracket():
+    """Two plates of 6 mm at a right angle, with a fillet of 5 mm in between; the lower one has two bores."""
+    whole = Part.makeBox(60, 40, 6).fuse(Part.makeBox(6, 40, 50)).removeSplitter()
+    root = [edge for edge in whole.Edges if (edge.CenterOfMass - FreeCAD.Vector(6, 20, 6)).Length < 1e-6]
+    whole = whole.makeFillet(5, root)
+    for y in (10, 30):
+        whole = whole.cut(Part.makeCylinder(3.5, 10, FreeCAD.Vector(45, y, -1)))
+    return whole
+
+
 def deflections():
     """{"force", "pressure": deflection of the beam's free end in mm}, by Timoshenko's theory."""
     section = next(face for face in beam().Faces if abs(face.CenterOfMass.x) < 1e-6)
@@ -50,8 +69,10 @@ def face_at(shape, axis, value):
     return max(ends, key=ends.get)
 
 
-def add_analysis(part, load):
-    """An analysis of a part that is clamped at its least x, without a mesh; `load`: "force", "pressure" or "weight"."""
+def add_analysis(part, load, clamped=("x", -1)):
+    """An analysis of a part that is clamped at its plane face of least x, or at another `face_at`, without a mesh; `load`:
+    "force", "pressure" or "weight".
+    """
     import ObjectsFem
 
     document, shape = part.Document, part.Shape
@@ -61,7 +82,7 @@ def add_analysis(part, load):
     material.Material = {"Name": "Steel", "YoungsModulus": f"{YOUNG} MPa", "PoissonRatio": str(POISSON_RATIO),
                          "Density": "7900 kg/m^3"}
     fixed = ObjectsFem.makeConstraintFixed(document)
-    fixed.References = [(part, face_at(shape, "x", -1))]
+    fixed.References = [(part, face_at(shape, *clamped))]
     for obj in (solver, material, fixed, _load(part, load)):
         analysis.addObject(obj)
     return analysis
@@ -107,3 +128,36 @@ def deflection(result, mesh, face):
     nodes = set(mesh.getNodesByFace(face))
     moved = [-vector.z for number, vector in zip(result.NodeNumbers, result.DisplacementVectors) if number in nodes]
     return sum(moved) / len(moved)
+
+
+def largest_stress(name, folder, **values):
+    """{"tetrahedra", "expected", "edge", "stress", "solver"} of a FEM mesh of the part with these options; edge in mm, stress
+    in MPa.
+    """
+    import MeshQuality as mq
+    from MeshQuality import fem_options, options
+    from MeshQuality.core import fem_size
+
+    make, clamped, end = {"cantilever": (bored, ("x", -1), ("x", 1)),
+                          "bracket": (angle_bracket, ("z", -1), ("z", 1)),
+                          "shaft": (bracket, ("x", -1), ("x", 1))}[name]
+    document = FreeCAD.newDocument()
+    try:
+        part = document.addObject("Part::Feature", "Part")
+        part.Shape = make()
+        document.recompute()
+        analysis = add_analysis(part, "force", clamped)
+        force = next(obj for obj in analysis.Group if obj.isDerivedFrom("Fem::ConstraintForce"))
+        force.Force, force.References = BORED_FORCE, [(part, face_at(part.Shape, *end))]
+        along = "x" if name == "bracket" else "z"
+        force.Direction = (part, [face_at(part.Shape, along, 1)])
+        mesh = mq.add_fem_mesh(part, analysis=analysis, **values).FemMesh
+        asked = options.check(fem_options.FEM, values)
+        before = time.perf_counter()
+        stress = max(solve(analysis, folder).vonMises)
+        return {"tetrahedra": mesh.VolumeCount, "expected": fem_size.expected_elements(part.Shape, asked),
+                "edge": fem_size.longest_edge(part.Shape, asked)[0], "stress": stress,
+                "solver": time.perf_counter() - before}
+    finally:
+        FreeCAD.closeActiveTransaction()  # opened by what reads the results
+        FreeCAD.closeDocument(document.Name)

@@ -139,6 +139,16 @@ def remove_if_there(path):
         os.remove(path)
 
 
+def require_room(path, size):
+    """Raises OSError where there is no room for a new file `path` of `size` bytes."""
+    try:
+        with open(path, "xb") as stream:
+            if hasattr(os, "posix_fallocate"):
+                os.posix_fallocate(stream.fileno(), 0, size)
+    finally:
+        remove_if_there(path)
+
+
 def disk_is_full(path):
     """Whether there is no room for some more bytes in the folder of the path."""
     probe = unfinished(path, "")

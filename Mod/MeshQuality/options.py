@@ -358,18 +358,6 @@ CURVE = (
 )
 
 
-_OF_FEM = {
-    "order": {"high": 2, "help": "1: straight sides; 2: quadratic elements, which follow curved faces and bend as "
-                                 "they should"},
-    "volume": {"default": True, "help": "Fill the solids with tetrahedra; off, and where there is no solid: triangles "
-                                        "for shells"},
-    "imprint": {"default": True},
-}
-FEM = tuple(replace(option, **_OF_FEM.get(option.name, {})) for option in CURVE)
-# Of meshes that others made.
-CURE = tuple(replace(option, group="Mesh") for option in FEM if option.name in ("order", "straighten_invalid", "imprint"))
-
-
 # Options of the document object, beside those of CURVE.
 CURVED_DISPLAY = (
     Option("deviation", float, None, unit="mm", low=0.0, group="Display",
@@ -436,7 +424,6 @@ CURVE_PRESETS = (
     _fineness("Coarse", 0.03, order=2), _fineness("Medium", 0.01, order=2),
     _fineness("Fine", 0.005, order=3), _fineness("Very fine", 0.001, order=3),
 )
-FEM_PRESETS = tuple(replace(preset, values={**preset.values, "order": 2}) for preset in CURVE_PRESETS)
 FIRST_PRESET = "Medium"  # where nothing was chosen yet
 
 

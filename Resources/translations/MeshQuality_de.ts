@@ -639,6 +639,14 @@
         <source>Whether bodies of a shape that overlap, lie in one another or cross are a fault of the mesh, or allowed; the report names them</source>
         <translation>Ob Körper einer Form, die sich überlappen, ineinander liegen oder sich schneiden, ein Fehler des Netzes sind oder erlaubt; der Bericht nennt sie</translation>
     </message>
+    <message>
+        <source>Longest edge of the mesh before it is curved; 0: by the walls</source>
+        <translation>Längste Kante des Netzes, bevor es gekrümmt wird; 0: nach den Wänden</translation>
+    </message>
+    <message>
+        <source>Where no longest edge is given: elements through a wall of mean thickness, which is twice the volume over the area of the surface; at most about 100,000 elements in all</source>
+        <translation>Wo keine längste Kante angegeben ist: Elemente durch eine Wand mittlerer Dicke, die das Doppelte des Volumens durch die Fläche der Oberfläche ist; im Ganzen höchstens etwa 100.000 Elemente</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2981,6 +2989,34 @@
     <message>
         <source>{name} and {name2} count as one, as they are no farther apart than {length}: that makes a corner of {number}°, which the shape does not have and a smaller max. deviation avoids, between {edge} and {edge2} at {vertex}</source>
         <translation>{name} und {name2} gelten als eins, da sie höchstens {length} voneinander entfernt sind: dadurch entsteht bei {vertex} zwischen {edge} und {edge2} eine Ecke von {number}°, die die Form nicht hat und eine kleinere max. Abweichung vermeidet</translation>
+    </message>
+    <message>
+        <source>Keeps within {} of the exact result.</source>
+        <translation>Bleibt innerhalb von {} um das genaue Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Counting elements ...</source>
+        <translation>Elemente werden gezählt ...</translation>
+    </message>
+    <message>
+        <source>{} elements, with edges up to {}</source>
+        <translation>{} Elemente, mit Kanten bis {}</translation>
+    </message>
+    <message>
+        <source>About {} elements, with edges up to {}</source>
+        <translation>Etwa {} Elemente, mit Kanten bis {}</translation>
+    </message>
+    <message>
+        <source>Elements through walls</source>
+        <translation>Elemente durch Wände</translation>
+    </message>
+    <message>
+        <source>Where no longest edge is given: elements through a wall of mean thickness, which is twice the volume over the area of the surface; at most about 100,000 elements in all</source>
+        <translation>Wo keine längste Kante angegeben ist: Elemente durch eine Wand mittlerer Dicke, die das Doppelte des Volumens durch die Fläche der Oberfläche ist; im Ganzen höchstens etwa 100.000 Elemente</translation>
+    </message>
+    <message>
+        <source>by the walls</source>
+        <translation>nach den Wänden</translation>
     </message>
 </context>
 <context>

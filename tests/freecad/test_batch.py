@@ -18,6 +18,7 @@ import unittest
 import uuid
 from collections import Counter
 from pathlib import Path
+from unittest import mock
 
 import FreeCAD
 import helpers
@@ -215,6 +216,27 @@ class Batch(BatchTest):
         # What cannot be read costs itself only.
         os.symlink("nowhere", os.path.join(self.parts, "link.step"))
         self.assertEqual(self.batch("--check-content")[1]["states"], {"done": 3, "input": 2})
+
+    def test_meshes_that_are_cut_or_of_another_part_are_made_again(self):
+        self.batch()
+        os.truncate(os.path.join(self.out, "meshes", "box.brep.ply"), 200)
+        self.assertEqual(self.batch()[1]["worked_on"], 1)
+        path = os.path.join(self.out, "meshes", "cylinder.brep.ply")
+        with open(path, "r+b") as stream:
+            stream.seek(-4, os.SEEK_END)
+            stream.write(b"torn")
+        self.assertEqual(self.batch()[1]["worked_on"], 0)
+        self.assertEqual(self.batch("--check-content")[1]["worked_on"], 1)
+        # A line that names the mesh of another part.
+        lines = self.lines()
+        for entry in lines:
+            if entry["part"] == "sub/box.brep":
+                entry.update({name: value for other in lines if other["part"] == "box.brep"
+                              for name, value in other.items() if name.startswith("output")})
+        with open(os.path.join(self.out, "parts.jsonl"), "w", encoding="utf-8") as stream:
+            stream.writelines(json.dumps(entry) + "\n" for entry in lines)
+        self.assertEqual(self.batch()[1]["worked_on"], 1)
+        self.assertEqual({entry["output"] for entry in self.lines() if entry["part"] == "sub/box.brep"}, {"meshes/sub/box.brep.ply"})
 
     def test_a_line_cut_short_is_done_again(self):
         self.batch()
@@ -443,6 +465,25 @@ class Scheduler(BatchTest):
         # All FreeCADs are gone: of the marked processes the scheduler and one worker are left.
         self.assertTrue(wait_until(lambda: len(processes_with(self.mark)) == 2, 15),
                         processes_with(self.mark))
+
+    def test_a_cluster_whose_last_worker_dies_is_told(self):
+        self.shape("ring.brep", Part.makeTorus(10, 3))
+        address, workers = self.cluster(1)
+        chosen = plan.Plan(Path(self.parts), Path(self.out), "triangulate", {}, ".ply", 60.0, 1.0)
+        began = os.path.join(self.scratch, "began")
+
+        def work(folder, task, batch):
+            import time
+
+            with open(began, "w", encoding="ascii"):
+                time.sleep(600)
+
+        killer = threading.Thread(target=lambda: wait_until(lambda: os.path.exists(began)) and workers[0].kill())
+        with cluster.client_of(address) as client, mock.patch.object(cluster, "WAIT_FOR_WORKERS", 2.0):
+            killer.start()
+            with self.assertRaisesRegex(ConnectionError, "no workers any more"):
+                cluster.run(client, chosen, plan.find_parts(chosen), self.fail, work)
+            killer.join()
 
     def test_dask_says_nothing_of_its_own(self):
         with cluster.client_of(jobs=1):

@@ -6,6 +6,7 @@ import os
 import subprocess
 import time
 import unittest
+import zipfile
 
 import FreeCAD
 import helpers
@@ -15,6 +16,7 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality import options
+from MeshQuality.cli import parser
 
 COMMAND = os.path.join(helpers.ROOT, "bin", "meshquality")
 
@@ -178,6 +180,26 @@ class Triangulate(helpers.DocumentTest):
                 status, out, err = run(*arguments)
                 self.assertEqual((status, out), (2, ""))
                 self.assertIn(word, err[-1])
+
+    def test_a_negative_number_may_have_an_exponent(self):
+        for text in ("-1e9", "-1.5E-3", "-.5", "-2"):
+            self.assertEqual(parser.parse(["offset", "part.stl", "--distance", text, "-o", "out.stl"]).distance, float(text))
+
+    def test_a_working_folder_that_is_gone(self):
+        gone = os.path.join(self.folder, "gone")
+        os.mkdir(gone)
+        found = subprocess.run(["/bin/sh", "-c", 'cd "$1" && rmdir "$1" && exec /usr/bin/python3 "$2" quality part.stl', "sh", gone, COMMAND],
+                               capture_output=True, text=True, check=False)
+        self.assertEqual(found.returncode, 2)
+        self.assertIn("the working folder is gone: change into one that is there", found.stderr)
+
+    def test_a_torn_document_is_told_in_one_line(self):
+        path = os.path.join(self.folder, "torn.FCStd")
+        with zipfile.ZipFile(path, "w") as container:
+            container.writestr("Document.xml", '<?xml version="1.0"?>\n<Document SchemaVersion="4">\n<Properties Count="1">\n')
+        status, _, err = run("triangulate", path, "-o", os.path.join(self.folder, "out.stl"))
+        self.assertEqual(status, 2)
+        self.assertNotIn("\\n", err[-1])
 
     def test_failure_with_json_is_an_object_too(self):
         status, out, err = run("triangulate", self.step, "--json", "--min-angle", "50")

@@ -14,8 +14,8 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality import options
-from MeshQuality.core import fem
+from MeshQuality import fem_options, options
+from MeshQuality.core import fem, fem_size
 from MeshQuality.features import fem_mesh
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
@@ -61,8 +61,8 @@ class Elements(FemObjectTest):
     def test_it_holds_the_elements_of_its_options(self):
         source = self.cylinder()
         for order in (1, 2):
-            obj = mq.add_fem_mesh(source, order=order)
-            expected = mq.curve(source, order=order, volume=True)
+            obj = mq.add_fem_mesh(source, order=order, max_edge=4.0)
+            expected = mq.curve(source, order=order, volume=True, max_edge=4.0)
             mesh = obj.FemMesh
             self.assertEqual(obj.TypeId, "Fem::FemMeshObjectPython")
             self.assertEqual((mesh.NodeCount, mesh.VolumeCount, mesh.FaceCount, mesh.EdgeCount),
@@ -78,7 +78,7 @@ class Elements(FemObjectTest):
 
     def test_every_option_is_a_property(self):
         obj = mq.add_fem_mesh(self.cylinder())
-        for option in options.FEM:
+        for option in fem_options.FEM:
             self.assertEqual(obj.getTypeIdOfProperty(option.property_name), option.property_type)
             self.assertTrue(obj.getDocumentationOfProperty(option.property_name))
         self.assertEqual((obj.Order, obj.Volume), (2, True))
@@ -102,7 +102,7 @@ class Elements(FemObjectTest):
     def test_faces_of_constraints_are_found(self):
         source = self.part(cantilever.beam())
         for order in (1, 2):
-            mesh = mq.add_fem_mesh(source, order=order).FemMesh
+            mesh = mq.add_fem_mesh(source, order=order, max_edge=20.0).FemMesh
             found = groups_of(mesh)
             for i, face in enumerate(source.Shape.Faces):
                 elements = found[f"Face{i + 1}"][1]
@@ -113,9 +113,9 @@ class Elements(FemObjectTest):
 
     def test_shells(self):
         for source, values in ((self.part(Part.makeCylinder(5, 10).Shells[0]), {}), (self.cylinder(), {"volume": False})):
-            mesh = mq.add_fem_mesh(source, **values).FemMesh
+            mesh = mq.add_fem_mesh(source, max_edge=4.0, **values).FemMesh
             self.assertEqual(mesh.VolumeCount, 0)
-            self.assertEqual(mesh.FaceCount, len(mq.curve(source).triangles))
+            self.assertEqual(mesh.FaceCount, len(mq.curve(source, max_edge=4.0).triangles))
             self.assertEqual(nodes_of(mesh, groups_of(mesh)["Face1"][1]), set(mesh.getNodesByFace(source.Shape.Face1)))
 
     def test_bodies_that_touch_share_nodes(self):
@@ -123,7 +123,7 @@ class Elements(FemObjectTest):
         source = self.part(Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(4, 4, 4, FreeCAD.Vector(3, 3, 10))]))
         joined, apart = (mq.add_fem_mesh(source, imprint=imprint) for imprint in (True, False))
         self.assertEqual(joined.Certificate, "met")
-        self.assertTrue(options.defaults(options.FEM)["imprint"])
+        self.assertTrue(options.defaults(fem_options.FEM)["imprint"])
         for obj, shared in ((joined, True), (apart, False)):
             groups = groups_of(obj.FemMesh)
             solids = [nodes_of(obj.FemMesh, groups[name][1]) for name in ("Solid1", "Solid2")]
@@ -141,6 +141,37 @@ class Elements(FemObjectTest):
         first = len(curved.tetrahedra) + 1
         np.testing.assert_array_equal(again.getElementNodes(first), curved.triangles[0] + 1)
         self.assertEqual(len(curved.edges), len(curved.edge_entity))
+
+
+class Sizes(FemObjectTest):
+    def test_a_plate_has_two_elements_through_its_thickness(self):
+        source = self.part(Part.makeBox(20, 20, 4))
+        obj = mq.add_fem_mesh(source)
+        mesh = obj.FemMesh
+        nodes = mesh.Nodes
+        heights = {round(nodes[node].z, 6) for number in mesh.Volumes for node in mesh.getElementNodes(number)[:4]}
+        self.assertTrue(any(1.0 < height < 3.0 for height in heights), heights)
+        self.assertLess(mq.add_fem_mesh(source, elements_through=1).Elements, obj.Elements / 3)
+        self.assertEqual(obj.Certificate, "met")
+        # Twice the volume over the area of the surface, over two.
+        self.assertAlmostEqual(fem_size.longest_edge(source.Shape, options.check(fem_options.FEM, {}))[0], 1600 / 1120)
+
+    def test_the_number_of_elements_has_a_limit_that_is_told(self):
+        values = options.check(fem_options.FEM, {})
+        length, note = fem_size.longest_edge(Part.makeBox(300, 300, 1), values)
+        self.assertGreater(length, 0.5)
+        self.assertIn("100,000 elements", note)
+        self.assertLessEqual(fem_size.expected_elements(Part.makeBox(300, 300, 1), values), 100000)
+        with mock.patch.object(fem_size, "_MOST", 100):
+            obj = mq.add_fem_mesh(self.part(Part.makeBox(10, 10, 2)))
+        self.assertIn("100 elements: give max_edge", "".join(obj.Notes))
+        self.assertEqual(fem_size.longest_edge(Part.makeBox(300, 300, 1), {**values, "max_edge": 7.0}), (7.0, ""))
+
+    def test_shells_go_by_their_size(self):
+        source = self.part(Part.makePlane(30, 40))
+        obj = mq.add_fem_mesh(source)
+        expected = fem_size.expected_elements(source.Shape, options.check(fem_options.FEM, {}))
+        self.assertAlmostEqual(expected / obj.Elements, 1.0, delta=0.3)
 
 
 class Follows(FemObjectTest):
@@ -288,6 +319,11 @@ class CalculiX(FemObjectTest):
                 mesh = mq.add_fem_mesh(source, analysis=analysis, max_edge=8.0).FemMesh
                 result = cantilever.solve(analysis, self.folder)
                 self.assertAlmostEqual(cantilever.deflection(result, mesh, end) / expected, 1.0, delta=0.003)
+
+    def test_the_largest_stress_by_default_is_that_of_beam_theory(self):
+        found = cantilever.largest_stress("cantilever", self.folder)
+        self.assertAlmostEqual(found["stress"] / cantilever.BORED_STRESS, 1.0, delta=0.1)
+        self.assertAlmostEqual(found["expected"] / found["tetrahedra"], 1.0, delta=0.25)
 
     def test_each_solid_has_its_own_material(self):
         import ObjectsFem

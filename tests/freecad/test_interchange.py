@@ -7,6 +7,7 @@ test_curved_files does the same for curved meshes with Gmsh and VTK.
 import os
 import re
 import shutil
+import signal
 import subprocess
 import unittest
 from functools import lru_cache
@@ -18,6 +19,11 @@ import Part
 from test_curved_files import FileTest, has
 
 import MeshQuality as mq
+
+try:
+    import resource
+except ImportError:  # Windows
+    resource = None
 
 # From 1.0 on FreeCAD turns VTK's order of the nodes of a tetrahedron into its own; before, it takes it for its own, which
 # is turned the other way round.
@@ -176,6 +182,27 @@ def volumes_of(nodes):
         rows += [4 * (place[i] * slopes[j] + place[j] * slopes[i]) for i, j in EDGES[10]]
         total += weight * np.linalg.det(np.einsum("nk,enx->exk", np.array(rows), nodes))
     return total / 6
+
+
+@unittest.skipUnless(resource, "there are no limits of files")
+class WithoutRoom(FileTest):
+    """What libraries of formats make of a disk that is full: they crashed, or raised errors of their own."""
+
+    def test_the_error_names_the_path_and_nothing_stays(self):
+        mesh = mq.curve(Part.makeSphere(5), order=2, volume=True, chord_height_relative=0.05)
+        old, limits = signal.signal(signal.SIGXFSZ, signal.SIG_IGN), resource.getrlimit(resource.RLIMIT_FSIZE)
+        try:
+            for suffix in (".h5", ".exo", ".cgns", ".msh", ".vtu"):
+                path = os.path.join(self.folder, "mesh" + suffix)
+                for room in (0, 3000, 20000):
+                    with self.subTest(suffix, room=room):
+                        resource.setrlimit(resource.RLIMIT_FSIZE, (room, limits[1]))
+                        with self.assertRaisesRegex(mq.IoError, re.escape(path)):
+                            mesh.write(path)
+                        self.assertEqual(os.listdir(self.folder), [])
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+            signal.signal(signal.SIGXFSZ, old)
 
 
 class CurvedMeshesInFem(FileTest):

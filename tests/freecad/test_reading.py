@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes from elsewhere: files of our own writers and of Gmsh, FEM meshes of FreeCAD, and files that are damaged."""
 
+import base64
 import ctypes.util
 import importlib.util
 import json
@@ -8,7 +9,9 @@ import os
 import random
 import subprocess
 import sys
+import time
 import unittest
+import zlib
 from functools import lru_cache
 
 import FreeCAD
@@ -298,6 +301,17 @@ class Faults(ReadingTest):
         self.assert_fault("text.exo", b"CDF but no more", "damaged|cannot", mq.IoError)
         self.assert_fault("text.cgns", b"nothing of the kind", "CGNS", mq.IoError)
         self.assert_fault("text.vtk", b"nothing of the kind", "vtk DataFile", mq.IoError)
+        four = f"{GMSH_HEAD.replace('2.2', '4.1')}$Nodes\n1 4 1 4\n3 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n$Elements\n" \
+            "1 2 1 2\n3 1 4 1\n1 1 2 3 4\n3 2 4 1\n2 1 2 3 4\n$EndElements\n"
+        self.assert_fault("more.msh", four, "\\$Elements has more than it announces", mq.IoError)
+        self.assert_fault("more2.msh", gmsh_file(CORNERS, ["1 4 2 0 1 1 2 3 4", "2 4 2 0 1 1 2 3 4"]).replace("$Elements\n2\n", "$Elements\n1\n"),
+                          "more than it announces", mq.IoError)
+        solid = "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n*ELEMENT,TYPE=C3D4\n8,1,2,3,4\n"
+        self.assert_fault("system.inp", "*SYSTEM\n1,0,0,2,0,0\n" + solid, "coordinate system .*SYSTEM", mq.IoError)
+        for keyword in ("*ELSET,ELSET=A\nOTHER\n", "*SURFACE,NAME=A\nOTHER,S1\n"):
+            self.assert_fault("set.inp", solid + keyword, "set of elements 'OTHER'", mq.IoError)
+        self.assert_fault("many.su2", "NDIME= 3\nNELEM= 1\n10 0 1 2 3 0\nNPOIN= 4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\nNMARK= 1000000000\n",
+                          "announces 1,000,000,000 markers and has 0", mq.IoError)
         for name, words in (("nowhere.msh", "no such file"), ("mesh.stl", "ends in one of")):
             with self.assertRaisesRegex(mq.IoError, words):
                 self.read(name)
@@ -312,6 +326,27 @@ class Faults(ReadingTest):
                 + '</DataArray><DataArray type="Int32" Name="offsets" format="ascii">64</DataArray>'
                 '<DataArray type="UInt8" Name="types" format="ascii">72</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>')
         self.assert_fault("lagrange.vtu", text, "hexahedra of VTK Lagrange", mq.IoError)
+
+    def test_a_name_that_ends_datasets_is_not_written(self):
+        for name in ("-1", " -1"):
+            with self.assertRaisesRegex(mq.InvalidInput, "are not -1; call it '1'"):
+                curved(1, True).write(os.path.join(self.folder, "name.unv"), patches={name: ["Face1"]})
+
+    def test_a_small_file_that_unpacks_to_gigabytes(self):
+        blocks, size = 200, 1 << 24
+        packed = zlib.compress(bytes(size), 9)
+        head = np.array([blocks, size, 0, *[len(packed)] * blocks], dtype="u8").tobytes()
+        text = base64.b64encode(head) + base64.b64encode(packed * blocks)
+        path = os.path.join(self.folder, "bomb.vtu")
+        with open(path, "wb") as file:
+            file.write(b'<VTKFile type="UnstructuredGrid" header_type="UInt64" compressor="vtkZLibDataCompressor"><UnstructuredGrid>'
+                       b'<Piece NumberOfPoints="139810133" NumberOfCells="0"><Points><DataArray type="Float64" format="binary">'
+                       + text + b'</DataArray></Points><Cells><DataArray type="Int64" Name="connectivity" format="binary">' + text
+                       + b"</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>")
+        before = time.process_time()
+        with self.assertRaisesRegex(mq.IoError, "unpack to more than 64 times its size"):
+            mq.read_mesh(path)
+        self.assertLess(time.process_time() - before, 3.0)
 
     def test_odd_meshes_are_taken_with_a_word(self):
         nodes = [*CORNERS, (0, 0, 1), (5, 5, 5)]

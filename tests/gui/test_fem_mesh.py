@@ -16,7 +16,7 @@ from PySide import QtCore, QtGui
 import MeshQuality as mq
 from MeshQuality.core import fem
 from MeshQuality.features import mesh_object
-from MeshQuality.gui import background_recompute, commands, jobs
+from MeshQuality.gui import background_recompute, commands, jobs, trial
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
 import cantilever  # noqa: E402
@@ -66,6 +66,20 @@ class FemMesh(gui_helpers.PanelTest):
             obj = self.made(self.part)
         self.assertGreater(len(set(seen)), 5)
         self.assertEqual(obj.FemMesh.VolumeCount, obj.Elements)
+
+    def test_the_number_of_elements_is_there_before_ok(self):
+        panel = self.panel(commands.FemMesh, self.part)
+        self.until(lambda: "Counting" not in panel.estimate.text())
+        shown = panel.estimate.text()
+        self.assertRegex(shown, r"^[\d,]+ elements, with edges up to \d.* mm$")
+        with mock.patch.object(trial, "_MOMENT", 0.0):
+            panel.options.set_values({"elements_through": 3})
+            self.until(lambda: panel.estimate.text().startswith("About"))
+            panel.options.set_values({"elements_through": 2})
+            self.until(lambda: panel.estimate.text().endswith(shown.split(", ")[-1]))
+        self.finish(panel)
+        made = self.document.ActiveObject.Elements
+        self.assertEqual(int(shown.split()[0].replace(",", "")), made)
 
     def test_the_mesh_is_in_the_active_analysis(self):
         self.analysis(active=False)

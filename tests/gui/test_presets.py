@@ -65,6 +65,12 @@ class Presets(gui_helpers.PanelTest):
 
     def test_booleans_have_none(self):
         panel = self.panel(commands.Boolean, *self.two_boxes())
+        kept = panel.estimate.text()
+        self.assertRegex(kept, r"^Keeps within \d.* mm of the exact result\.$")
+        panel.options.set_values({"tolerance": 0.5})
+        self.assertIn("0.5", panel.estimate.text())
+        panel.options.set_values({"tolerance": None})
+        self.assertEqual(panel.estimate.text(), kept)
         self.assertTrue(panel.presets.isHidden())
 
     def test_rare_options_are_folded_away_unless_they_are_used(self):

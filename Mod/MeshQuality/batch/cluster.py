@@ -10,6 +10,8 @@ import logging
 import os
 import socket
 import sys
+import threading
+import time
 import urllib.parse
 import uuid
 import warnings
@@ -134,7 +136,8 @@ def run(client, plan, parts, finished, work=None):
     """Does the parts, in their order; calls finished(entry) for each once, in the order they end.
 
     work(folder, task, batch) does one, on a worker; part.run unless another one is given.
-    Raises ConnectionError when the scheduler goes away: what was not finished is not done.
+    Raises ConnectionError when the scheduler, or for WAIT_FOR_WORKERS the last worker, goes away: what was not finished is
+    not done.
     """
     from distributed import as_completed
 
@@ -152,13 +155,16 @@ def run(client, plan, parts, finished, work=None):
             tasks[future.key] = part
             flow.add(future)
 
-    ended = 0
+    ended, watch = 0, _WorkerWatch(client, flow)
     try:
         submit(_ahead(client))
+        watch.start()
         for future, result in flow:
             part = tasks.pop(future.key)
             if isinstance(result, dict):
                 finished(result)
+            elif watch.lost:
+                raise ConnectionError("the Dask cluster has no workers any more: start some and run it again to go on")
             elif future.status == "cancelled":
                 raise ConnectionError("the Dask scheduler has gone: run it again to go on")
             else:
@@ -168,7 +174,36 @@ def run(client, plan, parts, finished, work=None):
             wanted = 1 if ended % CHECK_EVERY else _ahead(client) - len(tasks)
             submit(max(0, wanted))
     finally:
+        watch.end()
         _end_work(client, batch, folder)
+
+
+class _WorkerWatch(threading.Thread):
+    """Cancels the futures of `flow` once the cluster has been without workers for WAIT_FOR_WORKERS: Dask would wait for
+    others without an end. `lost` says so.
+    """
+
+    def __init__(self, client, flow):
+        super().__init__(daemon=True)
+        self._client, self._flow, self._ended = client, flow, threading.Event()
+        self.lost = False
+
+    def run(self):
+        """The thread."""
+        seen = time.monotonic()
+        while not self._ended.wait(WAIT_FOR_WORKERS / 20.0):
+            if self._client.status != "running" or self._client.nthreads():
+                seen = time.monotonic()
+            elif time.monotonic() - seen > WAIT_FOR_WORKERS:
+                self.lost = True
+                self._client.cancel(list(self._flow.futures))
+                return
+
+    def end(self):
+        """Watches no longer."""
+        self._ended.set()
+        if self.is_alive():
+            self.join()
 
 
 def _ahead(client):

@@ -32,7 +32,7 @@ class Ledger:
         """Throws away the lines of what must be done, keeps the others; returns the Parts to do.
 
         A line is kept where the options, the version and the content of the file are those of the
-        line, and the mesh that it names is there. `retry`: lines of failures are not. Lines of parts
+        line, and the mesh of the part is there as it was written: by its size, with `check_content` by its content. `retry`: lines of failures are not. Lines of parts
         that are not `chosen`, by name, stay as they are. Also takes away what interrupted writers left
         behind, and lines that are damaged, with a message.
         """
@@ -45,7 +45,7 @@ class Ledger:
             kept.pop(entry["part"], None)  # the last line of a part counts
             doubtful.pop(entry["part"], None)
             part = known.get(entry["part"])
-            if part and self._stands(entry, part, retry):
+            if part and self._stands(entry, part, retry, check_content):
                 same = (entry["size"], entry["mtime_ns"]) == (part.size, part.mtime_ns)
                 (kept if same and not check_content else doubtful)[part.name] = entry
         with ThreadPoolExecutor(8) as pool:
@@ -57,13 +57,23 @@ class Ledger:
         self._sweep()
         return [part for part in parts if part.name not in kept]
 
-    def _stands(self, entry, part, retry):
+    def _stands(self, entry, part, retry, check_content):
         """Whether the entry is good for the part, if its content is still the same."""
         if entry["key"] != self._plan.key or entry["state"] in AGAIN or entry["size"] != part.size:
             return False
         if entry["state"] != "done":
             return not retry
-        return not entry["output"] or (self._plan.out / entry["output"]).is_file()
+        # A line may be edited, or copied from another folder.
+        return entry["output"] == self._plan.output_of(part.name) and (
+            entry["output"] is None or self._is_as_written(entry, check_content))
+
+    def _is_as_written(self, entry, check_content):
+        path = self._plan.out / entry["output"]
+        try:
+            return path.is_file() and path.stat().st_size == entry.get("output_size") and (
+                not check_content or digest_of(path) == entry.get("output_digest"))
+        except OSError:
+            return False
 
     def entries(self, damaged=None):
         """The entries of the file one after the other; damaged(path, line number) hears of bad lines.

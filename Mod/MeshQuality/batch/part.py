@@ -51,6 +51,9 @@ def run(task, batch):
         found["attempts"] = 2
     if found["state"] != "done":
         entry["output"] = None
+    elif entry["output"]:
+        entry["output_size"] = os.path.getsize(task["output_path"])
+        entry["output_digest"] = digest_of(task["output_path"])
     return {**entry, **found}
 
 

@@ -50,6 +50,10 @@ def _outcome(parsed):
 
 
 def _result_of(parsed):
+    try:
+        os.getcwd()
+    except FileNotFoundError as error:
+        raise Error("the working folder is gone: change into one that is there") from error
     with signals_held():
         tempfile.gettempdir()  # Python tries the folder by a file, which an interruption would leave there
     scratch.remove_left()

@@ -5,6 +5,7 @@ Imports nothing of FreeCAD.
 """
 
 import argparse
+import re
 import sys
 
 from .. import inspection_options, offset_options, options, wrap_options
@@ -140,6 +141,9 @@ class Formatter(argparse.RawDescriptionHelpFormatter):
         self._action_max_length = 22  # at least; alone it forgets that commands are indented
 
 
+_NEGATIVE_NUMBER = re.compile(r"-(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$")
+
+
 def parser(batched="triangulate"):
     """The argument parser; `batched` is what `batch` does to each part: its options are taken."""
     top = argparse.ArgumentParser(
@@ -232,10 +236,13 @@ def _add_wrap(commands):
 
 def _new(commands, name, title, description, arguments):
     """A parser of a command. No abbreviations: what a script says must mean the same in all later versions."""
-    return commands.add_parser(name, help=title, description=description, allow_abbrev=False,
+    made = commands.add_parser(name, help=title, description=description, allow_abbrev=False,
                                usage=f"meshquality {name} {arguments} [options]",
                                epilog=EXAMPLES[name].lstrip("\n") + "\n" + STATUS,
                                formatter_class=Formatter)
+    # What argparse takes for a number, not for an option; it knows none with an exponent before Python 3.14.
+    made._negative_number_matcher = _NEGATIVE_NUMBER
+    return made
 
 
 def _add_single(commands, name, title, description):

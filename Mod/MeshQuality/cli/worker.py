@@ -111,6 +111,11 @@ def read_operand(path, name=None):
     return objects[0] if len(objects) == 1 else _shape_of_objects(objects)
 
 
+def _one_line(error):
+    """What an error of FreeCAD says: some have ends of lines in them."""
+    return " ".join(str(error).split())
+
+
 def _read_file(path, name):
     import Part
 
@@ -119,7 +124,7 @@ def _read_file(path, name):
     try:
         shape = Part.read(path)
     except Exception as error:  # noqa: BLE001 - FreeCAD raises many types, some of them its own
-        raise mq.InvalidInput(f"cannot read '{path}': {error}") from error
+        raise mq.InvalidInput(f"cannot read '{path}': {_one_line(error)}") from error
     if shape.isNull():
         raise mq.InvalidInput(f"cannot read '{path}': it holds no shape")
     return shape
@@ -139,7 +144,7 @@ def _objects_in(path, name):
     try:
         document = FreeCAD.openDocument(path)
     except Exception as error:  # noqa: BLE001
-        raise mq.InvalidInput(f"cannot read '{path}': {error}") from error
+        raise mq.InvalidInput(f"cannot read '{path}': {_one_line(error)}") from error
     if name:
         found = [o for o in document.Objects if name in (o.Name, o.Label)][:1]
         if not found:
@@ -228,7 +233,7 @@ def read_mesh(path):
     try:
         mesh = Mesh.Mesh(path)
     except Exception as error:  # noqa: BLE001
-        raise mq.InvalidInput(f"cannot read '{path}': {error}") from error
+        raise mq.InvalidInput(f"cannot read '{path}': {_one_line(error)}") from error
     if mesh.CountFacets == 0:
         raise mq.InvalidInput(f"cannot read '{path}': it holds no triangles")
     return mesh

@@ -12,6 +12,9 @@ _MESHING = 0.4
 # Largest deviation of the meshes of shapes by method, as a fraction of the tolerance. Rays take from the meshes which
 # CAD faces they meet: the finer these are, the fewer rays pass between mesh and face.
 _DEVIATION = {"default": 0.25, "exact": 0.25, "uniform": 1.0 / 16.0}
+# Largest relative error of the volume of a shape by its mesh, where no tolerance is given: the tolerance of a resolution goes by the
+# largest operand, and may be a tenth of the radius of a slender one.
+_VOLUME_ERROR = 0.002
 
 
 class BooleanMesh(SurfaceMesh):
@@ -52,7 +55,8 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
                 operand stays (Wang 2010, Table III). Other methods refuse it
 
     Shapes are meshed first, within a quarter of the tolerance; a sixteenth for method "uniform", whose rays
-    meet the CAD faces themselves. Operands with small faults (holes,
+    meet the CAD faces themselves. Where no tolerance is given, they are meshed as fine as keeps the volume of each to
+    0.2 %, too. Operands with small faults (holes,
     duplicate, flipped or degenerate triangles, self-intersections) are repaired, which the report
     tells. Where no repair closes an operand, method "uniform" takes for its inside where its generalised
     winding number is at least 0.5; report.guessed_share is the share of the surface that this made.
@@ -80,15 +84,26 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
     return run(Operands(sources), values, progress)
 
 
-def run(operands, values, progress=None):
-    """The BooleanMesh of operands that were read, with checked options."""
-    module = extension()
-    core_options, before = module.BooleanOptions(), module.WorkBefore()
+def tolerance_for(values, size):
+    """The tolerance in mm that a Boolean with checked options keeps of operands of this size."""
+    return _core_options(values).tolerance_for(size)
+
+
+def _core_options(values):
+    core_options = extension().BooleanOptions()
     core_options.resolution = values["resolution"]
     core_options.tolerance = values["tolerance"] or 0.0
     core_options.threads = values.get("threads", 0)
     core_options.full = values["full"]
-    meshing = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHING), _DEVIATION[values["method"]])
+    return core_options
+
+
+def run(operands, values, progress=None):
+    """The BooleanMesh of operands that were read, with checked options."""
+    module = extension()
+    core_options, before = _core_options(values), module.WorkBefore()
+    meshing = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHING), _DEVIATION[values["method"]],
+                                 volume_error=None if values["tolerance"] else _VOLUME_ERROR)
     before.seconds, before.notes = operands.seconds, operands.notes
     before.cpu_seconds = operands.cpu_seconds
     try:

@@ -9,6 +9,7 @@ import tempfile
 
 import numpy as np
 
+from .. import files
 from ..errors import IoError
 from .element_arrays import element_blocks, points_of
 from .elements import kinds
@@ -19,6 +20,7 @@ _UNSTRUCTURED, _REAL_DOUBLE, _POINT_RANGE, _FAMILY_SPECIFIED = 3, 4, 4, 25
 _CELL_CENTER, _FACE_CENTER = 3, 4
 _DIMENSIONAL, _UNKNOWN_DIMENSION = 2, 4
 _LENGTHS = {1.0: 4, 0.001: 2}  # by scale: millimetre, metre
+_LEAST_BYTES = 2**19  # of a file beside its arrays
 # By dimension and nodes of an element.
 _TYPES = {(2, 3): 5, (2, 6): 6, (2, 10): 26, (2, 15): 42, (3, 4): 10, (3, 10): 11, (3, 20): 30, (3, 35): 47}
 
@@ -97,6 +99,8 @@ def write(mesh, path, patches, solids, scale):
     tetrahedra = _in_order("tetrahedron", getattr(mesh, "tetrahedra", np.zeros((0, 4), dtype=np.int32)))
     triangles = _in_order("triangle", mesh.triangles)
     cells = len(tetrahedra) or len(triangles)
+    # Below the library HDF5 ends the process, at its end, where a disk was full.
+    files.require_room(path, _LEAST_BYTES + points.nbytes + tetrahedra.nbytes + triangles.nbytes)
     with _File(path) as file:
         base = file.base(3 if len(tetrahedra) else 2)
         zone = file.zone(base, np.array([len(points), cells, 0], dtype=size))

@@ -1,28 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Exodus II files by netCDF: a block a solid and a side set a patch, or a block a patch of a surface."""
 
-import os
-
 import numpy as np
 
 from ..errors import IoError
 from ..version import __version__
 from .element_arrays import element_blocks, points_of, tetrahedra_in_common_order
 
+_FIRST_BYTES = 2**16  # of the file in memory, which grows
 _LONGEST = 32  # characters of a name
 # Side of a tetrahedron, by the corner that is opposite; triangles have sides of another kind.
 _SIDE_OPPOSITE = np.array([2, 3, 1, 4])
 _TYPES = {3: "TRI3", 6: "TRI6", 4: "TETRA", 10: "TETRA10"}
 
 
-def _dataset(path):
+def _dataset():
+    """A netCDF4.Dataset in memory, whose close() gives the content of its file: on a full disk netCDF leaves one behind that
+    ends the process later.
+    """
     try:
         import netCDF4
     except ImportError as error:
         raise IoError("Exodus files need netCDF for Python, which is not there: install it (Debian: python3-netcdf4)") \
             from error
     # The format of offsets of 64 bits, which all readers of Exodus know.
-    return netCDF4.Dataset(os.fsdecode(path), "w", format="NETCDF3_64BIT_OFFSET")
+    return netCDF4.Dataset("mesh.exo", "w", format="NETCDF3_64BIT_OFFSET", memory=_FIRST_BYTES)
 
 
 def write(mesh, path, patches, solids, scale):
@@ -37,15 +39,17 @@ def write(mesh, path, patches, solids, scale):
         blocks = [(name, mesh.triangles[members] + 1, members)
                   for name, members in element_blocks(patches.names, patches.of_triangle)]
         sides = []
-    with _dataset(path) as data:
-        data.set_auto_mask(False)
-        _head(data, len(points), sum(len(nodes) for _, nodes, _ in blocks))
-        data.createDimension("num_dim", 3)
-        for axis, column in zip("xyz", points.T):
-            data.createVariable(f"coord{axis}", "f8", ("num_nodes",))[:] = column
-        _names(data, "coor_names", "num_dim", ["x", "y", "z"])
-        _blocks(data, blocks)
-        _sets(data, sides)
+    data = _dataset()
+    data.set_auto_mask(False)
+    _head(data, len(points), sum(len(nodes) for _, nodes, _ in blocks))
+    data.createDimension("num_dim", 3)
+    for axis, column in zip("xyz", points.T):
+        data.createVariable(f"coord{axis}", "f8", ("num_nodes",))[:] = column
+    _names(data, "coor_names", "num_dim", ["x", "y", "z"])
+    _blocks(data, blocks)
+    _sets(data, sides)
+    with open(path, "wb") as stream:
+        stream.write(data.close())
 
 
 def _numbers(parts, count):

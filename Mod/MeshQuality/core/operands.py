@@ -24,6 +24,11 @@ from .triangulation import triangulate
 # coordinates within 4 times the shape's size.
 _FINEST_CHORD = 4.0 * 3.0**0.5 * 2.0**-24
 _FRAME = 4.0
+# Meshes that keep the volume: how much coarser the first one is, by which the error is found; how often a finer one is made;
+# the error that is accepted, as a fraction of that allowed, and the one that is aimed at; how much finer at most in one step; triangles that
+# are expected of a finer one at most.
+_COARSE, _FINER, _ACCEPTED, _AIM, _STEP, _MOST = 4.0, 3, 0.85, 0.75, 1.0 / 32.0, 500_000
+_MOST_NOTES = 3  # of operands that are shapes; more are told in one
 # Fraction of the size of all operands that a Boolean asks for at least.
 _FINEST_TOLERANCE = 4.0 * 2.0**-23
 
@@ -51,6 +56,8 @@ class Operands:
     def __init__(self, sources):
         self.seconds, self.cpu_seconds, self.notes, self.deviation = [], 0.0, [], 0.0
         self._sources = sources
+        self._volume_error = None
+        self._deviations = []  # (name, mm) of operands whose meshes have nothing else to tell
         self._letters = letters(len(sources))
         self._names = [f"operand {letter}" for letter in self._letters]
         self._taken = [self._take(i) for i in range(len(sources))]
@@ -91,12 +98,14 @@ class Operands:
         with self._stage("reading the operands"):
             return [self._read(i) for i in range(len(self._taken))]
 
-    def mesh_shapes(self, core_options, progress, fraction=0.5, min_angle=None, any_faces=False):
+    def mesh_shapes(self, core_options, progress, fraction=0.5, min_angle=None, any_faces=False, volume_error=None):
         """Meshes the operands that are shapes, as far from them as this fraction of the tolerance of these
         core.BooleanOptions, on as many threads as these say.
 
         min_angle  degrees, the bound on the angles of the meshes; None: that of triangulate
         any_faces  also shapes with faces that we cannot mesh, as mesh_within does, with notes of that only
+        volume_error
+                   relative: meshes are finer where they would change the volume of a shape by more
 
         Returns whether there were any.
         """
@@ -104,11 +113,13 @@ class Operands:
         if not shapes:
             return False
         meshing = {"threads": core_options.threads, **({} if min_angle is None else {"min_angle": min_angle})}
+        self._volume_error = volume_error
         with self._stage("meshing shapes"):
             wanted = self._possible(core_options.tolerance_for(self.size()))
             for done, i in enumerate(shapes):
                 part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
                 self._found[i] = self._mesh_shape(i, fraction * wanted, part, meshing, any_faces)
+        self._note_deviations()
         return True
 
     def _possible(self, tolerance):
@@ -220,13 +231,28 @@ class Operands:
 
     def _mesh_of_all_faces(self, i, shape, chord_height, progress, meshing):
         """(Surface, its distance from the shape, whether it may be rounded, note)."""
-        mesh = triangulate(shape, chord_height=chord_height, progress=progress, **meshing)
-        require_complete(mesh.report, chord_height)
+        volume_error = 0.0
+        if self._volume_error is None:
+            mesh = _complete(shape, chord_height, progress, meshing)
+        else:
+            mesh, volume_error = _keeping_volume(shape, chord_height, self._volume_error, progress, meshing)
         mixed = isinstance(self._found[i], _Mixed)
+        if not mixed and volume_error <= (self._volume_error or 1.0):
+            self._deviations.append((self._names[i], mesh.report.max_chord_height))
+            return mesh._surface, mesh.report.max_chord_height, False, ""
+        volume = f", and its volume by about {100.0 * volume_error:.2g} %" if volume_error > (self._volume_error or 1.0) else ""
         what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
         return mesh._surface, mesh.report.max_chord_height, False, (
             f"{self._names[i]} {what} deviates by at most {mesh.report.max_chord_height:.3g} mm from "
-            f"{'them' if mixed else 'it'}; the error bound is that of the Boolean of the meshes")
+            f"{'them' if mixed else 'it'}{volume}; the error bound is that of the Boolean of the meshes")
+
+    def _note_deviations(self):
+        """A note for each operand of _deviations, for many of them one."""
+        told = [(f"{name} is a shape: its mesh deviates", deviation, "it") for name, deviation in self._deviations]
+        if len(told) > _MOST_NOTES:
+            told = [(f"{len(told)} operands are shapes: their meshes deviate", max(note[1] for note in told), "them")]
+        self.notes += [f"{what} by at most {deviation:.3g} mm from {those}; the error bound is that of the Boolean of the meshes"
+                       for what, deviation, those in told]
 
     def _any_mesh(self, i, shape, chord_height, progress, meshing):
         """As _mesh_of_all_faces, of mesh_within."""
@@ -241,6 +267,36 @@ class Operands:
         if not labels or not any(name in str(error) for name in self._names):
             return error
         return type(error)(f"{error} ({', '.join(labels)})")
+
+
+def _complete(shape, chord_height, progress, meshing):
+    """The SurfaceMesh of all of the shape."""
+    mesh = triangulate(shape, chord_height=chord_height, progress=progress, **meshing)
+    require_complete(mesh.report, chord_height)
+    return mesh
+
+
+def _keeping_volume(shape, chord_height, error, progress, meshing):
+    """(the same, as fine as a relative error of its volume needs, and that error). The volume of a mesh errs by a multiple of
+    its chord height: two meshes tell by which (Richardson's extrapolation).
+    """
+    share = 1.0 / (_FINER + 2)
+    coarse = _complete(shape, _COARSE * chord_height, part_of(progress, 0.0, share), meshing)
+    if not coarse.report.closed or coarse.report.max_chord_height <= 0.0:
+        return _complete(shape, chord_height, part_of(progress, share, 1.0), meshing), 0.0
+    longer = _COARSE * chord_height
+    for step in range(1, _FINER + 2):
+        mesh = _complete(shape, chord_height, part_of(progress, step * share, (step + 1) * share), meshing)
+        volume = abs(mesh.report.volume)
+        found = abs(volume - abs(coarse.report.volume)) * chord_height / (longer - chord_height)
+        if found <= _ACCEPTED * error * volume:
+            break
+        finer = max(_AIM * error * volume / found, _STEP)
+        if mesh.report.triangles > finer * _MOST:
+            break
+        coarse, longer = mesh, chord_height
+        chord_height *= finer
+    return mesh, found / volume
 
 
 def _shape_in(found):

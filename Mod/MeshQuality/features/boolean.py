@@ -8,7 +8,7 @@ import FreeCAD
 
 from .. import options, phrases
 from ..core import frames, verdict
-from ..core.booleans import run
+from ..core.booleans import run, tolerance_for
 from ..core.operands import Operands
 from ..errors import InvalidInput
 from . import mesh_object, properties, transactions
@@ -78,6 +78,19 @@ class MeshBoolean(mesh_object.MeshObject):
         return Work(sources, values,
                     lambda: operands.digest() + json.dumps(values, sort_keys=True),
                     partial(cls.compute, operands, values))
+
+    @classmethod
+    def size_of(cls, sources):
+        """That of all sources together."""
+        try:
+            return Operands(sources).size()
+        except InvalidInput:
+            return 0.0
+
+    @classmethod
+    def kept_length(cls, values, size):
+        """The tolerance, or that of the resolution."""
+        return tolerance_for(values, size)
 
     @classmethod
     def few(cls, count):

@@ -11,7 +11,7 @@ from functools import partial
 
 import FreeCAD
 
-from .. import options, phrases
+from .. import fem_options, options, phrases
 from ..compat import fem_source_property
 from ..core import convert, fem, fem_places, frames, given
 from ..core.certification import certify
@@ -39,7 +39,7 @@ class CuredMeshObject(fem_mesh.FemMeshObject):
     """Proxy of a Fem::FemMeshObjectPython that holds the cured elements of another FEM mesh."""
 
     COMMAND, CALL = "MeshQuality_Cure", "add_cured_mesh"
-    OPTIONS, PRESETS = options.CURE, ()
+    OPTIONS, PRESETS = fem_options.CURE, ()
     LINKS = ("Source", "SourcePath", "Given")
     MEASURED = (*fem_mesh.FemMeshObject.MEASURED, *_FOUND)
     HIDDEN = (*fem_mesh.FemMeshObject.HIDDEN, _GROUPS)

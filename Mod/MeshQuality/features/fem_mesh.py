@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import FreeCAD
 
-from .. import options, phrases
+from .. import fem_options, options, phrases
 from ..compat import fem_source_property
-from ..core import fem, frames
+from ..core import fem, fem_size, frames, hidden_parts
 from ..core.curving import curve
 from ..errors import InvalidInput
 from . import curved_mesh, fem_groups, mesh_object, transactions
@@ -28,7 +28,7 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
     TYPE, MESH = "Fem::FemMeshObjectPython", "FemMesh"
     LEAVES_CONTAINERS = True
     COMMAND, CALL = "MeshQuality_FemMesh", "add_fem_mesh"
-    OPTIONS, PRESETS = options.FEM, options.FEM_PRESETS
+    OPTIONS, PRESETS = fem_options.FEM, fem_options.FEM_PRESETS
     BOUND_BEFORE = options.RELATIVE
     PROMISES, MEASURED = curved_mesh.PROMISES, curved_mesh.MEASURED
     HIDDEN = (PART,)
@@ -71,8 +71,10 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
     @classmethod
     def compute(cls, shape, values, progress):
         """The Result."""
-        volume = values["volume"] and bool(shape.Solids)
-        curved = curve(shape, **{**values, "volume": volume}, progress=progress)
+        length, note = fem_size.longest_edge(shape, values)
+        values = {**values, "volume": values["volume"] and bool(shape.Solids), "max_edge": length}
+        del values["elements_through"]
+        curved = hidden_parts.noted(curve(shape, **values, progress=progress), [note] if note else [])
         return Result(fem.elements_of(curved, groups=True), curved_mesh.Proof(curved, shape, values))
 
     def take(self, obj, result):
@@ -121,7 +123,8 @@ def add_fem_mesh(source, analysis=None, **values):
     analysis  Fem::FemAnalysis that gets the mesh; None: in the window the active one, else the one that lists
               what is selected, or `source`; else no one
     values    the options of curve, except progress; order is 1 or 2, imprint and volume are True unless given; a
-              shape without solids makes triangles
+              shape without solids makes triangles. elements_through: without max_edge, how many elements a wall
+              has through its thickness, 2 unless given
 
     Its property FemMesh is a Fem.FemMesh as CurvedMesh.to_fem_mesh(groups=True) makes it. Returns the object.
     Raises what curve raises, and then adds nothing; Error where FreeCAD is built without its FEM workbench.

@@ -72,6 +72,10 @@ class MeshObject(PlainState):
     holds_mesh(obj)     whether the mesh of its last result is there
     take(obj, result)   shows a result; returns its report and the findings of its certificate, or None
                         where these are not new
+    size_of(sources)    largest dimension of the sources in mm, for people; 0: unknown
+    kept_length(values, size)
+                        class methods: the distance in mm that a result keeps by these options and that size, where the
+                        options do not say it themselves; else None
     BOUND_BEFORE        the bound on the distance in older versions, where neither value was given
     TAKES_MESHES        whether of a container the meshes in it count, too, and not its shape alone
     LEAVES_CONTAINERS   whether the mesh is where the source's own placement has it, whatever containers around
@@ -85,6 +89,16 @@ class MeshObject(PlainState):
     BOUND_BEFORE = options.UNBOUNDED
     _clearing = False
     _precomputed = None  # what with_precomputed gave
+
+    @classmethod
+    def size_of(cls, sources):
+        """As the class says."""
+        return convert.size_of(sources[0])
+
+    @classmethod
+    def kept_length(cls, values, size):
+        """As the class says."""
+        return None
 
     def __init__(self, obj):
         obj.Proxy = self

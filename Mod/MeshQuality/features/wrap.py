@@ -39,6 +39,11 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
     SOURCES = "The objects that are wrapped, with a mesh or a shape"
 
     @classmethod
+    def kept_length(cls, values, size):
+        """The options say it."""
+        return None
+
+    @classmethod
     def few(cls, count):
         """What is said of no source, a Text."""
         return phrases.Text(phrases.NO_SOURCES)

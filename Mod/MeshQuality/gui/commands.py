@@ -23,7 +23,7 @@ from .panels.mesh_panel import MeshPanel
 from .panels.patches_panel import PatchesPanel
 from .picked import picked_faces
 from .translation import translated
-from .trial import Trial
+from .trial import FemTrial, Trial
 from .update import update_in_background
 
 
@@ -60,7 +60,7 @@ class _Command:
         return Operation.of_object(self.TEXT, obj, self.trial(obj.Proxy.sources(obj)))
 
     def trial(self, sources):
-        """Estimates the number of triangles; None: that would take as long as the work itself."""
+        """Estimates the number of triangles or elements; None: that would take as long as the work itself."""
         return None
 
 
@@ -106,6 +106,9 @@ class FemMesh(_Command):
     TEXT = "FEM mesh"
     TIP = "Mesh the selected shapes for FreeCAD's FEM workbench, in the active analysis"
     KEYS = "Q, F"
+
+    def trial(self, sources):
+        return partial(FemTrial, self.KIND, sources)
 
     def selected(self):
         # An analysis may be selected beside the shapes, to say where the mesh belongs.

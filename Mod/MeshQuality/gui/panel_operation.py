@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from .. import options, phrases
-from ..core import convert, frames
+from ..core import frames
 from ..errors import InvalidInput
 from ..features import bindings, mesh_object, properties
 
@@ -49,7 +49,7 @@ class Operation:
 
     def size(self):
         """Largest dimension of the source in mm, for people; 0: unknown."""
-        return convert.size_of(self.sources[0])
+        return self.kind.size_of(self.sources)
 
     def values(self):
         """The options of the object, {} without one."""

@@ -1,39 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The estimate of how many triangles a quality mesh will have: it is tried."""
+"""The estimate of how many triangles a quality mesh, or elements a FEM mesh, will have: it is tried."""
 
 import time
 
+import FreeCAD
+
+from ..core import convert, fem_size
 from ..errors import Cancelled
+from .quantities import length_text
+
+translate = FreeCAD.Qt.translate
 
 _MOMENT = 2.0  # s
 _LIMIT = 50_000  # triangles
 
 
-class Trial:
-    """For a moment it is the work itself, whose result then need not be computed again; where that does
-    not suffice, the same with a limit on the number of triangles.
+class _Moment:
+    """Work that is done for a moment: where that suffices, its result need not be computed again.
 
-    kind, sources, values   of the work
-    obj                     the document object that is edited, or None
+    work   None where it is not to be tried
     """
 
-    def __init__(self, kind, sources, values, obj=None):
-        # The cache of an object has a say in its triangles, and belongs to its own work.
-        alone = getattr(getattr(obj, "Proxy", None), "cache", None) is None
-        self._work = kind.work_on(sources, values, obj) if alone else None
-        limit = min(_LIMIT, values["max_triangles"] or _LIMIT)
-        self._limited = kind.work_on(sources, {**values, "max_triangles": limit})
-        self._all = limit == values["max_triangles"]
+    def __init__(self, work):
+        self._work = work
         self._result = None  # of the work, once it has been computed
-        self.triangles, self.complete = 0, False
-
-    def compute(self, progress):
-        """Fills `triangles` and `complete`, whether there are no more than these; on any thread."""
-        if self._work is not None:
-            self._result = self._for_a_moment(progress)
-        report = (self._limited.result(progress) if self._result is None else self._result)[0].report
-        self.complete = self._result is not None or self._all or report.complete
-        self.triangles = report.triangles if self.complete else _LIMIT
 
     def _for_a_moment(self, progress):
         """The result of the work, or None."""
@@ -56,3 +46,68 @@ class Trial:
         same = self._result is not None and self._work.values == work.values \
             and self._work.fingerprint == work.fingerprint
         return self._result if same else work.result(progress)
+
+
+class Trial(_Moment):
+    """That of a quality mesh; where a moment does not suffice, the same with a limit on the number of triangles.
+
+    kind, sources, values   of the work
+    obj                     the document object that is edited, or None
+    """
+
+    def __init__(self, kind, sources, values, obj=None):
+        # The cache of an object has a say in its triangles, and belongs to its own work.
+        alone = getattr(getattr(obj, "Proxy", None), "cache", None) is None
+        super().__init__(kind.work_on(sources, values, obj) if alone else None)
+        limit = min(_LIMIT, values["max_triangles"] or _LIMIT)
+        self._limited = kind.work_on(sources, {**values, "max_triangles": limit})
+        self._all = limit == values["max_triangles"]
+        self.count, self.complete = 0, False
+
+    def compute(self, progress):
+        """Fills `count` and `complete`, whether there are no more than these; on any thread."""
+        if self._work is not None:
+            self._result = self._for_a_moment(progress)
+        report = (self._limited.result(progress) if self._result is None else self._result)[0].report
+        self.complete = self._result is not None or self._all or report.complete
+        self.count = report.triangles if self.complete else _LIMIT
+
+    @staticmethod
+    def begun():
+        """What is said while it runs."""
+        return translate("MeshQuality", "Counting triangles ...")
+
+    @staticmethod
+    def words(trials):
+        """What is said of the triangles of all of these trials, {} for their number."""
+        return translate("MeshQuality", "{} triangles") if all(trial.complete for trial in trials) \
+            else translate("MeshQuality", "More than {} triangles")
+
+
+class FemTrial(_Moment):
+    """That of a FEM mesh; where a moment does not suffice, the number that its longest edge lets expect."""
+
+    def __init__(self, kind, sources, values, obj=None):
+        super().__init__(kind.work_on(sources, values, obj))
+        self._shape, self._values = convert.own_shape_of(sources[0]), values
+        self.count, self.complete, self.length = 0, False, 0.0
+
+    def compute(self, progress):
+        """Fills `count`, `complete`, whether that is exact, and `length`, that of the longest edges; on any thread."""
+        self._result = self._for_a_moment(progress)
+        self.complete = self._result is not None
+        self.length, _ = fem_size.longest_edge(self._shape, self._values)
+        self.count = self._result[0].proof.report.elements if self.complete \
+            else fem_size.expected_elements(self._shape, self._values)
+
+    @staticmethod
+    def begun():
+        """What is said while it runs."""
+        return translate("MeshQuality", "Counting elements ...")
+
+    @staticmethod
+    def words(trials):
+        """What is said of the elements of all of these trials, {} for their number."""
+        text = translate("MeshQuality", "{} elements, with edges up to {}") if all(trial.complete for trial in trials) \
+            else translate("MeshQuality", "About {} elements, with edges up to {}")
+        return text.format("{}", length_text(max(trial.length for trial in trials)))

@@ -46,12 +46,17 @@ def write(path, points, volumes, boundary):
               "ElemCounter": np.array([(number, (elements.types == number).sum()) for number in _COUNTED], dtype=np.int32)}
     counts = {"Ngeo": order, "nElems": len(zones), "nSides": len(sides.number), "nNodes": len(numbers),
               "nUniqueSides": np.abs(sides.number).max(), "nUniqueNodes": numbers.max(), "nBCs": len(names)}
-    with h5py.File(path, "w") as file:
+    # In memory, as HDF5 ends the process where a disk is full.
+    with h5py.File(path, "w", driver="core", backing_store=False) as file:
         file.attrs["Version"] = np.array([1.0])
         for name, count in counts.items():
             file.attrs[name] = np.array([count], dtype=np.int32)
         for name, array in arrays.items():
             file[name] = array
+        file.flush()
+        image = file.id.get_file_image()
+    with open(path, "wb") as stream:
+        stream.write(image)
 
 
 def _order_of(volumes):

@@ -59,6 +59,8 @@ class _Reader:
             self.parts_seen += 1
             if self.parts_seen > 1:
                 raise unsupported("several parts that number their nodes alike (*PART)")
+        elif keyword == "SYSTEM" and body.strip():
+            raise unsupported("nodes in a coordinate system of their own (*SYSTEM)")
         elif keyword == "INSTANCE" and body.strip():
             raise unsupported("an instance that is moved (*INSTANCE)")
         elif keyword == "INCLUDE":
@@ -117,7 +119,10 @@ class _Reader:
         if re.fullmatch(r"\d{1,10}", word):
             return np.array([int(word)])
         name = word.strip('"').upper()
-        return np.concatenate(self.sets[name][1]) if name in self.sets else np.zeros(0, dtype=np.int64)
+        if name not in self.sets:
+            raise IoError(f"it names the set of elements {word!r}, which is not there before: write that *ELSET first, or take the "
+                          "name out")
+        return np.concatenate(self.sets[name][1])
 
     def _surface(self, name, body):
         numbers, sides = self.surfaces.setdefault(name, ([], []))

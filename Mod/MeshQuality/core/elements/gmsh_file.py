@@ -41,6 +41,10 @@ class _Text:
         """How many numbers there still are, at most."""
         return len(self._numbers) - self._at
 
+    def at_end(self):
+        """Whether nothing of the section is left."""
+        return not self.left()
+
 
 class _Binary:
     """Likewise out of a section that is binary."""
@@ -59,6 +63,10 @@ class _Binary:
     def left(self):
         """How many numbers there still are, at most."""
         return (len(self._data) - self.end) // 4
+
+    def at_end(self):
+        """Whether nothing of the section is left."""
+        return self._data[self.end:self.end + 8].lstrip().startswith(b"$End")
 
 
 class _Reader:
@@ -151,7 +159,7 @@ class _Reader:
             width = 3 + (dimension if parametric and 0 <= dimension <= 3 else 0)
             points.append(cursor.take("f8", count * width).reshape(count, width)[:, :3])
         self.parts.point_numbers, self.parts.points = np.concatenate(numbers), np.concatenate(points)
-        return cursor.end
+        return _end_of(cursor, name)
 
     def _elements(self, name):
         if self.version < 4:
@@ -168,7 +176,7 @@ class _Reader:
             self._add(number, rows[:, 1:], rows[:, 0], np.full(len(rows), self.parents.get((dimension, tag), tag)))
             for physical in dict.fromkeys(self.physical.get((dimension, tag), ())):
                 self.parts.add_to_group(self._name_of(dimension, physical), rows[:, 0])
-        return cursor.end
+        return _end_of(cursor, name)
 
     def _add(self, number, nodes, numbers, entities):
         self.parts.sections.append(Section(TYPES[number][0], nodes, numbers, np.maximum(entities - 1, -1)))
@@ -191,7 +199,7 @@ class _Reader:
         cursor = _Text(self.data, self.at, name)
         rows = cursor.take("f8", 4 * count).reshape(count, 4)
         self.parts.point_numbers, self.parts.points = whole(rows[:, 0]), rows[:, 1:]
-        return cursor.end
+        return _end_of(cursor, name)
 
     def _elements_2(self, name):
         count, self.at = self._count_line("elements")
@@ -209,6 +217,8 @@ class _Reader:
                 self._add_2(number, rows[:, 0], rows[:, 3:3 + tags], rows[:, 3 + tags:])
             if count:
                 raise IoError(f"$Elements lacks {count:,} elements that it announces: the file is cut off; {REMEDY}")
+            if at < len(values):
+                raise _more_than_announced(name)
             return cursor.end
         cursor = _Binary(self.data, self.at, self.order)
         while count > 0:
@@ -219,7 +229,7 @@ class _Reader:
             rows = cursor.take("i4", count_within(following, count, "elements") * width).reshape(following, width)
             count -= following
             self._add_2(number, rows[:, 0], rows[:, 1:1 + tags], rows[:, 1 + tags:])
-        return cursor.end
+        return _end_of(cursor, name)
 
     def _add_2(self, number, numbers, tags, nodes):
         if number == _POINT:
@@ -229,6 +239,16 @@ class _Reader:
         physical = tags[:, 0] if tags.shape[1] else none
         for tag in np.unique(physical[physical != 0]).tolist():
             self.parts.add_to_group(self._name_of(DIMENSION[TYPES[number][0]], tag), numbers[physical == tag])
+
+
+def _end_of(cursor, name):
+    if not cursor.at_end():
+        raise _more_than_announced(name)
+    return cursor.end
+
+
+def _more_than_announced(name):
+    return IoError(f"${name.decode()} has more than it announces: it is damaged; {REMEDY}")
 
 
 def _type(number):

@@ -19,6 +19,7 @@ def read(path):
     data = re.sub(rb"%.*", b"", content(path).replace(b"\r", b""))
     entries = list(re.finditer(rb"^[ \t]*([A-Z_]+)[ \t]*=[ \t]*(.*)$", data, re.M))
     parts, dimension, marker, last = Parts(None, []), None, None, 0
+    markers, announced = 0, None
     for entry, end in zip(entries, [*(entry.start() for entry in entries[1:]), len(data)]):
         name, value, body = entry[1], entry[2].strip(), data[entry.end():end]
         if name == b"NDIME":
@@ -29,6 +30,9 @@ def read(path):
             parts.points = _points(int(value.split()[0]), body, dimension)
         elif name == b"MARKER_TAG":
             marker = words_of(value)
+            markers += 1
+        elif name == b"NMARK":
+            announced = int(value.split()[0])
         elif name in (b"NELEM", b"MARKER_ELEMS"):
             for kind, nodes in _elements(int(value.split()[0]), body):
                 numbers = np.arange(last + 1, last + 1 + len(nodes))
@@ -38,6 +42,8 @@ def read(path):
                     parts.add_to_group(marker or "marker", numbers)
     if dimension not in (2, 3) or parts.points is None:
         raise IoError("it has no NDIME= or no NPOIN=: it is cut off, or no mesh of SU2")
+    if announced not in (None, markers):
+        raise IoError(f"it announces {announced:,} markers and has {markers:,}: it is cut off or damaged; {REMEDY}")
     return parts
 
 

@@ -16,7 +16,9 @@ from .parts import REMEDY, Parts, content, count_within, numbers_in, unsupported
 _TYPES = {"Float32": "f4", "Float64": "f8", "Int8": "i1", "Int16": "i2", "Int32": "i4", "Int64": "i8", "UInt8": "u1",
           "UInt16": "u2", "UInt32": "u4", "UInt64": "u8"}
 _NEWER = ("2.2", "2.3")  # versions
-_LARGEST = 1 << 34  # bytes of one array
+# Bytes that all compressed arrays of a file may unpack to: a multiple of the size of the file, and a constant. A mesh
+# of 1.7 million equal hexahedra unpacks to 8 times its size.
+_RATIO, _MORE = 64, 1 << 26
 
 
 def _zlib(data, most):
@@ -33,7 +35,8 @@ _COMPRESSORS = {"vtkZLibDataCompressor": _zlib, "vtkLZMADataCompressor": _lzma}
 class _Arrays:
     """Reads the DataArrays of a file."""
 
-    def __init__(self, root, appended):
+    def __init__(self, root, appended, size):
+        self._left = _RATIO * size + _MORE
         self._order = ">" if root.get("byte_order") == "BigEndian" else "<"
         self._head = np.dtype(_TYPES[root.get("header_type", "UInt32")]).newbyteorder(self._order)
         name = root.get("compressor")
@@ -70,8 +73,12 @@ class _Arrays:
             data, length = _decoded(data[-(-length // 3) * 4:], sum(head[3:])), 0
         found, most = [], head[1]
         for stored in head[3:]:
-            found.append(self._decompress(_cut(data, length, stored), count_within(most, _LARGEST, "bytes")))
+            found.append(self._decompress(_cut(data, length, stored), max(1, min(most, self._left + 1))))
             length += stored
+            self._left -= len(found[-1])
+            if self._left < 0:
+                raise IoError(f"its arrays unpack to more than {_RATIO} times its size, which no mesh does: it is damaged; write it "
+                              "without compression")
         return b"".join(found)
 
 
@@ -99,7 +106,7 @@ def read(path):
     root = ElementTree.fromstring(data)
     if root.tag != "VTKFile" or root.get("type") != "UnstructuredGrid":
         raise IoError(f"it holds {root.get('type') or root.tag}, not UnstructuredGrid: write the mesh as one")
-    arrays = _Arrays(root, (raw, encoded))
+    arrays = _Arrays(root, (raw, encoded), len(data) + len(raw))
     known = vtk_cells.NEWER_CELLS if root.get("version") in _NEWER else vtk_cells.CELLS
     parts, points, first = Parts(None, []), [], 0
     for piece in root.iter("Piece"):

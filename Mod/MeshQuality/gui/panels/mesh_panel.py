@@ -13,7 +13,7 @@ from ...core.operands import letters
 from ...errors import Error
 from .. import background, background_recompute, jobs, panel_operation, preferences
 from ..certificate_box import CertificateBox
-from ..quantities import count_text
+from ..quantities import count_text, length_text
 from ..translation import translated
 from ..view import badge
 from .option_form import OptionForm
@@ -260,9 +260,13 @@ class MeshPanel:
         if self.operations[0].trial is not None:
             self._counting()
             self._timer.start()
+        kept = self.operations[0].kind.kept_length(self.options.values(), self._size)
+        if kept:
+            self.estimate.setText(translate("MeshQuality", "Keeps within {} of the exact result.").format(length_text(kept)))
+            self.estimate.show()
 
     def _counting(self):
-        self.estimate.setText(translate("MeshQuality", "Counting triangles ..."))
+        self.estimate.setText(self.operations[0].trial.func.begun())
 
     def _start_trial(self):
         try:
@@ -280,10 +284,7 @@ class MeshPanel:
 
     def _show_estimate(self, trials):
         self._trials = trials
-        count = sum(trial.triangles for trial in trials)
-        words = translate("MeshQuality", "{} triangles") if all(trial.complete for trial in trials) \
-            else translate("MeshQuality", "More than {} triangles")
-        self.estimate.setText(words.format(count_text(count)))
+        self.estimate.setText(trials[0].words(trials).format(count_text(sum(trial.count for trial in trials))))
 
     def _end_trial(self):
         self._timer.stop()
