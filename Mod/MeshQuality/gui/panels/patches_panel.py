@@ -15,7 +15,7 @@ from ..sub_elements import select_face
 from ..translation import translated
 from ..view import badge
 from .mesh_panel import title_of
-from .task_form import ClosesWithDocument, Message
+from .task_form import ClosesWithDocument, Form, Message
 
 translate = FreeCAD.Qt.translate
 
@@ -33,7 +33,7 @@ class PatchesPanel:
         self.obj, self.said = obj, ""
         self.members = obj.Proxy.faces(obj).members
         self._document = obj.Document.Name
-        self.form = QtGui.QWidget()
+        self.form = Form()
         self.form.setWindowTitle(title_of("MeshQuality_Patches", "Patches"))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of("MeshQuality_Patches")))
         self._document_watch = ClosesWithDocument(self._document, self.form, self._close)

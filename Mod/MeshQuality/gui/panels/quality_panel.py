@@ -20,6 +20,7 @@ from ..translation import translated
 from ..view import badge, colour_scale
 from ..view.quality_scene import QualityScene
 from .histogram import HistogramView
+from .task_form import Form
 
 translate = FreeCAD.Qt.translate
 
@@ -88,7 +89,7 @@ class QualityPanel:
         self.measures.currentIndexChanged.connect(self._choose_measure)
 
     def _make_form(self):
-        self.form = QtGui.QWidget()
+        self.form = Form()
         self.form.setWindowTitle(translate("MeshQuality", "Mesh quality"))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of("MeshQuality_Analyse")))
         of, self.summary = QtGui.QLabel(
