@@ -9,10 +9,11 @@ from typing import Optional
 import FreeCAD
 import numpy as np
 
-from .. import phrases
+from .. import fault_phrases, phrases
 from ..compat import extension, property_of
 from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
+from ..core.faults import find_faults
 from ..core.patches import patches_of
 from ..core.surface_mesh import SurfaceMesh
 from ..core.thickness import thickness
@@ -325,10 +326,11 @@ class QualityData:
         """How thick the wall behind each triangle is, mm, by spheres; infinite where there is no wall."""
         mesh = SurfaceMesh(self._measured())
         if not mesh.report.closed:
-            raise InvalidInput(phrases.Text(phrases.NO_THICKNESS_OPEN, count=f"{mesh.report.border_edges:,}"))
+            raise InvalidInput(phrases.Text(fault_phrases.NO_THICKNESS_OPEN, count=f"{mesh.report.border_edges:,}"))
         found = thickness(mesh, progress=progress)
         if not np.array_equal(found.mesh.triangles, mesh.triangles):
-            raise InvalidInput(phrases.Text(phrases.NO_THICKNESS_FAULTS))
+            faults = find_faults(self._surface, progress)
+            raise InvalidInput(phrases.Text(fault_phrases.NO_THICKNESS_FAULTS, list=[kind.words() for kind in faults]))
         return np.where(found.is_wall, found.values, np.inf)
 
     def faces(self, values, measure):
