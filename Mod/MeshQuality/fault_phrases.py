@@ -14,7 +14,7 @@ FAULTS = {
                  "{count} pairs of triangles that touch or fold onto each other"),
 }
 AT_LEAST = "at least {phrase}"
-HAS_FAULTS = "faults: {list}; the command Repair mesh removes them"
+HAS_FAULTS = "the mesh has {list}; the command Repair mesh mends faults"
 REPAIRS = "repairs: {list}"
 NO_THICKNESS_OPEN = "the mesh has {count} open edges: only solids have walls; close it first"
 NO_THICKNESS_FAULTS = "walls cannot be measured where the mesh has {list}: repair it by the command Repair mesh first"

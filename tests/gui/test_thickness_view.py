@@ -62,7 +62,7 @@ class ThicknessView(gui_helpers.PanelTest):
         source.Mesh = Mesh.createPlane(5, 5)
         panel = self.opened(source)
         gui_helpers.wait(0.2)
-        self.assertIn("the mesh has 4 open edges: only solids have walls", panel.summary.text())
+        self.assertIn("The mesh has 4 open edges: only solids have walls", panel.summary.text())
 
     def test_it_is_for_one_flat_mesh(self):
         box = self.box()

@@ -322,6 +322,10 @@ class QualityData:
         """The largest distance of each triangle from the shape that was meshed, mm."""
         return extension().triangle_deviations(self._surface, self._shape, progress)
 
+    def faults(self, progress=None):
+        """[core.faults.Faults, ...] of flat triangles, see core.faults."""
+        return find_faults(self._surface, progress)
+
     def thicknesses(self, progress=None):
         """How thick the wall behind each triangle is, mm, by spheres; infinite where there is no wall."""
         mesh = SurfaceMesh(self._measured())
@@ -329,8 +333,8 @@ class QualityData:
             raise InvalidInput(phrases.Text(fault_phrases.NO_THICKNESS_OPEN, count=f"{mesh.report.border_edges:,}"))
         found = thickness(mesh, progress=progress)
         if not np.array_equal(found.mesh.triangles, mesh.triangles):
-            faults = find_faults(self._surface, progress)
-            raise InvalidInput(phrases.Text(fault_phrases.NO_THICKNESS_FAULTS, list=[kind.words() for kind in faults]))
+            faults = [kind.words() for kind in self.faults(progress)]
+            raise InvalidInput(phrases.Text(fault_phrases.NO_THICKNESS_FAULTS, list=faults))
         return np.where(found.is_wall, found.values, np.inf)
 
     def faces(self, values, measure):
