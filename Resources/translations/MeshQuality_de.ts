@@ -639,6 +639,14 @@
         <source>Whether bodies of a shape that overlap, lie in one another or cross are a fault of the mesh, or allowed; the report names them</source>
         <translation>Ob Körper einer Form, die sich überlappen, ineinander liegen oder sich schneiden, ein Fehler des Netzes sind oder erlaubt; der Bericht nennt sie</translation>
     </message>
+    <message>
+        <source>Largest distance between the repaired surface and the given one, but for holes that are closed; 0: size / 300</source>
+        <translation>Größter Abstand zwischen der reparierten Oberfläche und der gegebenen, außer an Löchern, die geschlossen werden; 0: Größe / 300</translation>
+    </message>
+    <message>
+        <source>The object whose mesh is repaired</source>
+        <translation>Das Objekt, dessen Netz repariert wird</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2731,10 +2739,6 @@
         <translation>Durchmesser der größten Kugel im Körper, die dort die Oberfläche berührt; ∞ = keine Wand.</translation>
     </message>
     <message>
-        <source>the mesh has faults: repair it by a Boolean first</source>
-        <translation>das Netz hat Fehler: erst durch eine boolesche Operation reparieren</translation>
-    </message>
-    <message>
         <source>the mesh has {count} open edges: only solids have walls; close it first</source>
         <translation>das Netz hat {count} offene Kanten: nur Körper haben Wände; erst schließen</translation>
     </message>
@@ -2982,6 +2986,126 @@
         <source>{name} and {name2} count as one, as they are no farther apart than {length}: that makes a corner of {number}°, which the shape does not have and a smaller max. deviation avoids, between {edge} and {edge2} at {vertex}</source>
         <translation>{name} und {name2} gelten als eins, da sie höchstens {length} voneinander entfernt sind: dadurch entsteht bei {vertex} zwischen {edge} und {edge2} eine Ecke von {number}°, die die Form nicht hat und eine kleinere max. Abweichung vermeidet</translation>
     </message>
+    <message>
+        <source>Show next</source>
+        <translation>Nächste Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Moves the camera to the next fault of the kind that is marked</source>
+        <translation>Bewegt die Kamera zum nächsten Fehler der markierten Art</translation>
+    </message>
+    <message>
+        <source>Searching for faults ...</source>
+        <translation>Suche nach Fehlern ...</translation>
+    </message>
+    <message>
+        <source>Searching for faults</source>
+        <translation>Suche nach Fehlern</translation>
+    </message>
+    <message>
+        <source>Faults; click to show where:</source>
+        <translation>Fehler; ein Klick zeigt, wo:</translation>
+    </message>
+    <message>
+        <source>The mesh has no faults.</source>
+        <translation>Das Netz hat keine Fehler.</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>1 duplicate triangle</source>
+        <translation>1 doppeltes Dreieck</translation>
+    </message>
+    <message>
+        <source>1 edge between triangles of opposite orientation</source>
+        <translation>1 Kante zwischen entgegengesetzt orientierten Dreiecken</translation>
+    </message>
+    <message>
+        <source>1 edge with three or more triangles</source>
+        <translation>1 Kante mit drei oder mehr Dreiecken</translation>
+    </message>
+    <message>
+        <source>1 open edge</source>
+        <translation>1 offene Kante</translation>
+    </message>
+    <message>
+        <source>1 pair of triangles that cross</source>
+        <translation>1 Paar von Dreiecken, die sich durchdringen</translation>
+    </message>
+    <message>
+        <source>1 pair of triangles that touch or fold onto each other</source>
+        <translation>1 Paar von Dreiecken, die sich berühren oder aufeinander gefaltet sind</translation>
+    </message>
+    <message>
+        <source>1 triangle without area</source>
+        <translation>1 Dreieck ohne Fläche</translation>
+    </message>
+    <message>
+        <source>1 vertex at which the surface only touches itself</source>
+        <translation>1 Ecke, an der die Oberfläche sich nur berührt</translation>
+    </message>
+    <message>
+        <source>Largest distance between the repaired surface and the given one, but for holes that are closed</source>
+        <translation>Größter Abstand zwischen der reparierten Oberfläche und der gegebenen, außer an Löchern, die geschlossen werden</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Reparatur</translation>
+    </message>
+    <message>
+        <source>at least {phrase}</source>
+        <translation>mindestens {phrase}</translation>
+    </message>
+    <message>
+        <source>repairs: {list}</source>
+        <translation>Reparaturen: {list}</translation>
+    </message>
+    <message>
+        <source>size / 300</source>
+        <translation>Größe / 300</translation>
+    </message>
+    <message>
+        <source>the mesh has {list}; the command Repair mesh mends faults</source>
+        <translation>das Netz hat {list}; der Befehl Netz reparieren behebt Fehler</translation>
+    </message>
+    <message>
+        <source>walls cannot be measured where the mesh has {list}: repair it by the command Repair mesh first</source>
+        <translation>Wände sind nicht messbar, wo das Netz Fehler hat ({list}): reparieren Sie es zuerst mit dem Befehl Netz reparieren</translation>
+    </message>
+    <message>
+        <source>{count} duplicate triangles</source>
+        <translation>{count} doppelte Dreiecke</translation>
+    </message>
+    <message>
+        <source>{count} edges between triangles of opposite orientation</source>
+        <translation>{count} Kanten zwischen entgegengesetzt orientierten Dreiecken</translation>
+    </message>
+    <message>
+        <source>{count} edges with three or more triangles</source>
+        <translation>{count} Kanten mit drei oder mehr Dreiecken</translation>
+    </message>
+    <message>
+        <source>{count} open edges</source>
+        <translation>{count} offene Kanten</translation>
+    </message>
+    <message>
+        <source>{count} pairs of triangles that cross</source>
+        <translation>{count} Paare von Dreiecken, die sich durchdringen</translation>
+    </message>
+    <message>
+        <source>{count} pairs of triangles that touch or fold onto each other</source>
+        <translation>{count} Paare von Dreiecken, die sich berühren oder aufeinander gefaltet sind</translation>
+    </message>
+    <message>
+        <source>{count} triangles without area</source>
+        <translation>{count} Dreiecke ohne Fläche</translation>
+    </message>
+    <message>
+        <source>{count} vertices at which the surface only touches itself</source>
+        <translation>{count} Ecken, an denen die Oberfläche sich nur berührt</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
@@ -3213,6 +3337,17 @@
     <message>
         <source>Quick mesh</source>
         <translation>Schnelles Netz</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Repair</name>
+    <message>
+        <source>List the faults of the selected mesh, show where they are, and make a closed mesh without them</source>
+        <translation>Die Fehler des gewählten Netzes auflisten und zeigen und ein geschlossenes Netz ohne sie erzeugen</translation>
+    </message>
+    <message>
+        <source>Repair mesh...</source>
+        <translation>Netz reparieren...</translation>
     </message>
 </context>
 <context>

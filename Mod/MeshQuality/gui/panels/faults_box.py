@@ -7,6 +7,7 @@ from PySide import QtCore, QtGui
 
 from .. import jobs
 from ..translation import translated
+from .task_form import is_in_task_view
 
 translate = FreeCAD.Qt.translate
 
@@ -51,7 +52,7 @@ class FaultsBox(QtGui.QWidget):
         self.text.setText(translate("MeshQuality", "Searching for faults ..."))
         self._job = jobs.queue().add(jobs.Job(translate("MeshQuality", "Searching for faults"), find, self._take, quiet=True))
         job = self._job
-        job.ended.connect(lambda: job.error and self.text.setText(translated(job.error)))
+        job.ended.connect(lambda: job.state == jobs.FAILED and is_in_task_view(self) and self.text.setText(translated(job.error)))
 
     def end(self):
         """The panel closes."""

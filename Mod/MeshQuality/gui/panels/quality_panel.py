@@ -188,7 +188,7 @@ class QualityPanel:
             lambda found: self._take(measure, found), quiet=True, prepare=self._measuring))
         job = self._job
         job.changed.connect(lambda: self._tell(job))
-        job.ended.connect(lambda: job.error and self._fail(translated(job.error)))
+        job.ended.connect(lambda: job.error and not self.ended and self._fail(translated(job.error)))
 
     def _fail(self, text):
         """There are no numbers to show: only why."""
