@@ -19,8 +19,8 @@ from ..core.surface_mesh import SurfaceMesh
 from ..core.thickness import thickness
 from ..errors import InvalidInput
 from ..features import mesh_object
-from ..features.patches import patches_of_object
 from ..features.properties import exempt_reasons
+from .patch_colours import division_of
 from .quantities import Unit, in_locale
 from .view.colour_scale import GREEN
 
@@ -173,16 +173,6 @@ class FaceRow:
     mean: float
 
 
-def _division_of(obj):
-    """The division into patches of an object; None where it has none, or none that its sources still have."""
-    if not isinstance(getattr(obj, "Proxy", None), mesh_object.PatchedMesh) or obj.Proxy.lacks_source(obj):
-        return None
-    try:
-        return obj.Proxy.faces(obj).division(*patches_of_object(obj))
-    except InvalidInput:
-        return None  # the command Patches says what is wrong
-
-
 class QualityData:
     """The elements of a mesh object or a link to one, see frames, taken from it once; later changes do not show.
 
@@ -211,7 +201,7 @@ class QualityData:
         if obj.Mesh.CountFacets == 0:
             raise InvalidInput(phrases.Text(phrases.NO_TRIANGLES, name=obj.Label))
         self._why = exempt_reasons(obj)
-        self._division = _division_of(obj)
+        self._division = division_of(obj)
         asked = "AskedChordHeight" in obj.PropertiesList and property_of(obj, "AskedChordHeight").Value
         self.bound = asked or None
         self.tetrahedra = self.shown = 0
