@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "view/overlay.h"
 
+#include <Inventor/SoPath.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 
 namespace mq::view {
@@ -23,7 +24,8 @@ void Overlay::GLRenderBelowPath(SoGLRenderAction* action) {
         begin_drawing(action->getViewportRegion().getViewportSizePixels());
         SoSeparator::GLRenderBelowPath(action);
     } else {
-        action->addDelayedPath(action->getCurPath()->copy());
+        // From here on: what stands before it in the scene, as planes that clip the model, does not apply to it.
+        action->addDelayedPath(new SoPath(this));
     }
 }
 

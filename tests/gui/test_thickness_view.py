@@ -11,6 +11,7 @@ import Part
 import MeshQuality as mq
 from MeshQuality.gui import commands, quality_data
 from MeshQuality.gui.panels import quality_panel
+from MeshQuality.gui.view import colour_scale, legend
 
 
 class ThicknessView(gui_helpers.PanelTest):
@@ -56,6 +57,44 @@ class ThicknessView(gui_helpers.PanelTest):
         red = (image[:, :, 0] - image[:, :, 2]) > 60
         self.assertGreater(np.count_nonzero(red), 1000)
         panel.form.grab().save(f"{gui_helpers.PICTURES}/panel_thickness.png")
+
+    def test_what_has_no_wall_is_grey_with_a_swatch_of_its_own(self):
+        mesh = self.stepped()
+        panel = self.opened(mesh)
+        scale = panel.scale
+        before = legend.picture(scale)
+        self.assertEqual(scale.unbounded, 0)
+        values = panel.values.copy()
+        values[:5] = np.inf
+        with_some = panel.data.scale(quality_data.THICKNESS, values)
+        colours = colour_scale.bytes_of(with_some.goodness(values))
+        self.assertEqual({tuple(colour) for colour in colours[:5].tolist()}, {(158, 158, 158, 255)})
+        self.assertEqual(np.count_nonzero((colours[5:, :3] == 158).all(axis=1)), 0)
+        picture = legend.picture(with_some)
+        self.assertGreater(len(picture), len(before))
+        self.assertEqual(np.count_nonzero((before[:, :, :3] == 158).all(axis=2)), 0)
+        self.assertGreater(np.count_nonzero((picture[:, :, :3] == 158).all(axis=2)), 100)
+        histogram = quality_data.Histogram.of(values, with_some)
+        self.assertEqual(histogram.counts.sum(), len(values) - 5)
+        self.assertEqual(histogram.bar[:5].tolist(), [-1] * 5)
+        self.assertIn("logarithmic", panel.hint.text())
+        folded = quality_data.Scale(quality_data.DISTORTION, np.array([1.0, np.inf]))
+        self.assertEqual(folded.goodness(np.array([1.0, np.inf])).tolist(), [1.0, 0.0])  # infinite is bad there
+
+    def test_a_clipping_plane_leaves_the_legend(self):
+        mesh = self.stepped()
+        panel = self.opened(mesh)
+        self.view.viewFront()
+        self.view.fitAll()
+        whole = self.saved("legend_whole")
+        self.view.toggleClippingPlane(1, True, True, FreeCAD.Placement(FreeCAD.Vector(-1000, 0, 0), FreeCAD.Rotation()))
+        clipped = self.saved("legend_clipped")
+        self.view.toggleClippingPlane(0)
+        def coloured(image):
+            return image[:, 560:][(image[:, 560:].max(axis=2) - image[:, 560:].min(axis=2)) > 60]
+        self.assertEqual(len(coloured(whole)), len(coloured(clipped)))
+        self.assertGreater(np.count_nonzero(whole != clipped), 1000)  # of the mesh nothing is left
+        self.assertTrue(panel.values is not None)
 
     def test_an_open_mesh_is_refused(self):
         source = self.document.addObject("Mesh::Feature", "Sheet")

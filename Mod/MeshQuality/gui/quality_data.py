@@ -68,6 +68,7 @@ class Scale:
 
     measure
     low, high  ends of what is shown
+    unbounded  how many values are infinite and not bad, such as where there is no wall: they have a colour of their own
     bound      what the values were to keep within: red is beyond it, green is at it; None: the largest
                value is red, where the measure has no number for that
     Made on any thread; its texts are for the window's.
@@ -76,6 +77,7 @@ class Scale:
     def __init__(self, measure, values, bound=None):
         self.measure, self.bound = measure, bound
         finite = values[np.isfinite(values)]
+        self.unbounded = int(np.count_nonzero(values == np.inf)) if measure.low_is_bad else 0
         worst = max(float(finite.max(initial=measure.good)), bound or 0.0, measure.good + 1e-12)
         self._bad = worst if measure.bad is None else measure.bad
         self.low, self.high = sorted((self._bad, measure.good))
@@ -99,7 +101,9 @@ class Scale:
         return self.number(value) + ("" if np.isinf(value) else self.unit)
 
     def goodness(self, values):
-        """float64: 0 where bad, 1 where good."""
+        """float64: 0 where bad, 1 where good; not a number where a value is infinite and not bad."""
+        if self.measure.low_is_bad:
+            values = np.where(np.isposinf(values), np.nan, values)
         if self.bound is not None:
             inside = 1.0 - (1.0 - GREEN) * np.asarray(values) / self.bound
             return np.where(inside >= GREEN * (1.0 - 1e-9), inside, 0.0)
@@ -139,12 +143,12 @@ JACOBIAN = Measure(
 @dataclass(frozen=True)
 class Histogram:
     """How many elements lie in each of BARS equal parts from `low` to `high`; those beyond are in
-    the first and the last bar.
+    the first and the last bar, those with a colour of their own in none, see Scale.
     """
 
     low: float
     high: float
-    bar: np.ndarray  # of each element, -1 of those without a number
+    bar: np.ndarray  # of each element, -1 of those in no bar
     counts: np.ndarray
 
     @classmethod
@@ -152,7 +156,7 @@ class Histogram:
         low, high = scale.low, scale.high
         part = (np.nan_to_num(values, nan=low, posinf=high, neginf=low) - low) / (high - low)
         bar = np.clip((part * BARS).astype(int), 0, BARS - 1)
-        known = ~np.isnan(values)
+        known = ~np.isnan(values) if not scale.unbounded else np.isfinite(values)
         return cls(low, high, np.where(known, bar, -1), np.bincount(bar[known], minlength=BARS))
 
     def edges(self):

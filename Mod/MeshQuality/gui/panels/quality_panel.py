@@ -267,7 +267,9 @@ class QualityPanel:
         words = translate("MeshQuality", "{0} elements: worst {1}, mean {2}") if self.data.curved \
             else translate("MeshQuality", "{0} triangles: worst {1}, mean {2}")
         words = words.format(count_text(self.data.elements), worst, mean)
-        return "\n".join(filter(None, (words, self.data.remark())))
+        unbounded = translate("MeshQuality", "∞, grey: {0} of them").format(count_text(found.scale.unbounded)) \
+            if found.scale.unbounded else ""
+        return "\n".join(filter(None, (words, unbounded, self.data.remark())))
 
     def _list_worst(self):
         self.worst.blockSignals(True)
@@ -355,7 +357,7 @@ def _mean(values):
 
 
 def _hint():
-    return translate("MeshQuality", "Click a bar to highlight its elements.")
+    return translate("MeshQuality", "Click a bar to highlight its elements. Heights are logarithmic.")
 
 
 _shown = None
