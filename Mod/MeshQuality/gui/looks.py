@@ -18,7 +18,7 @@ def show_in_place_of_sources(obj):
     if obj.Proxy.size(obj) == 0:
         return  # nothing would be seen
     # Curved meshes have a display mode of their own, with the edges of the elements.
-    if view.DisplayMode == "Shaded" and obj.Mesh.CountFacets <= _MOST:
+    if view.DisplayMode == "Shaded" and obj.Mesh.CountFacets <= _MOST and not view.Coloring:
         view.DisplayMode = _EDGES
     for source in sources_of(obj):
         if not _counts_for_others(source):

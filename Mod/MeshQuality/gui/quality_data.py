@@ -122,7 +122,7 @@ DISTANCE = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Distance to the shape"),
     QT_TRANSLATE_NOOP("MeshQuality", "Largest distance between each triangle and the source."),
     None, None, 0.0, lambda data, progress: data.distances(progress))
-# Ends at twice the median, as what is thick depends on the part: see QualityData.scale.
+# Ends at twice the median, as what is thick depends on the part: see thickness_scale.
 THICKNESS = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Wall thickness"),
     QT_TRANSLATE_NOOP("MeshQuality", "Diameter of the largest ball in the solid that touches the surface there; "
@@ -138,6 +138,12 @@ JACOBIAN = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Scaled Jacobian"),
     QT_TRANSLATE_NOOP("MeshQuality", "1 = undistorted by its curvature, ≤ 0 = invalid."),
     "", 0.0, 1.0, lambda data, _: data.jacobians, lambda data, _: data.jacobians_of_all())
+
+
+def thickness_scale(values):
+    """The Scale of thicknesses: up to twice the median, as what is thick depends on the part."""
+    finite = values[np.isfinite(values)]
+    return Scale(replace(THICKNESS, good=2.0 * float(np.median(finite)) if len(finite) else 1.0), values)
 
 
 @dataclass(frozen=True)
@@ -308,8 +314,7 @@ class QualityData:
     def scale(self, measure, values):
         """The Scale of these values of a measure."""
         if measure is THICKNESS:
-            finite = values[np.isfinite(values)]
-            return Scale(replace(measure, good=2.0 * float(np.median(finite)) if len(finite) else 1.0), values)
+            return thickness_scale(values)
         return Scale(measure, values, self.bound if measure is DISTANCE else None)
 
     def distances(self, progress=None):
