@@ -596,10 +596,6 @@
         <translation>Volumen aller Hohlräume</translation>
     </message>
     <message>
-        <source>Where walls below the limit are thinnest, without a limit the thinnest one; one point on each of the two solids that are nearest to each other; the centres of voids</source>
-        <translation>Wo Wände unter dem Grenzwert am dünnsten sind, ohne Grenzwert die dünnste; je ein Punkt auf den beiden Körpern, die einander am nächsten sind; die Mittelpunkte der Hohlräume</translation>
-    </message>
-    <message>
         <source>Largest distance of the mesh that is measured from a shape; 0: automatic</source>
         <translation>Größter Abstand des Netzes, an dem gemessen wird, von einer Form; 0: automatisch</translation>
     </message>
@@ -646,6 +642,18 @@
     <message>
         <source>The object whose mesh is repaired</source>
         <translation>Das Objekt, dessen Netz repariert wird</translation>
+    </message>
+    <message>
+        <source>Pairs of solids that are too near or overlap, without a limit all, and how near: those that overlap, then the nearest ones, then those that touch</source>
+        <translation>Paare von Körpern, die zu nahe sind oder sich überschneiden, ohne Grenze alle, und wie nahe: erst die sich überschneiden, dann die nächsten, dann die sich berühren</translation>
+    </message>
+    <message>
+        <source>The colour of each triangle</source>
+        <translation>Die Farbe jedes Dreiecks</translation>
+    </message>
+    <message>
+        <source>Where walls below the limit are thinnest, without a limit the thinnest one; one point on each of the two solids of each line of Pairs; the centres of voids</source>
+        <translation>Wo Wände unter der Grenze am dünnsten sind, ohne Grenze die dünnste; je ein Punkt auf den beiden Körpern jeder Zeile von Pairs; die Mittelpunkte von Hohlräumen</translation>
     </message>
 </context>
 <context>
@@ -1657,10 +1665,6 @@
     <message>
         <source>Click to move the camera there</source>
         <translation>Klicken, um die Kamera dorthin zu führen</translation>
-    </message>
-    <message>
-        <source>Click a bar to highlight its elements.</source>
-        <translation>Auf einen Balken klicken, um seine Elemente hervorzuheben.</translation>
     </message>
     <message>
         <source>CAD edges to keep</source>
@@ -3105,6 +3109,54 @@
     <message>
         <source>{count} vertices at which the surface only touches itself</source>
         <translation>{count} Ecken, an denen die Oberfläche sich nur berührt</translation>
+    </message>
+    <message>
+        <source>touching</source>
+        <translation>berühren sich</translation>
+    </message>
+    <message>
+        <source>overlapping</source>
+        <translation>überschneiden sich</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>ineinander</translation>
+    </message>
+    <message>
+        <source>equal</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>Click to show where the two bodies are nearest</source>
+        <translation>Klicken, um zu zeigen, wo die beiden Körper sich am nächsten sind</translation>
+    </message>
+    <message>
+        <source>{0} ({1} faces)</source>
+        <translation>{0} ({1} Flächen)</translation>
+    </message>
+    <message>
+        <source>{0}: patches {1}</source>
+        <translation>{0}: Patches {1}</translation>
+    </message>
+    <message>
+        <source>{0}: no patches</source>
+        <translation>{0}: keine Patches</translation>
+    </message>
+    <message>
+        <source>all other faces: {0}</source>
+        <translation>alle anderen Flächen: {0}</translation>
+    </message>
+    <message>
+        <source>∞, grey: {0} of them</source>
+        <translation>∞, grau: {0} davon</translation>
+    </message>
+    <message>
+        <source>Click a bar to highlight its elements. Heights are logarithmic.</source>
+        <translation>Ein Klick auf einen Balken hebt seine Elemente hervor. Die Höhen sind logarithmisch.</translation>
+    </message>
+    <message>
+        <source>{0} (1 face)</source>
+        <translation>{0} (1 Fläche)</translation>
     </message>
 </context>
 <context>

@@ -66,7 +66,7 @@ class Inspect(gui_helpers.PanelTest):
         strong = image[(image.max(axis=2) - image.min(axis=2)) > 60]
         self.assertGreater(len(strong), 5000)
         self.assertLess(np.count_nonzero(image.max(axis=2) < 60), 500)  # no black edges
-        self.assertGreater(len(np.unique(strong // 32, axis=0)), 3)
+        self.assertGreaterEqual(len(np.unique(strong // 32, axis=0)), 2)  # of two thicknesses
         obj.Check = "draft"
         self.document.recompute()
         self.until(lambda: obj.Status == "up to date" and not obj.ViewObject.Coloring)

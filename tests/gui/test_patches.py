@@ -143,7 +143,7 @@ class Patches(gui_helpers.PanelTest):
         panel.new.click()
         with mock.patch.object(patches_panel.FreeCAD.Console, "PrintMessage") as told:
             self.assertTrue(panel.accept())
-        self.assertEqual(told.call_args_list[-1].args[0], f"{obj.Label}: patches patch_1 (1 faces)\n")
+        self.assertEqual(told.call_args_list[-1].args[0], f"{obj.Label}: patches patch_1 (1 face)\n")
         self.assertEqual(plain, set())
         self.assertEqual(self.colours_of(self.picture("patches_one")), {0})  # distinct_colour(0) is red
         mq.set_patches(obj, {"top": {"faces": ["Face6"], "colour": "#0000ff"}})

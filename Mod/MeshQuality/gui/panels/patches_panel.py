@@ -106,7 +106,8 @@ class PatchesPanel:
 
     def _tell(self, patches, rest):
         """The report view says what the mesh has now."""
-        words = ", ".join(translate("MeshQuality", "{0} ({1} faces)").format(name, len(said["faces"]))
+        one, many = translate("MeshQuality", "{0} (1 face)"), translate("MeshQuality", "{0} ({1} faces)")
+        words = ", ".join((one if len(said["faces"]) == 1 else many).format(name, len(said["faces"]))
                           for name, said in patches.items())
         told = translate("MeshQuality", "{0}: patches {1}").format(self.obj.Label, words) if patches \
             else translate("MeshQuality", "{0}: no patches").format(self.obj.Label)
