@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "view/overlay.h"
 
-#include <Inventor/SoPath.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 
 namespace mq::view {
@@ -24,8 +23,7 @@ void Overlay::GLRenderBelowPath(SoGLRenderAction* action) {
         begin_drawing(action->getViewportRegion().getViewportSizePixels());
         SoSeparator::GLRenderBelowPath(action);
     } else {
-        // From here on: what stands before it in the scene, as planes that clip the model, does not apply to it.
-        action->addDelayedPath(new SoPath(this));
+        action->addDelayedPath(action->getCurPath()->copy());
     }
 }
 
