@@ -15,6 +15,7 @@ Meshes for scripts
     offset        a solid grown or shrunk by a distance                                  -> OffsetMesh
     hollow        a solid of which a wall is left, with openings                         -> OffsetMesh
     wrap          the outer surface of objects, however dirty, without narrow openings     -> WrapMesh
+    repair        a closed mesh without faults from one that has some                    -> BooleanMesh
     improve       the same surface with better triangles                                 -> SurfaceMesh
     quality       measures any mesh                                                      -> MeshReport
     read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
@@ -28,7 +29,7 @@ Meshes for scripts
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
-    add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_improved_mesh
+    add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_repaired_mesh, add_improved_mesh
     add_offset, add_hollow   solids grown, shrunk, and made walls of
     add_wrap            a closed surface around objects
     add_inspection      thickness, clearance, draft or voids of a solid, measured anew after each edit, against a limit
@@ -74,6 +75,8 @@ _LAZY = {
     "triangulate": "MeshQuality.core.triangulation",
     "MeshCache": "MeshQuality.core.triangulation",
     "quality": "MeshQuality.core.quality",
+    "repair": "MeshQuality.core.repair",
+    "add_repaired_mesh": "MeshQuality.features.repaired_mesh",
     "improve": "MeshQuality.core.improvement",
     "add_improved_mesh": "MeshQuality.features.improved_mesh",
     "certify": "MeshQuality.core.certification",

@@ -17,6 +17,8 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from . import fault_phrases
+
 # The verdict on a mesh.
 MET, NOT_MET = "met", "not met"
 NOT_MET_TEXT = f"{NOT_MET}: {{text}}"
@@ -165,8 +167,6 @@ OPENINGS_OF_MESH = "openings are faces of a shape, and {name} has a mesh: hollow
 NO_OPENING = "an opening names {value}, but {name} has faces Face1 to {face}: take it out or name another one"
 OPENING_ELSEWHERE = "an opening names {value}, but {name} does not hold that: select it again in the 3D view"
 OPENING_LOST = "{face} of the openings may be another face after the edit: choose the openings anew"
-NO_THICKNESS_OPEN = "the mesh has {count} open edges: only solids have walls; close it first"
-NO_THICKNESS_FAULTS = "the mesh has faults: repair it by a Boolean first"
 SHAPES_AND_MESHES = "{name} holds shapes and meshes: unite them by a Boolean first"
 NO_MESH = "Source is not a mesh: choose one object with a mesh"
 FEW_SOURCES = ("Sources has 1 object: choose two or more with a mesh or a shape",
@@ -184,7 +184,7 @@ ERRORS = (
     IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES,
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
     TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, HALF_OF_GAP, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
-    SHAPES_AND_MESHES, NO_THICKNESS_OPEN, NO_THICKNESS_FAULTS, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
+    *fault_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
 # Errors of patches, files and cases for meshers of flows.

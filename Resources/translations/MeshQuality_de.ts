@@ -1,5 +1,4 @@
-<?xml version="1.0" encoding="utf-8"?>
-<!DOCTYPE TS>
+<?xml version='1.0' encoding='utf-8'?>
 <TS version="2.1" language="de_DE" sourcelanguage="en_GB">
 <context>
     <name>App::Property</name>
@@ -156,7 +155,7 @@
         <translation>Der Pfad von der Quelle zu dem, was vernetzt wird, wo nur eine Verknüpfung dorthin führt: Part.Box.</translation>
     </message>
     <message>
-        <source>The same as a fraction of the shape&apos;s largest dimension</source>
+        <source>The same as a fraction of the shape's largest dimension</source>
         <translation>Derselbe als Anteil an der größten Abmessung der Form</translation>
     </message>
     <message>
@@ -168,7 +167,7 @@
         <translation>Wo der Behälter der ersten Quelle stand, als das Netz berechnet wurde</translation>
     </message>
     <message>
-        <source>Where the origin of the triangles&apos; coordinates stood in the document then</source>
+        <source>Where the origin of the triangles' coordinates stood in the document then</source>
         <translation>Wo der Ursprung der Koordinaten der Dreiecke damals im Dokument stand</translation>
     </message>
     <message>
@@ -380,7 +379,7 @@
         <translation>Füllt die Körper mit Tetraedern; aus, und wo es keinen Körper gibt: Dreiecke für Schalen</translation>
     </message>
     <message>
-        <source>The source, as FreeCAD&apos;s FEM workbench looks it up</source>
+        <source>The source, as FreeCAD's FEM workbench looks it up</source>
         <translation>Die Quelle, unter dem Namen, unter dem FreeCADs FEM-Arbeitsbereich sie sucht</translation>
     </message>
     <message>
@@ -396,7 +395,7 @@
         <translation>Name des Patches aller anderen Flächen; leer: jede ist einer mit ihrem eigenen Namen</translation>
     </message>
     <message>
-        <source>Named groups of faces, one a line: &quot;inlet: Face1, Face4&quot;, or with a colour &quot;inlet #ff0000: Face1&quot;</source>
+        <source>Named groups of faces, one a line: "inlet: Face1, Face4", or with a colour "inlet #ff0000: Face1"</source>
         <translation>Benannte Gruppen von Flächen, eine je Zeile: „inlet: Face1, Face4“, oder mit einer Farbe „inlet #ff0000: Face1“</translation>
     </message>
     <message>
@@ -504,7 +503,7 @@
         <translation>Bewiesener größter Abstand vom exakten Ergebnis, in beiden Richtungen</translation>
     </message>
     <message>
-        <source>Repairs of the source&apos;s mesh</source>
+        <source>Repairs of the source's mesh</source>
         <translation>Reparaturen am Netz der Quelle</translation>
     </message>
     <message>
@@ -646,6 +645,26 @@
     <message>
         <source>Where no longest edge is given: elements through a wall of mean thickness, which is twice the volume over the area of the surface; at most about 100,000 elements in all</source>
         <translation>Wo keine längste Kante angegeben ist: Elemente durch eine Wand mittlerer Dicke, die das Doppelte des Volumens durch die Fläche der Oberfläche ist; im Ganzen höchstens etwa 100.000 Elemente</translation>
+    </message>
+<message>
+        <source>Largest distance between the repaired surface and the given one, but for holes that are closed; 0: size / 300</source>
+        <translation>Größter Abstand zwischen der reparierten Oberfläche und der gegebenen, außer an Löchern, die geschlossen werden; 0: Größe / 300</translation>
+    </message>
+    <message>
+        <source>The object whose mesh is repaired</source>
+        <translation>Das Objekt, dessen Netz repariert wird</translation>
+    </message>
+    <message>
+        <source>Pairs of solids that are too near or overlap, without a limit all, and how near: those that overlap, then the nearest ones, then those that touch</source>
+        <translation>Paare von Körpern, die zu nahe sind oder sich überschneiden, ohne Grenze alle, und wie nahe: erst die sich überschneiden, dann die nächsten, dann die sich berühren</translation>
+    </message>
+    <message>
+        <source>The colour of each triangle</source>
+        <translation>Die Farbe jedes Dreiecks</translation>
+    </message>
+    <message>
+        <source>Where walls below the limit are thinnest, without a limit the thinnest one; one point on each of the two solids of each line of Pairs; the centres of voids</source>
+        <translation>Wo Wände unter der Grenze am dünnsten sind, ohne Grenze die dünnste; je ein Punkt auf den beiden Körpern jeder Zeile von Pairs; die Mittelpunkte von Hohlräumen</translation>
     </message>
 </context>
 <context>
@@ -1415,7 +1434,7 @@
         <translation>Das Dokument wurde geschlossen. Schließen Sie dieses Fenster.</translation>
     </message>
     <message>
-        <source>The same as a fraction of the shape&apos;s largest dimension</source>
+        <source>The same as a fraction of the shape's largest dimension</source>
         <translation>Derselbe als Anteil an der größten Abmessung der Form</translation>
     </message>
     <message>
@@ -2275,8 +2294,8 @@
         <translation>das Netz hat {count} offene Kanten: Vernetzer für Strömungen brauchen eine geschlossene Oberfläche; schließen Sie das Teil oder vernetzen Sie alle seine Flächen</translation>
     </message>
     <message>
-        <source>the patch {value} is not possible: write its name, a colon and its faces, such as &quot;inlet: Face1, Face4&quot;</source>
-        <translation>der Patch {value} ist nicht möglich: Schreiben Sie seinen Namen, einen Doppelpunkt und seine Flächen, etwa &quot;inlet: Face1, Face4&quot;</translation>
+        <source>the patch {value} is not possible: write its name, a colon and its faces, such as "inlet: Face1, Face4"</source>
+        <translation>der Patch {value} ist nicht möglich: Schreiben Sie seinen Namen, einen Doppelpunkt und seine Flächen, etwa "inlet: Face1, Face4"</translation>
     </message>
     <message>
         <source>the patches are not followed: {text}</source>
@@ -2867,7 +2886,7 @@
         <translation>das Innere offener Operanden wird gesucht</translation>
     </message>
     <message>
-        <source>method &apos;uniform&apos; would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {length}, or method &apos;exact&apos;</source>
+        <source>method 'uniform' would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {length}, or method 'exact'</source>
         <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {length} oder das Verfahren „exact“</translation>
     </message>
     <message>
@@ -2899,7 +2918,7 @@
         <translation>Bildet die ganze Oberfläche neu aus den Abtastpunkten, so dass kein Dreieck der Körper bleibt; nur beim Abtasten</translation>
     </message>
     <message>
-        <source>Only sampling can reconstruct everything. Choose sampling as the method, or turn &quot;Reconstruct everything&quot; off</source>
+        <source>Only sampling can reconstruct everything. Choose sampling as the method, or turn "Reconstruct everything" off</source>
         <translation>Nur beim Abtasten kann alles neu gebildet werden. Wählen Sie Abtasten als Verfahren, oder schalten Sie „Alles neu bilden“ aus</translation>
     </message>
     <message>
@@ -3017,6 +3036,174 @@
     <message>
         <source>by the walls</source>
         <translation>nach den Wänden</translation>
+    </message>
+<message>
+        <source>Show next</source>
+        <translation>Nächste Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Moves the camera to the next fault of the kind that is marked</source>
+        <translation>Bewegt die Kamera zum nächsten Fehler der markierten Art</translation>
+    </message>
+    <message>
+        <source>Searching for faults ...</source>
+        <translation>Suche nach Fehlern ...</translation>
+    </message>
+    <message>
+        <source>Searching for faults</source>
+        <translation>Suche nach Fehlern</translation>
+    </message>
+    <message>
+        <source>Faults; click to show where:</source>
+        <translation>Fehler; ein Klick zeigt, wo:</translation>
+    </message>
+    <message>
+        <source>The mesh has no faults.</source>
+        <translation>Das Netz hat keine Fehler.</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>1 duplicate triangle</source>
+        <translation>1 doppeltes Dreieck</translation>
+    </message>
+    <message>
+        <source>1 edge between triangles of opposite orientation</source>
+        <translation>1 Kante zwischen entgegengesetzt orientierten Dreiecken</translation>
+    </message>
+    <message>
+        <source>1 edge with three or more triangles</source>
+        <translation>1 Kante mit drei oder mehr Dreiecken</translation>
+    </message>
+    <message>
+        <source>1 open edge</source>
+        <translation>1 offene Kante</translation>
+    </message>
+    <message>
+        <source>1 pair of triangles that cross</source>
+        <translation>1 Paar von Dreiecken, die sich durchdringen</translation>
+    </message>
+    <message>
+        <source>1 pair of triangles that touch or fold onto each other</source>
+        <translation>1 Paar von Dreiecken, die sich berühren oder aufeinander gefaltet sind</translation>
+    </message>
+    <message>
+        <source>1 triangle without area</source>
+        <translation>1 Dreieck ohne Fläche</translation>
+    </message>
+    <message>
+        <source>1 vertex at which the surface only touches itself</source>
+        <translation>1 Ecke, an der die Oberfläche sich nur berührt</translation>
+    </message>
+    <message>
+        <source>Largest distance between the repaired surface and the given one, but for holes that are closed</source>
+        <translation>Größter Abstand zwischen der reparierten Oberfläche und der gegebenen, außer an Löchern, die geschlossen werden</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Reparatur</translation>
+    </message>
+    <message>
+        <source>at least {phrase}</source>
+        <translation>mindestens {phrase}</translation>
+    </message>
+    <message>
+        <source>repairs: {list}</source>
+        <translation>Reparaturen: {list}</translation>
+    </message>
+    <message>
+        <source>size / 300</source>
+        <translation>Größe / 300</translation>
+    </message>
+    <message>
+        <source>the mesh has {list}; the command Repair mesh mends faults</source>
+        <translation>das Netz hat {list}; der Befehl Netz reparieren behebt Fehler</translation>
+    </message>
+    <message>
+        <source>walls cannot be measured where the mesh has {list}: repair it by the command Repair mesh first</source>
+        <translation>Wände sind nicht messbar, wo das Netz Fehler hat ({list}): reparieren Sie es zuerst mit dem Befehl Netz reparieren</translation>
+    </message>
+    <message>
+        <source>{count} duplicate triangles</source>
+        <translation>{count} doppelte Dreiecke</translation>
+    </message>
+    <message>
+        <source>{count} edges between triangles of opposite orientation</source>
+        <translation>{count} Kanten zwischen entgegengesetzt orientierten Dreiecken</translation>
+    </message>
+    <message>
+        <source>{count} edges with three or more triangles</source>
+        <translation>{count} Kanten mit drei oder mehr Dreiecken</translation>
+    </message>
+    <message>
+        <source>{count} open edges</source>
+        <translation>{count} offene Kanten</translation>
+    </message>
+    <message>
+        <source>{count} pairs of triangles that cross</source>
+        <translation>{count} Paare von Dreiecken, die sich durchdringen</translation>
+    </message>
+    <message>
+        <source>{count} pairs of triangles that touch or fold onto each other</source>
+        <translation>{count} Paare von Dreiecken, die sich berühren oder aufeinander gefaltet sind</translation>
+    </message>
+    <message>
+        <source>{count} triangles without area</source>
+        <translation>{count} Dreiecke ohne Fläche</translation>
+    </message>
+    <message>
+        <source>{count} vertices at which the surface only touches itself</source>
+        <translation>{count} Ecken, an denen die Oberfläche sich nur berührt</translation>
+    </message>
+    <message>
+        <source>touching</source>
+        <translation>berühren sich</translation>
+    </message>
+    <message>
+        <source>overlapping</source>
+        <translation>überschneiden sich</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>ineinander</translation>
+    </message>
+    <message>
+        <source>equal</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>Click to show where the two bodies are nearest</source>
+        <translation>Klicken, um zu zeigen, wo die beiden Körper sich am nächsten sind</translation>
+    </message>
+    <message>
+        <source>{0} ({1} faces)</source>
+        <translation>{0} ({1} Flächen)</translation>
+    </message>
+    <message>
+        <source>{0}: patches {1}</source>
+        <translation>{0}: Patches {1}</translation>
+    </message>
+    <message>
+        <source>{0}: no patches</source>
+        <translation>{0}: keine Patches</translation>
+    </message>
+    <message>
+        <source>all other faces: {0}</source>
+        <translation>alle anderen Flächen: {0}</translation>
+    </message>
+    <message>
+        <source>∞, grey: {0} of them</source>
+        <translation>∞, grau: {0} davon</translation>
+    </message>
+    <message>
+        <source>Click a bar to highlight its elements. Heights are logarithmic.</source>
+        <translation>Ein Klick auf einen Balken hebt seine Elemente hervor. Die Höhen sind logarithmisch.</translation>
+    </message>
+    <message>
+        <source>{0} (1 face)</source>
+        <translation>{0} (1 Fläche)</translation>
     </message>
 </context>
 <context>
@@ -3159,7 +3346,7 @@
         <translation>FEM-Netz...</translation>
     </message>
     <message>
-        <source>Mesh the selected shapes for FreeCAD&apos;s FEM workbench, in the active analysis</source>
+        <source>Mesh the selected shapes for FreeCAD's FEM workbench, in the active analysis</source>
         <translation>Ausgewählte Formen für FreeCADs FEM-Arbeitsbereich vernetzen, in der aktiven Analyse</translation>
     </message>
 </context>
@@ -3300,6 +3487,17 @@
     <message>
         <source>Mesh Quality</source>
         <translation>Netzqualität</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Repair</name>
+    <message>
+        <source>List the faults of the selected mesh, show where they are, and make a closed mesh without them</source>
+        <translation>Die Fehler des gewählten Netzes auflisten und zeigen und ein geschlossenes Netz ohne sie erzeugen</translation>
+    </message>
+    <message>
+        <source>Repair mesh...</source>
+        <translation>Netz reparieren...</translation>
     </message>
 </context>
 </TS>

@@ -101,6 +101,25 @@ py::dict verify_surface(const Surface& surface, const py::object& progress) {
     return faults;
 }
 
+/// {kind: int32 (n, 2)}: the triangles at each fault, -1 beside one alone.
+py::dict faults_of(const Surface& surface, std::size_t limit, const py::object& progress) {
+    const mesh::Verification check = watch(progress, [&](Progress& handle) {
+        return mesh::verify(surface.mesh.vertices, surface.mesh.triangles, nullptr, limit, &handle);
+    });
+    std::array<std::vector<std::array<std::int32_t, 2>>, mesh::kFaultKinds> found;
+    for (const mesh::Fault& fault : check.faults) {
+        found[static_cast<std::size_t>(fault.kind)].push_back(fault.triangles);
+    }
+    py::dict faults;
+    for (std::size_t kind = 0; kind < mesh::kFaultKinds; ++kind) {
+        py::array_t<std::int32_t> triangles({static_cast<py::ssize_t>(found[kind].size()), py::ssize_t{2}});
+        std::copy_n(reinterpret_cast<const std::int32_t*>(found[kind].data()), 2 * found[kind].size(),
+                    triangles.mutable_data());
+        faults[mesh::name(static_cast<mesh::FaultKind>(kind))] = std::move(triangles);
+    }
+    return faults;
+}
+
 py::tuple surface_distance(const Surface& from, const Surface& to, const py::object& progress) {
     const mesh::SurfaceDistance distance =
         watch(progress, [&](Progress& handle) { return mesh::surface_distance(from.mesh, to.mesh, handle); });
@@ -345,6 +364,8 @@ void bind_boolean(py::module_& m) {
           "difference and symmetric difference as -1 to -4. Returns a BooleanSurface.");
     m.def("verify", &verify_surface, py::arg("surface"), py::arg("progress") = py::none(),
           "{kind of fault: how many} of a Surface, found exactly; contacts are counted up to 1000.");
+    m.def("faults", &faults_of, py::arg("surface"), py::arg("limit"), py::arg("progress") = py::none(),
+          "{kind of fault: int32 (n, 2), the triangles at each}, at most `limit` of a kind, found exactly.");
     m.def("surface_distance", &surface_distance, py::arg("start"), py::arg("target"), py::arg("progress") = py::none(),
           "Mean and largest distance of the corners and centres of a Surface's triangles from another Surface, mm.");
     bind_offsets(m);

@@ -4,6 +4,7 @@
 import FreeCAD
 import FreeCADGui
 import gui_helpers
+import numpy as np
 import Part
 from PySide import QtGui
 
@@ -55,6 +56,64 @@ class Inspect(gui_helpers.PanelTest):
         self.assertIs(view.measure, quality_data.THICKNESS)
         self.assertAlmostEqual(float(view.values[view._worst[0]]), obj.Minimum.Value, delta=0.05)
         self.picture("inspection_thickness")
+
+    def test_its_mesh_shows_the_thickness_without_edges(self):
+        self.finish(self.panel(commands.Inspect, self.source))
+        obj = self.document.Objects[-1]
+        self.assertEqual((obj.ViewObject.DisplayMode, len(obj.FaceColors)), ("Shaded", obj.Mesh.CountFacets))
+        FreeCADGui.Selection.clearSelection()
+        image = self.picture("inspection_coloured")
+        strong = image[(image.max(axis=2) - image.min(axis=2)) > 60]
+        self.assertGreater(len(strong), 5000)
+        self.assertLess(np.count_nonzero(image.max(axis=2) < 60), 500)  # no black edges
+        self.assertGreaterEqual(len(np.unique(strong // 32, axis=0)), 2)  # of two thicknesses
+        obj.Check = "draft"
+        self.document.recompute()
+        self.until(lambda: obj.Status == "up to date" and not obj.ViewObject.Coloring)
+
+    def test_fields_of_other_checks_are_not_there(self):
+        panel = self.panel(commands.Inspect, self.source)
+        for check, there, gone in (("thickness", ("measure", "spacing"), ("min_clearance", "min_draft", "pull_direction")),
+                                   ("clearance", ("min_clearance",), ("measure", "min_thickness", "min_draft")),
+                                   ("draft", ("min_draft", "pull_direction"), ("measure", "gap", "min_clearance"))):
+            panel.options.set_values({"check": check})
+            gui_helpers.wait()
+            for name in there:
+                self.assertTrue(panel.options.field(name).isVisible(), (check, name))
+            for name in gone:
+                self.assertFalse(panel.options.field(name).isVisible(), (check, name))
+        self.assertEqual([box.title() for box in panel.form.findChildren(QtGui.QGroupBox) if box.isVisible()],
+                         ["Inspection", "Draft", "Accuracy"])
+        self.narrow(panel, "panel_inspection_draft")
+        panel.reject()
+
+    def test_pairs_of_bodies_are_listed_and_shown(self):
+        # Two touch by design; the third is 0.5 mm away from the second.
+        self.source.Shape = Part.makeCompound([Part.makeBox(10, 10, 10, FreeCAD.Vector(x, 0, 0)) for x in (0, 10, 20.5)])
+        self.document.recompute()
+        panel = self.panel(commands.Inspect, self.source)
+        panel.options.set_values({"check": "clearance", "min_clearance": 1.0})
+        self.finish(panel)
+        obj = self.document.Objects[-1]
+        self.assertEqual(len(obj.Places), 2 * len(obj.Pairs))
+        self.assertTrue(obj.Pairs[0].startswith("0.5 mm: "), obj.Pairs)
+        self.assertTrue(obj.Pairs[1].startswith("touching: "), obj.Pairs)
+        self.view.viewAxonometric()
+        self.view.fitAll()
+        panel = self.edit(obj)
+        box = panel.certificate
+        self.assertEqual([box.pairs.item(row).text() for row in range(box.pairs.count())], list(obj.Pairs))
+        before = self.view.getCameraNode().height.getValue()
+        box.pairs.setCurrentRow(0)
+        self.until(lambda: not box.flight.active)
+        camera = self.view.getCameraNode()
+        self.assertLess(camera.height.getValue(), before)
+        self.narrow(panel, "panel_clearance_pairs")
+        self.saved("clearance_pair")
+        place = np.array(camera.position.getValue().getValue()) + camera.focalDistance.getValue() * np.array(
+            self.view.getViewDirection())
+        self.assertAlmostEqual(place[0], 20.25, delta=0.1)
+        panel.reject()
 
     def test_another_check(self):
         panel = self.panel(commands.Inspect, self.source)

@@ -4,12 +4,15 @@
 import importlib.util
 import os
 import unittest
+from unittest import mock
 
 import FreeCAD
 import FreeCADGui
 import gui_helpers
 import Mesh
+import numpy as np
 import test_units
+from PySide import QtGui
 
 import MeshQuality as mq
 from MeshQuality.gui import commands
@@ -123,6 +126,64 @@ class Patches(gui_helpers.PanelTest):
         panel.names.activated.emit(panel.names.findData("colours"))
         self.assertEqual(panel.patches()["colour_ff0000"], {"faces": ["Face1", "Face6"], "colour": "#ff0000"})
         panel.reject()
+
+    def colours_of(self, image):
+        """The hues of a picture that cover some of it, in degrees."""
+        high, low = image.max(axis=2), image.min(axis=2)
+        strong = image[(high - low) > 60]
+        hues = np.array([QtGui.QColor(*map(int, pixel)).hue() for pixel in strong[::97]])
+        return {int(hue) for hue in np.unique(hues // 10 * 10) if np.count_nonzero(hues // 10 * 10 == hue) > 20}
+
+    def test_the_mesh_has_the_colours_of_its_patches(self):
+        obj = self.quality()
+        FreeCADGui.Selection.clearSelection()
+        plain = self.colours_of(self.picture("patches_none"))
+        panel = self.panel_for(obj)
+        self.pick("Face2")
+        panel.new.click()
+        with mock.patch.object(patches_panel.FreeCAD.Console, "PrintMessage") as told:
+            self.assertTrue(panel.accept())
+        self.assertEqual(told.call_args_list[-1].args[0], f"{obj.Label}: patches patch_1 (1 face)\n")
+        self.assertEqual(plain, set())
+        self.assertEqual(self.colours_of(self.picture("patches_one")), {0})  # distinct_colour(0) is red
+        mq.set_patches(obj, {"top": {"faces": ["Face6"], "colour": "#0000ff"}})
+        self.assertEqual(self.colours_of(self.picture("patches_blue")), {240})
+        self.part.Length = 20
+        self.document.recompute()
+        self.assertEqual(self.colours_of(self.picture("patches_recomputed")), {240})
+        mq.set_patches(obj, None)
+        self.assertEqual(self.colours_of(self.picture("patches_no_more")), set())
+        self.document.undo()
+        self.assertEqual(self.colours_of(self.picture("patches_undone")), {240})
+
+    def test_patches_are_coloured_after_reading_the_document(self):
+        obj = self.quality()
+        mq.set_patches(obj, {"top": {"faces": ["Face6"], "colour": "#0000ff"}})
+        path = os.path.join(self.folder, "patches.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        gui_helpers.wait()
+        self.view = FreeCADGui.getDocument(self.document.Name).activeView()
+        self.assertEqual(self.colours_of(self.picture("patches_read")), {240})
+
+    def test_faces_of_patches_are_coloured_while_others_are_picked(self):
+        obj = self.quality()
+        mq.set_patches(obj, {"top": {"faces": ["Face6"], "colour": "#0000ff"}})
+        before = self.part.ViewObject.DiffuseColor
+        panel = self.panel_for(obj)
+        self.assertEqual(self.colours_of(self.picture("patches_picking")), {240})
+        self.pick("Face2")
+        panel.new.click()
+        FreeCADGui.Selection.clearSelection()
+        gui_helpers.wait()
+        self.assertEqual(len(self.colours_of(self.picture("patches_picked"))), 2)
+        panel.table.selectRow(0)
+        panel.remove.click()
+        FreeCADGui.Selection.clearSelection()
+        self.assertEqual(len(self.colours_of(self.picture("patches_removed"))), 1)
+        panel.reject()
+        self.assertEqual(self.part.ViewObject.DiffuseColor, before)
 
     def test_export_writes_them(self):
         obj = self.quality()

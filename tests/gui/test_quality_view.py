@@ -210,6 +210,52 @@ class QualityView(gui_helpers.GuiTest):
         self.assertEqual(graph.getNumChildren(), children)
         self.assertFalse(FreeCADGui.Control.activeDialog())
 
+    def test_other_meshes_of_the_part_are_hidden_meanwhile(self):
+        obj = self.meshed(Part.makeBox(10, 10, 10))
+        sibling = mq.add_curved_mesh(obj.Source)
+        made = mq.add_improved_mesh(obj)
+        stranger = self.document.addObject("Mesh::Feature", "Stranger")
+        stranger.Mesh = Mesh.createSphere(1, 10)
+        for shown in (obj, obj.Source, sibling, made):
+            shown.ViewObject.Visibility = True
+        for one in (obj, sibling, made):
+            panel = self.open(one)
+            self.assertEqual([o.Label for o in self.document.Objects if o.ViewObject.Visibility], ["Stranger"])
+            panel.reject()
+            self.assertTrue(all(o.ViewObject.Visibility for o in (obj, obj.Source, sibling, made)))
+
+    def test_sources_in_a_group_of_links_are_hidden_meanwhile(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject = box
+        group = self.document.addObject("App::LinkGroup", "Group")
+        group.ElementList = [link]
+        self.document.recompute()
+        self.assertEqual(group.isElementVisible(link.Name), 1)
+        panel = self.open(mq.add_quality_mesh((group, "Link.")))
+        self.assertEqual(group.isElementVisible(link.Name), 0)
+        panel.reject()
+        self.assertEqual(group.isElementVisible(link.Name), 1)
+
+    def test_the_camera_never_flies_away_from_the_part(self):
+        for perspective in (False, True):
+            self.view.setCameraType("Perspective" if perspective else "Orthographic")
+            panel = self.open(self.meshed(Part.makeBox(10, 10, 10)))  # triangles as large as the part
+            self.view.viewAxonometric()
+            self.view.fitAll()
+            before = quality_scene._width_of(self.view.getCameraNode())
+            panel.worst.setCurrentRow(0)
+            self.until(lambda: not panel.scene.flight.active)
+            self.assertLessEqual(quality_scene._width_of(self.view.getCameraNode()), 1.01 * max(before, 1.5 * 200 ** 0.5))
+            panel.scene.fly_to(panel.data.corners[:1])
+            self.view.getCameraNode().scaleHeight(100.0) if not perspective else None
+            panel.scene.fly_to(panel.data.corners[:1])
+            self.until(lambda: not panel.scene.flight.active)
+            self.assertLessEqual(quality_scene._width_of(self.view.getCameraNode()), 1.51 * 300 ** 0.5)
+            panel.reject()
+        self.view.setCameraType("Orthographic")
+
     def test_a_mesh_through_a_link(self):
         """Is measured where the link stands, and hides nothing elsewhere."""
         obj = self.meshed(Part.makeSphere(5), chord_height=0.05)

@@ -11,6 +11,7 @@ import Part
 import MeshQuality as mq
 from MeshQuality.gui import commands, quality_data
 from MeshQuality.gui.panels import quality_panel
+from MeshQuality.gui.view import colour_scale, legend
 
 
 class ThicknessView(gui_helpers.PanelTest):
@@ -57,12 +58,33 @@ class ThicknessView(gui_helpers.PanelTest):
         self.assertGreater(np.count_nonzero(red), 1000)
         panel.form.grab().save(f"{gui_helpers.PICTURES}/panel_thickness.png")
 
+    def test_what_has_no_wall_is_grey_with_a_swatch_of_its_own(self):
+        mesh = self.stepped()
+        panel = self.opened(mesh)
+        values = np.where(np.isfinite(panel.values), panel.values, 1.0)
+        before = legend.picture(panel.data.scale(quality_data.THICKNESS, values))
+        values[:5] = np.inf
+        with_some = panel.data.scale(quality_data.THICKNESS, values)
+        colours = colour_scale.bytes_of(with_some.goodness(values))
+        self.assertEqual({tuple(colour) for colour in colours[:5].tolist()}, {(158, 158, 158, 255)})
+        self.assertEqual(np.count_nonzero((colours[5:, :3] == 158).all(axis=1)), 0)
+        picture = legend.picture(with_some)
+        self.assertGreater(len(picture), len(before))
+        self.assertLess(np.count_nonzero((before[:, :, :3] == 158).all(axis=2)), 20)  # of letters
+        self.assertGreater(np.count_nonzero((picture[:, :, :3] == 158).all(axis=2)), 100)
+        histogram = quality_data.Histogram.of(values, with_some)
+        self.assertEqual(histogram.counts.sum(), len(values) - 5)
+        self.assertEqual(histogram.bar[:5].tolist(), [-1] * 5)
+        self.assertIn("logarithmic", panel.hint.text())
+        folded = quality_data.Scale(quality_data.DISTORTION, np.array([1.0, np.inf]))
+        self.assertEqual(folded.goodness(np.array([1.0, np.inf])).tolist(), [1.0, 0.0])  # infinite is bad there
+
     def test_an_open_mesh_is_refused(self):
         source = self.document.addObject("Mesh::Feature", "Sheet")
         source.Mesh = Mesh.createPlane(5, 5)
         panel = self.opened(source)
         gui_helpers.wait(0.2)
-        self.assertIn("the mesh has 4 open edges: only solids have walls", panel.summary.text())
+        self.assertIn("The mesh has 4 open edges: only solids have walls", panel.summary.text())
 
     def test_it_is_for_one_flat_mesh(self):
         box = self.box()

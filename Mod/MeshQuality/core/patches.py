@@ -218,4 +218,9 @@ def colour_of(patches, i):
     """The colour of a patch, red, green, blue from 0 to 255: its own, or one that differs from its neighbours'."""
     if patches.colours[i]:
         return patches.colours[i]
+    return distinct_colour(i)
+
+
+def distinct_colour(i):
+    """The colour of a patch that has none of its own, likewise."""
     return tuple(round(255 * part) for part in colorsys.hsv_to_rgb(i * _GOLDEN % 1.0, 0.55, 0.9))

@@ -9,12 +9,13 @@ import numpy as np
 from .. import inspection_options, phrases
 from ..compat import extension
 from ..core import verdict
-from ..core.clearance import clearance
+from ..core.clearance import APART, COMMON, TOUCHING, clearance
 from ..core.draft import draft
 from ..core.surface_mesh import SurfaceMesh
 from ..core.thickness import thickness
 from ..core.voids import voids
 from . import mesh_object, offset, properties, transactions
+from .gui_hooks import window
 
 # The checks that give it; name, type, what it says.
 RESULTS = (
@@ -23,14 +24,18 @@ RESULTS = (
     (inspection_options.CHECKS, "Faces", "App::PropertyStringList",
      "CAD faces where the minimum is, with too little draft or undercuts, or of voids"),
     (("thickness", "clearance", "voids"), "Places", "App::PropertyVectorList",
-     "Where walls below the limit are thinnest, without a limit the thinnest one; one point on each of the two solids that "
-     "are nearest to each other; the centres of voids"),
+     "Where walls below the limit are thinnest, without a limit the thinnest one; one point on each of the two solids of "
+     "each line of Pairs; the centres of voids"),
+    (("clearance",), "Pairs", "App::PropertyStringList",
+     "Pairs of solids that are too near or overlap, without a limit all, and how near: those that overlap, then the nearest "
+     "ones, then those that touch"),
     (("thickness", "clearance", "voids"), "Count", "App::PropertyInteger",
      "Number of places below the limit (a wall has two sides), of pairs of solids that are too near or overlap, of voids"),
     (("draft",), "LowDraftArea", "App::PropertyArea", "Area with less draft than the limit"),
     (("draft",), "UndercutArea", "App::PropertyArea", "Area that neither half of the mould can leave"),
     (("voids",), "VoidVolume", "App::PropertyVolume", "Volume of all voids"),
 )
+_MOST_PAIRS = 500  # that are listed
 _NO_MESH = (np.zeros((0, 3)), np.zeros((0, 3), np.int32), np.zeros(0, np.int32), True)
 
 
@@ -65,6 +70,7 @@ class Inspection(offset.SolidMesh):
             setattr(obj, name, results[name] if given else _NOTHING.get(kind, 0.0))
             obj.setEditorMode(name, 1 if given else 2)
         obj.Notes = list(found.notes)
+        window().show_values(obj, np.where(found.is_wall, found.values, np.inf) if obj.Check == "thickness" else None)
         mesh_object.show_certificate(obj, mesh.report, False, findings)
         return mesh.report, findings
 
@@ -102,9 +108,18 @@ def _of_thickness(found):
 
 def _of_clearance(found):
     nearest = found.pairs[0] if found.pairs else None
-    return {"Minimum": _length(found.minimum), "Count": len(found.too_near),
+    told = found.pairs if found.min_clearance is None else found.too_near
+    # Parts that touch by design come last: they would hide those that are too near.
+    told = sorted(told, key=lambda pair: (pair.relation not in COMMON, pair.relation == TOUCHING, pair.distance))[:_MOST_PAIRS]
+    return {"Minimum": _length(found.minimum), "Count": len(found.too_near), "Pairs": list(map(_pair_text, told)),
             "Faces": [face for face in nearest.faces if face] if nearest else [],
-            "Places": _vectors(nearest.points) if nearest else []}
+            "Places": _vectors(point for pair in told or found.pairs[:1] for point in pair.points)}
+
+
+def _pair_text(pair):
+    how = f"{pair.distance:.4g} mm" if pair.relation == APART else pair.relation
+    faces = ", ".join(filter(None, pair.faces))
+    return f"{how}: {pair.bodies[0]}, {pair.bodies[1]}" + (f" ({faces})" if faces else "")
 
 
 def _of_draft(found):

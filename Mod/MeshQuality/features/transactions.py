@@ -42,8 +42,8 @@ def add(document, kind, name, title, make):
 def update(obj, progress=None, **values):
     """Brings a document object of this package up to date, with changed options; one undo step.
 
-    obj       of add_quality_mesh, add_curved_mesh, add_fem_mesh, add_cured_mesh, add_boolean, add_improved_mesh,
-              add_offset, add_hollow, add_wrap or add_inspection
+    obj       of add_quality_mesh, add_curved_mesh, add_fem_mesh, add_cured_mesh, add_boolean, add_repaired_mesh,
+              add_improved_mesh, add_offset, add_hollow, add_wrap or add_inspection
     progress  callable(fraction 0..1, stage); returning False cancels
     values    options to change; the others stay as they are, but a bound on the distance replaces the
               one that was there
@@ -58,7 +58,7 @@ def update(obj, progress=None, **values):
     proxy = getattr(obj, "Proxy", None)
     if not isinstance(proxy, MeshObject):
         raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
-                           "add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_improved_mesh, add_offset, "
+                           "add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_repaired_mesh, add_improved_mesh, add_offset, "
                            "add_hollow, add_wrap or add_inspection")
     table, sources = proxy.OPTIONS, proxy.sources(obj)
     before = options_of(obj, table)

@@ -14,6 +14,13 @@ from .translation import translated, translated_certificate
 from .view.quality_scene import flight_to
 
 translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+RELATIONS = (QT_TRANSLATE_NOOP("MeshQuality", "touching"), QT_TRANSLATE_NOOP("MeshQuality", "overlapping"),
+             QT_TRANSLATE_NOOP("MeshQuality", "inside"), QT_TRANSLATE_NOOP("MeshQuality", "equal"))
+
+_NEAR = 0.1  # of the size of a part: what is seen around a place
+_SOLID = 0.5 * np.array([[[-1, -1, -1], [1, 1, 1], [-1, 1, -1]], [[-1, -1, -1], [-1, 1, -1], [1, 1, 1]]])  # looks nowhere
 
 
 def _words(obj):
@@ -59,8 +66,14 @@ class CertificateBox(QtGui.QWidget):
         self.button.clicked.connect(self.show_place)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.text)
-        layout.addWidget(self.button)
+        self.pairs = QtGui.QListWidget()
+        self.pairs.setWordWrap(True)
+        self.pairs.setAlternatingRowColors(True)
+        self.pairs.setToolTip(translate("MeshQuality", "Click to show where the two bodies are nearest"))
+        self.pairs.currentRowChanged.connect(self.show_pair)
+        self.pairs.itemClicked.connect(lambda _: self.show_pair(self.pairs.currentRow()))
+        for widget in (self.text, self.button, self.pairs):
+            layout.addWidget(widget)
         self.show(None)
 
     def show(self, obj):
@@ -68,6 +81,7 @@ class CertificateBox(QtGui.QWidget):
         self._end_mark()
         self._obj = obj
         self.setVisible(obj is not None)
+        self._list_pairs(getattr(obj, "Pairs", []))
         if obj is None:
             return
         deleted = obj.Proxy.lacks_source(obj)
@@ -94,6 +108,27 @@ class CertificateBox(QtGui.QWidget):
         else:
             FreeCADGui.SendMsgToActiveView("ViewSelection")
 
+    def _list_pairs(self, pairs):
+        blocked = self.pairs.blockSignals(True)
+        self.pairs.clear()
+        for pair in pairs:
+            how, _, bodies = pair.partition(": ")
+            self.pairs.addItem(f"{translated(translate('MeshQuality', how))}: {bodies}")
+        self.pairs.setVisible(bool(pairs))
+        self.pairs.blockSignals(blocked)
+
+    def show_pair(self, row):
+        """Marks where two bodies are nearest to each other, and flies there."""
+        if row < 0:
+            return
+        self._remember(self._obj.ViewObject)
+        for source in self._obj.Proxy.sources(self._obj):
+            frames.object_of(source).ViewObject.Visibility = True
+        places = np.array([tuple(point) for point in self._obj.Places[2 * row:2 * row + 2]])
+        places = convert.moved(places, frames.motion_of(self._obj))
+        self._look_at(FreeCADGui.getDocument(self._obj.Document.Name).activeView(), places[[0, 1, 1]],
+                      convert.size_of(self._obj.Proxy.sources(self._obj)[0]))
+
     def _remember(self, view):
         """What is to be as before once the panel closes."""
         self._modes.setdefault(view, view.DisplayMode)
@@ -110,12 +145,18 @@ class CertificateBox(QtGui.QWidget):
         for face in faces:
             select_face(source, face)
 
-    def _look_at(self, view, corners):
+    def _look_at(self, view, corners, around=None):
         if not hasattr(view, "getCameraNode"):
             return  # of another kind than the 3D view
         self._end_mark()
         self._mark = Mark(view, corners.tolist())
-        self.flight = flight_to(view, corners.reshape(1, 3, 3))
+        corners = corners.reshape(1, 3, 3)
+        if around is None:
+            self.flight = flight_to(view, corners)
+            return
+        # Two places may be one: as much of the part is seen as tells where that is.
+        size = max(float(np.linalg.norm(corners[0, 1] - corners[0, 0])), _NEAR * around)
+        self.flight = flight_to(view, corners[0].mean(axis=0) + size * _SOLID, 1.5)
 
     def _end_mark(self):
         if self._mark is not None:

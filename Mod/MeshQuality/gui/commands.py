@@ -12,7 +12,7 @@ from ..core import convert, frames
 from ..core.curving import holds_elements
 from ..errors import Error
 from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
-                        offset, quality_mesh, wrap)
+                        offset, quality_mesh, repaired_mesh, wrap)
 from . import quality_data
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
@@ -21,6 +21,7 @@ from .panels.case_panel import CasePanel
 from .panels.export_panel import ExportPanel
 from .panels.mesh_panel import MeshPanel
 from .panels.patches_panel import PatchesPanel
+from .panels.repair_panel import RepairPanel
 from .picked import picked_faces
 from .translation import translated
 from .trial import FemTrial, Trial
@@ -44,7 +45,11 @@ class _Command:
             and bool(self.selected())
 
     def Activated(self):
-        FreeCADGui.Control.showDialog(MeshPanel(self.operations(self.selected())))
+        FreeCADGui.Control.showDialog(self.panel(self.operations(self.selected())))
+
+    def panel(self, operations, **values):
+        """The panel for operations, with further arguments as MeshPanel has them."""
+        return MeshPanel(operations, **values)
 
     def selected(self):
         """The selected objects that the command is for; none when it cannot be used."""
@@ -241,6 +246,20 @@ class Improve(_Command):
         return [source for source in _selected() if convert.is_mesh(source)]
 
 
+class Repair(_Command):
+    KIND = repaired_mesh.RepairedMesh
+    NAME = KIND.COMMAND
+    TEXT = "Repair mesh"
+    TIP = "List the faults of the selected mesh, show where they are, and make a closed mesh without them"
+    KEYS = "Q, R"
+
+    def selected(self):
+        return _if_one(lambda source: convert.is_mesh(source) and not holds_elements(source))
+
+    def panel(self, operations, **values):
+        return RepairPanel(operations, **values)
+
+
 class Export(_OfOneMesh):
     PANEL = ExportPanel
     NAME = "MeshQuality_Export"
@@ -339,14 +358,14 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Wrap, Improve, Analyse, Thickness, Inspect, Update, Patches, Export,
+_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Wrap, Repair, Improve, Analyse, Thickness, Inspect, Update, Patches, Export,
              FlowCase, CfdSurface)
 
 
 def panel_of(obj):
     """The panel that edits a document object."""
     command = next(command for command in _COMMANDS if command.KIND is type(obj.Proxy))
-    return MeshPanel([command().editing(obj)], editing=True)
+    return command().panel([command().editing(obj)], editing=True)
 
 
 def register():

@@ -4,7 +4,7 @@
 from ..compat import PlainState
 from ..features.curved_mesh import CurvedMeshObject
 from ..features.gui_hooks import Windowless
-from . import background_recompute, looks, mesh_view, preferences, translation
+from . import background_recompute, looks, mesh_view, preferences, thickness_colours, translation
 
 
 class Window(Windowless):
@@ -48,6 +48,10 @@ class Window(Windowless):
     def show_faces(self, obj, colours):
         """As looks.show_faces."""
         looks.show_faces(obj, colours)
+
+    def show_values(self, obj, values):
+        """As thickness_colours.show."""
+        thickness_colours.show(obj, values)
 
     def drawing(self):
         """That of the 3D view."""

@@ -4,7 +4,7 @@
 import FreeCAD
 
 from ..core import frames
-from ..features import cured_mesh, mesh_object
+from ..features import cfd_surface, cured_mesh, mesh_object
 
 _EDGES = "Flat Lines"
 _MOST = 200_000  # triangles: the edges of more cover the surface, and take as long to draw as that
@@ -18,7 +18,7 @@ def show_in_place_of_sources(obj):
     if obj.Proxy.size(obj) == 0:
         return  # nothing would be seen
     # Curved meshes have a display mode of their own, with the edges of the elements.
-    if view.DisplayMode == "Shaded" and obj.Mesh.CountFacets <= _MOST:
+    if view.DisplayMode == "Shaded" and obj.Mesh.CountFacets <= _MOST and not view.Coloring:
         view.DisplayMode = _EDGES
     for source in sources_of(obj):
         if not _counts_for_others(source):
@@ -50,17 +50,58 @@ def sources_of(obj):
     return [source for source in _sources(obj) if isinstance(source, FreeCAD.DocumentObject)]
 
 
+class Hidden:
+    """Hides all that is seen where a mesh is, until `end`."""
+
+    def __init__(self, mesh):
+        self._objects = [obj for obj in all_shown_at(mesh) if _is_visible(obj)]
+        for obj in self._objects:
+            _set_visible(obj, False)
+
+    def end(self):
+        """What is still there is seen again."""
+        for obj in self._objects:
+            if obj in obj.Document.Objects:
+                _set_visible(obj, True)
+
+
+def _group_around(obj):
+    """The group of links that draws an object by itself, whatever the object's own view says; None without one."""
+    return next((group for group in obj.InList
+                 if group.isDerivedFrom("App::LinkGroup") and obj in (getattr(group, "ElementList", None) or ())), None)
+
+
+def _is_visible(obj):
+    group = _group_around(obj)
+    return obj.ViewObject.Visibility if group is None else group.isElementVisible(obj.Name) == 1
+
+
+def _set_visible(obj, visible):
+    group = _group_around(obj)
+    if group is None:
+        obj.ViewObject.Visibility = visible
+    else:
+        group.setElementVisible(obj.Name, visible)
+
+
 def all_shown_at(mesh):
-    """All that is seen where a mesh is: itself, its sources, those that these are made of in turn, and the
-    links through which they are seen there; each once. Of a link to a mesh: what is linked stands elsewhere.
+    """All that is seen where a mesh is: itself, its sources, those that these are made of in turn, other meshes that are
+    made of any of these, and the links through which they are seen there; each once. Of a link to a mesh: what is linked
+    stands elsewhere.
     """
-    found = [_seen(mesh)]
-    pending = [mesh] if frames.linked_of(mesh)[0] == mesh else []
-    while pending:
-        new = [_seen(source) for source in _sources(pending.pop())]
-        new = [source for source in dict.fromkeys(new) if source is not None and source not in found]
-        found += new
-        pending += new
+    if frames.linked_of(mesh)[0] != mesh:
+        return [_seen(mesh)]
+    own = _with_sources(mesh)
+    others = [made for made in frames.object_of(mesh).Document.Objects
+              if made not in own and any(source in own for source in _with_sources(made)[1:])]
+    return list(dict.fromkeys(_seen(shown) for shown in (*own, *others)))
+
+
+def _with_sources(mesh):
+    """A mesh, its sources, and those that these are made of in turn, each once."""
+    found = [mesh]
+    for made in found:
+        found += [source for source in dict.fromkeys(_sources(made)) if source is not None and source not in found]
     return found
 
 
@@ -68,6 +109,8 @@ def _sources(obj):
     proxy = getattr(obj, "Proxy", None)
     if isinstance(proxy, mesh_object.MeshObject):
         return proxy.sources(obj)
+    if isinstance(proxy, cfd_surface.CfdSurface):
+        return [obj.Source]
     part = cured_mesh.part_of(obj) if cured_mesh.has_fem_mesh(obj) else None
     return [] if part is None else [part]
 
@@ -78,4 +121,4 @@ def _seen(source):
     if not path.endswith("."):
         return frames.object_of(source)
     along = frames.object_of(source).getSubObjectList(path)
-    return next((obj for obj in along if obj.isDerivedFrom("App::Link")), along[0])
+    return next((obj for obj in along if obj.isDerivedFrom("App::Link")), along[-1])

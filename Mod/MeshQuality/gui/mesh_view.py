@@ -5,9 +5,12 @@ misses a requested limit, is out of date or could not be computed, editing by do
 
 import FreeCAD
 import FreeCADGui
+from PySide import QtCore
 
 from ..compat import PlainState
-from . import looks
+from ..features import mesh_object
+from . import looks, patch_colours
+from .panel_operation import is_there
 from .view import badge
 
 translate = FreeCAD.Qt.translate
@@ -15,6 +18,9 @@ translate = FreeCAD.Qt.translate
 
 class MeshView(PlainState):
     """Proxy of the view of a mesh object."""
+
+    _has_colours = False  # whether the mesh is drawn in the colours of its patches
+    _colours_wait = False  # whether they are about to be drawn
 
     def __init__(self, view):
         view.Proxy = self
@@ -35,6 +41,27 @@ class MeshView(PlainState):
         """A property of the object has changed."""
         if name in ("Certificate", "Status"):
             obj.ViewObject.signalChangeIcon()
+        if name in ("Mesh", "Patches", "PatchRest"):
+            self._colour_later(obj)
+
+    def onChanged(self, view, name):
+        """A property of the view has changed."""
+        if name == "ShapeColor":
+            self._colour_later(view.Object)
+
+    def _colour_later(self, obj):
+        """Shows patches in colour once FreeCAD has drawn the change, which takes their colours away."""
+        if not self._colours_wait and isinstance(getattr(obj, "Proxy", None), mesh_object.SegmentedMesh):
+            self._colours_wait, document = True, obj.Document.Name
+            QtCore.QTimer.singleShot(0, lambda: self._colour(document, obj))
+
+    def _colour(self, document, obj):
+        self._colours_wait = False
+        if not is_there(document, obj):
+            return
+        before, self._has_colours = self._has_colours, patch_colours.show_on_mesh(obj)
+        if before and not self._has_colours:
+            obj.ViewObject.Coloring = False  # one colour, that of the view
 
     def doubleClicked(self, view):
         """Opens the panel with the object's options."""

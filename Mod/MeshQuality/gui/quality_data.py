@@ -9,17 +9,18 @@ from typing import Optional
 import FreeCAD
 import numpy as np
 
-from .. import phrases
+from .. import fault_phrases, phrases
 from ..compat import extension, property_of
 from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
+from ..core.faults import find_faults
 from ..core.patches import patches_of
 from ..core.surface_mesh import SurfaceMesh
 from ..core.thickness import thickness
 from ..errors import InvalidInput
 from ..features import mesh_object
-from ..features.patches import patches_of_object
 from ..features.properties import exempt_reasons
+from .patch_colours import division_of
 from .quantities import Unit, in_locale
 from .view.colour_scale import GREEN
 
@@ -67,6 +68,7 @@ class Scale:
 
     measure
     low, high  ends of what is shown
+    unbounded  how many values are infinite and not bad, such as where there is no wall: they have a colour of their own
     bound      what the values were to keep within: red is beyond it, green is at it; None: the largest
                value is red, where the measure has no number for that
     Made on any thread; its texts are for the window's.
@@ -75,6 +77,7 @@ class Scale:
     def __init__(self, measure, values, bound=None):
         self.measure, self.bound = measure, bound
         finite = values[np.isfinite(values)]
+        self.unbounded = int(np.count_nonzero(values == np.inf)) if measure.low_is_bad else 0
         worst = max(float(finite.max(initial=measure.good)), bound or 0.0, measure.good + 1e-12)
         self._bad = worst if measure.bad is None else measure.bad
         self.low, self.high = sorted((self._bad, measure.good))
@@ -98,7 +101,9 @@ class Scale:
         return self.number(value) + ("" if np.isinf(value) else self.unit)
 
     def goodness(self, values):
-        """float64: 0 where bad, 1 where good."""
+        """float64: 0 where bad, 1 where good; not a number where a value is infinite and not bad."""
+        if self.measure.low_is_bad:
+            values = np.where(np.isposinf(values), np.nan, values)
         if self.bound is not None:
             inside = 1.0 - (1.0 - GREEN) * np.asarray(values) / self.bound
             return np.where(inside >= GREEN * (1.0 - 1e-9), inside, 0.0)
@@ -117,7 +122,7 @@ DISTANCE = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Distance to the shape"),
     QT_TRANSLATE_NOOP("MeshQuality", "Largest distance between each triangle and the source."),
     None, None, 0.0, lambda data, progress: data.distances(progress))
-# Ends at twice the median, as what is thick depends on the part: see QualityData.scale.
+# Ends at twice the median, as what is thick depends on the part: see thickness_scale.
 THICKNESS = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Wall thickness"),
     QT_TRANSLATE_NOOP("MeshQuality", "Diameter of the largest ball in the solid that touches the surface there; "
@@ -135,15 +140,21 @@ JACOBIAN = Measure(
     "", 0.0, 1.0, lambda data, _: data.jacobians, lambda data, _: data.jacobians_of_all())
 
 
+def thickness_scale(values):
+    """The Scale of thicknesses: up to twice the median, as what is thick depends on the part."""
+    finite = values[np.isfinite(values)]
+    return Scale(replace(THICKNESS, good=2.0 * float(np.median(finite)) if len(finite) else 1.0), values)
+
+
 @dataclass(frozen=True)
 class Histogram:
     """How many elements lie in each of BARS equal parts from `low` to `high`; those beyond are in
-    the first and the last bar.
+    the first and the last bar, those with a colour of their own in none, see Scale.
     """
 
     low: float
     high: float
-    bar: np.ndarray  # of each element, -1 of those without a number
+    bar: np.ndarray  # of each element, -1 of those in no bar
     counts: np.ndarray
 
     @classmethod
@@ -151,7 +162,7 @@ class Histogram:
         low, high = scale.low, scale.high
         part = (np.nan_to_num(values, nan=low, posinf=high, neginf=low) - low) / (high - low)
         bar = np.clip((part * BARS).astype(int), 0, BARS - 1)
-        known = ~np.isnan(values)
+        known = ~np.isnan(values) if not scale.unbounded else np.isfinite(values)
         return cls(low, high, np.where(known, bar, -1), np.bincount(bar[known], minlength=BARS))
 
     def edges(self):
@@ -170,16 +181,6 @@ class FaceRow:
     elements: int
     worst: float
     mean: float
-
-
-def _division_of(obj):
-    """The division into patches of an object; None where it has none, or none that its sources still have."""
-    if not isinstance(getattr(obj, "Proxy", None), mesh_object.PatchedMesh) or obj.Proxy.lacks_source(obj):
-        return None
-    try:
-        return obj.Proxy.faces(obj).division(*patches_of_object(obj))
-    except InvalidInput:
-        return None  # the command Patches says what is wrong
 
 
 class QualityData:
@@ -210,7 +211,7 @@ class QualityData:
         if obj.Mesh.CountFacets == 0:
             raise InvalidInput(phrases.Text(phrases.NO_TRIANGLES, name=obj.Label))
         self._why = exempt_reasons(obj)
-        self._division = _division_of(obj)
+        self._division = division_of(obj)
         asked = "AskedChordHeight" in obj.PropertiesList and property_of(obj, "AskedChordHeight").Value
         self.bound = asked or None
         self.tetrahedra = self.shown = 0
@@ -313,22 +314,26 @@ class QualityData:
     def scale(self, measure, values):
         """The Scale of these values of a measure."""
         if measure is THICKNESS:
-            finite = values[np.isfinite(values)]
-            return Scale(replace(measure, good=2.0 * float(np.median(finite)) if len(finite) else 1.0), values)
+            return thickness_scale(values)
         return Scale(measure, values, self.bound if measure is DISTANCE else None)
 
     def distances(self, progress=None):
         """The largest distance of each triangle from the shape that was meshed, mm."""
         return extension().triangle_deviations(self._surface, self._shape, progress)
 
+    def faults(self, progress=None):
+        """[core.faults.Faults, ...] of flat triangles, see core.faults."""
+        return find_faults(self._surface, progress)
+
     def thicknesses(self, progress=None):
         """How thick the wall behind each triangle is, mm, by spheres; infinite where there is no wall."""
         mesh = SurfaceMesh(self._measured())
         if not mesh.report.closed:
-            raise InvalidInput(phrases.Text(phrases.NO_THICKNESS_OPEN, count=f"{mesh.report.border_edges:,}"))
+            raise InvalidInput(phrases.Text(fault_phrases.NO_THICKNESS_OPEN, count=f"{mesh.report.border_edges:,}"))
         found = thickness(mesh, progress=progress)
         if not np.array_equal(found.mesh.triangles, mesh.triangles):
-            raise InvalidInput(phrases.Text(phrases.NO_THICKNESS_FAULTS))
+            faults = [kind.words() for kind in self.faults(progress)]
+            raise InvalidInput(phrases.Text(fault_phrases.NO_THICKNESS_FAULTS, list=faults))
         return np.where(found.is_wall, found.values, np.inf)
 
     def faces(self, values, measure):

@@ -3,7 +3,7 @@
 
 import FreeCAD
 
-from .. import fem_options, inspection_options, offset_options, options, phrases, wrap_options
+from .. import fem_options, inspection_options, offset_options, options, phrases, repair_options, wrap_options
 from . import quantities
 
 
@@ -15,7 +15,7 @@ def translate_phrase(text):
 _TITLES = {option.name: option.title for table in (options.TRIANGULATE, options.CURVE, options.CURVED_DISPLAY, fem_options.FEM,
                                                    options.BOOLEAN, options.IMPROVE, offset_options.OFFSET_OBJECT,
                                                    offset_options.HOLLOW_OBJECT, inspection_options.INSPECTION_OBJECT,
-                                                   wrap_options.WRAP_OBJECT) for option in table}
+                                                   wrap_options.WRAP_OBJECT, repair_options.REPAIR_OBJECT) for option in table}
 
 
 def _title(name):

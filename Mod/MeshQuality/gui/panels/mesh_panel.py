@@ -18,7 +18,7 @@ from ..translation import translated
 from ..view import badge
 from .option_form import OptionForm
 from .preset_box import PresetBox
-from .task_form import ClosesWithDocument, Message, bring_into_sight, is_in_task_view
+from .task_form import ClosesWithDocument, Form, Message, bring_into_sight, is_in_task_view
 
 _PAUSE = 400  # ms without a change before a trial begins
 
@@ -47,7 +47,7 @@ class MeshPanel:
         self._left = False  # whether the jobs go on without the panel
         self._finishing = None  # the cancelled job that the message is about
         self._size = max(made.size() for made in operations)
-        self.form = QtGui.QWidget()
+        self.form = Form()
         self.form.setWindowTitle(title_of(operations[0].kind.COMMAND, operations[0].title))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of(operations[0].kind.COMMAND)))
         self._document_watch = ClosesWithDocument(operations[0].document, self.form, self._document_gone)

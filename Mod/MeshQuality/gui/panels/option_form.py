@@ -20,12 +20,14 @@ _LARGEST = 2**31 - 1
 _WIDE = 150  # pixels that a list of sizes needs
 _NUMBER = 90  # pixels that a number with its unit needs
 _ARROW = 42  # pixels of a box with choices beside its text
+_KIND_OF_WORK = "check"  # the option that chooses among kinds of work: options of the others are no part of the form
 _BETWEEN_SIZES = re.compile(r"[,;]\s*(?=[^\W\d])")  # a comma before a digit is in a number
 
 
 class OptionForm(QtGui.QWidget):
     """One field for each option, in a group box for each group of the table; those that are rarely
-    needed can be folded away, and those that have no effect with the present values are disabled.
+    needed can be folded away. Those that have no effect with the present values are disabled, and hidden where they belong to
+    another kind of work than the chosen one.
 
     sources   the objects that the options are for; None: unknown
     defaults  {option: value} that the button Defaults shows; None: those of the table
@@ -38,6 +40,7 @@ class OptionForm(QtGui.QWidget):
         self._sources = [source for source in sources or [] if source is not None]
         self._defaults = defaults or options.defaults(table)
         self._fields, self._labels = {}, {}
+        self._groups = {}  # the fields of each group box
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         self._add_groups(layout, [option for option in table if not option.rare])
@@ -50,6 +53,7 @@ class OptionForm(QtGui.QWidget):
         layout.addWidget(self._rare)
         self._fold(False)
         self.changed.connect(self._enable_effective)
+        self._enable_effective()
 
     def _buttons(self, foldable):
         """The row with the button that folds, and Defaults."""
@@ -82,6 +86,7 @@ class OptionForm(QtGui.QWidget):
             field = self._field(option, table)
             field.changed.connect(self.changed)
             self._fields.update(dict.fromkeys(field.names, field))
+            self._groups.setdefault(boxes[option.group], []).append(field)
             if option.kind is bool:
                 boxes[option.group].layout().addRow(field.widget)
                 continue
@@ -114,9 +119,14 @@ class OptionForm(QtGui.QWidget):
         values = self.values()
         for field in dict.fromkeys(self._fields.values()):
             other, needed = field.option.only_with or (None, ())
+            has_effect = other is None or values[other] in needed
             for widget in (field.widget, self._labels.get(field.option.name)):
                 if widget is not None:
-                    widget.setEnabled(not field.bound and (other is None or values[other] in needed))
+                    widget.setEnabled(not field.bound and has_effect)
+                    if other == _KIND_OF_WORK:
+                        widget.setVisible(has_effect)
+        for box, fields in self._groups.items():
+            box.setVisible(any(not field.widget.isHidden() for field in fields))
 
     def values(self):
         """{option: value}; what the table allows is checked by options.check. A value that was shown and

@@ -7,15 +7,17 @@ from PySide import QtCore, QtGui
 
 from ...core import frames
 from ...core.patch_names import suggested_for
+from ...core.patches import distinct_colour
 from ...errors import Error
 from ...features.patches import patches_of_lines
+from ..patch_colours import SourceColours
 from ..panel_operation import is_there, name_of
 from ..picked import picked
 from ..sub_elements import select_face
 from ..translation import translated
 from ..view import badge
 from .mesh_panel import title_of
-from .task_form import ClosesWithDocument, Message
+from .task_form import ClosesWithDocument, Form, Message
 
 translate = FreeCAD.Qt.translate
 
@@ -33,7 +35,7 @@ class PatchesPanel:
         self.obj, self.said = obj, ""
         self.members = obj.Proxy.faces(obj).members
         self._document = obj.Document.Name
-        self.form = QtGui.QWidget()
+        self.form = Form()
         self.form.setWindowTitle(title_of("MeshQuality_Patches", "Patches"))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of("MeshQuality_Patches")))
         self._document_watch = ClosesWithDocument(self._document, self.form, self._close)
@@ -46,9 +48,11 @@ class PatchesPanel:
         self.table.setMinimumHeight(_ROWS * self.table.verticalHeader().defaultSectionSize())
         self.rest = QtGui.QLineEdit()
         self.rest.setPlaceholderText(translate("MeshQuality", "each by its own name"))
+        self._colours = SourceColours(self.members)
         self._lay_out()
         self._show_object()
         self._shown = _show_in_place([frames.object_of(member.source) for member in self.members], obj)
+        self.table.itemChanged.connect(self._show_colours)
         self.table.itemSelectionChanged.connect(self._select_faces)
 
     def _lay_out(self):
@@ -96,8 +100,19 @@ class PatchesPanel:
         except Error as error:
             self._say(translated(error), error=True)
             return False
+        self._tell(patches, rest)
         self._close()
         return True
+
+    def _tell(self, patches, rest):
+        """The report view says what the mesh has now."""
+        one, many = translate("MeshQuality", "{0} (1 face)"), translate("MeshQuality", "{0} ({1} faces)")
+        words = ", ".join((one if len(said["faces"]) == 1 else many).format(name, len(said["faces"]))
+                          for name, said in patches.items())
+        told = translate("MeshQuality", "{0}: patches {1}").format(self.obj.Label, words) if patches \
+            else translate("MeshQuality", "{0}: no patches").format(self.obj.Label)
+        others = translate("MeshQuality", "all other faces: {0}").format(rest) if rest else ""
+        FreeCAD.Console.PrintMessage("; ".join(filter(None, (told, others))) + "\n")
 
     def reject(self):
         """Cancel: closes."""
@@ -106,6 +121,8 @@ class PatchesPanel:
 
     def _close(self):
         self._document_watch.end()
+        if self._document in FreeCAD.listDocuments():
+            self._colours.end()
         for view, visible in self._shown:
             if is_there(self._document, view.Object):
                 view.Visibility = visible
@@ -171,6 +188,7 @@ class PatchesPanel:
         """Takes the marked patches out of the list."""
         for row in sorted(self._marked(), reverse=True):
             self.table.removeRow(row)
+        self._show_colours()
 
     def _take_names(self, index):
         by = self.names.itemData(index)
@@ -178,22 +196,26 @@ class PatchesPanel:
         if by is None:
             return
         self._say("")
+        self._colours.end()  # which would be taken for the faces' own
         try:
             found = suggested_for(self.members, by)
         except Error as error:
             self._say(translated(error), error=True)
+            self._show_colours()
             return
         self.table.setRowCount(0)
         for name, said in found.items():
             self._append(name, said["faces"], said.get("colour"))
 
     def _append(self, name, faces, colour=None):
-        row = self.table.rowCount()
+        row, blocked = self.table.rowCount(), self.table.blockSignals(True)
         self.table.insertRow(row)
         self.table.setItem(row, _NAME, QtGui.QTableWidgetItem(name))
         self.table.setItem(row, _FACES, QtGui.QTableWidgetItem())
         self._set_faces(row, faces)
         self._set_colour(row, colour)
+        self.table.blockSignals(blocked)
+        self._show_colours()
 
     def _faces(self, row):
         return [face.strip() for face in self.table.item(row, _FACES).text().split(",") if face.strip()]
@@ -202,11 +224,20 @@ class PatchesPanel:
         self.table.item(row, _FACES).setText(", ".join(dict.fromkeys(faces)))
 
     def _set_colour(self, row, colour):
-        item = self.table.item(row, _NAME)
-        item.setData(QtCore.Qt.UserRole, colour)
-        shown = QtGui.QPixmap(12, 12)
-        shown.fill(QtGui.QColor(colour) if colour else QtCore.Qt.transparent)
-        item.setIcon(QtGui.QIcon(shown))
+        self.table.item(row, _NAME).setData(QtCore.Qt.UserRole, colour)
+
+    def _show_colours(self, *_):
+        """Shows the colour of each patch in the list and on its faces."""
+        blocked, faces = self.table.blockSignals(True), {}
+        for row in range(self.table.rowCount()):
+            own = self.table.item(row, _NAME).data(QtCore.Qt.UserRole)
+            colour = QtGui.QColor(own) if own else QtGui.QColor(*distinct_colour(row))
+            shown = QtGui.QPixmap(12, 12)
+            shown.fill(colour)
+            self.table.item(row, _NAME).setIcon(QtGui.QIcon(shown))
+            faces.update(dict.fromkeys(self._faces(row), colour.getRgb()[:3]))
+        self.table.blockSignals(blocked)
+        self._colours.show(faces)
 
     def _withdraw(self, faces):
         """Takes faces out of the patches in which they are: each belongs to one."""

@@ -9,6 +9,7 @@ import FreeCADGui
 import numpy as np
 from PySide import QtGui
 
+from ... import fault_phrases, phrases
 from ...compat import flags
 from ...core import convert, frames
 from ...errors import Error
@@ -19,7 +20,9 @@ from ..quantities import count_text
 from ..translation import translated
 from ..view import badge, colour_scale
 from ..view.quality_scene import QualityScene
+from .faults_box import AROUND, FaultsBox
 from .histogram import HistogramView
+from .task_form import Form, Message
 
 translate = FreeCAD.Qt.translate
 
@@ -55,8 +58,8 @@ class _Found:
 
 
 class QualityPanel:
-    """A panel for FreeCADGui.Control.showDialog. The mesh and what it was made of are hidden meanwhile,
-    as the coloured mesh takes their place.
+    """A panel for FreeCADGui.Control.showDialog. The mesh and all else that is seen in its place are hidden while it is
+    shown in colour.
 
     source   a document object with a mesh, or a link to one, see frames
     measure  the Measure that is shown first; None: the first one
@@ -80,21 +83,19 @@ class QualityPanel:
             self.scene = None
             self._say(translate(
                 "MeshQuality", "The mesh cannot be drawn in colour: {0}").format(error))
-        self._hidden = [o for o in looks.all_shown_at(source) if self.scene and o.ViewObject.Visibility]
-        for hidden in self._hidden:
-            hidden.ViewObject.Visibility = False
+        self._source, self._hidden = source, None
         FreeCAD.addDocumentObserver(self)
         self._choose_measure()
         self.measures.currentIndexChanged.connect(self._choose_measure)
 
     def _make_form(self):
-        self.form = QtGui.QWidget()
+        self.form = Form()
         self.form.setWindowTitle(translate("MeshQuality", "Mesh quality"))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of("MeshQuality_Analyse")))
         of, self.summary = QtGui.QLabel(
             translate("MeshQuality", "Mesh: {0}").format(self._label)), QtGui.QLabel()
         self.measures, self.histogram = QtGui.QComboBox(), HistogramView()
-        self.meaning, self.hint = QtGui.QLabel(), QtGui.QLabel(_hint())
+        self.meaning, self.hint, self.warning = QtGui.QLabel(), QtGui.QLabel(_hint()), Message()
         self.worst, self.faces = QtGui.QListWidget(), QtGui.QTableWidget(0, 4)
         self.edges = QtGui.QCheckBox(translate("MeshQuality", "Draw edges"))
         self.edges.setEnabled(False)
@@ -119,12 +120,18 @@ class QualityPanel:
         self.tabs = QtGui.QTabWidget()
         self.tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
         self.tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
+        self.faults = FaultsBox()
+        if not self.data.curved:
+            self.tabs.addTab(self.faults, translate("MeshQuality", "Faults"))
         layout = QtGui.QVBoxLayout(self.form)
         layout.setContentsMargins(0, 0, 0, 0)
-        for widget in (of, self.measures, self.meaning, self.summary, self.histogram, self.hint, self.tabs,
+        for widget in (of, self.measures, self.meaning, self.summary, self.warning, self.histogram, self.hint, self.tabs,
                        self.edges):
             layout.addWidget(widget)
+        self._show_numbers(False)
         self.histogram.picked.connect(self._pick_bar)
+        self.faults.picked.connect(self._pick_faults)
+        self.faults.searched.connect(self._name_faults)
         self.worst.currentRowChanged.connect(self._pick_worst)
         self.worst.itemClicked.connect(lambda _: self._pick_worst(self.worst.currentRow()))
         self.faces.itemSelectionChanged.connect(self._pick_face)
@@ -156,15 +163,15 @@ class QualityPanel:
             return
         self.ended = True
         FreeCAD.removeDocumentObserver(self)
+        self.faults.end()
         if self._job is not None and self._job.active:
             self._job.cancel()
         if gone:
             return
         if self.scene is not None:
             self.scene.close()
-        for hidden in self._hidden:
-            if hidden in hidden.Document.Objects:
-                hidden.ViewObject.Visibility = True
+        if self._hidden is not None:
+            self._hidden.end()
 
     def _choose_measure(self, *_):
         measure = self.data.measures[self.measures.currentIndex()]
@@ -181,7 +188,16 @@ class QualityPanel:
             lambda found: self._take(measure, found), quiet=True, prepare=self._measuring))
         job = self._job
         job.changed.connect(lambda: self._tell(job))
-        job.ended.connect(lambda: job.error and self._say(translated(job.error)))
+        job.ended.connect(lambda: job.error and not self.ended and self._fail(translated(job.error)))
+
+    def _fail(self, text):
+        """There are no numbers to show: only why."""
+        self._say(text[:1].upper() + text[1:])
+        self._show_numbers(False)
+
+    def _show_numbers(self, shown):
+        for widget in (self.histogram, self.hint, self.worst, self.faces):
+            widget.setVisible(shown)
 
     def _tell(self, job):
         if job is self._job and job.active and (job.fraction or job.wait):
@@ -207,7 +223,10 @@ class QualityPanel:
                       self.data.faces(values, measure), order[~np.isnan(values[order])][:WORST])
 
     def _take(self, measure, found):
+        if not self._found and not self.data.curved:
+            self.faults.begin(self.data.faults)
         if not self._found and self.scene is not None:
+            self._hidden = looks.Hidden(self._source)
             self.scene.show(self.data)
             self.edges.setChecked(len(self.data.corners) <= _EDGES)
             self.edges.setEnabled(True)
@@ -217,6 +236,7 @@ class QualityPanel:
     def _show(self, measure, found):
         self.measure, self.values, self._bars = measure, found.values, found.histogram
         self._worst, self.scale = found.worst, found.scale
+        self._show_numbers(True)
         self.meaning.setText(self._meaning(measure))
         self._say(self._summary(found))
         self.histogram.show_histogram(found.histogram, found.scale)
@@ -247,7 +267,9 @@ class QualityPanel:
         words = translate("MeshQuality", "{0} elements: worst {1}, mean {2}") if self.data.curved \
             else translate("MeshQuality", "{0} triangles: worst {1}, mean {2}")
         words = words.format(count_text(self.data.elements), worst, mean)
-        return "\n".join(filter(None, (words, self.data.remark())))
+        unbounded = translate("MeshQuality", "∞, grey: {0} of them").format(count_text(found.scale.unbounded)) \
+            if found.scale.unbounded else ""
+        return "\n".join(filter(None, (words, unbounded, self.data.remark())))
 
     def _list_worst(self):
         self.worst.blockSignals(True)
@@ -296,6 +318,18 @@ class QualityPanel:
         rows = {index.row() for index in self.faces.selectedIndexes()}
         self._light_up(np.isin(self.data.group, [self._faces[row].face for row in rows]))
 
+    def _name_faults(self, found):
+        if found:
+            words = phrases.Text(fault_phrases.HAS_FAULTS, list=[faults.words() for faults in found])
+            self.warning.say(translated(phrases.sentence(words)), error=True, scroll=False)
+
+    def _pick_faults(self, chosen, place):
+        lit = np.zeros(self.data.elements, dtype=bool)
+        lit[chosen] = True
+        self._light_up(lit)
+        if len(place) and self.scene is not None:
+            self.scene.fly_to(self.data.corners[place], AROUND)
+
     def _light_up(self, chosen):
         self.lit = chosen
         if self.scene is not None:
@@ -323,7 +357,7 @@ def _mean(values):
 
 
 def _hint():
-    return translate("MeshQuality", "Click a bar to highlight its elements.")
+    return translate("MeshQuality", "Click a bar to highlight its elements. Heights are logarithmic.")
 
 
 _shown = None

@@ -47,6 +47,27 @@ def _scroll_to(widget):
             area.ensureWidgetVisible(widget)
 
 
+class Form(QtGui.QWidget):
+    """The page of a panel. The mouse wheel over a field scrolls the page; it turns a value only where the field has the
+    focus.
+    """
+
+    def showEvent(self, event):
+        """Called by Qt, once all fields are there."""
+        for kind in (QtGui.QAbstractSpinBox, QtGui.QComboBox, QtGui.QSlider):
+            for field in self.findChildren(kind):
+                field.setFocusPolicy(QtCore.Qt.StrongFocus)  # not by the wheel
+                field.installEventFilter(self)
+        super().showEvent(event)
+
+    def eventFilter(self, field, event):
+        """Called by Qt with what is sent to a field; ignored, the wheel goes on to what is around it."""
+        if event.type() != QtCore.QEvent.Wheel or field.hasFocus():
+            return False
+        event.ignore()
+        return True
+
+
 class ClosesWithDocument:
     """Closes a panel that FreeCAD shows once its document is closed; `end` with the panel.
 

@@ -14,7 +14,7 @@ from ..panel_operation import is_there
 from ..translation import translated
 from ..view import badge
 from .mesh_panel import title_of
-from .task_form import ClosesWithDocument, Message, is_in_task_view
+from .task_form import ClosesWithDocument, Form, Message, is_in_task_view
 
 translate = FreeCAD.Qt.translate
 
@@ -38,7 +38,7 @@ class WritingPanel:
         self.source, self.obj = source, frames.object_of(source)
         self.document, self.label = self.obj.Document.Name, frames.leaf_of(source).Label
         self.job, self.said, self.fields = None, "", ()
-        self.form = QtGui.QWidget()
+        self.form = Form()
         self.form.setWindowTitle(title_of(self.COMMAND, self.TITLE))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of(self.COMMAND)))
         self._document_watch = ClosesWithDocument(self.document, self.form, self._close)

@@ -26,7 +26,8 @@ def picture(scale):
     metrics = QtGui.QFontMetrics(font)
     line = metrics.height()
     inner = max(_BAR + _GAP + max(map(metrics.horizontalAdvance, labels)), metrics.horizontalAdvance(title))
-    width, height = inner + 2 * _MARGIN, _HEIGHT + 2 * line + _GAP + 2 * _MARGIN
+    below = 1.5 * line if scale.unbounded else 0.0  # for what is beyond all numbers
+    width, height = inner + 2 * _MARGIN, _HEIGHT + 2 * line + _GAP + 2 * _MARGIN + below
     ratio = FreeCADGui.getMainWindow().devicePixelRatioF()
     image = QtGui.QImage(round(width * ratio), round(height * ratio), QtGui.QImage.Format_RGBA8888)
     image.setDevicePixelRatio(ratio)
@@ -45,6 +46,12 @@ def picture(scale):
         middle = top + _HEIGHT * (1.0 - i / (LABELS - 1))
         painter.drawText(QtCore.QRectF(_MARGIN + _BAR + _GAP, middle - 0.5 * line, inner, line),
                          QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, label)
+    if scale.unbounded:
+        row = top + _HEIGHT + line
+        red, green, blue, _ = colour_scale.bytes_of(np.array([np.nan]))[0].tolist()
+        painter.fillRect(QtCore.QRectF(_MARGIN, row, _BAR, line), QtGui.QColor(red, green, blue))
+        painter.drawText(QtCore.QRectF(_MARGIN + _BAR + _GAP, row, inner, line),
+                         QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, scale.text(np.inf))
     painter.end()
     rows = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(image.height(), image.width(), 4)
     return rows[::-1].copy()

@@ -13,7 +13,8 @@ _STEPS, _TICK = 16, 25  # of a flight; ms
 _SLOW = 0.05  # seconds of drawing from which on moving is drawn coarsely
 _STILL = 250  # ms without a move after which all is drawn again
 _CLOSED = 1e-6  # of the squared size: all sides of an element look nowhere together but for rounding
-_AROUND = 25.0  # width of the view around a place, in sizes of the place
+_AROUND = 25.0  # width of the view around a place, in sizes of the place, ...
+_FITS = 1.5  # ... and of one in which it is seen whole
 
 
 class QualityScene:
@@ -87,10 +88,9 @@ class QualityScene:
         """Lights up triangles, float32 (n, 3, 3), instead of those before."""
         self.scene.light_up(corners)
 
-    def fly_to(self, corners, around=_AROUND):
-        """As flight_to."""
-        self.flight = flight_to(self.view, corners, around)
-
+    def fly_to(self, corners, around=_AROUND, within=None):
+        """As flight_to; without `within` in the mesh that is shown."""
+        self.flight = flight_to(self.view, corners, around, self._corners if within is None else within)
 
     def open_before(self, corners):
         """Lights up triangles inside of the mesh, without the surface on the camera's side of them, which would hide them."""
@@ -110,18 +110,33 @@ class QualityScene:
             self.scene.colour(self._colours)
 
 
-def flight_to(view, corners, around=_AROUND):
-    """Begins to move a view's camera to look at triangles, (n, 3, 3), from outside; the Flight. `around` is the width of
-    the view in sizes of the triangles.
+def flight_to(view, corners, around=_AROUND, within=None):
+    """Begins to move a view's camera to look at triangles, (n, 3, 3), from outside; the Flight.
+
+    around  width of the view in sizes of the triangles
+    within  (m, 3, 3), all triangles of the mesh, unless None: the view gets no wider than they are
+
+    It gets no wider than it is, either, but for triangles that would not fit into it.
     """
     points = corners.reshape(-1, 3).astype(float)
     centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    camera = view.getCameraNode()
+    width = min(around * size, max(_width_of(camera), _FITS * size))
+    if within is not None:
+        width = min(width, _FITS * float(np.linalg.norm(np.ptp(within.reshape(-1, 3), axis=0))))
     sides = corners.astype(float)
     normal = np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]).sum(axis=0)
     if np.linalg.norm(normal) < _CLOSED * size * size:
         normal = np.zeros(3)
-    return Flight(view.getCameraNode(), centre, normal, around * size)
+    return Flight(camera, centre, normal, width)
+
+
+def _width_of(camera):
+    """How much of a plane at its focus a camera sees: the shorter side of the view, mm."""
+    if camera.isOfType(coin.SoPerspectiveCamera.getClassTypeId()):
+        return 2.0 * camera.focalDistance.getValue() * np.tan(0.5 * camera.heightAngle.getValue())
+    return camera.height.getValue()
 
 
 class Flight(QtCore.QObject):

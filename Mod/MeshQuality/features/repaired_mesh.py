@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object "Repaired Mesh": a mesh of the document without its faults."""
+
+from .. import fault_phrases, phrases, repair_options
+from ..core import convert, verdict
+from ..core.repair import run_repair
+from ..errors import InvalidInput
+from . import offset, transactions
+
+
+class RepairedMesh(offset.SolidMesh):
+    """Proxy of a Mesh::FeaturePython that holds the mesh of its source, repaired."""
+
+    COMMAND, CALL = "MeshQuality_Repair", "add_repaired_mesh"
+    SOURCE, NEEDS = "The object whose mesh is repaired", "a mesh"
+    OPTIONS = repair_options.REPAIR_OBJECT
+
+    @classmethod
+    def compute(cls, given, values, progress):
+        """The mesh and what belongs to it."""
+        mesh = run_repair(given.operands, values, progress)
+        return mesh, mesh.to_mesh(), verdict.of_boolean(mesh), given
+
+    def told(self, obj):
+        """What was put right beside triangles that cross."""
+        done = [text.removeprefix("operand A: ") for text in obj.Repaired]  # there is no other one
+        return phrases.Text(fault_phrases.REPAIRS, list=done) if done else None
+
+
+def add_repaired_mesh(source, tolerance=None):
+    """Adds a document object that keeps the mesh of `source` repaired; one undo step.
+
+    source     document object with a mesh
+    tolerance  as for repair
+
+    The property Repaired says what was put right. Returns the object. Raises what repair raises, and then adds nothing.
+    """
+    if not convert.is_mesh(source):
+        raise InvalidInput(f"a document object with a mesh is needed, not {getattr(source, 'Label', type(source).__name__)}")
+    return transactions.add_of_source(RepairedMesh, source, {"tolerance": tolerance}, "RepairedMesh", "Repair mesh",
+                                      "repaired")

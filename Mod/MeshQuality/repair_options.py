@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The options of repairs, in tables as those of options. Imports nothing of FreeCAD."""
+
+from .options import THREADS, Option
+
+TOLERANCE = Option("tolerance", float, None, unit="mm", low=0.0, title="Tolerance", group="Repair", unset="size / 300",
+                   help="Largest distance between the repaired surface and the given one, but for holes that are closed")
+
+REPAIR = (TOLERANCE, THREADS)
+
+# Of document objects.
+REPAIR_OBJECT = (TOLERANCE,)
