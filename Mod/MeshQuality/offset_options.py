@@ -3,7 +3,7 @@
 
 from .options import MUST_BE_GIVEN, THREADS, Option
 
-TOLERANCE = Option("tolerance", float, None, unit="mm", low=0.0, title="Tolerance", group="Accuracy",
+TOLERANCE = Option("tolerance", float, None, unit="mm", low=0.0, title="Max. deviation", group="Accuracy",
                    unset="by size and distance",
                    help="Largest distance between the result and the exact one, in both directions; unless given, a "
                         "thousandth of the size, at most a tenth of the distance")

@@ -255,10 +255,10 @@ def _distance(relative, group, which):
     """The two options of the bound on the distance, by default relative to the size of the part."""
     return (
         Option("chord_height", float, None, unit="mm", low=0.0, group=group, title="Max. deviation",
-               help=f"Largest distance between the {which} and the shape, as a length"),
+               help=f"Max. deviation: largest distance between the {which} and the shape, as a length"),
         Option("chord_height_relative", float, relative, low=0.0, high=1.0, group=group,
                title="Relative deviation",
-               help="The same as a fraction of the shape's largest dimension"),
+               help="Max. deviation from the shape, as a fraction of its largest dimension"),
     )
 
 
@@ -388,8 +388,8 @@ BOOLEAN = (
                 "others"),
     Option("resolution", int, 512, low=8, high=65536, above=False, group="Boolean",
            title="Resolution",
-           help="Grid cells along the longest side; sets the tolerance if none is given"),
-    Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean", title="Tolerance",
+           help="Grid cells along the longest side; sets the max. deviation if none is given"),
+    Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean", title="Max. deviation",
            unset="by resolution",
            help="Largest distance between the result and the exact Boolean"),
     Option("method", str, "default", choices=BOOLEAN_METHODS, group="Boolean", title="Method",
@@ -405,7 +405,7 @@ BOOLEAN = (
 IMPROVE = (
     Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0, title="Smallest angle",
            help="Target for the smallest angle of every triangle"),
-    Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Tolerance",
+    Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Max. deviation",
            unset="size / 1000", help="Largest distance between the given mesh and the improved one"),
     Option("feature_angle", float, 35.0, unit="degrees", low=0.0, high=180.0, group="Accuracy",
            title="Feature angle",

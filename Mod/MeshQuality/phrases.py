@@ -46,7 +46,6 @@ MORE_FORCED = ("1 more triangle is below {number}°, at a small corner of the sh
 SHAPE_DISTANCE = "max. deviation {length} (requested {length2})."
 SHAPE_DISTANCE_AT = "max. deviation {length} (requested {length2}), {phrase}."
 LONGEST_EDGE = "longest edge {length} (requested {length2}), {phrase}."
-RESULT_DISTANCE = "error bound {length} (requested {length2})."
 THIN_WALL = "smallest thickness {length} (requested {length2})."
 NARROW_GAP = "smallest gap {length} (requested {length2})."
 LOW_DRAFT = ("less draft than {number}° on 1 face.", "less draft than {number}° on {count} faces.")
@@ -77,19 +76,19 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
 # Parts of the line that the report view gets for a finished object.
 FIGURES = (
     ("1 triangle", "{count} triangles"), ("1 element", "{count} elements"),
-    "smallest angle {number}°", "max. deviation {length}", "error bound {length}",
+    "smallest angle {number}°", "max. deviation {length}",
     "max. shape distortion {number}",
     ("1 pair of triangles where bodies overlap", "{count} pairs of triangles where bodies overlap"),
     ("1 pair of elements not proven apart", "{count} pairs of elements not proven apart"),
 )
-TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, ERROR_BOUND, MAX_DISTORTION, OVERLAPS, NOT_PROVEN_APART = FIGURES
+TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, MAX_DISTORTION, OVERLAPS, NOT_PROVEN_APART = FIGURES
 NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
 STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
 SMALLEST_WALL = "smallest thickness {length}"
@@ -367,6 +366,7 @@ _SHOWN = {
     TWO_BOUNDS: "The max. deviation is given twice, as {length} and as {number} of the size: give one of them",
     NO_BOUND_AND_BOUND: "The max. deviation is given twice, as unlimited and as {number} of the size: give one of them",
     NOT_GIVEN: "{option}: give a length that is not 0",
+    HALF_OF_GAP: "The max. deviation is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap",
     MIN_ABOVE_MAX: "The shortest edge of {length} is longer than the longest edge of {length2}",
     "greater than {length}, or 'none'": "greater than {length}, or without a limit",
     CASE_SOLIDS: "The mesh has {count} solids, and one space is meshed at a time: unite them first, or take one alone",
@@ -386,16 +386,18 @@ _SHOWN = {
             "A max. deviation of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a "
             "larger value",
         "fine_tolerance":
-            "A tolerance of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger "
+            "A max. deviation of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger "
             "value",
         "fine_deviation":
             "A display accuracy of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a "
             "larger value",
         "many_triangles":
             "A display accuracy of {length} takes more than {count} triangles. Choose a larger value",
+        "wrap_memory": "A wrap with a max. deviation of {length} would take more than 2 GB of memory. Choose a larger one",
+        "wrap_across": "The largest side is more than {count} times the max. deviation of {length}. Choose a larger one",
         "many_rays":
-            "A tolerance of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger "
-            "tolerance or exact intersection as the method",
+            "A max. deviation of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger "
+            "one or exact intersection as the method",
         "full_by_sampling":
             "Only sampling can reconstruct everything. Choose sampling as the method, or turn \"Reconstruct everything\" off",
         "no_such_entity":

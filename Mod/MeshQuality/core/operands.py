@@ -226,7 +226,7 @@ class Operands:
         what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
         return mesh._surface, mesh.report.max_chord_height, False, (
             f"{self._names[i]} {what} deviates by at most {mesh.report.max_chord_height:.3g} mm from "
-            f"{'them' if mixed else 'it'}; the error bound is that of the Boolean of the meshes")
+            f"{'them' if mixed else 'it'}; the max. deviation is that of the Boolean of the meshes")
 
     def _any_mesh(self, i, shape, chord_height, progress, meshing):
         """As _mesh_of_all_faces, of mesh_within."""

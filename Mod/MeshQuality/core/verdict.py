@@ -121,7 +121,7 @@ def _figures(report):
         if report.triangles:
             yield Text(phrases.SMALLEST_ANGLE, number=_rounded(report.min_angle))
         if hasattr(report, "error_bound"):
-            yield Text(phrases.ERROR_BOUND, length=_length(_rounded(report.error_bound)))
+            yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.error_bound)))
         elif report.max_chord_height >= 0:
             yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.max_chord_height)))
     if report.overlaps > 0 and not (curved and all(pair[2] == "near" for pair in report.overlapping_bodies)):
@@ -152,7 +152,7 @@ def of_improvement(mesh, closed, progress=None):
 def of_boolean(mesh):
     """Findings of a BooleanMesh. An empty one has none."""
     report = mesh.report
-    found = _too_far(report.error_bound, report.tolerance_asked, phrases.RESULT_DISTANCE)
+    found = _too_far(report.error_bound, report.tolerance_asked, phrases.SHAPE_DISTANCE)
     if report.guessed_share > 0.0:
         found.append(Finding(_sentence(phrases.GUESSED, number=f"{100.0 * report.guessed_share:.2g}")))
     if report.faults_left:

@@ -27,9 +27,10 @@ MEASURED = (
 # Name, type, what it says: beside mesh_object.PROMISES.
 PROMISES = (
     ("AskedTolerance", "App::PropertyLength",
-     "Requested largest distance from the exact Boolean"),
-    ("ErrorBound", "App::PropertyLength", "Largest distance from the exact Boolean of the meshes"),
+     "Requested max. deviation from the exact Boolean"),
+    ("ErrorBound", "App::PropertyLength", "Max. deviation from the exact Boolean of the meshes"),
     ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
+    properties.DEVIATION,
 )
 
 

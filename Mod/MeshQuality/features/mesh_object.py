@@ -16,7 +16,7 @@ from ..core.source_faces import FacesOfOne
 from ..errors import Error, InvalidInput
 from . import aliases, distance_bound, patches, placement
 from .gui_hooks import window
-from .properties import add_hidden, add_measured, add_options, add_property, clear_mesh, options_of
+from .properties import add_hidden, add_measured, add_options, add_property, clear_mesh, options_of, show_deviation
 from .recompute_work import Work
 
 # Name, type, what it says: properties of the group Certificate, for every kind of object.
@@ -409,6 +409,7 @@ def show_certificate(obj, report, closed, findings):
     closed  whether the mesh was to be closed
     """
     obj.AskedClosed, obj.Closed, obj.Manifold = closed, report.closed, report.manifold
+    show_deviation(obj)
     certificate = verdict.sentence(findings)
     obj.Certificate, obj.CertificateData = certificate, json.dumps(phrases.to_data(certificate))
     obj.CertificateFaces = verdict.faces(findings)

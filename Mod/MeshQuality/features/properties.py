@@ -23,6 +23,11 @@ ANGLES = (
 EXEMPT_REASONS = ("ExemptReasons", "App::PropertyStringList",
                   "For each reason in Exempt what it is made of, and the triangles, by which the window translates it")
 
+# Of those that keep a distance; see show_deviation.
+DEVIATION = ("Deviation", "App::PropertyString",
+             "Max. deviation, measured and requested, with the digits that count: the editor shows 0.003 as 0.00")
+_DEVIATIONS = (("MaxChordHeight", "AskedChordHeight"), ("ErrorBound", "AskedTolerance"), ("MaxDeviation", None))
+
 
 def add_property(obj, kind, name, group, text):
     """Adds a property, unless the object has it; returns whether it was added."""
@@ -68,6 +73,17 @@ def show_topology(obj, report):
     """Fills the properties of TOPOLOGY."""
     obj.Triangles, obj.Vertices = report.triangles, report.vertices
     obj.Oriented = report.oriented
+
+
+def show_deviation(obj):
+    """Fills DEVIATION, where the object has it, from the lengths beside it."""
+    if DEVIATION[0] not in obj.PropertiesList:
+        return
+    measured, requested = next(names for names in _DEVIATIONS if names[0] in obj.PropertiesList)
+    asked = property_of(obj, requested).Value if requested else 0.0
+    relative = property_of(obj, "ChordHeightRelative") if requested == "AskedChordHeight" else 0.0
+    share = f" = {relative:.4g} of the size" if relative else ""
+    obj.Deviation = f"{property_of(obj, measured).Value:.4g} mm" + (f" (requested {asked:.4g} mm{share})" if asked else "")
 
 
 def show_angles(obj, report):

@@ -14,12 +14,13 @@ from ...core import convert, frames
 from ...errors import Error
 from .. import jobs, looks
 from ..fem_quality_data import FemQualityData
-from ..quality_data import DISTANCE, Histogram, QualityData, Scale
+from ..quality_data import DISTANCE, THICKNESS, Histogram, QualityData, Scale
 from ..quantities import count_text
 from ..translation import translated
 from ..view import badge, colour_scale
 from ..view.quality_scene import QualityScene
 from .histogram import HistogramView
+from .mesh_panel import title_of
 
 translate = FreeCAD.Qt.translate
 
@@ -71,7 +72,7 @@ class QualityPanel:
         self.ended = False
         self._found = {}  # values by title of the measure
         self._job = None
-        self._make_form()
+        self._make_form(measure)
         self.measures.setCurrentIndex(self.data.measures.index(measure) if measure in self.data.measures else 0)
         view = FreeCADGui.getDocument(self._document).activeView()
         try:
@@ -87,10 +88,10 @@ class QualityPanel:
         self._choose_measure()
         self.measures.currentIndexChanged.connect(self._choose_measure)
 
-    def _make_form(self):
+    def _make_form(self, measure):
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(translate("MeshQuality", "Mesh quality"))
-        self.form.setWindowIcon(QtGui.QIcon(badge.path_of("MeshQuality_Analyse")))
+        self.form.setWindowTitle(_title(measure))
+        self.form.setWindowIcon(QtGui.QIcon(badge.path_of(_command(measure)[0])))
         of, self.summary = QtGui.QLabel(
             translate("MeshQuality", "Mesh: {0}").format(self._label)), QtGui.QLabel()
         self.measures, self.histogram = QtGui.QComboBox(), HistogramView()
@@ -329,6 +330,15 @@ def _hint():
 _shown = None
 
 
+def _command(measure):
+    """The name and the text of the command that begins with this measure."""
+    return ("MeshQuality_Thickness", "Wall thickness") if measure is THICKNESS else ("MeshQuality_Analyse", "Analyse quality")
+
+
+def _title(measure):
+    return title_of(*_command(measure))
+
+
 def shown():
     """The panel that is open; None without one."""
     return _shown if _shown is not None and not _shown.ended else None
@@ -341,7 +351,7 @@ def open_panel(source, measure=None):
     except (Error, ImportError) as error:
         FreeCAD.Console.PrintError(f"{frames.leaf_of(source).Label}: {translated(error)}\n")
         QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(),
-                                  translate("MeshQuality", "Mesh quality"), translated(error))
+                                  _title(measure), translated(error))
         return None
     FreeCADGui.Control.showDialog(panel)
     global _shown
