@@ -13,7 +13,7 @@ from ..core.curving import holds_elements
 from ..errors import Error
 from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
                         offset, quality_mesh, wrap)
-from . import quality_data
+from . import help_pages, quality_data
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
@@ -25,6 +25,8 @@ from .picked import picked_faces
 from .translation import translated
 from .trial import Trial
 from .update import update_in_background
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
 class _Command:
@@ -315,6 +317,29 @@ class GetBinary(_Command):
         FreeCADGui.Control.showDialog(BinaryPanel())
 
 
+class FirstSteps(_Command):
+    NAME = "MeshQuality_FirstSteps"
+    TEXT = "First steps"
+    TIP = "A first part in five minutes, and all other pages of the documentation"
+    KEYS = ""
+    ASKS = False
+
+    def IsActive(self):
+        return True
+
+    def Activated(self):
+        help_pages.show()
+
+
+class Example(FirstSteps):
+    NAME = "MeshQuality_Example"
+    TEXT = "Example part"
+    TIP = "Open a new document with a pipe tee, to try the commands on"
+
+    def Activated(self):
+        FreeCADGui.doCommand("from MeshQuality import example\nexample.open_document()")
+
+
 def _selected():
     """The sources that are selected, each once, see frames."""
     found = []
@@ -336,8 +361,18 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Wrap, Improve, Analyse, Thickness, Inspect, Update, Patches, Export,
-             FlowCase, CfdSurface)
+# By task: the title of a submenu, or none, and its commands.
+_MENUS = (
+    (QT_TRANSLATE_NOOP("Workbench", "Mesh"), (Triangulate, Quick, Curve, FemMesh)),
+    (QT_TRANSLATE_NOOP("Workbench", "Check"), (Analyse, Thickness, Inspect)),
+    (QT_TRANSLATE_NOOP("Workbench", "Repair and combine"), (Improve, Cure, Boolean, Wrap)),
+    (QT_TRANSLATE_NOOP("Workbench", "Print"), (Offset, Hollow)),
+    (QT_TRANSLATE_NOOP("Workbench", "CFD and FEM"), (Patches, FlowCase, CfdSurface)),
+    (QT_TRANSLATE_NOOP("Workbench", "Export"), (Export,)),
+    ("", (Update,)),
+    (QT_TRANSLATE_NOOP("Workbench", "Help"), (FirstSteps, Example)),
+)
+_COMMANDS = tuple(command for _, commands in _MENUS[:-1] for command in commands)  # for what is selected
 
 
 def panel_of(obj):
@@ -347,16 +382,22 @@ def panel_of(obj):
 
 
 def register():
-    """Registers all commands with FreeCAD; returns their names in menu order. Where the binary is
-    missing, none can be used but the one that comes first then and tells how to get it.
+    """Registers all commands with FreeCAD; returns [(title of a submenu, names)], without a title for what is in none. Where
+    the binary is missing, none that computes can be used but the one that comes first then and tells how to get it.
     """
-    chosen = _COMMANDS
+    menus = _MENUS
     if why_no_extension():
         FreeCAD.Console.PrintWarning(f"{why_no_extension()}\n")
-        chosen = (GetBinary, *_COMMANDS)
-    for command in chosen:
-        FreeCADGui.addCommand(command.NAME, command())
-    return [command.NAME for command in chosen]
+        menus = (("", (GetBinary,)), *_MENUS)
+    for _, commands in menus:
+        for command in commands:
+            FreeCADGui.addCommand(command.NAME, command())
+    return [(title, [command.NAME for command in commands]) for title, commands in menus]
+
+
+def in_one_row(groups):
+    """The names of all groups for a toolbar, with a separator between groups."""
+    return [name for names in groups for name in ("Separator", *names)][1:]
 
 
 def fitting():
