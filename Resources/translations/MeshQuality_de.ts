@@ -20,10 +20,6 @@
         <translation>Größter Winkel aller Dreiecke</translation>
     </message>
     <message>
-        <source>Largest distance from the exact Boolean of the meshes</source>
-        <translation>Größter Abstand vom genauen Ergebnis der Netze</translation>
-    </message>
-    <message>
         <source>Mean of that ratio over the elements</source>
         <translation>Mittel dieses Verhältnisses über die Elemente</translation>
     </message>
@@ -104,22 +100,6 @@
         <translation>CAD-Kanten, denen das Netz folgt: alle (all) oder nur scharfe (feature); über glatte dürfen Dreiecke dann hinweggehen</translation>
     </message>
     <message>
-        <source>Grid cells along the longest side; sets the tolerance if none is given</source>
-        <translation>Gitterzellen entlang der längsten Seite; bestimmt die Toleranz, wenn keine angegeben ist</translation>
-    </message>
-    <message>
-        <source>How the distance to the shape is bounded: relative to its size, by a length, or not at all</source>
-        <translation>Wie der Abstand zur Form begrenzt ist: relativ zu ihrer Größe, durch eine Länge oder gar nicht</translation>
-    </message>
-    <message>
-        <source>Largest distance between the mesh and the shape, as a length</source>
-        <translation>Größter Abstand zwischen Netz und Form, als Länge</translation>
-    </message>
-    <message>
-        <source>Largest distance between the mesh before it is curved and the shape, as a length</source>
-        <translation>Größter Abstand zwischen dem Netz vor dem Krümmen und der Form, als Länge</translation>
-    </message>
-    <message>
         <source>Longest edge of a triangle; 0: unlimited</source>
         <translation>Längste Kante eines Dreiecks; 0: unbegrenzt</translation>
     </message>
@@ -154,10 +134,6 @@
     <message>
         <source>The path from the source to what is meshed, where only a link leads there: Part.Box.</source>
         <translation>Der Pfad von der Quelle zu dem, was vernetzt wird, wo nur eine Verknüpfung dorthin führt: Part.Box.</translation>
-    </message>
-    <message>
-        <source>The same as a fraction of the shape&apos;s largest dimension</source>
-        <translation>Derselbe als Anteil an der größten Abmessung der Form</translation>
     </message>
     <message>
         <source>Triangles below the requested angle, and why</source>
@@ -286,10 +262,6 @@
     <message>
         <source>Repairs of the operands</source>
         <translation>Reparaturen an den Operanden</translation>
-    </message>
-    <message>
-        <source>Requested largest distance from the exact Boolean</source>
-        <translation>Verlangter größter Abstand von der exakten Verknüpfung</translation>
     </message>
     <message>
         <source>Requested max. deviation from the shape; 0: none</source>
@@ -500,16 +472,8 @@
         <translation>Anzahl der Dreiecke der Oberfläche des Hohlraums</translation>
     </message>
     <message>
-        <source>Proven largest distance from the exact result, in both directions</source>
-        <translation>Bewiesener größter Abstand vom exakten Ergebnis, in beiden Richtungen</translation>
-    </message>
-    <message>
         <source>Repairs of the source&apos;s mesh</source>
         <translation>Reparaturen am Netz der Quelle</translation>
-    </message>
-    <message>
-        <source>Requested largest distance from the exact result, in both directions</source>
-        <translation>Verlangter größter Abstand vom exakten Ergebnis, in beiden Richtungen</translation>
     </message>
     <message>
         <source>The object whose solid is hollowed</source>
@@ -608,14 +572,6 @@
         <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
     </message>
     <message>
-        <source>Requested largest distance between the wrap and what it lies on</source>
-        <translation>Verlangter größter Abstand zwischen der Hülle und dem, worauf sie liegt</translation>
-    </message>
-    <message>
-        <source>The larger one of both distances, with that of the meshes of shapes</source>
-        <translation>Der größere der beiden Abstände, mit dem der Netze von Formen</translation>
-    </message>
-    <message>
         <source>The objects that are wrapped, with a mesh or a shape</source>
         <translation>Die Objekte, die umhüllt werden, mit einem Netz oder einer Form</translation>
     </message>
@@ -638,6 +594,54 @@
     <message>
         <source>Whether bodies of a shape that overlap, lie in one another or cross are a fault of the mesh, or allowed; the report names them</source>
         <translation>Ob Körper einer Form, die sich überlappen, ineinander liegen oder sich schneiden, ein Fehler des Netzes sind oder erlaubt; der Bericht nennt sie</translation>
+    </message>
+    <message>
+        <source>Grid cells along the longest side; sets the max. deviation if none is given</source>
+        <translation>Gitterzellen entlang der längsten Seite; bestimmt die max. Abweichung, wenn keine angegeben ist</translation>
+    </message>
+    <message>
+        <source>How the max. deviation from the shape is given: relative to its size, as a length, or not at all</source>
+        <translation>Wie die max. Abweichung von der Form angegeben ist: relativ zu ihrer Größe, als Länge oder gar nicht</translation>
+    </message>
+    <message>
+        <source>Max. deviation from the exact Boolean of the meshes</source>
+        <translation>Max. Abweichung von der exakten Verknüpfung der Netze</translation>
+    </message>
+    <message>
+        <source>Max. deviation from the shape, as a fraction of its largest dimension</source>
+        <translation>Max. Abweichung von der Form, als Anteil an ihrer größten Abmessung</translation>
+    </message>
+    <message>
+        <source>Max. deviation, measured and requested, with the digits that count: the editor shows 0.003 as 0.00</source>
+        <translation>Max. Abweichung, gemessen und verlangt, mit den Stellen, auf die es ankommt: der Editor zeigt 0,003 als 0,00</translation>
+    </message>
+    <message>
+        <source>Max. deviation: largest distance between the mesh and the shape, as a length</source>
+        <translation>Max. Abweichung: größter Abstand zwischen Netz und Form, als Länge</translation>
+    </message>
+    <message>
+        <source>Max. deviation: largest distance between the mesh before it is curved and the shape, as a length</source>
+        <translation>Max. Abweichung: größter Abstand zwischen dem Netz vor dem Krümmen und der Form, als Länge</translation>
+    </message>
+    <message>
+        <source>Max. deviation: the larger one of both distances, with that of the meshes of shapes</source>
+        <translation>Max. Abweichung: der größere der beiden Abstände, mit dem der Netze von Formen</translation>
+    </message>
+    <message>
+        <source>Proven max. deviation from the exact result, in both directions</source>
+        <translation>Bewiesene max. Abweichung vom exakten Ergebnis, in beiden Richtungen</translation>
+    </message>
+    <message>
+        <source>Requested max. deviation from the exact Boolean</source>
+        <translation>Verlangte max. Abweichung von der exakten Verknüpfung</translation>
+    </message>
+    <message>
+        <source>Requested max. deviation from the exact result, in both directions</source>
+        <translation>Verlangte max. Abweichung vom exakten Ergebnis, in beiden Richtungen</translation>
+    </message>
+    <message>
+        <source>Requested max. deviation of the wrap from what it lies on</source>
+        <translation>Verlangte max. Abweichung der Hülle von dem, worauf sie liegt</translation>
     </message>
 </context>
 <context>
@@ -755,10 +759,6 @@
         <translation>Anzeige</translation>
     </message>
     <message>
-        <source>Distance to the shape</source>
-        <translation>Abstand zur Form</translation>
-    </message>
-    <message>
         <source>Fill solids with tetrahedra</source>
         <translation>Körper mit Tetraedern füllen</translation>
     </message>
@@ -829,10 +829,6 @@
     <message>
         <source>Smallest angle</source>
         <translation>Kleinster Winkel</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>Toleranz</translation>
     </message>
     <message>
         <source>Very fine</source>
@@ -921,10 +917,6 @@
     <message>
         <source>The mesh cannot be drawn in colour: {0}</source>
         <translation>Das Netz kann nicht farbig gezeichnet werden: {0}</translation>
-    </message>
-    <message>
-        <source>Mesh quality</source>
-        <translation>Netzqualität</translation>
     </message>
     <message>
         <source>Draw edges</source>
@@ -1040,7 +1032,7 @@
     </message>
     <message>
         <source>no change within the tolerance makes it better</source>
-        <translation>keine Änderung innerhalb der Toleranz macht es besser</translation>
+        <translation>keine Änderung innerhalb der max. Abweichung macht es besser</translation>
     </message>
     <message>
         <source>reading the operands</source>
@@ -1339,10 +1331,6 @@
         <translation>Kantenwinkel</translation>
     </message>
     <message>
-        <source>Grid cells along the longest side; sets the tolerance if none is given</source>
-        <translation>Gitterzellen entlang der längsten Seite; bestimmt die Toleranz, wenn keine angegeben ist</translation>
-    </message>
-    <message>
         <source>Growth rate</source>
         <translation>Wachstumsrate</translation>
     </message>
@@ -1353,14 +1341,6 @@
     <message>
         <source>Intersection</source>
         <translation>Schnittmenge</translation>
-    </message>
-    <message>
-        <source>Largest distance between the mesh and the shape, as a length</source>
-        <translation>Größter Abstand zwischen Netz und Form, als Länge</translation>
-    </message>
-    <message>
-        <source>Largest distance between the mesh before it is curved and the shape, as a length</source>
-        <translation>Größter Abstand zwischen dem Netz vor dem Krümmen und der Form, als Länge</translation>
     </message>
     <message>
         <source>Local sizes</source>
@@ -1405,10 +1385,6 @@
     <message>
         <source>The document was closed. Close this panel.</source>
         <translation>Das Dokument wurde geschlossen. Schließen Sie dieses Fenster.</translation>
-    </message>
-    <message>
-        <source>The same as a fraction of the shape&apos;s largest dimension</source>
-        <translation>Derselbe als Anteil an der größten Abmessung der Form</translation>
     </message>
     <message>
         <source>Triangle limit</source>
@@ -1855,36 +1831,20 @@
         <translation>Eine max. Abweichung von {length} liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {length2}. Wählen Sie einen größeren Wert</translation>
     </message>
     <message>
-        <source>A tolerance of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger value</source>
-        <translation>Eine Toleranz von {length} liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {length2}. Wählen Sie einen größeren Wert</translation>
-    </message>
-    <message>
-        <source>A tolerance of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger tolerance or exact intersection as the method</source>
-        <translation>Eine Toleranz von {length} ist mit Abtasten nicht möglich, das bestenfalls {length2} erreicht. Wählen Sie eine größere Toleranz oder das Verfahren „genauer Schnitt“</translation>
-    </message>
-    <message>
         <source>Longest edge on single faces, along edges or around vertices: Face3=0.5 mm, Edge7=0.2 mm; in containers and links with the path to the object: Box.Face3=0.5 mm</source>
         <translation>Längste Kante auf einzelnen Flächen, entlang von Kanten oder um Ecken: Face3=0.5 mm, Edge7=0.2 mm; in Containern und Verknüpfungen mit dem Weg zum Objekt: Box.Face3=0.5 mm</translation>
     </message>
     <message>
         <source>The max. deviation is given twice, as unlimited and as {number} of the size: give one of them</source>
-        <translation>Die größte Abweichung ist doppelt angegeben, als unbegrenzt und als {number} der Größe: Geben Sie eine davon an</translation>
+        <translation>Die max. Abweichung ist doppelt angegeben, als unbegrenzt und als {number} der Größe: Geben Sie eine davon an</translation>
     </message>
     <message>
         <source>The max. deviation is given twice, as {length} and as {number} of the size: give one of them</source>
-        <translation>Die größte Abweichung ist doppelt angegeben, als {length} und als {number} der Größe: Geben Sie eine davon an</translation>
+        <translation>Die max. Abweichung ist doppelt angegeben, als {length} und als {number} der Größe: Geben Sie eine davon an</translation>
     </message>
     <message>
         <source>The shortest edge of {length} is longer than the longest edge of {length2}</source>
         <translation>Die kürzeste Kante von {length} ist länger als die längste Kante von {length2}</translation>
-    </message>
-    <message>
-        <source>error bound {length}</source>
-        <translation>Fehlerschranke {length}</translation>
-    </message>
-    <message>
-        <source>error bound {length} (requested {length2}).</source>
-        <translation>Fehlerschranke {length} (verlangt {length2}).</translation>
     </message>
     <message>
         <source>greater than {length}</source>
@@ -1908,15 +1868,15 @@
     </message>
     <message>
         <source>max. deviation {length}</source>
-        <translation>größte Abweichung {length}</translation>
+        <translation>max. Abweichung {length}</translation>
     </message>
     <message>
         <source>max. deviation {length} (requested {length2}), {phrase}.</source>
-        <translation>größte Abweichung {length} (verlangt {length2}), {phrase}.</translation>
+        <translation>max. Abweichung {length} (verlangt {length2}), {phrase}.</translation>
     </message>
     <message>
         <source>max. deviation {length} (requested {length2}).</source>
-        <translation>größte Abweichung {length} (verlangt {length2}).</translation>
+        <translation>max. Abweichung {length} (verlangt {length2}).</translation>
     </message>
     <message>
         <source>the local size of {name} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value</source>
@@ -2843,10 +2803,6 @@
         <translation>Es sind keine Quellen angegeben: Objekte mit einem Netz oder einer Form wählen</translation>
     </message>
     <message>
-        <source>tolerance is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap</source>
-        <translation>Die Toleranz ist {length}: möglich ist höchstens die Hälfte der Lücke von {length2}; eine kleinere oder eine größere Lücke angeben</translation>
-    </message>
-    <message>
         <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
         <translation>Verfahren: Entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper, auch offene, werden längs Strahlen abgetastet (Wang 2010); voreingestellt ist das Abtasten nur, wo es kein genaues Ergebnis gibt</translation>
     </message>
@@ -2860,19 +2816,11 @@
     </message>
     <message>
         <source>method &apos;uniform&apos; would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {length}, or method &apos;exact&apos;</source>
-        <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {length} oder das Verfahren „exact“</translation>
+        <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine max. Abweichung von mindestens {length} oder das Verfahren „exact“</translation>
     </message>
     <message>
         <source>{number} % of the surface is a guess, where operands are open.</source>
         <translation>{number} % der Oberfläche sind geschätzt, wo Operanden offen sind.</translation>
-    </message>
-    <message>
-        <source>a wrap with a tolerance of {length} would take more than 2 GB of memory: give a larger tolerance</source>
-        <translation>Eine Hülle mit einer Toleranz von {length} würde mehr als 2 GB Speicher brauchen: eine größere Toleranz angeben</translation>
-    </message>
-    <message>
-        <source>the largest side is more than {count} times the tolerance of {length}: give a larger tolerance</source>
-        <translation>Die längste Seite ist mehr als das {count}-Fache der Toleranz von {length}: eine größere Toleranz angeben</translation>
     </message>
     <message>
         <source>checking for intersections</source>
@@ -2981,6 +2929,50 @@
     <message>
         <source>{name} and {name2} count as one, as they are no farther apart than {length}: that makes a corner of {number}°, which the shape does not have and a smaller max. deviation avoids, between {edge} and {edge2} at {vertex}</source>
         <translation>{name} und {name2} gelten als eins, da sie höchstens {length} voneinander entfernt sind: dadurch entsteht bei {vertex} zwischen {edge} und {edge2} eine Ecke von {number}°, die die Form nicht hat und eine kleinere max. Abweichung vermeidet</translation>
+    </message>
+    <message>
+        <source>Mesh Quality: first steps</source>
+        <translation>Netzqualität: erste Schritte</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>A max. deviation of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger one or exact intersection as the method</source>
+        <translation>Eine max. Abweichung von {length} ist mit Abtasten nicht möglich, das bestenfalls {length2} erreicht. Wählen Sie eine größere oder das Verfahren „genauer Schnitt“</translation>
+    </message>
+    <message>
+        <source>A wrap with a max. deviation of {length} would take more than 2 GB of memory. Choose a larger one</source>
+        <translation>Eine Hülle mit einer max. Abweichung von {length} würde mehr als 2 GB Speicher brauchen. Wählen Sie eine größere</translation>
+    </message>
+    <message>
+        <source>Grid cells along the longest side; sets the max. deviation if none is given</source>
+        <translation>Gitterzellen entlang der längsten Seite; bestimmt die max. Abweichung, wenn keine angegeben ist</translation>
+    </message>
+    <message>
+        <source>Max. deviation from the shape, as a fraction of its largest dimension</source>
+        <translation>Max. Abweichung von der Form, als Anteil an ihrer größten Abmessung</translation>
+    </message>
+    <message>
+        <source>Max. deviation: largest distance between the mesh and the shape, as a length</source>
+        <translation>Max. Abweichung: größter Abstand zwischen Netz und Form, als Länge</translation>
+    </message>
+    <message>
+        <source>Max. deviation: largest distance between the mesh before it is curved and the shape, as a length</source>
+        <translation>Max. Abweichung: größter Abstand zwischen dem Netz vor dem Krümmen und der Form, als Länge</translation>
+    </message>
+    <message>
+        <source>The largest side is more than {count} times the max. deviation of {length}. Choose a larger one</source>
+        <translation>Die längste Seite ist mehr als das {count}-Fache der max. Abweichung von {length}. Wählen Sie eine größere</translation>
+    </message>
+    <message>
+        <source>The max. deviation is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap</source>
+        <translation>Die max. Abweichung ist {length}: möglich ist höchstens die Hälfte der Lücke von {length2}; geben Sie eine kleinere oder eine größere Lücke an</translation>
     </message>
 </context>
 <context>
@@ -3106,6 +3098,17 @@
     </message>
 </context>
 <context>
+    <name>MeshQuality_Example</name>
+    <message>
+        <source>Open a new document with a pipe tee, to try the commands on</source>
+        <translation>Ein neues Dokument mit einem T-Stück öffnen, an dem sich die Befehle ausprobieren lassen</translation>
+    </message>
+    <message>
+        <source>Example part</source>
+        <translation>Beispielteil</translation>
+    </message>
+</context>
+<context>
     <name>MeshQuality_Export</name>
     <message>
         <source>Export mesh...</source>
@@ -3125,6 +3128,17 @@
     <message>
         <source>Mesh the selected shapes for FreeCAD&apos;s FEM workbench, in the active analysis</source>
         <translation>Ausgewählte Formen für FreeCADs FEM-Arbeitsbereich vernetzen, in der aktiven Analyse</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_FirstSteps</name>
+    <message>
+        <source>A first part in five minutes, and all other pages of the documentation</source>
+        <translation>Ein erstes Teil in fünf Minuten und alle anderen Seiten der Dokumentation (englisch)</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
     </message>
 </context>
 <context>
@@ -3264,6 +3278,34 @@
     <message>
         <source>Mesh Quality</source>
         <translation>Netzqualität</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Vernetzen</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Repair and combine</source>
+        <translation>Reparieren und verbinden</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>CFD and FEM</source>
+        <translation>CFD und FEM</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
     </message>
 </context>
 </TS>

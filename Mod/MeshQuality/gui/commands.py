@@ -334,6 +334,7 @@ class FirstSteps(_Command):
 class Example(FirstSteps):
     NAME = "MeshQuality_Example"
     TEXT = "Example part"
+    ASKS = False
     TIP = "Open a new document with a pipe tee, to try the commands on"
 
     def Activated(self):
