@@ -34,10 +34,10 @@ BOUNDS = (RELATIVE, ABSOLUTE, UNBOUNDED)  # of the property DistanceBound
 class Option:
     """One option. `low` itself is not allowed where `above` is set; None stands for `unset`.
 
-    In panels it is called `title`, and its choices as `choice_titles` says; `rare` ones are folded
-    away there. `only_with` is (name of another option, values of that one with which this one has an
-    effect); empty: always. `alias` is the name that it had in older versions, `choice_aliases` are those
-    of its choices, {older: present}: scripts, command lines and documents may go on using them.
+    In panels it is called `title`, and its choices as `choice_titles` says; `rare` ones are folded away there. `only_with` is
+    (name of another option, values of that one with which this one has an effect); empty: always. `alias` is the name that it
+    had in older versions, `choice_aliases` are those of its choices, {older: present}: scripts, command lines and documents may
+    go on using them. `suggested` is what a panel begins with: (fraction of the size of the part, mm at most).
     """
 
     name: str
@@ -57,6 +57,7 @@ class Option:
     only_with: tuple = ()
     alias: str = ""
     choice_aliases: dict = field(default_factory=dict, hash=False)
+    suggested: tuple = ()
 
     @property
     def is_sizes(self):
@@ -292,8 +293,7 @@ TRIANGULATE = (
     # Single precision does not tell more edges a circle from the circle: they are within 5e-8 of its radius.
     Option("edges_per_circle", float, None, low=3.0, high=10000.0, above=False, group="Size",
            title="Edges per full circle", rare=True, unset="no minimum",
-           help="Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is "
-                "usual"),
+           help="Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is usual"),
     Option("growth_rate", float, None, low=1.0, group="Size", title="Growth rate", rare=True,
            alias="growth", unset="unlimited",
            help="Growth rate of edge length from fine to coarse regions: 1.2 is slow, 2 is fast"),

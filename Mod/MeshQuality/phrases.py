@@ -17,6 +17,8 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from .stage_names import STAGES
+
 # The verdict on a mesh.
 MET, NOT_MET = "met", "not met"
 NOT_MET_TEXT = f"{NOT_MET}: {{text}}"
@@ -90,6 +92,8 @@ FIGURES = (
 )
 TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, MAX_DISTORTION, OVERLAPS, NOT_PROVEN_APART = FIGURES
 NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
+HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number} mm³, {number2} % of the " \
+                "volume"
 STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
 SMALLEST_WALL = "smallest thickness {length}"
 SMALLEST_GAP = "smallest gap {length}"
@@ -281,69 +285,6 @@ RANGES = (
 # Between the others and whatever they end with, hence last.
 ENDINGS = (ON_EDGE, ON_FACE)
 
-# Stages of the core and of this package by their names there, in words for people.
-STAGES = {
-    "start": "starting",
-    "reading the shape": "reading the shape",
-    "reading the operands": "reading the operands",
-    "preparing the solids": "preparing the solids",
-    "measuring the thickness": "measuring the thickness",
-    "measuring the clearance": "measuring the clearance",
-    "measuring the draft": "measuring the draft",
-    "meshing shapes": "meshing the shapes",
-    "initial triangulation": "initial triangulation",
-    "sampling": "sampling the surface",
-    "sampling CAD faces": "sampling the faces of the shapes",
-    "winding numbers": "looking for the inside of open operands",
-    "refining angles": "refining angles",
-    "refining to the chord height": "refining to the max. deviation",
-    "refining bodies": "refining the bodies",
-    "separating crossings": "separating faces that cross",
-    "mending": "improving the remaining triangles",
-    "taking out vertices": "removing vertices",
-    "releasing smooth edges": "removing smooth edges",
-    "checking": "checking the result",
-    "improving": "improving",
-    "classifying": "classifying the triangles",
-    "curving the surface": "curving the surface",
-    "repairing the surface": "repairing the surface",
-    "filling": "filling with tetrahedra",
-    "repairing the volume": "repairing the tetrahedra",
-    "inspecting": "checking the operands",
-    "finding contacts": "finding common faces",
-    "finding crossings": "finding intersections",
-    "dividing": "dividing triangles",
-    "extracting": "extracting the result",
-    "fitting to the shapes": "fitting to the shapes",
-    "clustering": "clustering the samples",
-    "Boolean of samples": "combining the samples",
-    "membership": "finding inside and outside",
-    "octree": "building the octree",
-    "stitching": "closing gaps",
-    "contouring": "building the surface",
-    "dividing cells": "dividing space into cells",
-    "proving the distance": "proving the distance",
-    "checking crossings": "checking for intersections",
-    "two-manifold": "separating contacts",
-    "assembly": "assembling the result",
-    "measuring": "measuring",
-    "offsetting": "offsetting the surface",
-    "rounding": "rounding to single precision",
-    "classifying nodes": "finding what is near the surface",
-    "rolling the ball": "rolling a ball over the surface",
-    "simplifying": "simplifying the surface",
-    "measuring distances": "measuring distances",
-    "measuring the distance": "measuring the distance",
-    "measuring the distance from the shape to the mesh": "measuring the distance from the shape to the mesh",
-    "measuring the distortion": "measuring the distortion",
-    "cutting into triangles": "dividing into triangles",
-    "checking elements": "checking the elements",
-    "comparing curved triangles": "finding curved triangles that cross",
-    "done": "done",
-    # What the work can wait for, without being able to interrupt it.
-    "comparing the shape": "comparing the shape with the last one",
-    "measuring the size": "measuring the size of the shape",
-}
 # Parts of a stage that work cannot interrupt, of the core too.
 WAITS_FOR_KERNEL = "waits for OpenCASCADE: {stage}"
 WAITS_FOR_ENGINE = "waits for the shape engine, used by {name}"
@@ -414,7 +355,7 @@ _SHOWN = {
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, NOTHING_LEFT, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

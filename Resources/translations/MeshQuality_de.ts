@@ -643,6 +643,10 @@
         <source>Requested max. deviation of the wrap from what it lies on</source>
         <translation>Verlangte max. Abweichung der Hülle von dem, worauf sie liegt</translation>
     </message>
+    <message>
+        <source>Volume of a closed hollow, which is what it saves; 0 where it has openings</source>
+        <translation>Volumen eines geschlossenen Hohlraums, das gespart wird; 0, wenn er Öffnungen hat</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -1241,10 +1245,6 @@
     <message>
         <source>60° is ideal; angles of a few degrees harm simulations.</source>
         <translation>60° sind ideal; Winkel von wenigen Grad schaden Simulationen.</translation>
-    </message>
-    <message>
-        <source>1 is ideal: all edges of a triangle have the same length.</source>
-        <translation>1 ist ideal: alle Kanten eines Dreiecks sind gleich lang.</translation>
     </message>
     <message>
         <source>Largest distance between each triangle and the source.</source>
@@ -2973,6 +2973,58 @@
     <message>
         <source>The max. deviation is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap</source>
         <translation>Die max. Abweichung ist {length}: möglich ist höchstens die Hälfte der Lücke von {length2}; geben Sie eine kleinere oder eine größere Lücke an</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle</source>
+        <translation>Kleinster Flächenwinkel</translation>
+    </message>
+    <message>
+        <source>Between two faces of an element: a regular tetrahedron has 70.5°; 10° and less harm simulations.</source>
+        <translation>Zwischen zwei Flächen eines Elements: Ein regelmäßiges Tetraeder hat 70,5°; 10° und weniger schaden Simulationen.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Of the element with straight sides; ≤ 0 = inside out.</source>
+        <translation>Des Elements mit geraden Seiten; ≤ 0 = umgestülpt.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Flächeninhalt</translation>
+    </message>
+    <message>
+        <source>Of the element with straight sides.</source>
+        <translation>Des Elements mit geraden Seiten.</translation>
+    </message>
+    <message>
+        <source>All {0} proven valid.</source>
+        <translation>Alle {0} nachweislich gültig.</translation>
+    </message>
+    <message>
+        <source>1 of {1} is not proven valid.</source>
+        <translation>1 von {1} ist nicht nachweislich gültig.</translation>
+    </message>
+    <message>
+        <source>Written: {0}. In a terminal with OpenFOAM type: {1}</source>
+        <translation>Geschrieben: {0}. In einem Terminal mit OpenFOAM eingeben: {1}</translation>
+    </message>
+    <message>
+        <source>OpenFOAM takes no blanks in paths: move the folder to where there are none.</source>
+        <translation>OpenFOAM nimmt keine Leerzeichen in Pfaden: Verschieben Sie den Ordner an einen Ort ohne Leerzeichen.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>1 is ideal: all edges of an element have the same length.</source>
+        <translation>1 ist ideal: Alle Kanten eines Elements sind gleich lang.</translation>
+    </message>
+    <message>
+        <source>a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number} mm³, {number2} % of the volume</source>
+        <translation>im Innern ist ein Hohlraum eingeschlossen, aus dem Harz, Pulver oder Luft nicht entweichen können; er spart {number} mm³, {number2} % des Volumens</translation>
     </message>
 </context>
 <context>

@@ -116,6 +116,22 @@ class Commands(gui_helpers.PanelTest):
         self.assertTrue(panel.options.isEnabled())
         self.assertTrue(panel.reject())
 
+    def test_cancel_is_called_close_once_apply_has_changed_something(self):
+        panel = self.panel(commands.Triangulate, self.box())
+        button, = (button for button in FreeCADGui.getMainWindow().findChildren(QtGui.QPushButton)
+                   if button.text().replace("&", "") == "Cancel" and button.isVisible())
+        panel.apply()
+        self.assertEqual(button.text().replace("&", ""), "Cancel")
+        self.until(lambda: not panel.jobs)
+        self.assertEqual(button.text(), "Close")
+        gui_helpers.screen().save(f"{gui_helpers.PICTURES}/panel_close.png")
+        panel.options.set_values({"max_edge": 0.01})
+        panel.apply()
+        self.assertEqual(button.text(), "Cancel")
+        panel.reject()
+        self.until(lambda: not panel.jobs)
+        panel.reject()
+
     def test_a_document_closed_meanwhile_ends_its_job(self):
         other = FreeCAD.newDocument("Other")
         source = other.addObject("Part::Box", "Box")

@@ -2,6 +2,7 @@
 """The document object "Boolean": a mesh that follows a Boolean of objects of the document."""
 
 import json
+import re
 from functools import partial
 
 import FreeCAD
@@ -108,8 +109,16 @@ class MeshBoolean(mesh_object.MeshObject):
         obj.Volume, obj.ErrorBound, obj.AskedTolerance = report.volume, report.error_bound, report.tolerance_asked
         obj.FaultsLeft, obj.Notes = report.faults_left, list(report.notes)
         self.show_origin(obj, mesh)
+        self.follow_label(obj)
         mesh_object.show_certificate(obj, report, True, findings)
         return report, findings
+
+    def follow_label(self, obj):
+        """Has a label that add_boolean gave follow the operation."""
+        first, told = frames.leaf_of(self.sources(obj)[0]).Label, obj.Operation.replace("_", " ")
+        others = "|".join(other.replace("_", " ") for other in options.OPERATIONS if other != obj.Operation)
+        if re.fullmatch(rf"{re.escape(first)} ({others})\d*", obj.Label):
+            obj.Label = f"{first} {told}"
 
     def show_origin(self, obj, mesh):
         """Fills those properties that say what the triangles come from."""

@@ -65,6 +65,9 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
         """Older versions did not keep the faces of the triangles."""
         return super().holds_mesh(obj) and bool(obj.FaceRuns or not obj.Triangles)
 
+    def follow_label(self, obj):
+        """It has one operation."""
+
     def show_origin(self, obj, mesh):
         """Fills those properties that say what the triangles lie on."""
         obj.FaceRuns = mesh_object.runs_of_faces(mesh.triangle_face)

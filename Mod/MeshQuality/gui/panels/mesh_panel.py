@@ -7,6 +7,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from ... import phrases
 from ...compat import flags
 from ...core import frames
 from ...core.operands import letters
@@ -42,6 +43,7 @@ class MeshPanel:
         self.said = ""  # the message, which ends with the panel
         self._editing, self._afterwards = editing, afterwards
         self._closing = False  # whether the panel closes once its jobs are done
+        self._cancel, self._applied = None, False  # the button; whether work has changed the document
         self._trial = None  # the Job
         self._trials = []  # a Trial for each operation, once they have been computed
         self._left = False  # whether the jobs go on without the panel
@@ -51,11 +53,12 @@ class MeshPanel:
         self.form.setWindowTitle(title_of(operations[0].kind.COMMAND, operations[0].title))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of(operations[0].kind.COMMAND)))
         self._document_watch = ClosesWithDocument(operations[0].document, self.form, self._document_gone)
+        useful = preferences.suggested(operations[0].kind, self._size)
         self.options = OptionForm(operations[0].kind.OPTIONS,
                                   [source for made in operations for source in made.sources],
-                                  preferences.defaults(operations[0].kind))
+                                  {**preferences.defaults(operations[0].kind), **useful})
         self.options.set_values(
-            operations[0].values() or {**preferences.first_values(operations[0].kind), **operations[0].chosen})
+            operations[0].values() or {**preferences.first_values(operations[0].kind), **useful, **operations[0].chosen})
         self._show_bound()
         self.presets = PresetBox(operations[0].kind.PRESETS)
         self._lay_out()
@@ -69,6 +72,7 @@ class MeshPanel:
 
     def _lay_out(self):
         of = QtGui.QLabel(_sources_text(self.operations))
+        of.setVisible(bool(of.text()))
         self.estimate, self.message, self.bar = QtGui.QLabel(), Message(), QtGui.QProgressBar()
         self.doing = QtGui.QLabel()
         self.estimate.setVisible(self.operations[0].trial is not None)
@@ -111,6 +115,16 @@ class MeshPanel:
     def getStandardButtons(self):
         # A third one would not fit into the width that FreeCAD's task view has at first.
         return flags(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+
+    def modifyStandardButtons(self, box):
+        """Called by FreeCAD with its buttons."""
+        self._cancel = box.button(QtGui.QDialogButtonBox.Cancel)
+
+    def _name_cancel(self):
+        """Cancel ends running work; once Apply has done something, which stays, there is nothing more to cancel."""
+        if self._cancel is not None:
+            self._cancel.setText(translate("MeshQuality", "Close") if self._applied and not self.jobs
+                                 else translate("MeshQuality", "Cancel"))
 
     def apply(self):
         """Begins the work; the panel stays open, and edits what was made."""
@@ -215,6 +229,8 @@ class MeshPanel:
             self._say_cancelled(job, "" if job.over else job.doing)
         elif job.state == jobs.FAILED:
             self._say(translated(job.error), error=True)
+        else:
+            self._applied = True
         if self.jobs:
             return
         self._show_work(False)
@@ -239,6 +255,7 @@ class MeshPanel:
             widget.setEnabled(enabled)
         self.button.setVisible(enabled)
         self.leave.setVisible(not enabled)
+        self._name_cancel()
 
     def _close_if_done(self):
         if self._closing and not self.jobs and not self.said:
@@ -253,11 +270,13 @@ class MeshPanel:
         self.message.say(text, error, scroll)
 
     def _options_changed(self):
-        self._say("")
+        edited = self._edited()
+        deleted = edited is not None and edited.Proxy.lacks_source(edited)
+        self._say(translated(phrases.Text(phrases.SOURCE_GONE)) if deleted else "", error=deleted)
         self._end_trial()
         self._trials = []
         self.presets.show(self.options.values(), self._size)
-        if self.operations[0].trial is not None:
+        if self.operations[0].trial is not None and not deleted:
             self._counting()
             self._timer.start()
 
@@ -298,7 +317,7 @@ def _sources_text(operations):
     if "Sources" in operations[0].kind.LINKS and len(labels) > 1:
         operands = (f"{letter} = {label}" for letter, label in zip(letters(len(labels)), labels))
         return translate("MeshQuality", "Operands: {}").format(", ".join(operands))
-    return translate("MeshQuality", "Source: {}").format(", ".join(labels))
+    return translate("MeshQuality", "Source: {}").format(", ".join(labels)) if labels else ""
 
 
 def title_of(command, text):
