@@ -2664,7 +2664,7 @@
     </message>
     <message>
         <source>by size and distance</source>
-        <translation>nach Größe und Abstand</translation>
+        <translation>nach Größe</translation>
     </message>
     <message>
         <source>a length</source>

@@ -152,7 +152,7 @@ class WrapCommand(gui_helpers.PanelTest):
         self.assertIn("möglich ist höchstens die Hälfte der Lücke von 1 mm", panel.said)
         panel.options.set_values({"gap": 1.0, "tolerance": 1e-4})
         self.finish(panel)
-        self.assertIn("Eine Hülle mit einer Toleranz von 100 nm würde mehr als 2 GB Speicher brauchen", panel.said)
+        self.assertIn("Eine Hülle mit einer max. Abweichung von 100 nm würde mehr als 2 GB Speicher brauchen", panel.said)
         self.narrow(panel, "panel_wrap_german")
         panel.reject()
 
