@@ -50,6 +50,10 @@ SHAPE_DISTANCE_AT = "max. deviation {length} (requested {length2}), {phrase}."
 LONGEST_EDGE = "longest edge {length} (requested {length2}), {phrase}."
 THIN_WALL = "smallest thickness {length} (requested {length2})."
 NARROW_GAP = "smallest gap {length} (requested {length2})."
+WALL_NOT_KNOWN = "a smallest thickness of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by " \
+                 "{length3}; give a smaller max. deviation."
+GAP_NOT_KNOWN = "a smallest gap of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by " \
+                "{length3}; give a smaller max. deviation."
 LOW_DRAFT = ("less draft than {number}° on 1 face.", "less draft than {number}° on {count} faces.")
 UNDERCUTS = ("1 face has undercuts.", "{count} faces have undercuts.")
 HAS_VOIDS = ("1 closed void.", "{count} closed voids.")
@@ -78,7 +82,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, THIN_WALL, NARROW_GAP, WALL_NOT_KNOWN, GAP_NOT_KNOWN, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
@@ -91,6 +95,7 @@ FIGURES = (
     ("1 pair of elements not proven apart", "{count} pairs of elements not proven apart"),
 )
 TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, MAX_DISTORTION, OVERLAPS, NOT_PROVEN_APART = FIGURES
+OVERLAPS_HINT = "to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap"
 NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
 HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number} mm³, {number2} % of the " \
                 "volume"
@@ -355,7 +360,7 @@ _SHOWN = {
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

@@ -136,10 +136,6 @@
         <translation>Der Pfad von der Quelle zu dem, was vernetzt wird, wo nur eine Verknüpfung dorthin führt: Part.Box.</translation>
     </message>
     <message>
-        <source>Triangles below the requested angle, and why</source>
-        <translation>Dreiecke unter dem verlangten Winkel, und warum</translation>
-    </message>
-    <message>
         <source>Where the container of the first source stood when the mesh was computed</source>
         <translation>Wo der Behälter der ersten Quelle stand, als das Netz berechnet wurde</translation>
     </message>
@@ -646,6 +642,14 @@
     <message>
         <source>Volume of a closed hollow, which is what it saves; 0 where it has openings</source>
         <translation>Volumen eines geschlossenen Hohlraums, das gespart wird; 0, wenn er Öffnungen hat</translation>
+    </message>
+    <message>
+        <source>Number of triangles below the requested angle</source>
+        <translation>Anzahl der Dreiecke unter dem verlangten Winkel</translation>
+    </message>
+    <message>
+        <source>Triangles below the requested angle, and why; hidden where there are many</source>
+        <translation>Dreiecke unter dem verlangten Winkel, und warum; verborgen, wo es viele sind</translation>
     </message>
 </context>
 <context>
@@ -1212,7 +1216,7 @@
     </message>
     <message>
         <source>Defaults</source>
-        <translation>Standard</translation>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>Set all options to their defaults</source>
@@ -1220,7 +1224,7 @@
     </message>
     <message>
         <source>Relative to size</source>
-        <translation>Relativ zur Größe</translation>
+        <translation>Relativ</translation>
     </message>
     <message>
         <source>Absolute</source>
@@ -1352,7 +1356,7 @@
     </message>
     <message>
         <source>Random seed for the sprinkle method; the same seed gives the same mesh</source>
-        <translation>Startwert des Zufalls für das Verfahren sprinkle; derselbe Wert gibt dasselbe Netz</translation>
+        <translation>Startwert des Zufalls für das Verfahren „zufällig abtasten“; derselbe Wert gibt dasselbe Netz</translation>
     </message>
     <message>
         <source>Relative deviation</source>
@@ -1460,7 +1464,7 @@
     </message>
     <message>
         <source>refine inserts points until every angle and distance fits; star (hexagons) and sprinkle (random points) first sample the faces, denser where they bend</source>
-        <translation>refine fügt Punkte ein, bis jeder Winkel und Abstand passt; star (Sechsecke) und sprinkle (zufällige Punkte) tasten die Flächen zuerst ab, dichter wo sie sich biegen</translation>
+        <translation>Verfeinern fügt Punkte ein, bis jeder Winkel und Abstand passt; Abtasten (in Sechsecken oder zufällig) setzt zuerst Punkte auf die Flächen, dichter wo sie sich biegen</translation>
     </message>
     <message>
         <source>smallest angle {number}°</source>
@@ -1700,7 +1704,7 @@
     </message>
     <message>
         <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, circumcentre is the rule of Aftosmis 1999</source>
-        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: off-centre braucht weniger Dreiecke, circumcentre (Umkreismittelpunkt) ist die Regel von Aftosmis 1999</translation>
+        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: neben dem Umkreismittelpunkt braucht weniger Dreiecke, im Umkreismittelpunkt ist die Regel von Aftosmis 1999</translation>
     </message>
     <message>
         <source>all</source>
@@ -1764,7 +1768,7 @@
     </message>
     <message>
         <source>off-centre</source>
-        <translation>off-centre</translation>
+        <translation>neben dem Umkreismittelpunkt</translation>
     </message>
     <message>
         <source>only sharp ones</source>
@@ -2852,7 +2856,7 @@
     </message>
     <message>
         <source>How curves and surfaces are evaluated: fast by formulas and polynomial pieces, native by OpenCASCADE alone, which takes longer</source>
-        <translation>Wie Kurven und Flächen ausgewertet werden: fast durch Formeln und Polynomstücke, native nur durch OpenCASCADE, was länger dauert</translation>
+        <translation>Wie Kurven und Flächen ausgewertet werden: schnell durch Formeln und Polynomstücke, oder nur durch OpenCASCADE, was länger dauert</translation>
     </message>
     <message>
         <source>by OpenCASCADE alone</source>
@@ -2980,7 +2984,7 @@
     </message>
     <message>
         <source>Between two faces of an element: a regular tetrahedron has 70.5°; 10° and less harm simulations.</source>
-        <translation>Zwischen zwei Flächen eines Elements: Ein regelmäßiges Tetraeder hat 70,5°; 10° und weniger schaden Simulationen.</translation>
+        <translation>Zwischen zwei Seitenflächen: Ein regelmäßiges Tetraeder hat 70,5°; 10° und weniger schaden Simulationen.</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -2988,7 +2992,7 @@
     </message>
     <message>
         <source>Of the element with straight sides; ≤ 0 = inside out.</source>
-        <translation>Des Elements mit geraden Seiten; ≤ 0 = umgestülpt.</translation>
+        <translation>Bei geraden Seiten; ≤ 0 = umgestülpt.</translation>
     </message>
     <message>
         <source>Area</source>
@@ -2996,7 +3000,7 @@
     </message>
     <message>
         <source>Of the element with straight sides.</source>
-        <translation>Des Elements mit geraden Seiten.</translation>
+        <translation>Bei geraden Seiten.</translation>
     </message>
     <message>
         <source>All {0} proven valid.</source>
@@ -3020,11 +3024,23 @@
     </message>
     <message>
         <source>1 is ideal: all edges of an element have the same length.</source>
-        <translation>1 ist ideal: Alle Kanten eines Elements sind gleich lang.</translation>
+        <translation>1 ist ideal: Alle Kanten sind gleich lang.</translation>
     </message>
     <message>
         <source>a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number} mm³, {number2} % of the volume</source>
         <translation>im Innern ist ein Hohlraum eingeschlossen, aus dem Harz, Pulver oder Luft nicht entweichen können; er spart {number} mm³, {number2} % des Volumens</translation>
+    </message>
+    <message>
+        <source>a smallest gap of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by {length3}; give a smaller max. deviation.</source>
+        <translation>ein kleinster Spalt von {length} ist nicht bewiesen: auf dem Netz sind es {length2}, was die Abweichung des Netzes um {length3} offen lässt; eine kleinere max. Abweichung angeben.</translation>
+    </message>
+    <message>
+        <source>a smallest thickness of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by {length3}; give a smaller max. deviation.</source>
+        <translation>eine kleinste Dicke von {length} ist nicht bewiesen: auf dem Netz sind es {length2}, was die Abweichung des Netzes um {length3} offen lässt; eine kleinere max. Abweichung angeben.</translation>
+    </message>
+    <message>
+        <source>to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap</source>
+        <translation>um aus Körpern, die einander durchdringen oder berühren, ein Netz zu machen: „Berührende Körper verbinden“ (Weitere Optionen), Boolesche Netzoperation oder Umhüllen</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 import gui_helpers
 import Mesh
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 import MeshQuality as mq
 from MeshQuality.gui import commands, jobs
@@ -116,6 +116,29 @@ class Commands(gui_helpers.PanelTest):
         self.assertTrue(panel.options.isEnabled())
         self.assertTrue(panel.reject())
 
+    def test_return_in_a_field_takes_the_value_and_begins_nothing(self):
+        panel = self.panel(commands.Triangulate, self.box())
+        box = panel.options.field("max_edge")
+        box.setFocus()
+        box.lineEdit().setText("3 mm")
+        for key, modifiers, begun in ((QtCore.Qt.Key_Return, QtCore.Qt.NoModifier, False),
+                                      (QtCore.Qt.Key_Return, QtCore.Qt.ControlModifier, True)):
+            QtGui.QApplication.sendEvent(box, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, key, modifiers))
+            self.assertEqual(box.value(), 3.0)
+            self.assertEqual(bool(panel.jobs), begun)
+        self.until(lambda: not panel.jobs)
+
+    def test_a_hidden_source_stands_for_its_mesh(self):
+        """After OK the source is still selected, and hidden: the next command takes the mesh that is seen in its place."""
+        box = self.box()
+        self.finish(self.panel(commands.Triangulate, box))
+        self.assertEqual(FreeCADGui.Selection.getSelection(), [box])
+        mesh = self.document.Objects[-1]
+        for command in (commands.Analyse, commands.Thickness, commands.Export, commands.Patches, commands.FlowCase):
+            self.assertEqual(command().selected(), [mesh], command.NAME)
+        box.ViewObject.Visibility = True
+        self.assertFalse(commands.Analyse().IsActive())
+
     def test_cancel_is_called_close_once_apply_has_changed_something(self):
         panel = self.panel(commands.Triangulate, self.box())
         button, = (button for button in FreeCADGui.getMainWindow().findChildren(QtGui.QPushButton)
@@ -184,7 +207,8 @@ class Commands(gui_helpers.PanelTest):
         self.assertTrue(panel.form.isVisible())
 
     def test_every_command_has_its_icon_and_its_own_shortcut(self):
-        names = [name for name in FreeCADGui.listCommands() if name.startswith("MeshQuality_")]
+        names = [name for name in FreeCADGui.listCommands()
+                 if name.startswith("MeshQuality_") and name not in (commands.FirstSteps.NAME, commands.Example.NAME)]
         self.assertGreaterEqual(len(names), 6)
         shortcuts = set()
         for name in names:
@@ -199,10 +223,10 @@ class Commands(gui_helpers.PanelTest):
         box = self.box()
         curved = mq.add_curved_mesh(box)
         both = {"Offset", "Hollow", "Wrap", "Inspect"}
-        for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh", *both}), ((), set()),
+        in_place = {"Analyse", "Patches", "Export", "FlowCase", "CfdSurface"}  # of the mesh that is seen in place of the box
+        for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh", *both, *in_place}), ((), set()),
                                  ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Update", *both}),
-                                 ((curved,), {"Analyse", "Improve", "Update", "Patches", "Export", "FlowCase", "CfdSurface",
-                                              *both})):
+                                 ((curved,), {"Improve", "Update", *in_place, *both})):
             self.select(*chosen)
             added = []
             with mock.patch.object(workbench, "appendContextMenu", create=True,

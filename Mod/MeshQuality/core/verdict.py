@@ -106,7 +106,8 @@ def line(label, report, findings, say=str):
     say   say(text that a phrase of `phrases` fits) -> text in the user's language and units
     """
     verdict = Text(phrases.TARGET_NOT_MET, text=_joined(findings)) if findings else Text(phrases.ALL_MET)
-    return f"{label}: {', '.join(map(say, _figures(report)))}; {say(verdict)}"
+    hint = f" {say(phrases.sentence(Text(phrases.OVERLAPS_HINT)))}" if getattr(report, "overlaps", 0) > 0 else ""
+    return f"{label}: {', '.join(map(say, _figures(report)))}; {say(verdict)}{hint}"
 
 
 def _figures(report):
@@ -347,10 +348,14 @@ def of_thickness(found):
     if found.min_thickness is None or found.minimum >= found.min_thickness:
         return []
     length, limit = map(_length, _told_apart(found.minimum, found.min_thickness))
+    places = {"length": length, "length2": limit}
     phrase = phrases.NARROW_GAP if found.gap else phrases.THIN_WALL
+    if found.bounds[1] >= found.min_thickness:  # as thin, or as thick as it should be
+        places = {"length": limit, "length2": length, "length3": _length(_rounded(found.bounds[1] - found.minimum))}
+        phrase = phrases.GAP_NOT_KNOWN if found.gap else phrases.WALL_NOT_KNOWN
     mesh = found.mesh
     corners = (mesh.vertices + mesh.origin)[mesh.triangles[found.minimum_triangle]]
-    return [Finding(_sentence(phrase, length=length, length2=limit), found.minimum_faces,
+    return [Finding(_sentence(phrase, **places), found.minimum_faces,
                     tuple(tuple(corner) for corner in corners.tolist()))]
 
 

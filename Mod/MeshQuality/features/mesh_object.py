@@ -422,6 +422,10 @@ class _Observer:
     def slotRecomputedDocument(self, document):
         """Called by FreeCAD: what an object promises of a mesh that is not of its options counts no longer."""
         for obj in document.Objects:
+            if isinstance(getattr(obj, "Proxy", None), MeshObject) and obj.Status == UP_TO_DATE and obj.Fingerprint \
+                    and obj.Proxy.lacks_source(obj):  # a copy from another document
+                with suppress(AttributeError):
+                    obj.Status = SOURCE_DELETED
             if not isinstance(getattr(obj, "Proxy", None), MeshObject) or "Invalid" not in obj.State \
                     or not getattr(obj, "Fingerprint", "") or obj.Status == SOURCE_DELETED or obj.Certificate == verdict.NOT_COMPUTED:
                 continue

@@ -282,10 +282,7 @@ class Patches(_OfOneMesh):
     KEYS = "Q, P"
 
     def selected(self):
-        found = list(dict.fromkeys(frames.linked_of(source)[0] for source in _selected()))
-        fits = len(found) == 1 and isinstance(getattr(found[0], "Proxy", None), mesh_object.PatchedMesh) \
-            and not found[0].Proxy.lacks_source(found[0]) and found[0].Proxy.has_faces(found[0])
-        return found if fits else []
+        return [frames.linked_of(source)[0] for source in _if_one(_can_have_patches)]
 
 
 class Update(_Command):
@@ -349,10 +346,27 @@ def _selected():
     return found
 
 
+def _in_place_of(source):
+    """The meshes that are seen in place of a source that is hidden, as panels leave it selected."""
+    obj = frames.linked_of(source)[0]
+    if obj.ViewObject is None or obj.ViewObject.Visibility:
+        return []
+    return [user for user in dict.fromkeys(obj.InList)
+            if isinstance(getattr(user, "Proxy", None), mesh_object.MeshObject) and user.ViewObject.Visibility]
+
+
 def _if_one(fits):
-    """What is selected, if it is one source that fits."""
+    """What is selected, if it is one source that fits; or the one mesh that is seen in its place."""
     found = _selected()
+    if len(found) == 1 and not fits(found[0]):
+        found = _in_place_of(found[0])
     return found if len(found) == 1 and fits(found[0]) else []
+
+
+def _can_have_patches(source):
+    obj = frames.linked_of(source)[0]
+    proxy = getattr(obj, "Proxy", None)
+    return isinstance(proxy, mesh_object.PatchedMesh) and not proxy.lacks_source(obj) and proxy.has_faces(obj)
 
 
 def _has_shape(source):

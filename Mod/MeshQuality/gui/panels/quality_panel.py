@@ -7,7 +7,7 @@ from typing import Optional
 import FreeCAD
 import FreeCADGui
 import numpy as np
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from ...compat import flags
 from ...core import convert, frames
@@ -116,7 +116,10 @@ class QualityPanel:
         self.faces.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self.faces.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
         self.faces.horizontalHeader().setMinimumSectionSize(0)
-        self.faces.horizontalHeader().setStretchLastSection(True)
+        self.faces.horizontalHeader().setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
+        self.faces.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        for column in range(4):
+            self.faces.horizontalHeaderItem(column).setTextAlignment(_alignment(column))
         self.tabs = QtGui.QTabWidget()
         self.tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
         self.tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
@@ -272,7 +275,10 @@ class QualityPanel:
             texts = (row.name, count_text(row.elements), self.scale.number(row.worst, _DIGITS),
                      self.scale.number(row.mean, _DIGITS))
             for k, text in enumerate(texts):
-                self.faces.setItem(i, k, QtGui.QTableWidgetItem(text))
+                item = QtGui.QTableWidgetItem(text)
+                item.setTextAlignment(_alignment(k))
+                item.setToolTip(text)
+                self.faces.setItem(i, k, item)
         self.faces.blockSignals(False)
 
     def _pick_bar(self, bar):
@@ -328,6 +334,11 @@ def _hint():
 
 
 _shown = None
+
+
+def _alignment(column):
+    """Of a cell of the table of faces and of its header: names on the left, numbers on the right."""
+    return int((QtCore.Qt.AlignRight if column else QtCore.Qt.AlignLeft) | QtCore.Qt.AlignVCenter)
 
 
 def _command(measure):
