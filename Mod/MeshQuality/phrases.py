@@ -97,7 +97,7 @@ FIGURES = (
 TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, MAX_DISTORTION, OVERLAPS, NOT_PROVEN_APART = FIGURES
 OVERLAPS_HINT = "to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap"
 NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
-HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number} mm³, {number2} % of the " \
+HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number}, {number2} % of the " \
                 "volume"
 STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
 SMALLEST_WALL = "smallest thickness {length}"

@@ -3027,8 +3027,8 @@
         <translation>1 ist ideal: Alle Kanten sind gleich lang.</translation>
     </message>
     <message>
-        <source>a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number} mm³, {number2} % of the volume</source>
-        <translation>im Innern ist ein Hohlraum eingeschlossen, aus dem Harz, Pulver oder Luft nicht entweichen können; er spart {number} mm³, {number2} % des Volumens</translation>
+        <source>a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number}, {number2} % of the volume</source>
+        <translation>im Innern ist ein Hohlraum eingeschlossen, aus dem Harz, Pulver oder Luft nicht entweichen können; er spart {number}, {number2} % des Volumens</translation>
     </message>
     <message>
         <source>a smallest gap of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by {length3}; give a smaller max. deviation.</source>
@@ -3041,6 +3041,14 @@
     <message>
         <source>to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap</source>
         <translation>um aus Körpern, die einander durchdringen oder berühren, ein Netz zu machen: „Berührende Körper verbinden“ (Weitere Optionen), Boolesche Netzoperation oder Umhüllen</translation>
+    </message>
+    <message>
+        <source>Swap A and B</source>
+        <translation>A und B tauschen</translation>
+    </message>
+    <message>
+        <source>A difference is the first operand without the second one</source>
+        <translation>Eine Differenz ist der erste Operand ohne den zweiten</translation>
     </message>
 </context>
 <context>

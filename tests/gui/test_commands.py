@@ -64,6 +64,32 @@ class Commands(gui_helpers.PanelTest):
         self.assertIn(f"Operands: A = {first.Label}, B = {second.Label}", texts)
         panel.reject()
 
+    def test_operands_can_be_swapped_before_and_after(self):
+        first, second = self.two_boxes()
+        second.Length = 5  # half of it is in the first one at most
+        self.document.recompute()
+        panel = self.panel(commands.Boolean, first, second)
+        panel.options.set_values({"operation": "difference"})
+        panel.swap.click()
+        self.finish(panel)
+        obj = self.document.Objects[-1]
+        self.assertEqual((obj.Sources, obj.Label), ([second, first], f"{second.Label} difference"))
+        volume = obj.Volume.Value
+        panel = self.edit(obj)
+        panel.swap.click()
+        texts = [label.text() for label in panel.form.findChildren(QtGui.QLabel)]
+        self.assertIn(f"Operands: A = {first.Label}, B = {second.Label}", texts)
+        self.narrow(panel, "panel_swap")
+        self.finish(panel)
+        self.assertEqual(panel.said, "")
+        self.assertEqual((obj.Sources, obj.Label, obj.Status), ([first, second], f"{first.Label} difference", "up to date"))
+        self.assertNotAlmostEqual(obj.Volume.Value, volume)
+        self.assertAlmostEqual(obj.Volume.Value, first.Shape.cut(second.Shape).Volume, delta=0.01)
+        self.document.undo()
+        self.assertEqual((obj.Sources, obj.Volume.Value), ([second, first], volume))
+        self.finish(self.panel(commands.Triangulate, first))  # one source has no order
+        self.assertFalse(self.panel(commands.Wrap, first, second).swap.isVisible())
+
     def test_lengths_have_room_in_a_narrow_panel(self):
         source = self.document.addObject("Mesh::Feature", "Scan")
         source.Mesh = Mesh.createSphere(5.0, 20)

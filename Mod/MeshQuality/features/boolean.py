@@ -114,11 +114,12 @@ class MeshBoolean(mesh_object.MeshObject):
         return report, findings
 
     def follow_label(self, obj):
-        """Has a label that add_boolean gave follow the operation."""
-        first, told = frames.leaf_of(self.sources(obj)[0]).Label, obj.Operation.replace("_", " ")
-        others = "|".join(other.replace("_", " ") for other in options.OPERATIONS if other != obj.Operation)
-        if re.fullmatch(rf"{re.escape(first)} ({others})\d*", obj.Label):
-            obj.Label = f"{first} {told}"
+        """Has a label that add_boolean gave follow the first operand and the operation."""
+        labels = [frames.leaf_of(source).Label for source in self.sources(obj)]
+        operands, operations = "|".join(map(re.escape, labels)), "|".join(options.OPERATIONS).replace("_", " ")
+        wanted = f"{labels[0]} {obj.Operation}".replace("_", " ")
+        if re.fullmatch(rf"({operands}) ({operations})\d*", obj.Label) and obj.Label.rstrip("0123456789") != wanted:
+            obj.Label = wanted
 
     def show_origin(self, obj, mesh):
         """Fills those properties that say what the triangles come from."""

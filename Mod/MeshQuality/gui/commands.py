@@ -335,7 +335,7 @@ class Example(FirstSteps):
     TIP = "Open a new document with a pipe tee, to try the commands on"
 
     def Activated(self):
-        FreeCADGui.doCommand("from MeshQuality import example\nexample.open_document()")
+        FreeCADGui.doCommand("from MeshQuality.gui import example\nexample.open_document()")
 
 
 def _selected():

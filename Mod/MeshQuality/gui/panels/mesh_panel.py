@@ -85,6 +85,10 @@ class MeshPanel:
     def _lay_out(self):
         of = QtGui.QLabel(_sources_text(self.operations))
         of.setVisible(bool(of.text()))
+        self.swap = QtGui.QPushButton(translate("MeshQuality", "Swap A and B"))
+        self.swap.setToolTip(translate("MeshQuality", "A difference is the first operand without the second one"))
+        self.swap.setVisible(_has_order(self.operations))
+        self.swap.clicked.connect(lambda: self._swap(of))
         self.estimate, self.message, self.bar = QtGui.QLabel(), Message(), QtGui.QProgressBar()
         self.doing = QtGui.QLabel()
         self.estimate.setVisible(self.operations[0].trial is not None)
@@ -103,7 +107,7 @@ class MeshPanel:
         for label in (of, self.estimate, self.doing):
             label.setWordWrap(True)
         # What tells of the work comes first, where it is seen however long the options are.
-        for widget in (of, self.message, self.estimate, self.doing, self.bar, self.button, self.leave, self.certificate,
+        for widget in (of, self.swap, self.message, self.estimate, self.doing, self.bar, self.button, self.leave, self.certificate,
                        self.presets, self.options):
             layout.addWidget(widget)
         layout.addStretch()
@@ -111,6 +115,12 @@ class MeshPanel:
         self.bar.setFormat("%p %")
         self._show_work(False)
         self.certificate.show(self._edited())
+
+    def _swap(self, of):
+        """The operands in the other order."""
+        self.operations[0].sources.reverse()
+        of.setText(_sources_text(self.operations))
+        self._options_changed()
 
     def _show_bound(self):
         """Expressions may come and go, and change their values, while the panel is open."""
@@ -263,7 +273,7 @@ class MeshPanel:
         self.bar.setVisible(shown)
 
     def _enable(self, enabled):
-        for widget in (self.presets, self.options):
+        for widget in (self.presets, self.options, self.swap):
             widget.setEnabled(enabled)
         self.button.setVisible(enabled)
         self.leave.setVisible(not enabled)
@@ -321,6 +331,11 @@ class MeshPanel:
         if self._trial is not None and self._trial.active:
             self._trial.cancel()
         self._trial = None
+
+
+def _has_order(operations):
+    """Whether there are two operands whose order counts."""
+    return "operation" in {option.name for option in operations[0].kind.OPTIONS} and len(operations[0].sources) == 2
 
 
 def _sources_text(operations):
