@@ -20,7 +20,8 @@ std::string to_text(const BooleanReport& report) {
     }
     text += "retained     " + std::to_string(report.retained) + " triangles of the operands, bit for bit; " +
             std::to_string(report.reconstructed) + " made or changed\n";
-    text += "deviation    " + number(report.error_bound) + " mm; requested at most " + number(report.tolerance_asked) + " mm\n";
+    text += "deviation    " + number(report.error_bound) + " mm; requested at most " + number(report.tolerance_asked) +
+            " mm\n";
     if (report.fitted_vertices + report.unfitted_vertices > 0) {
         text += "on surfaces  " + std::to_string(report.fitted_vertices) + " vertices put there, " +
                 std::to_string(report.unfitted_vertices) + " left on the meshes of the shapes\n";
