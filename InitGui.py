@@ -16,9 +16,10 @@ class MeshQualityWorkbench(FreeCADGui.Workbench):
         import MeshGui  # noqa: F401
         from MeshQuality.gui import commands
 
-        names = commands.register()
-        self.appendToolbar("Mesh Quality", names)
-        self.appendMenu("Mesh Quality", names)
+        groups = commands.register()
+        for title, names in groups:
+            self.appendMenu(["Mesh Quality", title] if title else ["Mesh Quality"], names)
+        self.appendToolbar("Mesh Quality", commands.in_one_row(names for _, names in groups))
 
     def ContextMenu(self, recipient):
         from MeshQuality.gui import commands
@@ -37,6 +38,6 @@ MeshQualityWorkbench.Icon = os.path.join(_resources, "icons", "MeshQuality.svg")
 FreeCADGui.addIconPath(os.path.join(_resources, "icons"))
 FreeCADGui.addLanguagePath(os.path.join(_resources, "translations"))
 FreeCADGui.updateLocale()
-FreeCADGui.addPreferencePage(os.path.join(_resources, "ui", "preferences.ui"), "MeshQuality")
+FreeCADGui.addPreferencePage(os.path.join(_resources, "ui", "preferences.ui"), "Mesh Quality")
 preferences.limit_threads()
 FreeCADGui.addWorkbench(MeshQualityWorkbench())

@@ -34,10 +34,10 @@ BOUNDS = (RELATIVE, ABSOLUTE, UNBOUNDED)  # of the property DistanceBound
 class Option:
     """One option. `low` itself is not allowed where `above` is set; None stands for `unset`.
 
-    In panels it is called `title`, and its choices as `choice_titles` says; `rare` ones are folded
-    away there. `only_with` is (name of another option, values of that one with which this one has an
-    effect); empty: always. `alias` is the name that it had in older versions, `choice_aliases` are those
-    of its choices, {older: present}: scripts, command lines and documents may go on using them.
+    In panels it is called `title`, and its choices as `choice_titles` says; `rare` ones are folded away there. `only_with` is
+    (name of another option, values of that one with which this one has an effect); empty: always. `alias` is the name that it
+    had in older versions, `choice_aliases` are those of its choices, {older: present}: scripts, command lines and documents may
+    go on using them. `suggested` is what a panel begins with: (fraction of the size of the part, mm at most).
     """
 
     name: str
@@ -57,6 +57,7 @@ class Option:
     only_with: tuple = ()
     alias: str = ""
     choice_aliases: dict = field(default_factory=dict, hash=False)
+    suggested: tuple = ()
 
     @property
     def is_sizes(self):
@@ -255,10 +256,10 @@ def _distance(relative, group, which):
     """The two options of the bound on the distance, by default relative to the size of the part."""
     return (
         Option("chord_height", float, None, unit="mm", low=0.0, group=group, title="Max. deviation",
-               help=f"Largest distance between the {which} and the shape, as a length"),
+               help=f"Max. deviation: largest distance between the {which} and the shape, as a length"),
         Option("chord_height_relative", float, relative, low=0.0, high=1.0, group=group,
                title="Relative deviation",
-               help="The same as a fraction of the shape's largest dimension"),
+               help="Max. deviation from the shape, as a fraction of its largest dimension"),
     )
 
 
@@ -292,8 +293,7 @@ TRIANGULATE = (
     # Single precision does not tell more edges a circle from the circle: they are within 5e-8 of its radius.
     Option("edges_per_circle", float, None, low=3.0, high=10000.0, above=False, group="Size",
            title="Edges per full circle", rare=True, unset="no minimum",
-           help="Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is "
-                "usual"),
+           help="Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is usual"),
     Option("growth_rate", float, None, low=1.0, group="Size", title="Growth rate", rare=True,
            alias="growth", unset="unlimited",
            help="Growth rate of edge length from fine to coarse regions: 1.2 is slow, 2 is fast"),
@@ -376,8 +376,8 @@ BOOLEAN = (
                 "others"),
     Option("resolution", int, 512, low=8, high=65536, above=False, group="Boolean",
            title="Resolution",
-           help="Grid cells along the longest side; sets the tolerance if none is given"),
-    Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean", title="Tolerance",
+           help="Grid cells along the longest side; sets the max. deviation if none is given"),
+    Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean", title="Max. deviation",
            unset="by resolution",
            help="Largest distance between the result and the exact Boolean"),
     Option("method", str, "default", choices=BOOLEAN_METHODS, group="Boolean", title="Method",
@@ -393,7 +393,7 @@ BOOLEAN = (
 IMPROVE = (
     Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0, title="Smallest angle",
            help="Target for the smallest angle of every triangle"),
-    Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Tolerance",
+    Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Max. deviation",
            unset="size / 1000", help="Largest distance between the given mesh and the improved one"),
     Option("feature_angle", float, 35.0, unit="degrees", low=0.0, high=180.0, group="Accuracy",
            title="Feature angle",

@@ -18,6 +18,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from . import fault_phrases
+from .stage_names import STAGES
 
 # The verdict on a mesh.
 MET, NOT_MET = "met", "not met"
@@ -48,9 +49,12 @@ MORE_FORCED = ("1 more triangle is below {number}°, at a small corner of the sh
 SHAPE_DISTANCE = "max. deviation {length} (requested {length2})."
 SHAPE_DISTANCE_AT = "max. deviation {length} (requested {length2}), {phrase}."
 LONGEST_EDGE = "longest edge {length} (requested {length2}), {phrase}."
-RESULT_DISTANCE = "error bound {length} (requested {length2})."
 THIN_WALL = "smallest thickness {length} (requested {length2})."
 NARROW_GAP = "smallest gap {length} (requested {length2})."
+WALL_NOT_KNOWN = "a smallest thickness of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by " \
+                 "{length3}; give a smaller max. deviation."
+GAP_NOT_KNOWN = "a smallest gap of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by " \
+                "{length3}; give a smaller max. deviation."
 LOW_DRAFT = ("less draft than {number}° on 1 face.", "less draft than {number}° on {count} faces.")
 UNDERCUTS = ("1 face has undercuts.", "{count} faces have undercuts.")
 HAS_VOIDS = ("1 closed void.", "{count} closed voids.")
@@ -79,20 +83,23 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, THIN_WALL, NARROW_GAP, WALL_NOT_KNOWN, GAP_NOT_KNOWN, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
 # Parts of the line that the report view gets for a finished object.
 FIGURES = (
     ("1 triangle", "{count} triangles"), ("1 element", "{count} elements"),
-    "smallest angle {number}°", "max. deviation {length}", "error bound {length}",
+    "smallest angle {number}°", "max. deviation {length}",
     "max. shape distortion {number}",
     ("1 pair of triangles where bodies overlap", "{count} pairs of triangles where bodies overlap"),
     ("1 pair of elements not proven apart", "{count} pairs of elements not proven apart"),
 )
-TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, ERROR_BOUND, MAX_DISTORTION, OVERLAPS, NOT_PROVEN_APART = FIGURES
+TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, MAX_DISTORTION, OVERLAPS, NOT_PROVEN_APART = FIGURES
+OVERLAPS_HINT = "to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap"
 NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
+HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number}, {number2} % of the " \
+                "volume"
 STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
 SMALLEST_WALL = "smallest thickness {length}"
 SMALLEST_GAP = "smallest gap {length}"
@@ -282,69 +289,6 @@ RANGES = (
 # Between the others and whatever they end with, hence last.
 ENDINGS = (ON_EDGE, ON_FACE)
 
-# Stages of the core and of this package by their names there, in words for people.
-STAGES = {
-    "start": "starting",
-    "reading the shape": "reading the shape",
-    "reading the operands": "reading the operands",
-    "preparing the solids": "preparing the solids",
-    "measuring the thickness": "measuring the thickness",
-    "measuring the clearance": "measuring the clearance",
-    "measuring the draft": "measuring the draft",
-    "meshing shapes": "meshing the shapes",
-    "initial triangulation": "initial triangulation",
-    "sampling": "sampling the surface",
-    "sampling CAD faces": "sampling the faces of the shapes",
-    "winding numbers": "looking for the inside of open operands",
-    "refining angles": "refining angles",
-    "refining to the chord height": "refining to the max. deviation",
-    "refining bodies": "refining the bodies",
-    "separating crossings": "separating faces that cross",
-    "mending": "improving the remaining triangles",
-    "taking out vertices": "removing vertices",
-    "releasing smooth edges": "removing smooth edges",
-    "checking": "checking the result",
-    "improving": "improving",
-    "classifying": "classifying the triangles",
-    "curving the surface": "curving the surface",
-    "repairing the surface": "repairing the surface",
-    "filling": "filling with tetrahedra",
-    "repairing the volume": "repairing the tetrahedra",
-    "inspecting": "checking the operands",
-    "finding contacts": "finding common faces",
-    "finding crossings": "finding intersections",
-    "dividing": "dividing triangles",
-    "extracting": "extracting the result",
-    "fitting to the shapes": "fitting to the shapes",
-    "clustering": "clustering the samples",
-    "Boolean of samples": "combining the samples",
-    "membership": "finding inside and outside",
-    "octree": "building the octree",
-    "stitching": "closing gaps",
-    "contouring": "building the surface",
-    "dividing cells": "dividing space into cells",
-    "proving the distance": "proving the distance",
-    "checking crossings": "checking for intersections",
-    "two-manifold": "separating contacts",
-    "assembly": "assembling the result",
-    "measuring": "measuring",
-    "offsetting": "offsetting the surface",
-    "rounding": "rounding to single precision",
-    "classifying nodes": "finding what is near the surface",
-    "rolling the ball": "rolling a ball over the surface",
-    "simplifying": "simplifying the surface",
-    "measuring distances": "measuring distances",
-    "measuring the distance": "measuring the distance",
-    "measuring the distance from the shape to the mesh": "measuring the distance from the shape to the mesh",
-    "measuring the distortion": "measuring the distortion",
-    "cutting into triangles": "dividing into triangles",
-    "checking elements": "checking the elements",
-    "comparing curved triangles": "finding curved triangles that cross",
-    "done": "done",
-    # What the work can wait for, without being able to interrupt it.
-    "comparing the shape": "comparing the shape with the last one",
-    "measuring the size": "measuring the size of the shape",
-}
 # Parts of a stage that work cannot interrupt, of the core too.
 WAITS_FOR_KERNEL = "waits for OpenCASCADE: {stage}"
 WAITS_FOR_ENGINE = "waits for the shape engine, used by {name}"
@@ -367,6 +311,7 @@ _SHOWN = {
     TWO_BOUNDS: "The max. deviation is given twice, as {length} and as {number} of the size: give one of them",
     NO_BOUND_AND_BOUND: "The max. deviation is given twice, as unlimited and as {number} of the size: give one of them",
     NOT_GIVEN: "{option}: give a length that is not 0",
+    HALF_OF_GAP: "The max. deviation is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap",
     MIN_ABOVE_MAX: "The shortest edge of {length} is longer than the longest edge of {length2}",
     "greater than {length}, or 'none'": "greater than {length}, or without a limit",
     CASE_SOLIDS: "The mesh has {count} solids, and one space is meshed at a time: unite them first, or take one alone",
@@ -386,16 +331,18 @@ _SHOWN = {
             "A max. deviation of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a "
             "larger value",
         "fine_tolerance":
-            "A tolerance of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger "
+            "A max. deviation of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger "
             "value",
         "fine_deviation":
             "A display accuracy of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a "
             "larger value",
         "many_triangles":
             "A display accuracy of {length} takes more than {count} triangles. Choose a larger value",
+        "wrap_memory": "A wrap with a max. deviation of {length} would take more than 2 GB of memory. Choose a larger one",
+        "wrap_across": "The largest side is more than {count} times the max. deviation of {length}. Choose a larger one",
         "many_rays":
-            "A tolerance of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger "
-            "tolerance or exact intersection as the method",
+            "A max. deviation of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger "
+            "one or exact intersection as the method",
         "full_by_sampling":
             "Only sampling can reconstruct everything. Choose sampling as the method, or turn \"Reconstruct everything\" off",
         "no_such_entity":
@@ -412,7 +359,7 @@ _SHOWN = {
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, NOTHING_LEFT, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

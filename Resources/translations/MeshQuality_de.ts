@@ -666,6 +666,66 @@
         <source>Where walls below the limit are thinnest, without a limit the thinnest one; one point on each of the two solids of each line of Pairs; the centres of voids</source>
         <translation>Wo Wände unter der Grenze am dünnsten sind, ohne Grenze die dünnste; je ein Punkt auf den beiden Körpern jeder Zeile von Pairs; die Mittelpunkte von Hohlräumen</translation>
     </message>
+<message>
+        <source>Grid cells along the longest side; sets the max. deviation if none is given</source>
+        <translation>Gitterzellen entlang der längsten Seite; bestimmt die max. Abweichung, wenn keine angegeben ist</translation>
+    </message>
+    <message>
+        <source>How the max. deviation from the shape is given: relative to its size, as a length, or not at all</source>
+        <translation>Wie die max. Abweichung von der Form angegeben ist: relativ zu ihrer Größe, als Länge oder gar nicht</translation>
+    </message>
+    <message>
+        <source>Max. deviation from the exact Boolean of the meshes</source>
+        <translation>Max. Abweichung von der exakten Verknüpfung der Netze</translation>
+    </message>
+    <message>
+        <source>Max. deviation from the shape, as a fraction of its largest dimension</source>
+        <translation>Max. Abweichung von der Form, als Anteil an ihrer größten Abmessung</translation>
+    </message>
+    <message>
+        <source>Max. deviation, measured and requested, with the digits that count: the editor shows 0.003 as 0.00</source>
+        <translation>Max. Abweichung, gemessen und verlangt, mit den Stellen, auf die es ankommt: der Editor zeigt 0,003 als 0,00</translation>
+    </message>
+    <message>
+        <source>Max. deviation: largest distance between the mesh and the shape, as a length</source>
+        <translation>Max. Abweichung: größter Abstand zwischen Netz und Form, als Länge</translation>
+    </message>
+    <message>
+        <source>Max. deviation: largest distance between the mesh before it is curved and the shape, as a length</source>
+        <translation>Max. Abweichung: größter Abstand zwischen dem Netz vor dem Krümmen und der Form, als Länge</translation>
+    </message>
+    <message>
+        <source>Max. deviation: the larger one of both distances, with that of the meshes of shapes</source>
+        <translation>Max. Abweichung: der größere der beiden Abstände, mit dem der Netze von Formen</translation>
+    </message>
+    <message>
+        <source>Proven max. deviation from the exact result, in both directions</source>
+        <translation>Bewiesene max. Abweichung vom exakten Ergebnis, in beiden Richtungen</translation>
+    </message>
+    <message>
+        <source>Requested max. deviation from the exact Boolean</source>
+        <translation>Verlangte max. Abweichung von der exakten Verknüpfung</translation>
+    </message>
+    <message>
+        <source>Requested max. deviation from the exact result, in both directions</source>
+        <translation>Verlangte max. Abweichung vom exakten Ergebnis, in beiden Richtungen</translation>
+    </message>
+    <message>
+        <source>Requested max. deviation of the wrap from what it lies on</source>
+        <translation>Verlangte max. Abweichung der Hülle von dem, worauf sie liegt</translation>
+    </message>
+    <message>
+        <source>Volume of a closed hollow, which is what it saves; 0 where it has openings</source>
+        <translation>Volumen eines geschlossenen Hohlraums, das gespart wird; 0, wenn er Öffnungen hat</translation>
+    </message>
+    <message>
+        <source>Number of triangles below the requested angle</source>
+        <translation>Anzahl der Dreiecke unter dem verlangten Winkel</translation>
+    </message>
+    <message>
+        <source>Triangles below the requested angle, and why; hidden where there are many</source>
+        <translation>Dreiecke unter dem verlangten Winkel, und warum; verborgen, wo es viele sind</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -3205,6 +3265,122 @@
         <source>{0} (1 face)</source>
         <translation>{0} (1 Fläche)</translation>
     </message>
+<message>
+        <source>Mesh Quality: first steps</source>
+        <translation>Netzqualität: erste Schritte</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>A max. deviation of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger one or exact intersection as the method</source>
+        <translation>Eine max. Abweichung von {length} ist mit Abtasten nicht möglich, das bestenfalls {length2} erreicht. Wählen Sie eine größere oder das Verfahren „genauer Schnitt“</translation>
+    </message>
+    <message>
+        <source>A wrap with a max. deviation of {length} would take more than 2 GB of memory. Choose a larger one</source>
+        <translation>Eine Hülle mit einer max. Abweichung von {length} würde mehr als 2 GB Speicher brauchen. Wählen Sie eine größere</translation>
+    </message>
+    <message>
+        <source>Grid cells along the longest side; sets the max. deviation if none is given</source>
+        <translation>Gitterzellen entlang der längsten Seite; bestimmt die max. Abweichung, wenn keine angegeben ist</translation>
+    </message>
+    <message>
+        <source>Max. deviation from the shape, as a fraction of its largest dimension</source>
+        <translation>Max. Abweichung von der Form, als Anteil an ihrer größten Abmessung</translation>
+    </message>
+    <message>
+        <source>Max. deviation: largest distance between the mesh and the shape, as a length</source>
+        <translation>Max. Abweichung: größter Abstand zwischen Netz und Form, als Länge</translation>
+    </message>
+    <message>
+        <source>Max. deviation: largest distance between the mesh before it is curved and the shape, as a length</source>
+        <translation>Max. Abweichung: größter Abstand zwischen dem Netz vor dem Krümmen und der Form, als Länge</translation>
+    </message>
+    <message>
+        <source>The largest side is more than {count} times the max. deviation of {length}. Choose a larger one</source>
+        <translation>Die längste Seite ist mehr als das {count}-Fache der max. Abweichung von {length}. Wählen Sie eine größere</translation>
+    </message>
+    <message>
+        <source>The max. deviation is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap</source>
+        <translation>Die max. Abweichung ist {length}: möglich ist höchstens die Hälfte der Lücke von {length2}; geben Sie eine kleinere oder eine größere Lücke an</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle</source>
+        <translation>Kleinster Flächenwinkel</translation>
+    </message>
+    <message>
+        <source>Between two faces of an element: a regular tetrahedron has 70.5°; 10° and less harm simulations.</source>
+        <translation>Zwischen zwei Seitenflächen: Ein regelmäßiges Tetraeder hat 70,5°; 10° und weniger schaden Simulationen.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Of the element with straight sides; ≤ 0 = inside out.</source>
+        <translation>Bei geraden Seiten; ≤ 0 = umgestülpt.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Flächeninhalt</translation>
+    </message>
+    <message>
+        <source>Of the element with straight sides.</source>
+        <translation>Bei geraden Seiten.</translation>
+    </message>
+    <message>
+        <source>All {0} proven valid.</source>
+        <translation>Alle {0} nachweislich gültig.</translation>
+    </message>
+    <message>
+        <source>1 of {1} is not proven valid.</source>
+        <translation>1 von {1} ist nicht nachweislich gültig.</translation>
+    </message>
+    <message>
+        <source>Written: {0}. In a terminal with OpenFOAM type: {1}</source>
+        <translation>Geschrieben: {0}. In einem Terminal mit OpenFOAM eingeben: {1}</translation>
+    </message>
+    <message>
+        <source>OpenFOAM takes no blanks in paths: move the folder to where there are none.</source>
+        <translation>OpenFOAM nimmt keine Leerzeichen in Pfaden: Verschieben Sie den Ordner an einen Ort ohne Leerzeichen.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>1 is ideal: all edges of an element have the same length.</source>
+        <translation>1 ist ideal: Alle Kanten sind gleich lang.</translation>
+    </message>
+    <message>
+        <source>a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number}, {number2} % of the volume</source>
+        <translation>im Innern ist ein Hohlraum eingeschlossen, aus dem Harz, Pulver oder Luft nicht entweichen können; er spart {number}, {number2} % des Volumens</translation>
+    </message>
+    <message>
+        <source>a smallest gap of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by {length3}; give a smaller max. deviation.</source>
+        <translation>ein kleinster Spalt von {length} ist nicht bewiesen: auf dem Netz sind es {length2}, was die Abweichung des Netzes um {length3} offen lässt; eine kleinere max. Abweichung angeben.</translation>
+    </message>
+    <message>
+        <source>a smallest thickness of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by {length3}; give a smaller max. deviation.</source>
+        <translation>eine kleinste Dicke von {length} ist nicht bewiesen: auf dem Netz sind es {length2}, was die Abweichung des Netzes um {length3} offen lässt; eine kleinere max. Abweichung angeben.</translation>
+    </message>
+    <message>
+        <source>to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap</source>
+        <translation>um aus Körpern, die einander durchdringen oder berühren, ein Netz zu machen: „Berührende Körper verbinden“ (Weitere Optionen), Boolesche Netzoperation oder Umhüllen</translation>
+    </message>
+    <message>
+        <source>Swap A and B</source>
+        <translation>A und B tauschen</translation>
+    </message>
+    <message>
+        <source>A difference is the first operand without the second one</source>
+        <translation>Eine Differenz ist der erste Operand ohne den zweiten</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
@@ -3488,6 +3664,34 @@
         <source>Mesh Quality</source>
         <translation>Netzqualität</translation>
     </message>
+<message>
+        <source>Mesh</source>
+        <translation>Vernetzen</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Repair and combine</source>
+        <translation>Reparieren und verbinden</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>CFD and FEM</source>
+        <translation>CFD und FEM</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality_Repair</name>
@@ -3498,6 +3702,28 @@
     <message>
         <source>Repair mesh...</source>
         <translation>Netz reparieren...</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Example</name>
+    <message>
+        <source>Open a new document with a pipe tee, to try the commands on</source>
+        <translation>Ein neues Dokument mit einem T-Stück öffnen, an dem sich die Befehle ausprobieren lassen</translation>
+    </message>
+    <message>
+        <source>Example part</source>
+        <translation>Beispielteil</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_FirstSteps</name>
+    <message>
+        <source>A first part in five minutes, and all other pages of the documentation</source>
+        <translation>Ein erstes Teil in fünf Minuten und alle anderen Seiten der Dokumentation (englisch)</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
     </message>
 </context>
 </TS>

@@ -20,7 +20,8 @@ std::string to_text(const BooleanReport& report) {
     }
     text += "retained     " + std::to_string(report.retained) + " triangles of the operands, bit for bit; " +
             std::to_string(report.reconstructed) + " made or changed\n";
-    text += "error bound  " + number(report.error_bound) + " mm, requested " + number(report.tolerance_asked) + " mm\n";
+    text += "deviation    " + number(report.error_bound) + " mm; requested at most " + number(report.tolerance_asked) +
+            " mm\n";
     if (report.fitted_vertices + report.unfitted_vertices > 0) {
         text += "on surfaces  " + std::to_string(report.fitted_vertices) + " vertices put there, " +
                 std::to_string(report.unfitted_vertices) + " left on the meshes of the shapes\n";
@@ -38,7 +39,7 @@ std::string to_text(const BooleanReport& report) {
 
 std::string in_short(const BooleanReport& report) {
     std::array<char, 80> bound;
-    std::snprintf(bound.data(), bound.size(), ", error bound %.3g mm of %.3g mm", report.error_bound,
+    std::snprintf(bound.data(), bound.size(), ", max. deviation %.3g mm of %.3g mm", report.error_bound,
                   report.tolerance_asked);
     return mesh::in_short(report) + bound.data();
 }

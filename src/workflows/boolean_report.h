@@ -43,7 +43,7 @@ struct BooleanReport : mesh::MeshReport {
 /// A text of a dozen lines for people.
 std::string to_text(const BooleanReport& report);
 
-/// A summary in one line: "1,234 triangles, closed, smallest angle 25.1°, error bound 0.01 mm of 0.05 mm".
+/// A summary in one line: "1,234 triangles, closed, smallest angle 25.1°, max. deviation 0.01 mm of 0.05 mm".
 std::string in_short(const BooleanReport& report);
 
 /// Whether the result has no fault and its error bound is within the tolerance.

@@ -259,7 +259,7 @@ class Result(BooleanTest):
         self.assertTrue(all(isinstance(s, float) for s in report.seconds.values()))
         self.assertGreater(report.cpu_seconds, 0.0)
         text = str(report)
-        for words in ("retained", "error bound", "closed       yes", "volume"):
+        for words in ("retained", "mm; requested at most", "closed       yes", "volume"):
             self.assertIn(words, text)
 
     def test_every_format(self):

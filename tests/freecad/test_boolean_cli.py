@@ -71,7 +71,7 @@ class BooleanCommand(helpers.DocumentTest):
                                "--resolution", 33)
         self.assertEqual(status, 0, err)
         self.assertTrue(out.startswith("triangles"), out)
-        self.assertIn("error bound", out)
+        self.assertIn("mm; requested at most", out)
         self.assertIn("unchanged from the operands", err[-1])
 
     def test_bad_input_ends_with_2_and_says_why(self):

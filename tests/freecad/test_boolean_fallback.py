@@ -143,7 +143,7 @@ class Fallback(unittest.TestCase):
         lost = mq.boolean(rod, block, "union", method="uniform", resolution=32)
         self.assertGreater(lost.report.error_bound, lost.report.tolerance_asked)
         self.assertGreater(lost.report.error_bound, 1.0)
-        self.assertIn("Error bound", " ".join(str(finding.text) for finding in verdict.of_boolean(lost)))
+        self.assertIn("Max. deviation", " ".join(str(finding.text) for finding in verdict.of_boolean(lost)))
         kept = mq.boolean(Mesh.createSphere(1.0, 40), block, "union", method="uniform", resolution=64)
         self.assertLessEqual(kept.report.error_bound, kept.report.tolerance_asked)
         self.assertEqual(verdict.of_boolean(kept), [])

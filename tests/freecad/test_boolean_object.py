@@ -129,8 +129,15 @@ class Recompute(BooleanObjectTest):
             obj = mq.add_boolean(self.cube, self.tool, "union", method="uniform", **values)
             self.assertGreater(obj.ErrorBound.Value, 0.0)
             self.assertLessEqual(obj.ErrorBound.Value, obj.AskedTolerance.Value)
-            self.assertNotIn("error bound", obj.Certificate)
+            self.assertNotIn("max. deviation", obj.Certificate)
             self.assertEqual("the surface intersects itself" in obj.Certificate, obj.FaultsLeft > 0)
+
+    def test_the_label_follows_the_operation_unless_the_user_gave_one(self):
+        obj, other = (mq.add_boolean(self.cube, self.tool, "intersection") for _ in range(2))
+        other.Label = "Mine"
+        for mesh in (obj, other):
+            mq.update(mesh, operation="symmetric_difference")
+        self.assertEqual((obj.Label, other.Label), (f"{self.cube.Label} symmetric difference", "Mine"))
 
     def test_repairs_are_shown(self):
         holed = Mesh.createSphere(1.0, 20)

@@ -457,7 +457,7 @@ class Words(CertificateTest):
             curved = mq.add_curved_mesh(box)
             mq.update(curved, deviation=0.5)  # shown in another way: no new mesh
         self.assertEqual(len(lines), 2)
-        self.assertRegex(lines[0], r"^Box union: \d+ triangles, smallest angle [\d.]+°, error bound [\d.]+ mm; all ")
+        self.assertRegex(lines[0], r"^Box union: \d+ triangles, smallest angle [\d.]+°, max\. deviation [\d.]+ mm; all ")
         self.assertRegex(lines[1], r"^Box curved mesh: 12 elements, max\. shape distortion 1\.15, max\. deviation 0 mm")
 
 

@@ -61,7 +61,7 @@ class Lines(unittest.TestCase):
 
     def test_booleans(self):
         result = mq.boolean(Part.makeBox(10, 10, 10), Part.makeSphere(6), "union", tolerance=0.1)
-        figures = (rf"{len(result.triangles):,} triangles, closed, smallest angle [\d.]+°, error bound [\de.-]+ mm of "
+        figures = (rf"{len(result.triangles):,} triangles, closed, smallest angle [\d.]+°, max\. deviation [\de.-]+ mm of "
                    "0.1 mm")
         self.assertRegex(repr(result), f"^<BooleanMesh: {figures}>$")
         self.assertRegex(repr(result.report), f"^<BooleanReport: {figures}>$")

@@ -138,6 +138,14 @@ class Hollow(SolidTest):
         self.assertGreater(obj.HollowTriangles, 0)
         self.assertEqual((obj.Certificate, obj.Label), ("met", "Cube hollow"))
 
+    def test_a_closed_hollow_says_what_is_sealed_and_saved(self):
+        obj = mq.add_hollow(self.cube, 1.0, tolerance=TOLERANCE)
+        self.assertAlmostEqual(obj.HollowVolume.Value, 512, delta=1.0)
+        self.assertRegex(obj.Proxy.told(obj), r"^a closed void is sealed inside, .*; it saves 511\.\d mm³, 51\.2 % of the volume$")
+        obj.Openings = [self.top(self.cube)]
+        self.document.recompute()
+        self.assertEqual((obj.HollowVolume.Value, obj.Proxy.told(obj)), (0.0, None))
+
     def test_openings_are_chosen_anew(self):
         obj = mq.add_hollow(self.cube, 1.0, tolerance=TOLERANCE)
         self.assertAlmostEqual(obj.Volume.Value, 1000 - 512, delta=1.0)

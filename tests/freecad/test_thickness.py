@@ -16,6 +16,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality.core import verdict
 
 COMMAND = os.path.join(helpers.ROOT, "bin", "meshquality")
 V = FreeCAD.Vector
@@ -123,6 +124,16 @@ class Bounds(unittest.TestCase):
         self.assertTrue(low <= 4.0 <= high, found.bounds)
         self.assertTrue(any("is not known; give a smaller tolerance" in note for note in found.notes), found.notes)
         self.assertEqual(mq.thickness(Part.makeBox(10, 10, 4), min_thickness=4.0).notes, [])
+
+    def test_the_verdict_knows_it(self):
+        """A wall as thick as the limit is not called thinner, and one that is thinner is."""
+        found = mq.thickness(pipe(20, 4, 10), min_thickness=4.0)
+        said = [finding.text for finding in verdict.of_thickness(found)]
+        if found.minimum < 4.0:
+            self.assertRegex(said[0], r"^A smallest thickness of 4 mm is not proven: on the mesh it is [\d.]+ mm, .* by [\d.e-]+ mm; give ")
+        thin = mq.thickness(pipe(20, 3.9, 10), min_thickness=4.0)
+        self.assertLess(thin.bounds[1], 4.0)
+        self.assertRegex(verdict.of_thickness(thin)[0].text, r"^Smallest thickness 3\.\d+ mm \(requested 4 mm\)\.$")
 
 
 class AgainstOpenCascade(unittest.TestCase):

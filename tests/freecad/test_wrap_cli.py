@@ -52,7 +52,7 @@ class WrapCommand(helpers.DocumentTest):
         status, out, err = run("wrap", self.b, *GAP, *TOLERANCE)
         self.assertEqual(status, 0, err)
         self.assertTrue(out.startswith("triangles"), out)
-        self.assertIn("error bound", out)
+        self.assertIn("mm; requested at most", out)
         self.assertIn(", 0 of them close gaps", err[-1])
         status, _, err = run("wrap", self.a, self.b, *GAP, *TOLERANCE)
         self.assertEqual(status, 0, err)

@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 import gui_helpers
 import Mesh
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 import MeshQuality as mq
 from MeshQuality.gui import commands, jobs
@@ -64,6 +64,34 @@ class Commands(gui_helpers.PanelTest):
         self.assertIn(f"Operands: A = {first.Label}, B = {second.Label}", texts)
         panel.reject()
 
+    def test_operands_can_be_swapped_before_and_after(self):
+        first, second = self.two_boxes()
+        second.Length = 5  # half of it is in the first one at most
+        self.document.recompute()
+        panel = self.panel(commands.Boolean, first, second)
+        panel.options.set_values({"operation": "difference"})
+        panel.swap.click()
+        self.finish(panel)
+        obj = self.document.Objects[-1]
+        self.assertEqual((obj.Sources, obj.Label), ([second, first], f"{second.Label} difference"))
+        volume = obj.Volume.Value
+        panel = self.edit(obj)
+        panel.swap.click()
+        texts = [label.text() for label in panel.form.findChildren(QtGui.QLabel)]
+        self.assertIn(f"Operands: A = {first.Label}, B = {second.Label}", texts)
+        self.narrow(panel, "panel_swap")
+        self.finish(panel)
+        self.assertEqual(panel.said, "")
+        self.assertEqual((obj.Sources, obj.Label, obj.Status), ([first, second], f"{first.Label} difference", "up to date"))
+        self.assertNotAlmostEqual(obj.Volume.Value, volume)
+        self.assertAlmostEqual(obj.Volume.Value, first.Shape.cut(second.Shape).Volume, delta=0.01)
+        self.document.undo()
+        self.assertEqual((obj.Sources, obj.Volume.Value), ([second, first], volume))
+        self.finish(self.panel(commands.Triangulate, first))  # one source has no order
+        panel = self.panel(commands.Wrap, first, second)
+        self.assertFalse(panel.swap.isVisible())
+        panel.reject()
+
     def test_lengths_have_room_in_a_narrow_panel(self):
         source = self.document.addObject("Mesh::Feature", "Scan")
         source.Mesh = Mesh.createSphere(5.0, 20)
@@ -115,6 +143,45 @@ class Commands(gui_helpers.PanelTest):
         self.assertEqual(self.document.Objects, [box])
         self.assertTrue(panel.options.isEnabled())
         self.assertTrue(panel.reject())
+
+    def test_return_in_a_field_takes_the_value_and_begins_nothing(self):
+        panel = self.panel(commands.Triangulate, self.box())
+        box = panel.options.field("max_edge")
+        box.setFocus()
+        box.lineEdit().setText("3 mm")
+        QtGui.QApplication.sendEvent(box, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier))
+        self.assertEqual((box.value(), panel.jobs), (3.0, []))
+        with_control = QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.ControlModifier)
+        panel.form.keyPressEvent(with_control)
+        self.assertFalse(with_control.isAccepted())  # so that the task view takes it as OK
+        panel.reject()
+
+    def test_a_hidden_source_stands_for_its_mesh(self):
+        """After OK the source is still selected, and hidden: the next command takes the mesh that is seen in its place."""
+        box = self.box()
+        self.finish(self.panel(commands.Triangulate, box))
+        self.assertEqual(FreeCADGui.Selection.getSelection(), [box])
+        mesh = self.document.Objects[-1]
+        for command in (commands.Analyse, commands.Thickness, commands.Export, commands.Patches, commands.FlowCase):
+            self.assertEqual(command().selected(), [mesh], command.NAME)
+        box.ViewObject.Visibility = True
+        self.assertFalse(commands.Analyse().IsActive())
+
+    def test_cancel_is_called_close_once_apply_has_changed_something(self):
+        panel = self.panel(commands.Triangulate, self.box())
+        button, = (button for button in FreeCADGui.getMainWindow().findChildren(QtGui.QPushButton)
+                   if button.text().replace("&", "") == "Cancel" and button.isVisible())
+        panel.apply()
+        self.assertEqual(button.text().replace("&", ""), "Cancel")
+        self.until(lambda: not panel.jobs)
+        self.assertEqual(button.text(), "Close")
+        gui_helpers.screen().save(f"{gui_helpers.PICTURES}/panel_close.png")
+        panel.options.set_values({"max_edge": 0.01})
+        panel.apply()
+        self.assertEqual(button.text(), "Cancel")
+        panel.reject()
+        self.until(lambda: not panel.jobs)
+        panel.reject()
 
     def test_a_document_closed_meanwhile_ends_its_job(self):
         other = FreeCAD.newDocument("Other")
@@ -168,7 +235,8 @@ class Commands(gui_helpers.PanelTest):
         self.assertTrue(panel.form.isVisible())
 
     def test_every_command_has_its_icon_and_its_own_shortcut(self):
-        names = [name for name in FreeCADGui.listCommands() if name.startswith("MeshQuality_")]
+        names = [name for name in FreeCADGui.listCommands()
+                 if name.startswith("MeshQuality_") and name not in (commands.FirstSteps.NAME, commands.Example.NAME)]
         self.assertGreaterEqual(len(names), 6)
         shortcuts = set()
         for name in names:
@@ -183,10 +251,10 @@ class Commands(gui_helpers.PanelTest):
         box = self.box()
         curved = mq.add_curved_mesh(box)
         both = {"Offset", "Hollow", "Wrap", "Inspect"}
-        for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh", *both}), ((), set()),
+        in_place = {"Analyse", "Patches", "Export", "FlowCase", "CfdSurface"}  # of the mesh that is seen in place of the box
+        for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh", *both, *in_place}), ((), set()),
                                  ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Update", *both}),
-                                 ((curved,), {"Analyse", "Improve", "Update", "Patches", "Export", "FlowCase", "CfdSurface",
-                                              *both})):
+                                 ((curved,), {"Improve", "Update", *in_place, *both})):
             self.select(*chosen)
             added = []
             with mock.patch.object(workbench, "appendContextMenu", create=True,

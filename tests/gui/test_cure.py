@@ -171,7 +171,9 @@ class Quality(CureTest):
         self.assertTrue(commands.Analyse().IsActive())
         found = mq.certify(self.given)
         panel = self.open(self.given)
-        self.assertEqual(panel.data.measures, [fem_quality_data.JACOBIAN_RATIO, quality_data.DISTANCE])
+        self.assertEqual(panel.data.measures, [
+            fem_quality_data.JACOBIAN_RATIO, quality_data.DISTORTION, fem_quality_data.DIHEDRAL, quality_data.ASPECT,
+            fem_quality_data.VOLUME, quality_data.DISTANCE])
         self.assertFalse(self.part.ViewObject.Visibility)
         np.testing.assert_array_equal(panel.values, found.distortion[0])
         self.assertEqual(np.flatnonzero(panel.lit).tolist(), np.flatnonzero(found.distortion[0] <= 0.0).tolist())
@@ -195,6 +197,22 @@ class Quality(CureTest):
         self.assertEqual(panel.scene.scene.triangles, len(panel.data.corners))
         panel.reject()
         self.assertTrue(self.part.ViewObject.Visibility)
+
+    def test_every_measure_of_elements_has_values(self):
+        obj = mq.add_cured_mesh(self.given, self.part)
+        panel = self.open(obj)
+        self.assertIn(f"All {obj.FemMesh.VolumeCount:,} proven valid.", panel.summary.text())
+        for measure in panel.data.measures:
+            panel.measures.setCurrentIndex(panel.data.measures.index(measure))
+            self.until(lambda measure=measure: panel.measure is measure)
+            self.assertEqual(len(panel.values), obj.FemMesh.VolumeCount)
+            self.assertGreater(panel.worst.count(), 0)
+        volume = panel.data.contents.sum()
+        self.assertAlmostEqual(volume, obj.FemMesh.Volume.Value, delta=0.02 * volume)  # of straight sides
+        panel.measures.setCurrentIndex(panel.data.measures.index(fem_quality_data.DIHEDRAL))
+        gui_helpers.wait(0.3)
+        gui_helpers.screen().save(os.path.join(gui_helpers.PICTURES, "quality_dihedral.png"))
+        panel.reject()
 
     def test_a_cured_mesh_has_its_distance(self):
         obj = mq.add_cured_mesh(self.given, self.part)

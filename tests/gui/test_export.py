@@ -7,6 +7,7 @@ from unittest import mock
 import FreeCAD
 import FreeCADGui
 import gui_helpers
+from PySide import QtGui
 
 import MeshQuality as mq
 from MeshQuality import formats
@@ -41,6 +42,12 @@ class Export(gui_helpers.PanelTest):
         self.select(curved)
         command.Activated()
         self.assertTrue(FreeCADGui.Control.activeDialog())
+
+    def test_patches_are_spoken_of_where_there_can_be_any(self):
+        first, second = self.two_boxes()
+        for obj, said in ((mq.add_quality_mesh(first), True), (mq.add_boolean(first, second), False)):
+            panel = export_panel.ExportPanel(obj)
+            self.assertEqual(any("patch" in label.text().lower() for label in panel.form.findChildren(QtGui.QLabel)), said)
 
     def test_the_file_is_that_of_the_api(self):
         obj = self.curved()

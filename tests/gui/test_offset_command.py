@@ -55,6 +55,7 @@ class Offset(SolidCommands):
 
     def test_the_distance_is_asked_for(self):
         panel = self.panel(commands.Offset, self.cube)
+        panel.options.set_values({"distance": None})
         self.finish(panel)
         self.assertEqual(panel.said, "Distance: give a length that is not 0")
         self.assertEqual(self.document.Objects, [self.cube])
@@ -115,6 +116,25 @@ class Offset(SolidCommands):
         self.apply(panel)
         self.assertIn("Nothing is left: the solid is nowhere that deep.", panel.certificate.text.text())
         panel.reject()
+
+
+class FirstLengths(SolidCommands):
+    def test_panels_open_with_a_useful_length_and_ok_works(self):
+        """2 % of the size and at most 2 mm; of walls a tenth of it; the gap of a wrap has no largest value."""
+        large = self.document.addObject("Part::Box", "Large")
+        large.Length = 500
+        self.document.recompute()
+        for command, name, lengths in ((commands.Offset, "distance", (0.2, 2.0)), (commands.Hollow, "thickness", (1.0, 2.0)),
+                                       (commands.Wrap, "gap", (0.2, 10.0))):
+            for source, length in zip((self.cube, large), lengths):
+                panel = self.panel(command, source)
+                self.assertEqual(panel.options.values()[name], length)
+                panel.options.reset.click()
+                self.assertEqual(panel.options.values()[name], length)
+                panel.reject()
+        panel = self.panel(commands.Hollow, self.cube)
+        self.finish(panel)
+        self.assertEqual((panel.said, self.document.Objects[-1].Thickness.Value), ("", 1.0))
 
 
 class Hollow(SolidCommands):
@@ -215,6 +235,7 @@ class Hollow(SolidCommands):
         texts = [label.text() for label in panel.form.findChildren(QtGui.QLabel)]
         for word in ("Dicke", "Öffnungen"):
             self.assertIn(word, texts)
+        panel.options.set_values({"thickness": None})
         self.finish(panel)
         self.assertEqual(panel.said, "Dicke: eine Länge angeben, die nicht 0 ist")
         self.narrow(panel, "panel_hollow_german")

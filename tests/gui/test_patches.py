@@ -282,6 +282,20 @@ class Patches(gui_helpers.PanelTest):
         self.assertEqual(sorted(os.listdir(folder)), ["constant", "system"])
         self.assertEqual(cfd_ready(), {})
 
+    def test_the_folder_of_a_case_has_the_name_of_the_part_without_blanks(self):
+        obj = self.quality()
+        obj.Source.Label = "Pipe tee (2)"
+        panel = case_panel.CasePanel(obj)
+        self.assertEqual(os.path.basename(panel.path.property("fileName")), "Pipe_tee_2_case")
+        panel.path.setProperty("fileName", os.path.join(self.folder, "my case"))
+        FreeCADGui.Control.showDialog(panel)
+        with mock.patch.object(FreeCAD.Console, "PrintMessage") as said, mock.patch.object(FreeCAD.Console, "PrintWarning") as warned:
+            panel.accept()
+            self.until(lambda: panel.job is None)
+        lines = "".join(call.args[0] for call in said.call_args_list)
+        self.assertIn(f"type: cd '{self.folder}/my case' && blockMesh && snappyHexMesh -overwrite && checkMesh", lines)
+        self.assertIn("no blanks in paths", warned.call_args.args[0])
+
     def test_a_case_needs_a_folder_that_can_be_made(self):
         obj = self.quality()
         panel = case_panel.CasePanel(obj)

@@ -32,7 +32,7 @@ class Preferences(gui_helpers.PanelTest):
                 buttons.button(QtGui.QDialogButtonBox.Ok).click()
 
         QtCore.QTimer.singleShot(WAIT, work)
-        FreeCADGui.showPreferences("MeshQuality", 0)
+        FreeCADGui.showPreferences("Mesh Quality", 0)
         if failed:
             raise failed[0]
 
@@ -76,4 +76,4 @@ class Preferences(gui_helpers.PanelTest):
                 self.assertEqual(os.environ.get("MESHQUALITY_THREADS"), expected)
 
     def test_the_page_has_its_icon(self):
-        self.assertFalse(FreeCADGui.getIcon("preferences-meshquality").isNull())
+        self.assertFalse(FreeCADGui.getIcon("preferences-mesh_quality").isNull())

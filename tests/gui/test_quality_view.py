@@ -52,7 +52,7 @@ class QualityView(gui_helpers.GuiTest):
     def test_command_is_for_one_mesh(self):
         obj = self.meshed(Part.makeBox(3, 4, 5))
         FreeCADGui.activateWorkbench("MeshQualityWorkbench")
-        for chosen, active in (([obj], True), ([obj.Source], False), ([obj, obj.Source], False)):
+        for chosen, active in (([obj], True), ([obj.Source], True), ([obj, obj.Source], False)):
             FreeCADGui.Selection.clearSelection()
             for one in chosen:
                 FreeCADGui.Selection.addSelection(one)

@@ -61,7 +61,7 @@ class Said(UnitsTest):
         FreeCADGui.setLocale("German")
         self.addCleanup(FreeCADGui.setLocale, "English")
         gui_helpers.wait(0.2)
-        self.assertRegex(self.certificate(obj)[1], r"größte Abweichung 0[.,]000673 in \(verlangt 0[.,]000394 in\)")
+        self.assertRegex(self.certificate(obj)[1], r"max\. Abweichung 0[.,]000673 in \(verlangt 0[.,]000394 in\)")
 
     def test_the_line_of_the_report_view(self):
         view = FreeCADGui.getMainWindow().findChild(QtGui.QTextEdit, "Report view")

@@ -28,13 +28,14 @@ def look():
     FreeCADGui.Selection.addSelection(box)
     workbench = FreeCADGui.activeWorkbench()
     toolbar = FreeCADGui.getMainWindow().findChild(QtGui.QToolBar, "Mesh Quality")
+    buttons = [action for action in toolbar.actions() if not action.isSeparator()]
     # Buttons follow IsActive a moment later.
     for _ in range(40):
         QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 50)
         FreeCADGui.updateGui()
     shown = dict(registered=[name for name in FreeCADGui.listCommands() if name.startswith("MeshQuality_")],
                  names=[command.NAME for command in commands._COMMANDS],
-                 enabled=[action.isEnabled() for action in toolbar.actions()],
+                 enabled=[action.isEnabled() for action in buttons],
                  fitting=commands.fitting())
     FreeCADGui.runCommand("MeshQuality_GetBinary")
     panel = FreeCADGui.Control.activeDialog()
@@ -58,6 +59,8 @@ def main():
 QtCore.QTimer.singleShot(500, main)
 """
 
+HELP = ("MeshQuality_FirstSteps", "MeshQuality_Example")
+
 
 class WithoutBinary(unittest.TestCase):
     def shown(self):
@@ -78,9 +81,9 @@ class WithoutBinary(unittest.TestCase):
         shown = self.shown()
         self.assertNotIn("fault", shown, shown.get("fault"))
         self.assertEqual(sorted(shown["registered"]),
-                         sorted([*shown["names"], "MeshQuality_GetBinary"]))
+                         sorted([*shown["names"], "MeshQuality_GetBinary", *HELP]))
         self.assertGreater(len(shown["names"]), 5)
-        self.assertEqual(shown["enabled"], [True] + [False] * len(shown["names"]))
+        self.assertEqual(shown["enabled"], [True] + [False] * len(shown["names"]) + [True] * len(HELP))
         self.assertEqual(shown["fitting"], [])
         self.assertTrue(shown["dialog"])
         self.assertEqual(len(shown["told"]), 1)

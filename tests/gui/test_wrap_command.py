@@ -97,6 +97,7 @@ class WrapCommand(gui_helpers.PanelTest):
 
     def test_an_edit_and_errors_in_the_words_of_the_panel(self):
         panel = self.panel(commands.Wrap, self.first, self.second)
+        panel.options.set_values({"gap": None})
         self.finish(panel)
         self.assertEqual(panel.said, "Gap: give a length that is not 0")
         self.assertEqual(self.document.Objects, [self.first, self.second])
@@ -141,8 +142,9 @@ class WrapCommand(gui_helpers.PanelTest):
         gui_helpers.wait(0.2)
         panel = self.panel(commands.Wrap, self.first, self.second)
         self.assertEqual(panel.form.windowTitle(), "Umhüllen")
-        for word in ("Lücke", "Toleranz (0: nach Größe und Lücke)", "Operanden: A = First, B = Second"):
+        for word in ("Lücke", "Max. Abweichung (0: nach Größe und Lücke)", "Operanden: A = First, B = Second"):
             self.assertIn(word, self.texts(panel))
+        panel.options.set_values({"gap": None})
         self.finish(panel)
         self.assertEqual(panel.said, "Lücke: eine Länge angeben, die nicht 0 ist")
         panel.options.set_values({"gap": 1.0, "tolerance": 0.8})
@@ -150,7 +152,7 @@ class WrapCommand(gui_helpers.PanelTest):
         self.assertIn("möglich ist höchstens die Hälfte der Lücke von 1 mm", panel.said)
         panel.options.set_values({"gap": 1.0, "tolerance": 1e-4})
         self.finish(panel)
-        self.assertIn("Eine Hülle mit einer Toleranz von 100 nm würde mehr als 2 GB Speicher brauchen", panel.said)
+        self.assertIn("Eine Hülle mit einer max. Abweichung von 100 nm würde mehr als 2 GB Speicher brauchen", panel.said)
         self.narrow(panel, "panel_wrap_german")
         panel.reject()
 

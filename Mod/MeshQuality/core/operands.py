@@ -244,14 +244,14 @@ class Operands:
         what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
         return mesh._surface, mesh.report.max_chord_height, False, (
             f"{self._names[i]} {what} deviates by at most {mesh.report.max_chord_height:.3g} mm from "
-            f"{'them' if mixed else 'it'}{volume}; the error bound is that of the Boolean of the meshes")
+            f"{'them' if mixed else 'it'}{volume}; the max. deviation is that of the Boolean of the meshes")
 
     def _note_deviations(self):
         """A note for each operand of _deviations, for many of them one."""
         told = [(f"{name} is a shape: its mesh deviates", deviation, "it") for name, deviation in self._deviations]
         if len(told) > _MOST_NOTES:
             told = [(f"{len(told)} operands are shapes: their meshes deviate", max(note[1] for note in told), "them")]
-        self.notes += [f"{what} by at most {deviation:.3g} mm from {those}; the error bound is that of the Boolean of the meshes"
+        self.notes += [f"{what} by at most {deviation:.3g} mm from {those}; the max. deviation is that of the Boolean of the meshes"
                        for what, deviation, those in told]
 
     def _any_mesh(self, i, shape, chord_height, progress, meshing):

@@ -106,7 +106,8 @@ def line(label, report, findings, say=str):
     say   say(text that a phrase of `phrases` fits) -> text in the user's language and units
     """
     verdict = Text(phrases.TARGET_NOT_MET, text=_joined(findings)) if findings else Text(phrases.ALL_MET)
-    return f"{label}: {', '.join(map(say, _figures(report)))}; {say(verdict)}"
+    hint = f" {say(phrases.sentence(Text(phrases.OVERLAPS_HINT)))}" if getattr(report, "overlaps", 0) > 0 else ""
+    return f"{label}: {', '.join(map(say, _figures(report)))}; {say(verdict)}{hint}"
 
 
 def _figures(report):
@@ -121,7 +122,7 @@ def _figures(report):
         if report.triangles:
             yield Text(phrases.SMALLEST_ANGLE, number=_rounded(report.min_angle))
         if hasattr(report, "error_bound"):
-            yield Text(phrases.ERROR_BOUND, length=_length(_rounded(report.error_bound)))
+            yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.error_bound)))
         elif report.max_chord_height >= 0:
             yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.max_chord_height)))
     if report.overlaps > 0 and not (curved and all(pair[2] == "near" for pair in report.overlapping_bodies)):
@@ -152,7 +153,7 @@ def of_improvement(mesh, closed, progress=None):
 def of_boolean(mesh):
     """Findings of a BooleanMesh. An empty one has none."""
     report = mesh.report
-    found = _too_far(report.error_bound, report.tolerance_asked, phrases.RESULT_DISTANCE)
+    found = _too_far(report.error_bound, report.tolerance_asked, phrases.SHAPE_DISTANCE)
     if report.guessed_share > 0.0:
         found.append(Finding(_sentence(phrases.GUESSED, number=f"{100.0 * report.guessed_share:.2g}")))
     if report.faults_left:
@@ -347,10 +348,14 @@ def of_thickness(found):
     if found.min_thickness is None or found.minimum >= found.min_thickness:
         return []
     length, limit = map(_length, _told_apart(found.minimum, found.min_thickness))
+    places = {"length": length, "length2": limit}
     phrase = phrases.NARROW_GAP if found.gap else phrases.THIN_WALL
+    if found.bounds[1] >= found.min_thickness:  # as thin, or as thick as it should be
+        places = {"length": limit, "length2": length, "length3": _length(_rounded(found.bounds[1] - found.minimum))}
+        phrase = phrases.GAP_NOT_KNOWN if found.gap else phrases.WALL_NOT_KNOWN
     mesh = found.mesh
     corners = (mesh.vertices + mesh.origin)[mesh.triangles[found.minimum_triangle]]
-    return [Finding(_sentence(phrase, length=length, length2=limit), found.minimum_faces,
+    return [Finding(_sentence(phrase, **places), found.minimum_faces,
                     tuple(tuple(corner) for corner in corners.tolist()))]
 
 

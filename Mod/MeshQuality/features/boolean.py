@@ -2,6 +2,7 @@
 """The document object "Boolean": a mesh that follows a Boolean of objects of the document."""
 
 import json
+import re
 from functools import partial
 
 import FreeCAD
@@ -27,9 +28,10 @@ MEASURED = (
 # Name, type, what it says: beside mesh_object.PROMISES.
 PROMISES = (
     ("AskedTolerance", "App::PropertyLength",
-     "Requested largest distance from the exact Boolean"),
-    ("ErrorBound", "App::PropertyLength", "Largest distance from the exact Boolean of the meshes"),
+     "Requested max. deviation from the exact Boolean"),
+    ("ErrorBound", "App::PropertyLength", "Max. deviation from the exact Boolean of the meshes"),
     ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
+    properties.DEVIATION,
 )
 
 
@@ -120,8 +122,17 @@ class MeshBoolean(mesh_object.MeshObject):
         obj.Volume, obj.ErrorBound, obj.AskedTolerance = report.volume, report.error_bound, report.tolerance_asked
         obj.FaultsLeft, obj.Notes = report.faults_left, list(report.notes)
         self.show_origin(obj, mesh)
+        self.follow_label(obj)
         mesh_object.show_certificate(obj, report, True, findings)
         return report, findings
+
+    def follow_label(self, obj):
+        """Has a label that add_boolean gave follow the first operand and the operation."""
+        labels = [frames.leaf_of(source).Label for source in self.sources(obj)]
+        operands, operations = "|".join(map(re.escape, labels)), "|".join(options.OPERATIONS).replace("_", " ")
+        wanted = f"{labels[0]} {obj.Operation}".replace("_", " ")
+        if re.fullmatch(rf"({operands}) ({operations})\d*", obj.Label) and obj.Label.rstrip("0123456789") != wanted:
+            obj.Label = wanted
 
     def show_origin(self, obj, mesh):
         """Fills those properties that say what the triangles come from."""

@@ -59,6 +59,7 @@ MEASURED = tuple((name, kind, text) for name, kind, text, _ in _REPORTED)
 PROMISES = (
     ("Invalid", "App::PropertyInteger",
      "Number of elements that are not proven valid; 0 is required"),
+    properties.DEVIATION,
 )
 
 

@@ -28,7 +28,7 @@ def add(obj, table):
         given = [bound for bound, name in _VALUES.items() if _number(obj, name)]
         with _while_choosing(obj):
             obj.addProperty("App::PropertyEnumeration", PROPERTY, option.group,
-                            "How the distance to the shape is bounded: relative to its size, by a "
+                            "How the max. deviation from the shape is given: relative to its size, as a "
                             "length, or not at all")
             obj.DistanceBound = list(options.BOUNDS)
             _choose(obj, given[0] if given else obj.Proxy.BOUND_BEFORE)

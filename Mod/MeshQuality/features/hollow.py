@@ -7,6 +7,7 @@ import FreeCAD
 import numpy as np
 
 from .. import offset_options, phrases
+from ..compat import property_of
 from ..core import convert, verdict
 from ..core.offsets import run_hollow
 from ..errors import InvalidInput
@@ -15,6 +16,7 @@ from .gui_hooks import window
 
 _OF_HOLLOW = (
     ("HollowTriangles", "App::PropertyInteger", "Number of triangles of the surface of the hollow"),
+    ("HollowVolume", "App::PropertyVolume", "Volume of a closed hollow, which is what it saves; 0 where it has openings"),
 )
 _FACES = ("OpeningFaces", "App::PropertyString",
           "What the faces of the source were like when the openings were last right: their kinds, areas and centres")
@@ -47,6 +49,7 @@ class HollowObject(offset.SolidMesh):
         """Shows the mesh and its report, and the openings by their present names."""
         finished, (mesh, *_, given) = super().take(obj, result), result
         obj.HollowTriangles = int(np.count_nonzero(mesh.triangle_source[:, 0] == 1))
+        obj.HollowVolume = 0.0 if given.names else _volume_of(mesh)
         obj.Openings, obj.OpeningFaces = given.names or [], given.described
         obj.Notes = [*obj.Notes, *given.lost]
         for sentence in given.lost:
@@ -54,8 +57,22 @@ class HollowObject(offset.SolidMesh):
         return finished
 
     def told(self, obj):
-        """That there is no hollow."""
-        return None if obj.HollowTriangles or not obj.Fingerprint else phrases.Text(phrases.STAYS_WHOLE)
+        """That there is no hollow, or one that is sealed, and what it saves."""
+        if not obj.Fingerprint:
+            return None
+        if not obj.HollowTriangles:
+            return phrases.Text(phrases.STAYS_WHOLE)
+        hollow = property_of(obj, "HollowVolume").Value
+        if not hollow:
+            return None
+        share = hollow / (hollow + property_of(obj, "Volume").Value)
+        return phrases.Text(phrases.HOLLOW_SEALED, number=f"{hollow:.4g} mm³", number2=f"{100.0 * share:.3g}")
+
+
+def _volume_of(mesh):
+    """The volume in mm³ that the surface of the hollow encloses: its triangles face inwards."""
+    a, b, c = np.moveaxis(mesh.vertices[mesh.triangles[mesh.triangle_source[:, 0] == 1]].astype(float), 1, 0)
+    return max(-float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6.0, 0.0)
 
 
 class _OpenGiven(offset.Given):

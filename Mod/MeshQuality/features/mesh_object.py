@@ -16,7 +16,7 @@ from ..core.source_faces import FacesOfOne
 from ..errors import Error, InvalidInput
 from . import aliases, distance_bound, patches, placement
 from .gui_hooks import window
-from .properties import add_hidden, add_measured, add_options, add_property, clear_mesh, options_of
+from .properties import add_hidden, add_measured, add_options, add_property, clear_mesh, options_of, show_deviation
 from .recompute_work import Work
 
 # Name, type, what it says: properties of the group Certificate, for every kind of object.
@@ -423,6 +423,7 @@ def show_certificate(obj, report, closed, findings):
     closed  whether the mesh was to be closed
     """
     obj.AskedClosed, obj.Closed, obj.Manifold = closed, report.closed, report.manifold
+    show_deviation(obj)
     certificate = verdict.sentence(findings)
     obj.Certificate, obj.CertificateData = certificate, json.dumps(phrases.to_data(certificate))
     obj.CertificateFaces = verdict.faces(findings)
@@ -435,6 +436,10 @@ class _Observer:
     def slotRecomputedDocument(self, document):
         """Called by FreeCAD: what an object promises of a mesh that is not of its options counts no longer."""
         for obj in document.Objects:
+            if isinstance(getattr(obj, "Proxy", None), MeshObject) and obj.Status == UP_TO_DATE and obj.Fingerprint \
+                    and obj.Proxy.lacks_source(obj):  # a copy from another document
+                with suppress(AttributeError):
+                    obj.Status = SOURCE_DELETED
             if not isinstance(getattr(obj, "Proxy", None), MeshObject) or "Invalid" not in obj.State \
                     or not getattr(obj, "Fingerprint", "") or obj.Status == SOURCE_DELETED or obj.Certificate == verdict.NOT_COMPUTED:
                 continue

@@ -22,9 +22,10 @@ MEASURED = (
 
 # Name, type, what it says: beside mesh_object.PROMISES.
 PROMISES = (
-    ("AskedTolerance", "App::PropertyLength", "Requested largest distance from the exact result, in both directions"),
-    ("ErrorBound", "App::PropertyLength", "Proven largest distance from the exact result, in both directions"),
+    ("AskedTolerance", "App::PropertyLength", "Requested max. deviation from the exact result, in both directions"),
+    ("ErrorBound", "App::PropertyLength", "Proven max. deviation from the exact result, in both directions"),
     ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
+    properties.DEVIATION,
 )
 
 

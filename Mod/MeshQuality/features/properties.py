@@ -18,10 +18,18 @@ TOPOLOGY = (
 # The same, of those that promise a smallest angle; see show_angles.
 ANGLES = (
     ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles"),
-    ("Exempt", "App::PropertyStringList", "Triangles below the requested angle, and why"),
+    ("ExemptCount", "App::PropertyInteger", "Number of triangles below the requested angle"),
+    ("Exempt", "App::PropertyStringList", "Triangles below the requested angle, and why; hidden where there are many"),
 )
 EXEMPT_REASONS = ("ExemptReasons", "App::PropertyStringList",
                   "For each reason in Exempt what it is made of, and the triangles, by which the window translates it")
+
+# Of those that keep a distance; see show_deviation.
+DEVIATION = ("DeviationInFull", "App::PropertyString",
+             "Max. deviation, measured and requested, with the digits that count: the editor shows 0.003 as 0.00")
+_DEVIATIONS = (("MaxChordHeight", "AskedChordHeight"), ("ErrorBound", "AskedTolerance"), ("MaxDeviation", None))
+
+_MOST_LINES = 50  # of a list in the property editor
 
 
 def add_property(obj, kind, name, group, text):
@@ -37,6 +45,13 @@ def add_measured(obj, table):
     for name, kind, text in table:
         add_property(obj, kind, name, "Quality", text)
         obj.setEditorMode(name, 1)
+    _fold_long_lists(obj)
+
+
+def _fold_long_lists(obj):
+    """Hides what would fill the property editor; ExemptCount says how much that is."""
+    if "Exempt" in obj.PropertiesList:
+        obj.setEditorMode("Exempt", 2 if len(obj.Exempt) > _MOST_LINES else 1)
 
 
 def add_hidden(obj, group, table):
@@ -70,12 +85,25 @@ def show_topology(obj, report):
     obj.Oriented = report.oriented
 
 
+def show_deviation(obj):
+    """Fills DEVIATION, where the object has it, from the lengths beside it."""
+    if DEVIATION[0] not in obj.PropertiesList:
+        return
+    measured, requested = next(names for names in _DEVIATIONS if names[0] in obj.PropertiesList)
+    asked = property_of(obj, requested).Value if requested else 0.0
+    relative = property_of(obj, "ChordHeightRelative") if requested == "AskedChordHeight" else 0.0
+    share = f" = {relative:.4g} of the size" if relative else ""
+    obj.DeviationInFull = f"{property_of(obj, measured).Value:.4g} mm" + (f" (requested {asked:.4g} mm{share})" if asked else "")
+
+
 def show_angles(obj, report):
     """Fills the properties of ANGLES and ANGLE_PROMISES, and Notes."""
     obj.MeasuredMinAngle, obj.MeasuredMaxAngle = report.min_angle, report.max_angle
     obj.AskedMinAngle = report.min_angle_asked
     reasons = [(triangle, reason.message) for triangle, reason in report.exempt_reasons]
     obj.Exempt = [phrases.exempt_triangle(triangle, reason) for triangle, reason in reasons]
+    obj.ExemptCount = len(reasons)
+    _fold_long_lists(obj)
     triangles = {}
     for triangle, reason in reasons:
         triangles.setdefault(reason, []).append(triangle)

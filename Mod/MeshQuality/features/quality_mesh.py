@@ -23,6 +23,7 @@ PROMISES = (
     ("AskedChordHeight", "App::PropertyLength",
      "Requested max. deviation from the shape; 0: none"),
     ("MaxChordHeight", "App::PropertyLength", "Measured max. deviation from the shape"),
+    properties.DEVIATION,
 )
 
 

@@ -21,10 +21,11 @@ MEASURED = (
 
 # Name, type, what it says: beside mesh_object.PROMISES.
 PROMISES = (
-    ("AskedTolerance", "App::PropertyLength", "Requested largest distance between the wrap and what it lies on"),
+    ("AskedTolerance", "App::PropertyLength", "Requested max. deviation of the wrap from what it lies on"),
     ("ErrorBound", "App::PropertyLength",
-     "The larger one of both distances, with that of the meshes of shapes"),
+     "Max. deviation: the larger one of both distances, with that of the meshes of shapes"),
     ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
+    properties.DEVIATION,
 )
 
 
@@ -68,6 +69,9 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
     def holds_mesh(self, obj):
         """Older versions did not keep the faces of the triangles."""
         return super().holds_mesh(obj) and bool(obj.FaceRuns or not obj.Triangles)
+
+    def follow_label(self, obj):
+        """It has one operation."""
 
     def show_origin(self, obj, mesh):
         """Fills those properties that say what the triangles lie on."""

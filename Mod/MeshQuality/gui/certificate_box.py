@@ -80,17 +80,16 @@ class CertificateBox(QtGui.QWidget):
         """Shows what the object's certificate says; hides without an object."""
         self._end_mark()
         self._obj = obj
-        self.setVisible(obj is not None)
+        # Of a mesh without its source the panel says that, and nothing else.
+        shown = obj is not None and not obj.Proxy.lacks_source(obj)
+        self.setVisible(shown)
         self._list_pairs(getattr(obj, "Pairs", []))
-        if obj is None:
+        if not shown:
             return
-        deleted = obj.Proxy.lacks_source(obj)
         missed = verdict.is_missed(obj.Certificate)
-        self.text.setText(translate("MeshQuality", "The source was deleted. Close this panel.") if deleted
-                          else _words(obj))
-        self.text.setStyleSheet("color: #cc0000" if missed or deleted else "")
-        self.button.setVisible(not deleted and missed
-                               and bool(obj.CertificateFaces or obj.CertificatePlace))
+        self.text.setText(_words(obj))
+        self.text.setStyleSheet("color: #cc0000" if missed else "")
+        self.button.setVisible(missed and bool(obj.CertificateFaces or obj.CertificatePlace))
 
     def show_place(self):
         """Selects those faces of the source, marks where it is worst and flies there; triangles become

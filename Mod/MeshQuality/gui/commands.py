@@ -13,7 +13,7 @@ from ..core.curving import holds_elements
 from ..errors import Error
 from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
                         offset, quality_mesh, repaired_mesh, wrap)
-from . import quality_data
+from . import help_pages, quality_data
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
@@ -26,6 +26,8 @@ from .picked import picked_faces
 from .translation import translated
 from .trial import FemTrial, Trial
 from .update import update_in_background
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
 class _Command:
@@ -302,10 +304,7 @@ class Patches(_OfOneMesh):
     KEYS = "Q, P"
 
     def selected(self):
-        found = list(dict.fromkeys(frames.linked_of(source)[0] for source in _selected()))
-        fits = len(found) == 1 and isinstance(getattr(found[0], "Proxy", None), mesh_object.PatchedMesh) \
-            and not found[0].Proxy.lacks_source(found[0]) and found[0].Proxy.has_faces(found[0])
-        return found if fits else []
+        return [frames.linked_of(source)[0] for source in _if_one(_can_have_patches)]
 
 
 class Update(_Command):
@@ -337,6 +336,30 @@ class GetBinary(_Command):
         FreeCADGui.Control.showDialog(BinaryPanel())
 
 
+class FirstSteps(_Command):
+    NAME = "MeshQuality_FirstSteps"
+    TEXT = "First steps"
+    TIP = "A first part in five minutes, and all other pages of the documentation"
+    KEYS = ""
+    ASKS = False
+
+    def IsActive(self):
+        return True
+
+    def Activated(self):
+        help_pages.show()
+
+
+class Example(FirstSteps):
+    NAME = "MeshQuality_Example"
+    TEXT = "Example part"
+    ASKS = False
+    TIP = "Open a new document with a pipe tee, to try the commands on"
+
+    def Activated(self):
+        FreeCADGui.doCommand("from MeshQuality.gui import example\nexample.open_document()")
+
+
 def _selected():
     """The sources that are selected, each once, see frames."""
     found = []
@@ -345,10 +368,27 @@ def _selected():
     return found
 
 
+def _in_place_of(source):
+    """The meshes that are seen in place of a source that is hidden, as panels leave it selected."""
+    obj = frames.linked_of(source)[0]
+    if obj.ViewObject is None or obj.ViewObject.Visibility:
+        return []
+    return [user for user in dict.fromkeys(obj.InList)
+            if isinstance(getattr(user, "Proxy", None), mesh_object.MeshObject) and user.ViewObject.Visibility]
+
+
 def _if_one(fits):
-    """What is selected, if it is one source that fits."""
+    """What is selected, if it is one source that fits; or the one mesh that is seen in its place."""
     found = _selected()
+    if len(found) == 1 and not fits(found[0]):
+        found = _in_place_of(found[0])
     return found if len(found) == 1 and fits(found[0]) else []
+
+
+def _can_have_patches(source):
+    obj = frames.linked_of(source)[0]
+    proxy = getattr(obj, "Proxy", None)
+    return isinstance(proxy, mesh_object.PatchedMesh) and not proxy.lacks_source(obj) and proxy.has_faces(obj)
 
 
 def _has_shape(source):
@@ -358,8 +398,18 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Wrap, Repair, Improve, Analyse, Thickness, Inspect, Update, Patches, Export,
-             FlowCase, CfdSurface)
+# By task: the title of a submenu, or none, and its commands.
+_MENUS = (
+    (QT_TRANSLATE_NOOP("Workbench", "Mesh"), (Triangulate, Quick, Curve, FemMesh)),
+    (QT_TRANSLATE_NOOP("Workbench", "Check"), (Analyse, Thickness, Inspect)),
+    (QT_TRANSLATE_NOOP("Workbench", "Repair and combine"), (Repair, Improve, Cure, Boolean, Wrap)),
+    (QT_TRANSLATE_NOOP("Workbench", "Print"), (Offset, Hollow)),
+    (QT_TRANSLATE_NOOP("Workbench", "CFD and FEM"), (Patches, FlowCase, CfdSurface)),
+    (QT_TRANSLATE_NOOP("Workbench", "Export"), (Export,)),
+    ("", (Update,)),
+    (QT_TRANSLATE_NOOP("Workbench", "Help"), (FirstSteps, Example)),
+)
+_COMMANDS = tuple(command for _, commands in _MENUS[:-1] for command in commands)  # for what is selected
 
 
 def panel_of(obj):
@@ -369,16 +419,22 @@ def panel_of(obj):
 
 
 def register():
-    """Registers all commands with FreeCAD; returns their names in menu order. Where the binary is
-    missing, none can be used but the one that comes first then and tells how to get it.
+    """Registers all commands with FreeCAD; returns [(title of a submenu, names)], without a title for what is in none. Where
+    the binary is missing, none that computes can be used but the one that comes first then and tells how to get it.
     """
-    chosen = _COMMANDS
+    menus = _MENUS
     if why_no_extension():
         FreeCAD.Console.PrintWarning(f"{why_no_extension()}\n")
-        chosen = (GetBinary, *_COMMANDS)
-    for command in chosen:
-        FreeCADGui.addCommand(command.NAME, command())
-    return [command.NAME for command in chosen]
+        menus = (("", (GetBinary,)), *_MENUS)
+    for _, commands in menus:
+        for command in commands:
+            FreeCADGui.addCommand(command.NAME, command())
+    return [(title, [command.NAME for command in commands]) for title, commands in menus]
+
+
+def in_one_row(groups):
+    """The names of all groups for a toolbar, with a separator between groups."""
+    return [name for names in groups for name in ("Separator", *names)][1:]
 
 
 def fitting():

@@ -3,6 +3,7 @@
 from the part.
 """
 
+from dataclasses import replace
 from functools import partial
 
 import FreeCAD
@@ -12,10 +13,10 @@ from .. import phrases
 from ..core import fem_places, frames
 from ..core.certification import certify
 from ..core.element_mesh import ElementMesh
-from ..core.elements import boundary, kinds
+from ..core.elements import boundary, kinds, shapes
 from ..errors import Error, InvalidInput
 from ..features import cured_mesh
-from .quality_data import DISTANCE, Measure, QualityData, runs_of_sides
+from .quality_data import ASPECT, DISTANCE, DISTORTION, MIN_ANGLE, Measure, QualityData, runs_of_sides
 from .quantities import count_text
 
 translate = FreeCAD.Qt.translate
@@ -25,6 +26,18 @@ JACOBIAN_RATIO = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Least / largest Jacobian"),
     QT_TRANSLATE_NOOP("MeshQuality", "1 = not distorted by its middle nodes, ≤ 0 = not proven valid; those are marked."),
     "", 0.0, 1.0, lambda data, _: data.ratios)
+DIHEDRAL = Measure(
+    QT_TRANSLATE_NOOP("MeshQuality", "Smallest dihedral angle"),
+    QT_TRANSLATE_NOOP("MeshQuality", "Between two faces of an element: a regular tetrahedron has 70.5°; 10° and less harm simulations."),
+    "°", 0.0, 70.5, lambda data, _: data.shapes()[0])
+# Ends at twice the median, as what is large depends on the mesh: see QualityData.scale.
+VOLUME = Measure(
+    QT_TRANSLATE_NOOP("MeshQuality", "Volume"),
+    QT_TRANSLATE_NOOP("MeshQuality", "Of the element with straight sides; ≤ 0 = inside out."),
+    " mm³", 0.0, 1.0, lambda data, _: data.contents)
+AREA = Measure(
+    QT_TRANSLATE_NOOP("MeshQuality", "Area"), QT_TRANSLATE_NOOP("MeshQuality", "Of the element with straight sides."),
+    " mm²", 0.0, 1.0, lambda data, _: data.contents)
 # Flat triangles of faces by their number of nodes, and the sides of those: middle nodes come after the corners.
 _TRIANGLES = {3: ((0, 1, 2),), 4: ((0, 1, 2), (0, 2, 3)), 6: ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)),
               8: ((0, 4, 7), (4, 1, 5), (5, 2, 6), (6, 3, 7), (4, 5, 6), (4, 6, 7)),
@@ -48,7 +61,8 @@ class FemQualityData(QualityData):
         self._why, self._numbers = {}, _numbers_of(obj, self._mesh)
         part = cured_mesh.part_of(obj) if obj == source else None
         self._shape = None if part is None else fem_places.shape_at(source, self._mesh, part)
-        self.measures = [JACOBIAN_RATIO] + ([DISTANCE] if part is not None else [])
+        by_shape = (DIHEDRAL, ASPECT, VOLUME) if self._mesh.dimension == 3 else (MIN_ANGLE, ASPECT, AREA)
+        self.measures = [JACOBIAN_RATIO, DISTORTION, *by_shape, *([DISTANCE] if part is not None else [])]
         self._prepare = partial(self._take_elements, self._mesh)
 
     @property
@@ -63,6 +77,10 @@ class FemQualityData(QualityData):
         self._starts = np.cumsum([0, *counts])
         self._certificate = self._certified(mesh)
         self.ratios = np.concatenate(self._certificate.distortion)
+        found_shapes = [shapes.shapes_of(block.kind, mesh.nodes[block.nodes[:, :kinds.CORNERS[block.kind]]])
+                        for block in mesh.blocks if kinds.DIMENSION[block.kind] == highest]
+        *self._shapes, self.contents = (np.concatenate([getattr(each, name) for each in found_shapes])
+                                        for name in ("angle", "aspect", "distortion", "content"))
         self._nodes = mesh.nodes.astype(np.float32)
         owners = [self._starts[block] + element for _, block, element in found]
         rows = [_triangles(nodes) for nodes, _, _ in found]
@@ -100,14 +118,24 @@ class FemQualityData(QualityData):
         """Those that are not proven valid."""
         return values <= 0.0 if measure is JACOBIAN_RATIO else super().marked(measure, values)
 
+    def scale(self, measure, values):
+        """As for all; that of volumes ends at twice the median."""
+        if measure in (VOLUME, AREA):
+            measure = replace(measure, good=2.0 * max(float(np.median(values)), np.finfo(float).tiny))
+        return super().scale(measure, values)
+
     def is_inside(self, element):
         """Those without a face on the surface."""
         return not self._outside[element]
 
     def remark(self):
         """How many those are."""
-        words = translate("MeshQuality", "{0} of {1} are not proven valid.")
-        return words.format(*map(count_text, (self._certificate.invalid, self.elements)))
+        invalid, count = self._certificate.invalid, count_text(self.elements)
+        if not invalid:
+            return translate("MeshQuality", "All {0} proven valid.").format(count)
+        words = translate("MeshQuality", "1 of {1} is not proven valid.") if invalid == 1 else \
+            translate("MeshQuality", "{0} of {1} are not proven valid.")
+        return words.format(count_text(invalid), count)
 
     def place(self, element):
         """Words for where an element lies, by its number in FreeCAD's mesh."""

@@ -3,11 +3,21 @@
 
 import FreeCAD
 
+from ..compat import PlainState
 from ..core import frames
 from ..features import cfd_surface, cured_mesh, mesh_object
+from .view import badge
 
 _EDGES = "Flat Lines"
 _MOST = 200_000  # triangles: the edges of more cover the surface, and take as long to draw as that
+
+
+class FacesView(PlainState):
+    """Proxy of the view of a CFD surface: its icon in the tree."""
+
+    def getIcon(self):
+        """Called by FreeCAD."""
+        return badge.path_of("MeshQuality_CfdSurface")
 
 
 def show_in_place_of_sources(obj):
@@ -30,9 +40,11 @@ def show_faces(obj, colours):
     seen in place of its source.
     """
     view = obj.ViewObject
-    if view.Proxy is None:
-        view.Proxy = 0  # FreeCAD shows no shape of a Python object before
-        obj.Source.ViewObject.Visibility = False
+    if not isinstance(view.Proxy, FacesView):  # FreeCAD shows no shape of a Python object without one
+        is_new = view.Proxy is None
+        view.Proxy = FacesView()
+        if is_new:
+            obj.Source.ViewObject.Visibility = False
     view.DiffuseColor = [tuple(part / 255 for part in colour) for colour in colours]
 
 

@@ -66,7 +66,7 @@ class Operation:
 
     def is_done(self, work):
         """Whether the object already holds what the work would give, and says so."""
-        return self.obj is not None and work.values == self.values() \
+        return self.obj is not None and work.values == self.values() and not self._order() \
             and self.obj.Proxy.is_result(self.obj, work)
 
     def possible(self, edited):
@@ -96,9 +96,17 @@ class Operation:
     def line(self, values):
         """The line of Python that does it."""
         if self.obj is not None:
-            return f"mq.update({name_of(self.obj)}{_arguments(values, self.values())})"
+            return f"{self._order()}mq.update({name_of(self.obj)}{_arguments(values, self.values())})"
         given = self.kind.called_with([name_of(source) for source in self.sources])
         return f"mq.{self.kind.CALL}({given}{_arguments(values, options.defaults(self.kind.OPTIONS))})"
+
+    def _order(self):
+        """What gives the object its operands in another order; empty: they are in this one."""
+        if "Sources" not in self.kind.LINKS or self.obj.Proxy.sources(self.obj) == self.sources:
+            return ""
+        names = ", ".join(name_of(frames.object_of(source)) for source in self.sources)
+        paths = [frames.path_of(source) for source in self.sources]
+        return f"obj = {name_of(self.obj)}; obj.Sources, obj.SourcePaths = [{names}], {paths!r}; "
 
     def land(self, work, result, watch):
         """Changes the document by that line, as one undo step. Where a source has changed while the

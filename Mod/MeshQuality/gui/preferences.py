@@ -36,6 +36,12 @@ def defaults(kind):
     return values
 
 
+def suggested(kind, size):
+    """{option: length in mm} that a panel of this kind begins with, of a part of this size; {} where that is unknown, 0."""
+    return {option.name: float(f"{min(option.suggested[0] * size, option.suggested[1]):.2g}")
+            for option in kind.OPTIONS if option.suggested and size > 0.0}
+
+
 def remember(kind, values):
     """Keeps the values for the next panel of this kind."""
     if stored().GetBool("RememberValues", True):

@@ -116,10 +116,10 @@ MIN_ANGLE = Measure(
     "°", 0.0, 60.0, lambda data, _: data.shapes()[0])
 ASPECT = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Longest edge / shortest edge"),
-    QT_TRANSLATE_NOOP("MeshQuality", "1 is ideal: all edges of a triangle have the same length."),
+    QT_TRANSLATE_NOOP("MeshQuality", "1 is ideal: all edges of an element have the same length."),
     "", 10.0, 1.0, lambda data, _: data.shapes()[1])
 DISTANCE = Measure(
-    QT_TRANSLATE_NOOP("MeshQuality", "Distance to the shape"),
+    QT_TRANSLATE_NOOP("MeshQuality", "Max. deviation"),
     QT_TRANSLATE_NOOP("MeshQuality", "Largest distance between each triangle and the source."),
     None, None, 0.0, lambda data, progress: data.distances(progress))
 # Ends at twice the median, as what is thick depends on the part: see thickness_scale.

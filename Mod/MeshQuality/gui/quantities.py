@@ -14,6 +14,7 @@ import re
 from dataclasses import dataclass
 
 import FreeCAD
+import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
@@ -53,7 +54,16 @@ class Unit:
 def in_locale(text):
     """An English number such as "1,203.5" as the user writes it."""
     locale = QtCore.QLocale()
-    return text.translate({ord("."): locale.decimalPoint(), ord(","): locale.groupSeparator()})
+    return text.translate({ord("."): locale.decimalPoint(), ord(","): _group_separator(locale)})
+
+
+def _group_separator(locale):
+    """What stands between thousands. FreeCAD may write numbers in another manner than the user's language does: 9,084 would be
+    nine there, and a narrow blank is none of a decimal point.
+    """
+    language = FreeCADGui.getLocale()
+    fits = language in ("English", QtCore.QLocale.languageToString(locale.language()))
+    return locale.groupSeparator() if fits else "\u202f"
 
 
 def count_text(count):

@@ -31,12 +31,12 @@ TEST(BooleanReport, IsMetWithoutFaultsAndWithinTheTolerance) {
 TEST(BooleanReport, TextsNameBoundRepairsAndFittedVertices) {
     BooleanReport report = sound();
     report.repaired = {"operand A: 1 hole was filled"};
-    EXPECT_NE(in_short(report).find("error bound 0.01 mm of 0.05 mm"), std::string::npos);
+    EXPECT_NE(in_short(report).find("max. deviation 0.01 mm of 0.05 mm"), std::string::npos);
     EXPECT_EQ(to_text(report).find("on surfaces"), std::string::npos);
     report.fitted_vertices = 7;
     const std::string text = to_text(report);
     for (const char* words : {"on surfaces  7 vertices put there", "repaired     operand A: 1 hole was filled",
-                              "error bound  0.01 mm, requested 0.05 mm"}) {
+                              "deviation    0.01 mm; requested at most 0.05 mm"}) {
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
     }
 }

@@ -2,22 +2,25 @@
 """The panel that writes a case for OpenFOAM, in the background."""
 
 import os
+import re
+import shlex
 from functools import partial
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from ...errors import Error, InvalidInput
+from ...core import frames
+from ...errors import InvalidInput
 from ...features import cfd
-from ...features.patches import patches_of_object
 from ..panel_operation import name_of
 from ..quantities import QuantityBox
-from ..translation import translated
-from .export_panel import said_of_patches
+from .export_panel import described
 from .writing_panel import WritingPanel
 
 translate = FreeCAD.Qt.translate
+
+_NEXT = "blockMesh && snappyHexMesh -overwrite && checkMesh"
 
 
 class CasePanel(WritingPanel):
@@ -39,8 +42,8 @@ class CasePanel(WritingPanel):
                                                       "1/4 around it. Cells at the surface are as large as its triangles."))
         self.path = FreeCADGui.UiLoader().createWidget("Gui::FileChooser")
         self.path.setProperty("mode", 1)  # a folder
-        self.path.setProperty("fileName", os.path.join(self.first_folder(), f"{self.label}_case"))
-        of = QtGui.QLabel(translate("MeshQuality", "Mesh: {}").format(self.label) + "\n" + self._patches())
+        self.path.setProperty("fileName", os.path.join(self.first_folder(), self._folder_name()))
+        of = QtGui.QLabel(described(self.source, translate("MeshQuality", "Mesh: {}").format(self.label)))
         of.setWordWrap(True)
         layout.addWidget(of)
         self.add_work(layout)
@@ -53,11 +56,10 @@ class CasePanel(WritingPanel):
             layout.addWidget(widget)
         self.fields = (self.flow, self.cell, self.path)
 
-    def _patches(self):
-        try:
-            return said_of_patches(*patches_of_object(self.source))
-        except Error as error:
-            return translated(error)
+    def _folder_name(self):
+        """Of the part rather than of its mesh, and without blanks, which OpenFOAM does not take in paths."""
+        part = getattr(frames.linked_of(self.source)[0], "Source", None)
+        return re.sub(r"[^\w.-]+", "_", part.Label if part is not None else self.label).strip("_") + "_case"
 
     @staticmethod
     def said_of_cancelling():
@@ -80,4 +82,9 @@ class CasePanel(WritingPanel):
         finally:
             forget()
         self.remember_folder(os.path.dirname(os.path.abspath(folder)))
-        FreeCAD.Console.PrintMessage(f"Written: {folder}\n")
+        folder = os.path.abspath(folder)
+        FreeCAD.Console.PrintMessage("{}\n".format(translate(
+            "MeshQuality", "Written: {0}. In a terminal with OpenFOAM type: {1}").format(folder, f"cd {shlex.quote(folder)} && {_NEXT}")))
+        if " " in folder:
+            FreeCAD.Console.PrintWarning("{}\n".format(translate(
+                "MeshQuality", "OpenFOAM takes no blanks in paths: move the folder to where there are none.")))

@@ -12,7 +12,7 @@ from ... import formats
 from ...core import frames
 from ...core.curving import holds_elements
 from ...errors import Error, IoError
-from ...features import export
+from ...features import export, mesh_object
 from ...features.patches import patches_of_object
 from ..panel_operation import name_of
 from ..translation import translated
@@ -72,10 +72,7 @@ class ExportPanel(WritingPanel):
                 self.label, frames.linked_of(self.source)[0].ElementsOrder)
         else:
             text = translate("MeshQuality", "Mesh: {}").format(self.label)
-        try:
-            return f"{text}\n{said_of_patches(*patches_of_object(self.source))}"
-        except Error as error:
-            return f"{text}\n{translated(error)}"
+        return described(self.source, text)
 
     def prepare(self):
         path = self._complete_path()
@@ -137,9 +134,17 @@ def _has_text(suffix):
     return known is not None and formats.FORMATS[known].text
 
 
-def said_of_patches(patches, rest):
-    """Names the patches for people."""
+def described(source, text):
+    """The text that names a mesh and, where it has any, its patches for people."""
+    holder = frames.linked_of(source)[0]
+    proxy = getattr(holder, "Proxy", None)
+    if not isinstance(proxy, mesh_object.PatchedMesh) or proxy.lacks_source(holder) or not proxy.has_faces(holder):
+        return text
+    try:
+        patches, rest = patches_of_object(source)
+    except Error as error:
+        return f"{text}\n{translated(error)}"
     names = [*(patches or {}), *([rest] if rest else [])]
-    if names:
-        return translate("MeshQuality", "Patches: {}").format(", ".join(names))
-    return translate("MeshQuality", "Each face is a patch by its own name; the command Patches names them.")
+    said = translate("MeshQuality", "Patches: {}").format(", ".join(names)) if names else \
+        translate("MeshQuality", "Each face is a patch by its own name; the command Patches names them.")
+    return f"{text}\n{said}"

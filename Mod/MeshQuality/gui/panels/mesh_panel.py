@@ -7,6 +7,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from ... import phrases
 from ...compat import flags
 from ...core import frames
 from ...core.operands import letters
@@ -23,6 +24,18 @@ from .task_form import ClosesWithDocument, Form, Message, bring_into_sight, is_i
 _PAUSE = 400  # ms without a change before a trial begins
 
 translate = FreeCAD.Qt.translate
+
+
+class _Form(Form):
+    """Keeps Return in a field from FreeCAD's task view, which would begin work that may take minutes; Ctrl+Return does."""
+
+    def keyPressEvent(self, event):
+        """Called by Qt with what a field has not used."""
+        is_return = event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter)
+        if is_return and not event.modifiers() & QtCore.Qt.ControlModifier:
+            event.accept()
+        else:
+            super().keyPressEvent(event)
 
 
 class MeshPanel:
@@ -42,20 +55,22 @@ class MeshPanel:
         self.said = ""  # the message, which ends with the panel
         self._editing, self._afterwards = editing, afterwards
         self._closing = False  # whether the panel closes once its jobs are done
+        self._cancel, self._applied = None, False  # the button; whether work has changed the document
         self._trial = None  # the Job
         self._trials = []  # a Trial for each operation, once they have been computed
         self._left = False  # whether the jobs go on without the panel
         self._finishing = None  # the cancelled job that the message is about
         self._size = max(made.size() for made in operations)
-        self.form = Form()
+        self.form = _Form()
         self.form.setWindowTitle(title_of(operations[0].kind.COMMAND, operations[0].title))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of(operations[0].kind.COMMAND)))
         self._document_watch = ClosesWithDocument(operations[0].document, self.form, self._document_gone)
+        useful = preferences.suggested(operations[0].kind, self._size)
         self.options = OptionForm(operations[0].kind.OPTIONS,
                                   [source for made in operations for source in made.sources],
-                                  preferences.defaults(operations[0].kind))
+                                  {**preferences.defaults(operations[0].kind), **useful})
         self.options.set_values(
-            operations[0].values() or {**preferences.first_values(operations[0].kind), **operations[0].chosen})
+            operations[0].values() or {**preferences.first_values(operations[0].kind), **useful, **operations[0].chosen})
         self._show_bound()
         self.presets = PresetBox(operations[0].kind.PRESETS)
         self._lay_out()
@@ -69,6 +84,11 @@ class MeshPanel:
 
     def _lay_out(self):
         of = QtGui.QLabel(_sources_text(self.operations))
+        of.setVisible(bool(of.text()))
+        self.swap = QtGui.QPushButton(translate("MeshQuality", "Swap A and B"))
+        self.swap.setToolTip(translate("MeshQuality", "A difference is the first operand without the second one"))
+        self.swap.setVisible(_has_order(self.operations))
+        self.swap.clicked.connect(lambda: self._swap(of))
         self.estimate, self.message, self.bar = QtGui.QLabel(), Message(), QtGui.QProgressBar()
         self.doing = QtGui.QLabel()
         self.estimate.setVisible(self.operations[0].trial is not None)
@@ -87,7 +107,7 @@ class MeshPanel:
         for label in (of, self.estimate, self.doing):
             label.setWordWrap(True)
         # What tells of the work comes first, where it is seen however long the options are.
-        for widget in (of, self.message, self.estimate, self.doing, self.bar, self.button, self.leave, self.certificate,
+        for widget in (of, self.swap, self.message, self.estimate, self.doing, self.bar, self.button, self.leave, self.certificate,
                        self.presets, self.options):
             layout.addWidget(widget)
         layout.addStretch()
@@ -95,6 +115,12 @@ class MeshPanel:
         self.bar.setFormat("%p %")
         self._show_work(False)
         self.certificate.show(self._edited())
+
+    def _swap(self, of):
+        """The operands in the other order."""
+        self.operations[0].sources.reverse()
+        of.setText(_sources_text(self.operations))
+        self._options_changed()
 
     def _show_bound(self):
         """Expressions may come and go, and change their values, while the panel is open."""
@@ -111,6 +137,16 @@ class MeshPanel:
     def getStandardButtons(self):
         # A third one would not fit into the width that FreeCAD's task view has at first.
         return flags(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+
+    def modifyStandardButtons(self, box):
+        """Called by FreeCAD with its buttons."""
+        self._cancel = box.button(QtGui.QDialogButtonBox.Cancel)
+
+    def _name_cancel(self):
+        """Cancel ends running work; once Apply has done something, which stays, there is nothing more to cancel."""
+        if self._cancel is not None:
+            self._cancel.setText(translate("MeshQuality", "Close") if self._applied and not self.jobs
+                                 else translate("MeshQuality", "Cancel"))
 
     def apply(self):
         """Begins the work; the panel stays open, and edits what was made."""
@@ -215,6 +251,8 @@ class MeshPanel:
             self._say_cancelled(job, "" if job.over else job.doing)
         elif job.state == jobs.FAILED:
             self._say(translated(job.error), error=True)
+        else:
+            self._applied = True
         if self.jobs:
             return
         self._show_work(False)
@@ -235,10 +273,11 @@ class MeshPanel:
         self.bar.setVisible(shown)
 
     def _enable(self, enabled):
-        for widget in (self.presets, self.options):
+        for widget in (self.presets, self.options, self.swap):
             widget.setEnabled(enabled)
         self.button.setVisible(enabled)
         self.leave.setVisible(not enabled)
+        self._name_cancel()
 
     def _close_if_done(self):
         if self._closing and not self.jobs and not self.said:
@@ -253,11 +292,13 @@ class MeshPanel:
         self.message.say(text, error, scroll)
 
     def _options_changed(self):
-        self._say("")
+        edited = self._edited()
+        deleted = edited is not None and edited.Proxy.lacks_source(edited)
+        self._say(translated(phrases.Text(phrases.SOURCE_GONE)) if deleted else "", error=deleted)
         self._end_trial()
         self._trials = []
         self.presets.show(self.options.values(), self._size)
-        if self.operations[0].trial is not None:
+        if self.operations[0].trial is not None and not deleted:
             self._counting()
             self._timer.start()
         kept = self.operations[0].kind.kept_length(self.options.values(), self._size)
@@ -293,13 +334,18 @@ class MeshPanel:
         self._trial = None
 
 
+def _has_order(operations):
+    """Whether there are two operands whose order counts."""
+    return "operation" in {option.name for option in operations[0].kind.OPTIONS} and len(operations[0].sources) == 2
+
+
 def _sources_text(operations):
     """Names the sources; several operands by their letters, too, as messages do."""
     labels = [frames.leaf_of(source).Label for made in operations for source in made.sources if source is not None]
     if "Sources" in operations[0].kind.LINKS and len(labels) > 1:
         operands = (f"{letter} = {label}" for letter, label in zip(letters(len(labels)), labels))
         return translate("MeshQuality", "Operands: {}").format(", ".join(operands))
-    return translate("MeshQuality", "Source: {}").format(", ".join(labels))
+    return translate("MeshQuality", "Source: {}").format(", ".join(labels)) if labels else ""
 
 
 def title_of(command, text):

@@ -7,7 +7,7 @@ from typing import Optional
 import FreeCAD
 import FreeCADGui
 import numpy as np
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from ... import fault_phrases, phrases
 from ...compat import flags
@@ -15,13 +15,14 @@ from ...core import convert, frames
 from ...errors import Error
 from .. import jobs, looks
 from ..fem_quality_data import FemQualityData
-from ..quality_data import DISTANCE, Histogram, QualityData, Scale
+from ..quality_data import DISTANCE, THICKNESS, Histogram, QualityData, Scale
 from ..quantities import count_text
 from ..translation import translated
 from ..view import badge, colour_scale
 from ..view.quality_scene import QualityScene
 from .faults_box import AROUND, FaultsBox
 from .histogram import HistogramView
+from .mesh_panel import title_of
 from .task_form import Form, Message
 
 translate = FreeCAD.Qt.translate
@@ -74,7 +75,7 @@ class QualityPanel:
         self.ended = False
         self._found = {}  # values by title of the measure
         self._job = None
-        self._make_form()
+        self._make_form(measure)
         self.measures.setCurrentIndex(self.data.measures.index(measure) if measure in self.data.measures else 0)
         view = FreeCADGui.getDocument(self._document).activeView()
         try:
@@ -88,10 +89,10 @@ class QualityPanel:
         self._choose_measure()
         self.measures.currentIndexChanged.connect(self._choose_measure)
 
-    def _make_form(self):
+    def _make_form(self, measure):
         self.form = Form()
-        self.form.setWindowTitle(translate("MeshQuality", "Mesh quality"))
-        self.form.setWindowIcon(QtGui.QIcon(badge.path_of("MeshQuality_Analyse")))
+        self.form.setWindowTitle(_title(measure))
+        self.form.setWindowIcon(QtGui.QIcon(badge.path_of(_command(measure)[0])))
         of, self.summary = QtGui.QLabel(
             translate("MeshQuality", "Mesh: {0}").format(self._label)), QtGui.QLabel()
         self.measures, self.histogram = QtGui.QComboBox(), HistogramView()
@@ -116,7 +117,10 @@ class QualityPanel:
         self.faces.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self.faces.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
         self.faces.horizontalHeader().setMinimumSectionSize(0)
-        self.faces.horizontalHeader().setStretchLastSection(True)
+        self.faces.horizontalHeader().setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
+        self.faces.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        for column in range(4):
+            self.faces.horizontalHeaderItem(column).setTextAlignment(_alignment(column))
         self.tabs = QtGui.QTabWidget()
         self.tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
         self.tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
@@ -293,7 +297,10 @@ class QualityPanel:
             texts = (row.name, count_text(row.elements), self.scale.number(row.worst, _DIGITS),
                      self.scale.number(row.mean, _DIGITS))
             for k, text in enumerate(texts):
-                self.faces.setItem(i, k, QtGui.QTableWidgetItem(text))
+                item = QtGui.QTableWidgetItem(text)
+                item.setTextAlignment(_alignment(k))
+                item.setToolTip(text)
+                self.faces.setItem(i, k, item)
         self.faces.blockSignals(False)
 
     def _pick_bar(self, bar):
@@ -363,6 +370,20 @@ def _hint():
 _shown = None
 
 
+def _alignment(column):
+    """Of a cell of the table of faces and of its header: names on the left, numbers on the right."""
+    return int((QtCore.Qt.AlignRight if column else QtCore.Qt.AlignLeft) | QtCore.Qt.AlignVCenter)
+
+
+def _command(measure):
+    """The name and the text of the command that begins with this measure."""
+    return ("MeshQuality_Thickness", "Wall thickness") if measure is THICKNESS else ("MeshQuality_Analyse", "Analyse quality")
+
+
+def _title(measure):
+    return title_of(*_command(measure))
+
+
 def shown():
     """The panel that is open; None without one."""
     return _shown if _shown is not None and not _shown.ended else None
@@ -375,7 +396,7 @@ def open_panel(source, measure=None):
     except (Error, ImportError) as error:
         FreeCAD.Console.PrintError(f"{frames.leaf_of(source).Label}: {translated(error)}\n")
         QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(),
-                                  translate("MeshQuality", "Mesh quality"), translated(error))
+                                  _title(measure), translated(error))
         return None
     FreeCADGui.Control.showDialog(panel)
     global _shown

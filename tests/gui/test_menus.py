@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The menu of the workbench by task, its toolbar, icons and help."""
+
+import os
+
+import FreeCAD
+import FreeCADGui
+import gui_helpers
+from PySide import QtGui
+
+import MeshQuality as mq
+from MeshQuality.gui import commands, help_pages
+from MeshQuality.gui.view import badge
+
+
+def painted(icon):
+    """The pixels of an icon at the size of toolbars."""
+    picture = QtGui.QImage(24, 24, QtGui.QImage.Format_RGB888)
+    picture.fill(0xFFFFFF)
+    painter = QtGui.QPainter(picture)
+    QtGui.QIcon(icon).paint(painter, 0, 0, 24, 24)
+    painter.end()
+    return gui_helpers.pixels_of(picture)
+
+
+class Menus(gui_helpers.PanelTest):
+    def test_the_menu_is_by_task(self):
+        menu, = (menu for menu in FreeCADGui.getMainWindow().menuBar().findChildren(QtGui.QMenu) if menu.title() == "Mesh Quality")
+        titles = [action.text() for action in menu.actions()]
+        self.assertEqual(titles, ["Mesh", "Check", "Repair and combine", "Print", "CFD and FEM", "Export", "Update mesh", "Help"])
+        listed = [command for _, group in commands._MENUS for command in group]
+        self.assertEqual(len(listed), len(set(listed)))
+        below, = (below for below in menu.findChildren(QtGui.QMenu) if below.title() == "Mesh")
+        self.assertEqual(below.actions()[0].text(), "Quality mesh...")
+        menu.popup(FreeCADGui.getMainWindow().mapToGlobal(FreeCADGui.getMainWindow().rect().center()))
+        gui_helpers.wait(0.3)
+        gui_helpers.screen().save(os.path.join(gui_helpers.PICTURES, "menu.png"))
+        menu.close()
+
+    def test_the_toolbar_has_a_separator_between_tasks(self):
+        toolbar = FreeCADGui.getMainWindow().findChild(QtGui.QToolBar, "Mesh Quality")
+        self.assertEqual(sum(action.isSeparator() for action in toolbar.actions()), len(commands._MENUS) - 1)
+
+    def test_icons_of_different_commands_differ(self):
+        """Each is at least as far from every other as a tenth of its pixels, at the size of toolbars."""
+        names = [command.NAME for _, group in commands._MENUS for command in group]
+        found = {name: painted(badge.path_of(name)) for name in names}
+        for name in ("MeshQuality_Wrap", "MeshQuality_FlowCase", "MeshQuality_CfdSurface"):
+            for other in names:
+                if other != name:
+                    far = (abs(found[name] - found[other]).max(axis=2) > 60).mean()
+                    self.assertGreater(far, 0.35, (name, other))
+
+    def test_a_cfd_surface_has_its_icon_in_the_tree_also_when_opened_again(self):
+        surface = mq.add_cfd_surface(mq.add_quality_mesh(self.box()))
+        for _ in range(2):
+            icon = self.document.getObject(surface.Name).ViewObject.Icon
+            far = abs(painted(icon) - painted(badge.path_of("MeshQuality_CfdSurface"))).mean()
+            self.assertLess(far, 20.0)  # FreeCAD draws it at another size first
+            name, surface = surface.Name, None
+            self.reopen()
+            surface = self.document.getObject(name)
+            gui_helpers.wait()
+
+
+class Help(gui_helpers.PanelTest):
+    def test_first_steps_open_with_pictures_and_links(self):
+        FreeCADGui.runCommand("MeshQuality_FirstSteps")
+        pages = help_pages._pages
+        self.addCleanup(pages.close)
+        gui_helpers.wait(0.3)
+        self.assertTrue(pages.isVisible())
+        self.assertIn("A first part in five minutes", pages.text.toPlainText())
+        pages.grab().save(os.path.join(gui_helpers.PICTURES, "first_steps.png"))
+        pages.text.setSource(pages.text.source().resolved(help_pages.QtCore.QUrl("mesh-objects.md")))
+        self.assertIn("Mesh objects in the document", pages.text.toPlainText())
+
+    def test_the_example_can_be_meshed_at_once(self):
+        FreeCADGui.runCommand("MeshQuality_Example")
+        document = FreeCAD.ActiveDocument
+        self.addCleanup(FreeCAD.closeDocument, document.Name)
+        part, = commands._selected()
+        self.assertTrue(part.Shape.isValid() and len(part.Shape.Solids) == 1)
+        mesh = mq.add_quality_mesh(part)
+        self.assertEqual(mesh.Certificate, "met")
+        self.assertTrue(mesh.Closed)
