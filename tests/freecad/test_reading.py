@@ -328,9 +328,8 @@ class Faults(ReadingTest):
         self.assert_fault("lagrange.vtu", text, "hexahedra of VTK Lagrange", mq.IoError)
 
     def test_a_name_that_ends_datasets_is_not_written(self):
-        for name in ("-1", " -1"):
-            with self.assertRaisesRegex(mq.InvalidInput, "are not -1; call it '1'"):
-                curved(1, True).write(os.path.join(self.folder, "name.unv"), patches={name: ["Face1"]})
+        with self.assertRaisesRegex(mq.InvalidInput, "are not -1; call it '1'"):
+            curved(1, True).write(os.path.join(self.folder, "name.unv"), patches={"-1": ["Face1"]})
 
     def test_a_small_file_that_unpacks_to_gigabytes(self):
         blocks, size = 200, 1 << 24
