@@ -1,4 +1,5 @@
-<?xml version='1.0' encoding='utf-8'?>
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_GB">
 <context>
     <name>App::Property</name>
@@ -17,10 +18,6 @@
     <message>
         <source>Largest angle of all triangles</source>
         <translation>Größter Winkel aller Dreiecke</translation>
-    </message>
-    <message>
-        <source>Largest distance from the exact Boolean of the meshes</source>
-        <translation>Größter Abstand vom genauen Ergebnis der Netze</translation>
     </message>
     <message>
         <source>Mean of that ratio over the elements</source>
@@ -103,22 +100,6 @@
         <translation>CAD-Kanten, denen das Netz folgt: alle (all) oder nur scharfe (feature); über glatte dürfen Dreiecke dann hinweggehen</translation>
     </message>
     <message>
-        <source>Grid cells along the longest side; sets the tolerance if none is given</source>
-        <translation>Gitterzellen entlang der längsten Seite; bestimmt die Toleranz, wenn keine angegeben ist</translation>
-    </message>
-    <message>
-        <source>How the distance to the shape is bounded: relative to its size, by a length, or not at all</source>
-        <translation>Wie der Abstand zur Form begrenzt ist: relativ zu ihrer Größe, durch eine Länge oder gar nicht</translation>
-    </message>
-    <message>
-        <source>Largest distance between the mesh and the shape, as a length</source>
-        <translation>Größter Abstand zwischen Netz und Form, als Länge</translation>
-    </message>
-    <message>
-        <source>Largest distance between the mesh before it is curved and the shape, as a length</source>
-        <translation>Größter Abstand zwischen dem Netz vor dem Krümmen und der Form, als Länge</translation>
-    </message>
-    <message>
         <source>Longest edge of a triangle; 0: unlimited</source>
         <translation>Längste Kante eines Dreiecks; 0: unbegrenzt</translation>
     </message>
@@ -155,19 +136,11 @@
         <translation>Der Pfad von der Quelle zu dem, was vernetzt wird, wo nur eine Verknüpfung dorthin führt: Part.Box.</translation>
     </message>
     <message>
-        <source>The same as a fraction of the shape's largest dimension</source>
-        <translation>Derselbe als Anteil an der größten Abmessung der Form</translation>
-    </message>
-    <message>
-        <source>Triangles below the requested angle, and why</source>
-        <translation>Dreiecke unter dem verlangten Winkel, und warum</translation>
-    </message>
-    <message>
         <source>Where the container of the first source stood when the mesh was computed</source>
         <translation>Wo der Behälter der ersten Quelle stand, als das Netz berechnet wurde</translation>
     </message>
     <message>
-        <source>Where the origin of the triangles' coordinates stood in the document then</source>
+        <source>Where the origin of the triangles&apos; coordinates stood in the document then</source>
         <translation>Wo der Ursprung der Koordinaten der Dreiecke damals im Dokument stand</translation>
     </message>
     <message>
@@ -287,10 +260,6 @@
         <translation>Reparaturen an den Operanden</translation>
     </message>
     <message>
-        <source>Requested largest distance from the exact Boolean</source>
-        <translation>Verlangter größter Abstand von der exakten Verknüpfung</translation>
-    </message>
-    <message>
         <source>Requested max. deviation from the shape; 0: none</source>
         <translation>Verlangte max. Abweichung von der Form; 0: keine</translation>
     </message>
@@ -379,7 +348,7 @@
         <translation>Füllt die Körper mit Tetraedern; aus, und wo es keinen Körper gibt: Dreiecke für Schalen</translation>
     </message>
     <message>
-        <source>The source, as FreeCAD's FEM workbench looks it up</source>
+        <source>The source, as FreeCAD&apos;s FEM workbench looks it up</source>
         <translation>Die Quelle, unter dem Namen, unter dem FreeCADs FEM-Arbeitsbereich sie sucht</translation>
     </message>
     <message>
@@ -395,7 +364,7 @@
         <translation>Name des Patches aller anderen Flächen; leer: jede ist einer mit ihrem eigenen Namen</translation>
     </message>
     <message>
-        <source>Named groups of faces, one a line: "inlet: Face1, Face4", or with a colour "inlet #ff0000: Face1"</source>
+        <source>Named groups of faces, one a line: &quot;inlet: Face1, Face4&quot;, or with a colour &quot;inlet #ff0000: Face1&quot;</source>
         <translation>Benannte Gruppen von Flächen, eine je Zeile: „inlet: Face1, Face4“, oder mit einer Farbe „inlet #ff0000: Face1“</translation>
     </message>
     <message>
@@ -499,16 +468,8 @@
         <translation>Anzahl der Dreiecke der Oberfläche des Hohlraums</translation>
     </message>
     <message>
-        <source>Proven largest distance from the exact result, in both directions</source>
-        <translation>Bewiesener größter Abstand vom exakten Ergebnis, in beiden Richtungen</translation>
-    </message>
-    <message>
-        <source>Repairs of the source's mesh</source>
+        <source>Repairs of the source&apos;s mesh</source>
         <translation>Reparaturen am Netz der Quelle</translation>
-    </message>
-    <message>
-        <source>Requested largest distance from the exact result, in both directions</source>
-        <translation>Verlangter größter Abstand vom exakten Ergebnis, in beiden Richtungen</translation>
     </message>
     <message>
         <source>The object whose solid is hollowed</source>
@@ -595,24 +556,12 @@
         <translation>Volumen aller Hohlräume</translation>
     </message>
     <message>
-        <source>Where walls below the limit are thinnest, without a limit the thinnest one; one point on each of the two solids that are nearest to each other; the centres of voids</source>
-        <translation>Wo Wände unter dem Grenzwert am dünnsten sind, ohne Grenzwert die dünnste; je ein Punkt auf den beiden Körpern, die einander am nächsten sind; die Mittelpunkte der Hohlräume</translation>
-    </message>
-    <message>
         <source>Largest distance of the mesh that is measured from a shape; 0: automatic</source>
         <translation>Größter Abstand des Netzes, an dem gemessen wird, von einer Form; 0: automatisch</translation>
     </message>
     <message>
         <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
         <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
-    </message>
-    <message>
-        <source>Requested largest distance between the wrap and what it lies on</source>
-        <translation>Verlangter größter Abstand zwischen der Hülle und dem, worauf sie liegt</translation>
-    </message>
-    <message>
-        <source>The larger one of both distances, with that of the meshes of shapes</source>
-        <translation>Der größere der beiden Abstände, mit dem der Netze von Formen</translation>
     </message>
     <message>
         <source>The objects that are wrapped, with a mesh or a shape</source>
@@ -646,7 +595,7 @@
         <source>Where no longest edge is given: elements through a wall of mean thickness, which is twice the volume over the area of the surface; at most about 100,000 elements in all</source>
         <translation>Wo keine längste Kante angegeben ist: Elemente durch eine Wand mittlerer Dicke, die das Doppelte des Volumens durch die Fläche der Oberfläche ist; im Ganzen höchstens etwa 100.000 Elemente</translation>
     </message>
-<message>
+    <message>
         <source>Largest distance between the repaired surface and the given one, but for holes that are closed; 0: size / 300</source>
         <translation>Größter Abstand zwischen der reparierten Oberfläche und der gegebenen, außer an Löchern, die geschlossen werden; 0: Größe / 300</translation>
     </message>
@@ -666,7 +615,7 @@
         <source>Where walls below the limit are thinnest, without a limit the thinnest one; one point on each of the two solids of each line of Pairs; the centres of voids</source>
         <translation>Wo Wände unter der Grenze am dünnsten sind, ohne Grenze die dünnste; je ein Punkt auf den beiden Körpern jeder Zeile von Pairs; die Mittelpunkte von Hohlräumen</translation>
     </message>
-<message>
+    <message>
         <source>Grid cells along the longest side; sets the max. deviation if none is given</source>
         <translation>Gitterzellen entlang der längsten Seite; bestimmt die max. Abweichung, wenn keine angegeben ist</translation>
     </message>
@@ -842,10 +791,6 @@
         <translation>Anzeige</translation>
     </message>
     <message>
-        <source>Distance to the shape</source>
-        <translation>Abstand zur Form</translation>
-    </message>
-    <message>
         <source>Fill solids with tetrahedra</source>
         <translation>Körper mit Tetraedern füllen</translation>
     </message>
@@ -1008,10 +953,6 @@
     <message>
         <source>The mesh cannot be drawn in colour: {0}</source>
         <translation>Das Netz kann nicht farbig gezeichnet werden: {0}</translation>
-    </message>
-    <message>
-        <source>Mesh quality</source>
-        <translation>Netzqualität</translation>
     </message>
     <message>
         <source>Draw edges</source>
@@ -1338,10 +1279,6 @@
         <translation>60° sind ideal; Winkel von wenigen Grad schaden Simulationen.</translation>
     </message>
     <message>
-        <source>1 is ideal: all edges of a triangle have the same length.</source>
-        <translation>1 ist ideal: alle Kanten eines Dreiecks sind gleich lang.</translation>
-    </message>
-    <message>
         <source>Largest distance between each triangle and the source.</source>
         <translation>Größter Abstand jedes Dreiecks von der Quelle.</translation>
     </message>
@@ -1426,10 +1363,6 @@
         <translation>Kantenwinkel</translation>
     </message>
     <message>
-        <source>Grid cells along the longest side; sets the tolerance if none is given</source>
-        <translation>Gitterzellen entlang der längsten Seite; bestimmt die Toleranz, wenn keine angegeben ist</translation>
-    </message>
-    <message>
         <source>Growth rate</source>
         <translation>Wachstumsrate</translation>
     </message>
@@ -1440,14 +1373,6 @@
     <message>
         <source>Intersection</source>
         <translation>Schnittmenge</translation>
-    </message>
-    <message>
-        <source>Largest distance between the mesh and the shape, as a length</source>
-        <translation>Größter Abstand zwischen Netz und Form, als Länge</translation>
-    </message>
-    <message>
-        <source>Largest distance between the mesh before it is curved and the shape, as a length</source>
-        <translation>Größter Abstand zwischen dem Netz vor dem Krümmen und der Form, als Länge</translation>
     </message>
     <message>
         <source>Local sizes</source>
@@ -1492,10 +1417,6 @@
     <message>
         <source>The document was closed. Close this panel.</source>
         <translation>Das Dokument wurde geschlossen. Schließen Sie dieses Fenster.</translation>
-    </message>
-    <message>
-        <source>The same as a fraction of the shape's largest dimension</source>
-        <translation>Derselbe als Anteil an der größten Abmessung der Form</translation>
     </message>
     <message>
         <source>Triangle limit</source>
@@ -1738,10 +1659,6 @@
         <translation>Klicken, um die Kamera dorthin zu führen</translation>
     </message>
     <message>
-        <source>Click a bar to highlight its elements.</source>
-        <translation>Auf einen Balken klicken, um seine Elemente hervorzuheben.</translation>
-    </message>
-    <message>
         <source>CAD edges to keep</source>
         <translation>Kanten der Form beibehalten</translation>
     </message>
@@ -1942,14 +1859,6 @@
         <translation>Eine max. Abweichung von {length} liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {length2}. Wählen Sie einen größeren Wert</translation>
     </message>
     <message>
-        <source>A tolerance of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger value</source>
-        <translation>Eine Toleranz von {length} liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {length2}. Wählen Sie einen größeren Wert</translation>
-    </message>
-    <message>
-        <source>A tolerance of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger tolerance or exact intersection as the method</source>
-        <translation>Eine Toleranz von {length} ist mit Abtasten nicht möglich, das bestenfalls {length2} erreicht. Wählen Sie eine größere Toleranz oder das Verfahren „genauer Schnitt“</translation>
-    </message>
-    <message>
         <source>Longest edge on single faces, along edges or around vertices: Face3=0.5 mm, Edge7=0.2 mm; in containers and links with the path to the object: Box.Face3=0.5 mm</source>
         <translation>Längste Kante auf einzelnen Flächen, entlang von Kanten oder um Ecken: Face3=0.5 mm, Edge7=0.2 mm; in Containern und Verknüpfungen mit dem Weg zum Objekt: Box.Face3=0.5 mm</translation>
     </message>
@@ -1964,14 +1873,6 @@
     <message>
         <source>The shortest edge of {length} is longer than the longest edge of {length2}</source>
         <translation>Die kürzeste Kante von {length} ist länger als die längste Kante von {length2}</translation>
-    </message>
-    <message>
-        <source>error bound {length}</source>
-        <translation>Fehlerschranke {length}</translation>
-    </message>
-    <message>
-        <source>error bound {length} (requested {length2}).</source>
-        <translation>Fehlerschranke {length} (verlangt {length2}).</translation>
     </message>
     <message>
         <source>greater than {length}</source>
@@ -2354,8 +2255,8 @@
         <translation>das Netz hat {count} offene Kanten: Vernetzer für Strömungen brauchen eine geschlossene Oberfläche; schließen Sie das Teil oder vernetzen Sie alle seine Flächen</translation>
     </message>
     <message>
-        <source>the patch {value} is not possible: write its name, a colon and its faces, such as "inlet: Face1, Face4"</source>
-        <translation>der Patch {value} ist nicht möglich: Schreiben Sie seinen Namen, einen Doppelpunkt und seine Flächen, etwa "inlet: Face1, Face4"</translation>
+        <source>the patch {value} is not possible: write its name, a colon and its faces, such as &quot;inlet: Face1, Face4&quot;</source>
+        <translation>der Patch {value} ist nicht möglich: Schreiben Sie seinen Namen, einen Doppelpunkt und seine Flächen, etwa &quot;inlet: Face1, Face4&quot;</translation>
     </message>
     <message>
         <source>the patches are not followed: {text}</source>
@@ -2818,10 +2719,6 @@
         <translation>Durchmesser der größten Kugel im Körper, die dort die Oberfläche berührt; ∞ = keine Wand.</translation>
     </message>
     <message>
-        <source>the mesh has faults: repair it by a Boolean first</source>
-        <translation>das Netz hat Fehler: erst durch eine boolesche Operation reparieren</translation>
-    </message>
-    <message>
         <source>the mesh has {count} open edges: only solids have walls; close it first</source>
         <translation>das Netz hat {count} offene Kanten: nur Körper haben Wände; erst schließen</translation>
     </message>
@@ -2930,10 +2827,6 @@
         <translation>Es sind keine Quellen angegeben: Objekte mit einem Netz oder einer Form wählen</translation>
     </message>
     <message>
-        <source>tolerance is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap</source>
-        <translation>Die Toleranz ist {length}: möglich ist höchstens die Hälfte der Lücke von {length2}; eine kleinere oder eine größere Lücke angeben</translation>
-    </message>
-    <message>
         <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
         <translation>Verfahren: Entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper, auch offene, werden längs Strahlen abgetastet (Wang 2010); voreingestellt ist das Abtasten nur, wo es kein genaues Ergebnis gibt</translation>
     </message>
@@ -2946,20 +2839,12 @@
         <translation>das Innere offener Operanden wird gesucht</translation>
     </message>
     <message>
-        <source>method 'uniform' would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {length}, or method 'exact'</source>
+        <source>method &apos;uniform&apos; would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {length}, or method &apos;exact&apos;</source>
         <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {length} oder das Verfahren „exact“</translation>
     </message>
     <message>
         <source>{number} % of the surface is a guess, where operands are open.</source>
         <translation>{number} % der Oberfläche sind geschätzt, wo Operanden offen sind.</translation>
-    </message>
-    <message>
-        <source>a wrap with a tolerance of {length} would take more than 2 GB of memory: give a larger tolerance</source>
-        <translation>Eine Hülle mit einer Toleranz von {length} würde mehr als 2 GB Speicher brauchen: eine größere Toleranz angeben</translation>
-    </message>
-    <message>
-        <source>the largest side is more than {count} times the tolerance of {length}: give a larger tolerance</source>
-        <translation>Die längste Seite ist mehr als das {count}-Fache der Toleranz von {length}: eine größere Toleranz angeben</translation>
     </message>
     <message>
         <source>checking for intersections</source>
@@ -2978,7 +2863,7 @@
         <translation>Bildet die ganze Oberfläche neu aus den Abtastpunkten, so dass kein Dreieck der Körper bleibt; nur beim Abtasten</translation>
     </message>
     <message>
-        <source>Only sampling can reconstruct everything. Choose sampling as the method, or turn "Reconstruct everything" off</source>
+        <source>Only sampling can reconstruct everything. Choose sampling as the method, or turn &quot;Reconstruct everything&quot; off</source>
         <translation>Nur beim Abtasten kann alles neu gebildet werden. Wählen Sie Abtasten als Verfahren, oder schalten Sie „Alles neu bilden“ aus</translation>
     </message>
     <message>
@@ -3097,7 +2982,7 @@
         <source>by the walls</source>
         <translation>nach den Wänden</translation>
     </message>
-<message>
+    <message>
         <source>Show next</source>
         <translation>Nächste Stelle zeigen</translation>
     </message>
@@ -3265,7 +3150,7 @@
         <source>{0} (1 face)</source>
         <translation>{0} (1 Fläche)</translation>
     </message>
-<message>
+    <message>
         <source>Mesh Quality: first steps</source>
         <translation>Netzqualität: erste Schritte</translation>
     </message>
@@ -3505,6 +3390,17 @@
     </message>
 </context>
 <context>
+    <name>MeshQuality_Example</name>
+    <message>
+        <source>Open a new document with a pipe tee, to try the commands on</source>
+        <translation>Ein neues Dokument mit einem T-Stück öffnen, an dem sich die Befehle ausprobieren lassen</translation>
+    </message>
+    <message>
+        <source>Example part</source>
+        <translation>Beispielteil</translation>
+    </message>
+</context>
+<context>
     <name>MeshQuality_Export</name>
     <message>
         <source>Export mesh...</source>
@@ -3522,8 +3418,19 @@
         <translation>FEM-Netz...</translation>
     </message>
     <message>
-        <source>Mesh the selected shapes for FreeCAD's FEM workbench, in the active analysis</source>
+        <source>Mesh the selected shapes for FreeCAD&apos;s FEM workbench, in the active analysis</source>
         <translation>Ausgewählte Formen für FreeCADs FEM-Arbeitsbereich vernetzen, in der aktiven Analyse</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_FirstSteps</name>
+    <message>
+        <source>A first part in five minutes, and all other pages of the documentation</source>
+        <translation>Ein erstes Teil in fünf Minuten und alle anderen Seiten der Dokumentation (englisch)</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
     </message>
 </context>
 <context>
@@ -3615,6 +3522,17 @@
     </message>
 </context>
 <context>
+    <name>MeshQuality_Repair</name>
+    <message>
+        <source>List the faults of the selected mesh, show where they are, and make a closed mesh without them</source>
+        <translation>Die Fehler des gewählten Netzes auflisten und zeigen und ein geschlossenes Netz ohne sie erzeugen</translation>
+    </message>
+    <message>
+        <source>Repair mesh...</source>
+        <translation>Netz reparieren...</translation>
+    </message>
+</context>
+<context>
     <name>MeshQuality_Thickness</name>
     <message>
         <source>Colour the selected closed mesh by the thickness of its walls and find the thinnest</source>
@@ -3664,7 +3582,7 @@
         <source>Mesh Quality</source>
         <translation>Netzqualität</translation>
     </message>
-<message>
+    <message>
         <source>Mesh</source>
         <translation>Vernetzen</translation>
     </message>
@@ -3691,39 +3609,6 @@
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>
-    </message>
-</context>
-<context>
-    <name>MeshQuality_Repair</name>
-    <message>
-        <source>List the faults of the selected mesh, show where they are, and make a closed mesh without them</source>
-        <translation>Die Fehler des gewählten Netzes auflisten und zeigen und ein geschlossenes Netz ohne sie erzeugen</translation>
-    </message>
-    <message>
-        <source>Repair mesh...</source>
-        <translation>Netz reparieren...</translation>
-    </message>
-</context>
-<context>
-    <name>MeshQuality_Example</name>
-    <message>
-        <source>Open a new document with a pipe tee, to try the commands on</source>
-        <translation>Ein neues Dokument mit einem T-Stück öffnen, an dem sich die Befehle ausprobieren lassen</translation>
-    </message>
-    <message>
-        <source>Example part</source>
-        <translation>Beispielteil</translation>
-    </message>
-</context>
-<context>
-    <name>MeshQuality_FirstSteps</name>
-    <message>
-        <source>A first part in five minutes, and all other pages of the documentation</source>
-        <translation>Ein erstes Teil in fünf Minuten und alle anderen Seiten der Dokumentation (englisch)</translation>
-    </message>
-    <message>
-        <source>First steps</source>
-        <translation>Erste Schritte</translation>
     </message>
 </context>
 </TS>
