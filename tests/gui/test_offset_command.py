@@ -88,6 +88,7 @@ class Offset(SolidCommands):
     def test_the_arrows_of_the_field_go_below_zero(self):
         panel = self.panel(commands.Offset, self.cube)
         box, shown = panel.options.field("distance"), []
+        box.setValue(0.0)
         for steps in (1, -1, -1):
             box.stepBy(steps)
             shown.append(round(box.value(), 6))

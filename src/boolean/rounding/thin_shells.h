@@ -9,7 +9,7 @@
 
 namespace mq::boolean {
 
-/// Below which mean thickness a shell, a closed surface that hangs together by edges, is no part of a result, mm. The
+/// Mean thickness, mm, below which a shell is left out. A shell is a closed surface that hangs together by edges; its
 /// mean thickness is twice the volume by the area.
 struct ShellThickness {
     /// Shells that are left of closed gaps and of films between common faces: they are made of pieces of several

@@ -47,7 +47,7 @@ class SelfIntersectionSearch {
     const std::vector<Vec3>& vertices_;
     const std::vector<Triangle>& triangles_;
     const Progress* progress_;
-    std::vector<std::int32_t> patch_;  ///< of each triangle: height_fields
+    std::vector<std::int32_t> patch_;  ///< for each triangle (height_fields)
     std::optional<NeedleFrame> frame_;
     std::optional<AabbTree> tree_;
 };
