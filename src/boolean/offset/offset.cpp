@@ -291,8 +291,9 @@ class OffsetPipeline {
                                      arrangement.points.approx(p[2])});
             }
         }
+        // The larger of both bounds counts: nothing is to be gained by one below the first.
         const ProvenBound back = distance_of_outer_points(triangles, searched_, distance_ - raw_error, tolerance_,
-                                                          result, raw_error, progress_);
+                                                          result, std::max(raw_error, there.bound), progress_);
         result_.error_bound = std::max(there.bound, back.bound);
     }
 
