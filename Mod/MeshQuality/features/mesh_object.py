@@ -436,17 +436,18 @@ class _Observer:
     def slotRecomputedDocument(self, document):
         """Called by FreeCAD: what an object promises of a mesh that is not of its options counts no longer."""
         for obj in document.Objects:
-            if isinstance(getattr(obj, "Proxy", None), MeshObject) and obj.Status == UP_TO_DATE and obj.Fingerprint \
-                    and obj.Proxy.lacks_source(obj):  # a copy from another document
-                with suppress(AttributeError):
-                    obj.Status = SOURCE_DELETED
-            if not isinstance(getattr(obj, "Proxy", None), MeshObject) or "Invalid" not in obj.State \
-                    or not getattr(obj, "Fingerprint", "") or obj.Status == SOURCE_DELETED or obj.Certificate == verdict.NOT_COMPUTED:
-                continue
-            with suppress(AttributeError):  # where they are read-only, FreeCAD's own mark is all there is
-                obj.Certificate, obj.CertificateData = verdict.NOT_COMPUTED, ""
-                if not obj.Status.startswith(FAILED):
-                    obj.Status, obj.StatusData = f"{FAILED}{obj.getStatusString()}", ""
+            if isinstance(getattr(obj, "Proxy", None), MeshObject):
+                with suppress(AttributeError):  # of what is read-only, and of what a script has removed
+                    self._tell(obj)
+
+    @staticmethod
+    def _tell(obj):
+        if obj.Fingerprint and obj.Status == UP_TO_DATE and obj.Proxy.lacks_source(obj):
+            obj.Status = SOURCE_DELETED  # a copy from another document
+        if "Invalid" in obj.State and obj.Fingerprint and obj.Status != SOURCE_DELETED and obj.Certificate != verdict.NOT_COMPUTED:
+            obj.Certificate, obj.CertificateData = verdict.NOT_COMPUTED, ""
+            if not obj.Status.startswith(FAILED):
+                obj.Status, obj.StatusData = f"{FAILED}{obj.getStatusString()}", ""
 
 
 FreeCAD.addDocumentObserver(_Observer())
