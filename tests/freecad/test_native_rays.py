@@ -67,12 +67,12 @@ class NativeRays(unittest.TestCase):
             self.assertAlmostEqual(report.volume / volume, 1.0, delta=5e-3, msg=operation)
 
     def test_shapes_far_away_and_turned(self):
-        here = uniform(self.ball, self.block, "union", resolution=65)
+        here = uniform(self.ball, self.block, "union", resolution=65, tolerance=0.2)
         place = Placement(Vector(3e5, -2e5, 1e5), Rotation(Vector(1, 2, 3), 40))
         moved = [shape.copy() for shape in (self.ball, self.block)]
         for shape in moved:
             shape.Placement = place.multiply(shape.Placement)
-        far = uniform(*moved, "union", resolution=65)
+        far = uniform(*moved, "union", resolution=65, tolerance=0.2)
         self.assertTrue(far.report.closed)
         self.assertEqual(far.report.face_samples, far.report.samples)
         self.assertAlmostEqual(far.report.volume / here.report.volume, 1.0, delta=3e-3)

@@ -191,13 +191,13 @@ class Hollow(SolidTest):
     def test_properties_that_were_edited_by_hand(self):
         top = self.top(self.cube)
         obj = mq.add_hollow(self.cube, 1.0, [top], tolerance=TOLERANCE)
-        facets = obj.Mesh.CountFacets
         for text in ("no JSON", "[]", "{}", f'{{"names": ["{top}"]}}', f'{{"names": ["{top}"], "faces": [1]}}'):
             obj.OpeningFaces = text
             self.cube.Height = self.cube.Height.Value + 1
             self.document.recompute()
             self.assertTrue(obj.isValid(), text)
             self.assertEqual((obj.Openings, obj.Status), ([top], "up to date"))
+        facets = obj.Mesh.CountFacets
         for names, words in ((["Edge1"], "names of faces"), (["Face99"], "has faces Face1 to Face6")):
             obj.Openings = names
             self.document.recompute()
