@@ -340,7 +340,8 @@ class _Distance(_Field):
         self.length, self.fraction = QuantityBox("mm"), _number_box(pair[1])
         for box in (self.choice, self.length, self.fraction):
             row.addWidget(box)
-        self.fraction.setMinimumWidth(self.fraction.fontMetrics().boundingRect("0.0003").width() + _ARROW)
+        for box, widest in ((self.length, "0.1234 mm"), (self.fraction, "0.0003")):
+            box.setMinimumWidth(box.fontMetrics().boundingRect(widest).width() + _ARROW)
         self._bound = None
         super().__init__(pair[0], widget)
         self.names = tuple(option.name for option in pair)
