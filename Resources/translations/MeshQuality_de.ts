@@ -501,7 +501,7 @@
     </message>
     <message>
         <source>Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless given, a quarter of the gap, at most a fiftieth of the size; 0: by size and gap</source>
-        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe; 0: nach Größe und Lücke</translation>
+        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe; 0: nach Größe</translation>
     </message>
     <message>
         <source>Largest distance from the wrap of what sticks out of it</source>
@@ -1068,7 +1068,7 @@
     </message>
     <message>
         <source>no change within the tolerance makes it better</source>
-        <translation>keine Änderung innerhalb der Toleranz macht es besser</translation>
+        <translation>keine Änderung innerhalb der max. Abweichung macht es besser</translation>
     </message>
     <message>
         <source>reading the operands</source>
@@ -1244,7 +1244,7 @@
     </message>
     <message>
         <source>Defaults</source>
-        <translation>Standard</translation>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>Set all options to their defaults</source>
@@ -1252,7 +1252,7 @@
     </message>
     <message>
         <source>Relative to size</source>
-        <translation>Relativ zur Größe</translation>
+        <translation>Relativ</translation>
     </message>
     <message>
         <source>Absolute</source>
@@ -1384,7 +1384,7 @@
     </message>
     <message>
         <source>Random seed for the sprinkle method; the same seed gives the same mesh</source>
-        <translation>Startwert des Zufalls für das Verfahren sprinkle; derselbe Wert gibt dasselbe Netz</translation>
+        <translation>Startwert des Zufalls für das Verfahren „zufällig abtasten“; derselbe Wert gibt dasselbe Netz</translation>
     </message>
     <message>
         <source>Relative deviation</source>
@@ -1492,7 +1492,7 @@
     </message>
     <message>
         <source>refine inserts points until every angle and distance fits; star (hexagons) and sprinkle (random points) first sample the faces, denser where they bend</source>
-        <translation>refine fügt Punkte ein, bis jeder Winkel und Abstand passt; star (Sechsecke) und sprinkle (zufällige Punkte) tasten die Flächen zuerst ab, dichter wo sie sich biegen</translation>
+        <translation>Verfeinern fügt Punkte ein, bis jeder Winkel und Abstand passt; Abtasten (in Sechsecken oder zufällig) setzt zuerst Punkte auf die Flächen, dichter wo sie sich biegen</translation>
     </message>
     <message>
         <source>smallest angle {number}°</source>
@@ -1728,7 +1728,7 @@
     </message>
     <message>
         <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, circumcentre is the rule of Aftosmis 1999</source>
-        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: off-centre braucht weniger Dreiecke, circumcentre (Umkreismittelpunkt) ist die Regel von Aftosmis 1999</translation>
+        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: neben dem Umkreismittelpunkt braucht weniger Dreiecke, im Umkreismittelpunkt ist die Regel von Aftosmis 1999</translation>
     </message>
     <message>
         <source>all</source>
@@ -1792,7 +1792,7 @@
     </message>
     <message>
         <source>off-centre</source>
-        <translation>off-centre</translation>
+        <translation>neben dem Umkreismittelpunkt</translation>
     </message>
     <message>
         <source>only sharp ones</source>
@@ -1864,11 +1864,11 @@
     </message>
     <message>
         <source>The max. deviation is given twice, as unlimited and as {number} of the size: give one of them</source>
-        <translation>Die größte Abweichung ist doppelt angegeben, als unbegrenzt und als {number} der Größe: Geben Sie eine davon an</translation>
+        <translation>Die max. Abweichung ist doppelt angegeben, als unbegrenzt und als {number} der Größe: Geben Sie eine davon an</translation>
     </message>
     <message>
         <source>The max. deviation is given twice, as {length} and as {number} of the size: give one of them</source>
-        <translation>Die größte Abweichung ist doppelt angegeben, als {length} und als {number} der Größe: Geben Sie eine davon an</translation>
+        <translation>Die max. Abweichung ist doppelt angegeben, als {length} und als {number} der Größe: Geben Sie eine davon an</translation>
     </message>
     <message>
         <source>The shortest edge of {length} is longer than the longest edge of {length2}</source>
@@ -1896,15 +1896,15 @@
     </message>
     <message>
         <source>max. deviation {length}</source>
-        <translation>größte Abweichung {length}</translation>
+        <translation>max. Abweichung {length}</translation>
     </message>
     <message>
         <source>max. deviation {length} (requested {length2}), {phrase}.</source>
-        <translation>größte Abweichung {length} (verlangt {length2}), {phrase}.</translation>
+        <translation>max. Abweichung {length} (verlangt {length2}), {phrase}.</translation>
     </message>
     <message>
         <source>max. deviation {length} (requested {length2}).</source>
-        <translation>größte Abweichung {length} (verlangt {length2}).</translation>
+        <translation>max. Abweichung {length} (verlangt {length2}).</translation>
     </message>
     <message>
         <source>the local size of {name} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value</source>
@@ -2692,7 +2692,7 @@
     </message>
     <message>
         <source>by size and distance</source>
-        <translation>nach Größe und Abstand</translation>
+        <translation>nach Größe</translation>
     </message>
     <message>
         <source>a length</source>
@@ -2740,7 +2740,7 @@
     </message>
     <message>
         <source>by size and gap</source>
-        <translation>nach Größe und Lücke</translation>
+        <translation>nach Größe</translation>
     </message>
     <message>
         <source>finding what is near the surface</source>
@@ -2840,7 +2840,7 @@
     </message>
     <message>
         <source>method &apos;uniform&apos; would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {length}, or method &apos;exact&apos;</source>
-        <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {length} oder das Verfahren „exact“</translation>
+        <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine max. Abweichung von mindestens {length} oder das Verfahren „exact“</translation>
     </message>
     <message>
         <source>{number} % of the surface is a guess, where operands are open.</source>
@@ -2876,7 +2876,7 @@
     </message>
     <message>
         <source>How curves and surfaces are evaluated: fast by formulas and polynomial pieces, native by OpenCASCADE alone, which takes longer</source>
-        <translation>Wie Kurven und Flächen ausgewertet werden: fast durch Formeln und Polynomstücke, native nur durch OpenCASCADE, was länger dauert</translation>
+        <translation>Wie Kurven und Flächen ausgewertet werden: schnell durch Formeln und Polynomstücke, oder nur durch OpenCASCADE, was länger dauert</translation>
     </message>
     <message>
         <source>by OpenCASCADE alone</source>

@@ -34,7 +34,7 @@ class Editing(gui_helpers.PanelTest):
     def test_ok_changes_the_object_in_one_undo_step(self):
         for obj, name, value in self.all_three():
             with self.subTest(obj.Label):
-                before = obj.Proxy, mesh_of(obj), obj.Fingerprint
+                before, label = (obj.Proxy, mesh_of(obj), obj.Fingerprint), obj.Label  # that of a Boolean has its operation
                 steps, objects = self.document.UndoCount, len(self.document.Objects)
                 panel = self.edit(obj)
                 panel.options.set_values({name: value})
@@ -45,7 +45,7 @@ class Editing(gui_helpers.PanelTest):
                 self.assertNotEqual(mesh_of(obj), before[1])
                 self.assertEqual(len(self.document.Objects), objects)
                 self.assertEqual(self.document.UndoCount, steps + 1)
-                self.assertEqual(self.document.UndoNames[0], f"Edit {obj.Label}")
+                self.assertEqual(self.document.UndoNames[0], f"Edit {label}")
                 self.document.undo()
                 self.assertEqual((obj.Proxy, mesh_of(obj), obj.Fingerprint), before)
                 self.document.redo()

@@ -71,7 +71,7 @@ class FemMesh(gui_helpers.PanelTest):
         panel = self.panel(commands.FemMesh, self.part)
         self.until(lambda: "Counting" not in panel.estimate.text())
         shown = panel.estimate.text()
-        self.assertRegex(shown, r"^[\d,]+ elements, with edges up to \d.* mm$")
+        self.assertRegex(shown, r"^(About )?[\d,]+ elements, with edges up to \d.* mm$")
         with mock.patch.object(trial, "_MOMENT", 0.0):
             panel.options.set_values({"elements_through": 3})
             self.until(lambda: panel.estimate.text().startswith("About"))
@@ -79,7 +79,9 @@ class FemMesh(gui_helpers.PanelTest):
             self.until(lambda: panel.estimate.text().endswith(shown.split(", ")[-1]))
         self.finish(panel)
         made = self.document.ActiveObject.Elements
-        self.assertEqual(int(shown.split()[0].replace(",", "")), made)
+        number = int(shown.removeprefix("About ").split()[0].replace(",", ""))
+        # On a slow machine it is what the size tells.
+        self.assertTrue(number == made or shown.startswith("About ") and 0.5 < number / made < 2.0, (shown, made))
 
     def test_the_mesh_is_in_the_active_analysis(self):
         self.analysis(active=False)

@@ -66,7 +66,7 @@ class Presets(gui_helpers.PanelTest):
     def test_booleans_have_none(self):
         panel = self.panel(commands.Boolean, *self.two_boxes())
         kept = panel.estimate.text()
-        self.assertRegex(kept, r"^Keeps within \d.* mm of the exact result\.$")
+        self.assertRegex(kept, r"^Keeps within \d.* [mµ]m of the exact result\.$")
         panel.options.set_values({"tolerance": 0.5})
         self.assertIn("0.5", panel.estimate.text())
         panel.options.set_values({"tolerance": None})

@@ -142,7 +142,7 @@ class WrapCommand(gui_helpers.PanelTest):
         gui_helpers.wait(0.2)
         panel = self.panel(commands.Wrap, self.first, self.second)
         self.assertEqual(panel.form.windowTitle(), "Umhüllen")
-        for word in ("Lücke", "Max. Abweichung (0: nach Größe und Lücke)", "Operanden: A = First, B = Second"):
+        for word in ("Lücke", "Max. Abweichung (0: nach Größe)", "Operanden: A = First, B = Second"):
             self.assertIn(word, self.texts(panel))
         panel.options.set_values({"gap": None})
         self.finish(panel)

@@ -48,7 +48,11 @@ def _text(name):
 class _File:
     """A file that is open."""
 
-    def __init__(self, path, mode=_MODE_WRITE):
+    def __init__(self, path, mode=_MODE_WRITE, arrays=0):
+        """arrays  bytes of what will be written"""
+        if mode == _MODE_WRITE:
+            # Below the library HDF5 ends the process, at its end, where a disk was full.
+            files.require_room(path, _LEAST_BYTES + arrays)
         self.number = ctypes.c_int()
         _call("cg_open", ctypes.c_char_p(os.fsencode(path)), mode, ctypes.byref(self.number))
 
@@ -99,9 +103,7 @@ def write(mesh, path, patches, solids, scale):
     tetrahedra = _in_order("tetrahedron", getattr(mesh, "tetrahedra", np.zeros((0, 4), dtype=np.int32)))
     triangles = _in_order("triangle", mesh.triangles)
     cells = len(tetrahedra) or len(triangles)
-    # Below the library HDF5 ends the process, at its end, where a disk was full.
-    files.require_room(path, _LEAST_BYTES + points.nbytes + tetrahedra.nbytes + triangles.nbytes)
-    with _File(path) as file:
+    with _File(path, arrays=points.nbytes + tetrahedra.nbytes + triangles.nbytes) as file:
         base = file.base(3 if len(tetrahedra) else 2)
         zone = file.zone(base, np.array([len(points), cells, 0], dtype=size))
         for axis, column in zip("XYZ", points.T):

@@ -62,7 +62,7 @@ def _group_separator(locale):
     nine there, and a narrow blank is none of a decimal point.
     """
     language = FreeCADGui.getLocale()
-    fits = language in ("English", QtCore.QLocale.languageToString(locale.language()))
+    fits = language in ("C", "English", QtCore.QLocale.languageToString(locale.language()))
     return locale.groupSeparator() if fits else "\u202f"
 
 
