@@ -97,7 +97,7 @@ class FemTrial(_Moment):
         self._result = self._for_a_moment(progress)
         self.complete = self._result is not None
         self.length, _ = fem_size.longest_edge(self._shape, self._values)
-        self.count = self._result[0].proof.report.elements if self.complete \
+        self.count = self._result.proof.report.elements if self.complete \
             else fem_size.expected_elements(self._shape, self._values)
 
     @staticmethod

@@ -322,6 +322,8 @@ class MeshPanel:
         self._trial = jobs.queue().add(jobs.Job(
             translate("MeshQuality", "Counting triangles"), lambda progress: [trial.compute(progress) for trial in trials],
             lambda _: self._show_estimate(trials), quiet=True, prepare=self._counting))
+        job = self._trial
+        job.ended.connect(lambda: job is self._trial and job.state == jobs.FAILED and self.estimate.setText(translated(job.error)))
 
     def _show_estimate(self, trials):
         self._trials = trials
