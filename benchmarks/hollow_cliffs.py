@@ -21,7 +21,7 @@ from FreeCAD import Vector
 
 import MeshQuality as mq
 
-# Of /cad; nobody has tuned anything for them.
+# Files of the folder cad; nobody has tuned anything for them.
 SUFFIXES = (".step", ".stp", ".brep")
 MOST_PARTS, MOST_FACES, MOST_SECONDS = 10, 60, 20
 

@@ -23,19 +23,6 @@ def parser():
     return result
 
 
-def bars(count):
-    """Bars of 20 x 2 x 2 through the z-axis, turned evenly."""
-    import Part
-    from FreeCAD import Vector
-
-    found = []
-    for i in range(count):
-        bar = Part.makeBox(20, 2, 2, Vector(-10, -1, -1))
-        bar.rotate(Vector(0, 0, 0), Vector(0, 0, 1), 180.0 * i / count)
-        found.append(bar)
-    return found
-
-
 def plates():
     """The sides of a box of 60, each 2 thick; they overlap along its edges."""
     import Part
@@ -44,16 +31,6 @@ def plates():
     return [Part.makeBox(*(2 if k == axis else 60 for k in range(3)),
                          Vector(*(58 * side if k == axis else 0 for k in range(3))))
             for axis in range(3) for side in range(2)]
-
-
-def strip(width, length):
-    """A bar of 20 x 20 with two fillets that leave a strip of this width between them."""
-    import Part
-
-    box = Part.makeBox(length, 20, 20)
-    edges = [edge for edge in box.Edges
-             if abs(edge.CenterOfMass.z - 20) < 1e-6 and abs(edge.CenterOfMass.x - length / 2) < 1e-6]
-    return box.makeFillet((20 - width) / 2, edges)
 
 
 def frame():
@@ -83,6 +60,7 @@ def cases():
     """(name, CPU s asked for, call that returns a report)."""
     import Part
     from FreeCAD import Vector
+    from parts.cliff_parts import bars, strip
 
     import MeshQuality as mq
 

@@ -19,7 +19,7 @@ THROUGH = Option("elements_through", int, 2, low=1, high=8, above=False, group="
                       "over the area of the surface; at most about 100,000 elements in all")
 FEM = tuple(made for option in CURVE for made in (
     replace(option, **_OF_FEM.get(option.name, {})), *([THROUGH] if option.name == "max_edge" else [])))
-# Of meshes that others made.
+# For meshes that others made.
 CURE = tuple(replace(option, group="Mesh") for option in FEM if option.name in ("order", "straighten_invalid", "imprint"))
 
 FEM_PRESETS = tuple(replace(preset, values={**preset.values, "order": 2, "elements_through": through})

@@ -3,10 +3,10 @@
 
 from .options import THREADS, Option
 
-TOLERANCE = Option("tolerance", float, None, unit="mm", low=0.0, title="Tolerance", group="Repair", unset="size / 300",
+TOLERANCE = Option("tolerance", float, None, unit="mm", low=0.0, title="Max. deviation", group="Repair", unset="size / 300",
                    help="Largest distance between the repaired surface and the given one, but for holes that are closed")
 
 REPAIR = (TOLERANCE, THREADS)
 
-# Of document objects.
+# For document objects.
 REPAIR_OBJECT = (TOLERANCE,)

@@ -863,10 +863,6 @@
         <translation>Kleinster Winkel</translation>
     </message>
     <message>
-        <source>Tolerance</source>
-        <translation>Toleranz</translation>
-    </message>
-    <message>
         <source>Very fine</source>
         <translation>Sehr fein</translation>
     </message>

@@ -6,28 +6,11 @@ import unittest
 
 import FreeCAD
 import Part
+from parts.cliff_parts import bars, strip
 
 import MeshQuality as mq
 
 V = FreeCAD.Vector
-
-
-def bars(count):
-    """Bars of 20 x 2 x 2 through the z-axis, turned evenly."""
-    found = []
-    for i in range(count):
-        bar = Part.makeBox(20, 2, 2, V(-10, -1, -1))
-        bar.rotate(V(0, 0, 0), V(0, 0, 1), 180.0 * i / count)
-        found.append(bar)
-    return found
-
-
-def sliver(width, length):
-    """A bar of 20 x 20 with two fillets that leave a strip of this width between them."""
-    box = Part.makeBox(length, 20, 20)
-    edges = [edge for edge in box.Edges
-             if abs(edge.CenterOfMass.z - 20) < 1e-6 and abs(edge.CenterOfMass.x - length / 2) < 1e-6]
-    return box.makeFillet((20 - width) / 2, edges)
 
 
 class Cliffs(unittest.TestCase):
@@ -58,13 +41,13 @@ class Cliffs(unittest.TestCase):
 
     def test_a_sliver_that_costs_most_triangles_is_named(self):
         for keep_edges in ("all", "feature"):
-            report = mq.triangulate(sliver(0.002, 20), chord_height=0.005, keep_edges=keep_edges).report
+            report = mq.triangulate(strip(0.002, 20), chord_height=0.005, keep_edges=keep_edges).report
             notes = [note for note in report.notes if "take such faces out of the shape" in note]
             self.assertEqual(len(notes), 1, report.notes)
             self.assertTrue(notes[0].startswith("Face5: "), notes)
 
     def test_the_remedy_for_a_sliver_holds(self):
-        shape = sliver(0.002, 30)
+        shape = strip(0.002, 30)
         costly = mq.triangulate(shape, chord_height=0.005).report
         note = next(note for note in costly.notes if "max. deviation" in note)
         wanted = float(note.split("max. deviation of ")[1].split(" mm")[0])

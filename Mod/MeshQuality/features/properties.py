@@ -24,7 +24,7 @@ ANGLES = (
 EXEMPT_REASONS = ("ExemptReasons", "App::PropertyStringList",
                   "For each reason in Exempt what it is made of, and the triangles, by which the window translates it")
 
-# Of those that keep a distance; see show_deviation.
+# For objects that keep a distance; see show_deviation.
 DEVIATION = ("DeviationInFull", "App::PropertyString",
              "Max. deviation, measured and requested, with the digits that count: the editor shows 0.003 as 0.00")
 _DEVIATIONS = (("MaxChordHeight", "AskedChordHeight"), ("ErrorBound", "AskedTolerance"), ("MaxDeviation", None))

@@ -80,7 +80,7 @@ class CertificateBox(QtGui.QWidget):
         """Shows what the object's certificate says; hides without an object."""
         self._end_mark()
         self._obj = obj
-        # Of a mesh without its source the panel says that, and nothing else.
+        # That a mesh is without its source the panel says, and nothing else.
         shown = obj is not None and not obj.Proxy.lacks_source(obj)
         self.setVisible(shown)
         self._list_pairs(getattr(obj, "Pairs", []))

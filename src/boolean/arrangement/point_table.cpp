@@ -2,6 +2,7 @@
 #include "boolean/arrangement/point_table.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace mq::boolean {
@@ -45,7 +46,9 @@ std::vector<std::int32_t> PointTable::canonical(std::vector<std::int32_t> vertic
     const Vec3 skew(0.6086, 0.5257, 0.5943);
     std::vector<double> along(static_cast<std::size_t>(size()));
     double error = 0.0;
+    double largest = 0.0;
     for (const std::int32_t p : order) {
+        largest = std::max(largest, approx(p).cwiseAbs().maxCoeff());
         along[static_cast<std::size_t>(p)] = skew.dot(approx(p));
         error = std::max(error, given(p) ? 0.0 : constructed_[static_cast<std::size_t>(p - given_)].error());
     }
@@ -54,6 +57,9 @@ std::vector<std::int32_t> PointTable::canonical(std::vector<std::int32_t> vertic
         const double y = along[static_cast<std::size_t>(b)];
         return x != y ? x < y : a < b;
     });
+    // Coinciding points are within two errors along each axis, and so within four along the direction. The sums of two
+    // places of three products each are rounded by less than 6 epsilon times the largest coordinate.
+    const double reach = 4.0 * error + 6.0 * std::numeric_limits<double>::epsilon() * largest;
     std::vector<std::int32_t> result(static_cast<std::size_t>(size()));
     std::iota(result.begin(), result.end(), 0);
     // Each is compared with the first of those that coincide: points through which many planes pass are many.
@@ -66,10 +72,8 @@ std::vector<std::int32_t> PointTable::canonical(std::vector<std::int32_t> vertic
         const Vec3 here = approx(order[i]);
         const double place = along[static_cast<std::size_t>(order[i])];
         same.assign(1, order[i]);
-        // Coinciding points are within two errors along each axis, and within four along the direction; the rest is
-        // for its own rounding.
-        for (std::size_t j = i + 1;
-             j < order.size() && along[static_cast<std::size_t>(order[j])] - place <= 8.0 * error; ++j) {
+        for (std::size_t j = i + 1; j < order.size() && along[static_cast<std::size_t>(order[j])] - place <= reach;
+             ++j) {
             const Vec3 gap = (approx(order[j]) - here).cwiseAbs();
             if (found[j] == 0 && gap.maxCoeff() <= 4.0 * error && coincide(at(order[i]), at(order[j]))) {
                 found[j] = 1;

@@ -59,19 +59,6 @@ class VertexGrid {
         return (high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1) <= most &&
                visit(low, high, use);
     }
-    /// The same for a cell and those beside it.
-    template <typename Use>
-    bool visit_around(std::size_t cell, const Use& use) const {
-        std::array<int, 3> low;
-        std::array<int, 3> high;
-        for (int i = 0; i < 3; ++i) {
-            const auto at = static_cast<int>(cell % side_[i]);
-            low[i] = std::max(at - 1, 0);
-            high[i] = std::min(at + 1, side_[i] - 1);
-            cell /= side_[i];
-        }
-        return visit(low, high, use);
-    }
 
   private:
     template <typename Use>

@@ -78,7 +78,7 @@ def _angles_of_sides(kind, corners):
 
 
 def _distortion(kind, corners):
-    """Of the corners at which as many sides meet as the element has dimensions: all but the tip of a pyramid."""
+    """The largest of the corners at which as many sides meet as the element has dimensions: all but the tip of a pyramid."""
     dimension = kinds.DIMENSION[kind]
     regular = np.array(_REGULAR[kind], dtype=float)
     found = []

@@ -57,7 +57,7 @@ class CasePanel(WritingPanel):
         self.fields = (self.flow, self.cell, self.path)
 
     def _folder_name(self):
-        """Of the part rather than of its mesh, and without blanks, which OpenFOAM does not take in paths."""
+        """Named after the part, not after its mesh, and without blanks, which OpenFOAM does not take in paths."""
         part = getattr(frames.linked_of(self.source)[0], "Source", None)
         return re.sub(r"[^\w.-]+", "_", part.Label if part is not None else self.label).strip("_") + "_case"
 

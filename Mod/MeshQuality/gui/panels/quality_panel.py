@@ -371,7 +371,7 @@ _shown = None
 
 
 def _alignment(column):
-    """Of a cell of the table of faces and of its header: names on the left, numbers on the right."""
+    """How the cells of a column of the table of faces, and its header, are aligned: names on the left, numbers on the right."""
     return int((QtCore.Qt.AlignRight if column else QtCore.Qt.AlignLeft) | QtCore.Qt.AlignVCenter)
 
 
