@@ -376,7 +376,8 @@ BOOLEAN = (
                 "others"),
     Option("resolution", int, 512, low=8, high=65536, above=False, group="Boolean",
            title="Resolution",
-           help="Grid cells along the longest side; sets the max. deviation if none is given"),
+           help="Cells along the longest side, or along 8 thicknesses of slender operands; sets the max. deviation if "
+                "none is given"),
     Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean", title="Max. deviation",
            unset="by resolution",
            help="Largest distance between the result and the exact Boolean"),

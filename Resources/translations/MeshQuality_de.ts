@@ -616,8 +616,8 @@
         <translation>Wo Wände unter der Grenze am dünnsten sind, ohne Grenze die dünnste; je ein Punkt auf den beiden Körpern jeder Zeile von Pairs; die Mittelpunkte von Hohlräumen</translation>
     </message>
     <message>
-        <source>Grid cells along the longest side; sets the max. deviation if none is given</source>
-        <translation>Gitterzellen entlang der längsten Seite; bestimmt die max. Abweichung, wenn keine angegeben ist</translation>
+        <source>Cells along the longest side, or along 8 thicknesses of slender operands; sets the max. deviation if none is given</source>
+        <translation>Zellen entlang der längsten Seite, bei schlanken Operanden entlang ihrer achtfachen Dicke; bestimmt die max. Abweichung, wenn keine angegeben ist</translation>
     </message>
     <message>
         <source>How the max. deviation from the shape is given: relative to its size, as a length, or not at all</source>
@@ -3167,8 +3167,8 @@
         <translation>Eine Hülle mit einer max. Abweichung von {length} würde mehr als 2 GB Speicher brauchen. Wählen Sie eine größere</translation>
     </message>
     <message>
-        <source>Grid cells along the longest side; sets the max. deviation if none is given</source>
-        <translation>Gitterzellen entlang der längsten Seite; bestimmt die max. Abweichung, wenn keine angegeben ist</translation>
+        <source>Cells along the longest side, or along 8 thicknesses of slender operands; sets the max. deviation if none is given</source>
+        <translation>Zellen entlang der längsten Seite, bei schlanken Operanden entlang ihrer achtfachen Dicke; bestimmt die max. Abweichung, wenn keine angegeben ist</translation>
     </message>
     <message>
         <source>Max. deviation from the shape, as a fraction of its largest dimension</source>

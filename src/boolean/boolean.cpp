@@ -386,7 +386,7 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
 }  // namespace
 
 double BooleanOptions::tolerance_for(double size) const {
-    return tolerance > 0.0 ? tolerance : std::sqrt(3.0) * size / resolution;
+    return tolerance > 0.0 ? tolerance : std::sqrt(3.0) * (length > 0.0 ? length : size) / resolution;
 }
 
 void BooleanOptions::validate() const {

@@ -21,6 +21,9 @@ struct BooleanOptions {
     /// Cells along the longest side of the operands' box; the tolerance is then sqrt(3) times the side of a cell, the
     /// bound of Wang 2010, section IV.A.
     int resolution = 512;
+    /// mm, the length that `resolution` divides where that longest side is not it: less for slender operands, whose
+    /// thickness the tolerance would reach. 0: the longest side.
+    double length = 0.0;
     /// Threads that work at a time; 0: one for each core, or as many as MESHQUALITY_THREADS says. The result is the
     /// same for any number.
     int threads = 0;
@@ -31,8 +34,8 @@ struct BooleanOptions {
     /// around nothing stay so. Otherwise those that bound a volume inside out are turned.
     bool oriented = false;
 
-    /// The tolerance in mm: as it was requested, else that of the resolution for operands whose box has this longest
-    /// side.
+    /// The tolerance in mm: as it was requested, else that of the resolution for `length`, or for operands whose box
+    /// has this longest side.
     double tolerance_for(double size) const;
     /// @throws InvalidInput naming the option
     void validate() const;

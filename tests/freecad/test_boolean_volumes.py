@@ -12,7 +12,7 @@ from MeshQuality.core import operands
 
 
 class Volumes(unittest.TestCase):
-    """By default; the tolerance of the resolution is a tenth of the radius of this rod."""
+    """By default; a tolerance that divides the length of this rod by 512 is a tenth of its radius."""
 
     def test_round_operands_keep_their_volume(self):
         rod, away = Part.makeCylinder(5, 200), Part.makeBox(60, 40, 6, FreeCAD.Vector(-30, -20, 300))
@@ -27,7 +27,25 @@ class Volumes(unittest.TestCase):
         tube = Part.makeCylinder(100, 200).cut(Part.makeCylinder(99, 200))
         report = mq.boolean(tube, Part.makeBox(1, 1, 1, FreeCAD.Vector(200, 0, 0)), "union").report
         self.assertLess(abs((report.volume - 1.0) / tube.Volume - 1.0), 0.002)
-        self.assertLess(report.triangles, 60000)
+        self.assertLess(report.triangles, 80000)
+
+    def test_slivers_of_slender_parts_stay(self):
+        """A rod that a slab cuts to a sixth of its radius, and a plate to a tenth, hang together as the shapes do."""
+        rod, slab = Part.makeCylinder(2.42, 125), Part.makeBox(5, 30, 30, FreeCAD.Vector(-2, -15, 40))
+        plate, pocket = Part.makeBox(60, 60, 1), Part.makeBox(30, 80, 5, FreeCAD.Vector(15, -10, 0.1))
+        for part, tool in ((rod, slab), (plate, pocket)):
+            exact, report = part.cut(tool), mq.boolean(part, tool, "difference").report
+            self.assertEqual(report.components, 1)
+            self.assertLess(abs(report.volume / exact.Volume - 1.0), 0.002)
+
+    def test_a_resolution_divides_eight_thicknesses(self):
+        rod = Part.makeCylinder(2, 100)
+        asked = [mq.boolean(rod, rod, "union", resolution=resolution).report.tolerance_asked for resolution in (512, 256)]
+        thickness = 2.0 * rod.Volume / rod.Area
+        self.assertAlmostEqual(asked[0], 3.0**0.5 * 8.0 * thickness / 512.0)
+        self.assertAlmostEqual(asked[1], 2.0 * asked[0])
+        bar = Part.makeBox(100, 0.5, 0.5)
+        self.assertAlmostEqual(mq.boolean(bar, bar, "union").report.tolerance_asked, 3.0**0.5 * 100.0 / 16.0 / 512.0)
 
     def test_many_shapes_are_told_in_one_note(self):
         shapes = [Part.makeCylinder(1, 2, FreeCAD.Vector(5 * i, 0, 0)) for i in range(12)]
@@ -37,5 +55,5 @@ class Volumes(unittest.TestCase):
 
     def test_what_would_take_too_many_triangles_is_told(self):
         with mock.patch.object(operands, "_MOST", 1000):
-            report = mq.boolean(Part.makeCylinder(5, 200), Part.makeBox(1, 1, 1, FreeCAD.Vector(50, 0, 0)), "union").report
+            report = mq.boolean(Part.makeCylinder(5, 200), Part.makeBox(20, 20, 20, FreeCAD.Vector(50, 0, 0)), "union").report
         self.assertRegex(report.notes[0], r"operand A .* and its volume by about \d.*%;")

@@ -43,8 +43,10 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
                 with a mesh or a shape, taken where the document has them. Or `a` is a list of any
                 number of operands and b is left out: the operation is applied from the first on
     operation   "union", "intersection", "difference" or "symmetric_difference"
-    resolution  cells along the longest side of all operands; the tolerance is then sqrt(3) times
-                such a cell (method "uniform": a cell of its grid, which has free cells around them)
+    resolution  cells along the longest side of all operands, or along 8 times the mean thickness (2 V / A) of the
+                thinnest one where that is less, though not below a sixteenth of that side; the tolerance is then
+                sqrt(3) times such a cell (method "uniform": a cell of its grid along the longest side, which has free
+                cells around them)
     tolerance   mm; largest distance of the result from the exact one
     progress    callable(fraction 0..1, stage); returning False cancels
     method      "exact": triangles are divided along the exact intersection; "uniform": operands are sampled
@@ -84,9 +86,10 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
     return run(Operands(sources), values, progress)
 
 
-def tolerance_for(values, size):
-    """The tolerance in mm that a Boolean with checked options keeps of operands of this size."""
-    return _core_options(values).tolerance_for(size)
+def tolerance_for(operands):
+    """A function of checked options: the tolerance in mm that a Boolean of these Operands keeps."""
+    size, length = operands.size(), operands.divided_length()
+    return lambda values: _core_options(values).tolerance_for(size if values["method"] == "uniform" else length)
 
 
 def _core_options(values):
@@ -102,6 +105,8 @@ def run(operands, values, progress=None):
     """The BooleanMesh of operands that were read, with checked options."""
     module = extension()
     core_options, before = _core_options(values), module.WorkBefore()
+    if values["method"] != "uniform":
+        core_options.length = operands.divided_length()
     meshing = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHING), _DEVIATION[values["method"]],
                                  volume_error=None if values["tolerance"] else _VOLUME_ERROR)
     before.seconds, before.notes = operands.seconds, operands.notes

@@ -31,6 +31,9 @@ _COARSE, _FINER, _ACCEPTED, _AIM, _STEP, _MOST = 4.0, 3, 0.85, 0.75, 1.0 / 32.0,
 _MOST_NOTES = 3  # of operands that are shapes; more are told in one
 # Fraction of the size of all operands that a Boolean asks for at least.
 _FINEST_TOLERANCE = 4.0 * 2.0**-23
+# The length that a resolution divides: at most this multiple of the mean thickness of each operand, and at least this fraction of the size
+# of all, which bounds what slender operands cost: their curved faces take at most 1 / _SHORTEST times as many triangles.
+_THICKNESSES, _SHORTEST = 8.0, 1.0 / 16.0
 
 
 @dataclass(frozen=True)
@@ -206,6 +209,15 @@ class Operands:
                           points.max(axis=0) + found[0].origin]
         return float(np.ptp(np.array(boxes), axis=0).max()) if boxes else 0.0
 
+    def divided_length(self):
+        """mm; the length that a resolution divides, where the method is exact: the size, or 8 times the mean thickness of the
+        thinnest operand, where that is less, and not below a sixteenth of the size. What is thinner than the tolerance may be
+        lost where operands nearly touch, so that the tolerance goes by what is thin.
+        """
+        size = self.size()
+        thin = min((thickness for found in self._found for thickness in _thicknesses(found)), default=size)
+        return min(size, max(_THICKNESSES * thin, _SHORTEST * size))
+
     def _mesh_shape(self, i, chord_height, progress, meshing, any_faces):
         shape = _shape_in(self._found[i])
         box = attribute_of(shape, "BoundBox")
@@ -282,7 +294,9 @@ def _keeping_volume(shape, chord_height, error, progress, meshing):
     """
     share = 1.0 / (_FINER + 2)
     coarse = _complete(shape, _COARSE * chord_height, part_of(progress, 0.0, share), meshing)
-    if not coarse.report.closed or coarse.report.max_chord_height <= 0.0:
+    if coarse.report.max_chord_height <= 0.0:
+        return coarse, 0.0  # all faces are plane, and their edges straight
+    if not coarse.report.closed:
         return _complete(shape, chord_height, part_of(progress, share, 1.0), meshing), 0.0
     longer = _COARSE * chord_height
     for step in range(1, _FINER + 2):
@@ -297,6 +311,28 @@ def _keeping_volume(shape, chord_height, error, progress, meshing):
         coarse, longer = mesh, chord_height
         chord_height *= finer
     return mesh, found / volume
+
+
+def _thicknesses(found):
+    """The mean thickness, 2 V / A, mm, of each solid and of the mesh that an operand has; none of what has no volume."""
+    if isinstance(found, tuple):
+        measures = [_measures_of(found[0].vertices, found[0].triangles)]
+    else:
+        shape = _shape_in(found)
+        measures = [(attribute_of(solid, "Volume"), attribute_of(solid, "Area")) for solid in attribute_of(shape, "Solids")]
+        if isinstance(found, _Mixed):
+            measures.append(_measures_of(*found.meshes.arrays))
+    return [2.0 * abs(volume) / area for volume, area in measures if volume and area]
+
+
+def _measures_of(vertices, triangles):
+    """(volume, area) of a mesh, mm3 and mm2."""
+    if not len(triangles):
+        return 0.0, 0.0
+    points = np.asarray(vertices, float) - np.mean(vertices, axis=0)
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    doubled = np.cross(b - a, c - a)
+    return float(np.einsum("ij,ij->", a, doubled)) / 6.0, float(np.linalg.norm(doubled, axis=1).sum()) / 2.0
 
 
 def _shape_in(found):

@@ -90,9 +90,12 @@ class MeshBoolean(mesh_object.MeshObject):
             return 0.0
 
     @classmethod
-    def kept_length(cls, values, size):
+    def kept_length(cls, sources):
         """The tolerance, or that of the resolution."""
-        return tolerance_for(values, size)
+        try:
+            return tolerance_for(Operands(sources))
+        except InvalidInput:
+            return None
 
     @classmethod
     def few(cls, count):

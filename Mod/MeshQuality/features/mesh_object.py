@@ -73,9 +73,9 @@ class MeshObject(PlainState):
     take(obj, result)   shows a result; returns its report and the findings of its certificate, or None
                         where these are not new
     size_of(sources)    largest dimension of the sources in mm, for people; 0: unknown
-    kept_length(values, size)
-                        class methods: the distance in mm that a result keeps by these options and that size, where the
-                        options do not say it themselves; else None
+    kept_length(sources)
+                        class methods: a function of options, the distance in mm that a result of these sources keeps by
+                        them, where they do not say it themselves; else None
     BOUND_BEFORE        the bound on the distance in older versions, where neither value was given
     TAKES_MESHES        whether of a container the meshes in it count, too, and not its shape alone
     LEAVES_CONTAINERS   whether the mesh is where the source's own placement has it, whatever containers around
@@ -96,7 +96,7 @@ class MeshObject(PlainState):
         return convert.size_of(sources[0])
 
     @classmethod
-    def kept_length(cls, values, size):
+    def kept_length(cls, sources):
         """As the class says."""
         return None
 

@@ -40,7 +40,7 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
     SOURCES = "The objects that are wrapped, with a mesh or a shape"
 
     @classmethod
-    def kept_length(cls, values, size):
+    def kept_length(cls, sources):
         """The options say it."""
         return None
 

@@ -61,6 +61,7 @@ class MeshPanel:
         self._left = False  # whether the jobs go on without the panel
         self._finishing = None  # the cancelled job that the message is about
         self._size = max(made.size() for made in operations)
+        self._kept_length = operations[0].kind.kept_length(operations[0].sources)
         self.form = _Form()
         self.form.setWindowTitle(title_of(operations[0].kind.COMMAND, operations[0].title))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of(operations[0].kind.COMMAND)))
@@ -301,9 +302,9 @@ class MeshPanel:
         if self.operations[0].trial is not None and not deleted:
             self._counting()
             self._timer.start()
-        kept = self.operations[0].kind.kept_length(self.options.values(), self._size)
-        if kept:
-            self.estimate.setText(translate("MeshQuality", "Keeps within {} of the exact result.").format(length_text(kept)))
+        if self._kept_length is not None:
+            kept = length_text(self._kept_length(self.options.values()))
+            self.estimate.setText(translate("MeshQuality", "Keeps within {} of the exact result.").format(kept))
             self.estimate.show()
 
     def _counting(self):
