@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/parallel.h"
 #include "boolean/tuning.h"
 #include "mesh/intersection/aabb_tree.h"
 #include "mesh/intersection/triangle_distance.h"
@@ -156,11 +157,12 @@ class Fitting {
         for (std::size_t o = 0; o < operands_.size(); ++o) {
             const TriangleMesh& mesh = *operands_[o].mesh;
             const mesh::AabbTree tree(mesh.vertices, mesh.triangles);
-            for (std::size_t i = 0; i < vertices.size(); ++i) {
+            parallel_for(static_cast<int>(vertices.size()), [&](int k) {
+                const auto i = static_cast<std::size_t>(k);
                 found[i].vertex = vertices[i];
                 found[i].before = found[i].now = result_.vertices[static_cast<std::size_t>(vertices[i])];
                 own[i] = own[i] != 0 || !add_constraints(found[i], static_cast<std::int32_t>(o), tree, near);
-            }
+            });
             progress_.check();
         }
         for (std::size_t i = 0; i < found.size(); ++i) {
@@ -184,20 +186,21 @@ class Fitting {
             const Triangle& corners = mesh.triangles[static_cast<std::size_t>(t)];
             const Vec3 &a = mesh.vertices[corners[0]], &b = mesh.vertices[corners[1]], &c = mesh.vertices[corners[2]];
             own = own || p == a || p == b || p == c;
-            if ((mesh::nearest_on_triangle(p, a, b, c) - p).norm() > near) {
-                return;
-            }
             Constraint constraint;
             constraint.operand = o;
-            constraint.foot = a;
-            constraint.normal = (b - a).cross(c - a).normalized();
             constraint.face = operand.model ? (*operand.faces)[static_cast<std::size_t>(t)] : -1;
+            constraint.foot = a;
+            if (constraint.face < 0) {
+                constraint.normal = (b - a).cross(c - a).normalized();
+            }
             const auto same = [&](const Constraint& other) {
                 return other.operand == o && other.face == constraint.face &&
                        (other.face >= 0 ||
                         other.normal.cross(constraint.normal).norm() < BooleanTuning::kLeastSurfaceAngle);
             };
-            if (std::none_of(candidate.constraints.begin(), candidate.constraints.end(), same)) {
+            // Most triangles around a vertex are of a face that is known already.
+            if (std::none_of(candidate.constraints.begin(), candidate.constraints.end(), same) &&
+                (mesh::nearest_on_triangle(p, a, b, c) - p).norm() <= near) {
                 candidate.constraints.push_back(constraint);
             }
         });
