@@ -176,7 +176,7 @@ class Measurement {
             }
             return alone;
         };
-        const auto left = unsettled_pieces(triangles, kLarge * limits_.finest, progress_, is_settled);
+        const auto left = unsettled_pieces(triangles, held(triangles), progress_, is_settled);
         std::vector<std::int32_t> used;
         std::vector<Piece> pieces;
         for (const auto& [t, piece] : left) {
@@ -217,25 +217,23 @@ class Measurement {
             return alone;
         };
         std::vector<Piece> pieces;
-        for (const auto& [t, piece] : unsettled_pieces(triangles, kLarge * limits_.finest, progress_, is_settled)) {
+        for (const auto& [t, piece] : unsettled_pieces(triangles, held(triangles), progress_, is_settled)) {
             pieces.push_back(piece);
         }
         spacing = std::max(spacing, spacing_on(pieces, limits_.finest));
-        std::vector<std::vector<FarPoint>> far((pieces.size() + kBlock - 1) / kBlock);
-        in_blocks(pieces.size(), progress_, [&](std::size_t i, std::size_t block) {
-            for_each_piece(pieces[i], spacing, is_settled, [&](const Piece& piece) {
-                add_far_points(piece, std::max(limits_.enough, largest.get()), far[block]);
-            });
+        in_blocks(pieces.size(), progress_, [&](std::size_t i, std::size_t /*block*/) {
+            for_each_piece(pieces[i], spacing, is_settled, [&](const Piece& piece) { add_points(piece, largest); });
         });
-        return std::max(largest.get(), farthest_of(far));
+        return largest.get();
     }
 
   private:
-    /// The distance of a point of the exact surface from the result, and the point.
-    using FarPoint = std::pair<double, std::array<double, 3>>;
-
-    /// Sides of the pieces that are held in memory, as a multiple of the finest spacing.
-    static constexpr double kLarge = 8.0;
+    /// The longest side of the pieces of these triangles that are held in memory: a multiple of the finest spacing, or
+    /// what keeps their number to that of the samples.
+    double held(const std::vector<Piece>& triangles) const {
+        constexpr double kLarge = 8.0;
+        return std::max(kLarge * limits_.finest, spacing_on(triangles, limits_.finest));
+    }
 
     /// Whether no triangle of another operand is within the reach of a piece; never where operands were not moved.
     bool is_alone(const Piece& piece) const {
@@ -272,18 +270,18 @@ class Measurement {
         return box.empty() ? 0.0 : (box.high - box.low).norm();
     }
 
-    /// Adds the points of a piece that bound the exact solid, but no film or gap, and are farther from the result than
-    /// a distance.
-    void add_far_points(const Piece& piece, double known, std::vector<FarPoint>& far) const {
+    /// Adds the distances from the result of points of a piece that bound the exact solid, but no film or gap.
+    void add_points(const Piece& piece, Largest& largest) const {
         // Distance of points from the border, as a fraction of the way to the centre: on the border itself other
         // triangles bound the solid, too.
         constexpr double kInside = 0.02;
         const Vec3 centre = piece.centre();
         const Vec3 normal = piece.normal();
         const auto add = [&](const Vec3& p) {
+            const double known = std::max(limits_.enough, largest.get());
             if (tree_.nearest(p, known).triangle < 0 && solid_.is_bounded_at(p, normal) &&
-                solid_.is_bounded_at(p, normal, limits_.thinnest)) {
-                far.push_back({tree_.size() > 0 ? tree_.nearest(p).distance : size(), {p.x(), p.y(), p.z()}});
+                solid_.is_bounded_at(p, normal, limits_.thinnest) && solid_.is_thick_at(p, limits_.thinnest)) {
+                largest.add(tree_.size() > 0 ? tree_.nearest(p).distance : size());
             }
         };
         add(centre);
@@ -293,20 +291,6 @@ class Measurement {
             add(corner + kInside * (centre - corner));
             add(middle + kInside * (centre - middle));
         }
-    }
-
-    /// The distance of the farthest point where the solid and what is around it are thick.
-    double farthest_of(const std::vector<std::vector<FarPoint>>& far) const {
-        std::vector<FarPoint> all;
-        for (const std::vector<FarPoint>& part : far) {
-            all.insert(all.end(), part.begin(), part.end());
-        }
-        std::sort(all.rbegin(), all.rend());
-        const auto farthest = std::find_if(all.begin(), all.end(), [&](const FarPoint& point) {
-            progress_.check();
-            return solid_.is_thick_at(Vec3(point.second[0], point.second[1], point.second[2]), limits_.thinnest);
-        });
-        return farthest != all.end() ? farthest->first : 0.0;
     }
 
     const ExactSolid& solid_;
