@@ -113,7 +113,7 @@ class EdgeCollapse {
             }
         }
         grid_ = TriangleGrid(longest);
-        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+        for (std::size_t t = 0; limits_.keeps_apart && t < surface_.triangles.size(); ++t) {
             grid_.add(static_cast<std::int32_t>(t), corners(surface_.triangles[t]));
         }
         for (const Triangle& c : surface_.triangles) {
@@ -242,8 +242,8 @@ class EdgeCollapse {
             // fixed.
             const bool leaves = k == 0 ? held[0] == 2 && places[0] != places[1] : held[k - 1] < held[2 - k];
             edge.place = places[k];
-            if (!leaves && both.at(edge.place) <= most_ && keeps_shape(edge) && keeps_apart(edge) &&
-                is_accepted(edge)) {
+            if (!leaves && both.at(edge.place) <= most_ && keeps_shape(edge) && keeps_within(edge) &&
+                (!limits_.keeps_apart || keeps_apart(edge)) && is_accepted(edge)) {
                 return true;
             }
         }
@@ -284,6 +284,15 @@ class EdgeCollapse {
         });
     }
 
+    /// Whether all moved triangles are where they may be.
+    bool keeps_within(const Candidate& edge) const {
+        return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
+            const bool is_fixed = !limits_.fixed.empty() && limits_.fixed[t] != 0;
+            return is_fixed ||
+                   std::all_of(moved.begin(), moved.end(), [&](const Vec3& p) { return limits_.within.contains(p); });
+        });
+    }
+
     /// Whether no moved triangle meets another one.
     bool keeps_apart(const Candidate& edge) {
         // The grid has the triangles that are moved, too, at their places of before: here they come first.
@@ -298,12 +307,6 @@ class EdgeCollapse {
             return true;
         });
         const std::size_t moved = near_.size();
-        for (const auto& [t, box] : near_) {
-            const bool is_fixed = !limits_.fixed.empty() && limits_.fixed[t] != 0;
-            if (!is_fixed && !(limits_.within.contains(box.low) && limits_.within.contains(box.high))) {
-                return false;
-            }
-        }
         for (std::size_t i = 0; i < moved; ++i) {
             const Triangle own = surface_.triangles[near_[i].first];
             grid_.all_near(corners_at(own, edge), [&](std::int32_t other) {
@@ -427,7 +430,9 @@ class EdgeCollapse {
             return true;
         });
         for (const std::int32_t t : star) {
-            grid_.remove(t, corners(surface_.triangles[t]));
+            if (limits_.keeps_apart) {
+                grid_.remove(t, corners(surface_.triangles[t]));
+            }
         }
         surface_.points[edge.a] = edge.place;
         stars_[edge.a].clear();
@@ -439,7 +444,9 @@ class EdgeCollapse {
             } else {
                 c = renamed(c, edge, edge.a);
                 stars_[edge.a].push_back(t);
-                grid_.add(t, corners(c));
+                if (limits_.keeps_apart) {
+                    grid_.add(t, corners(c));
+                }
             }
         }
         ++ages_[edge.a];

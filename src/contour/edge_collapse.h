@@ -23,6 +23,9 @@ struct CollapseLimits {
     std::vector<char> fixed;
     /// Asked of triangles that are moved; empty: all may. Called by several threads.
     TriangleFilter accepts;
+    /// Whether each collapse is tested for triangles that meet then. Otherwise the caller looks for those in the end: of
+    /// a surface that is not folded nearly no collapse makes any.
+    bool keeps_apart = true;
     /// Where all others are, before and after.
     Box within{Vec3::Constant(-1e300), Vec3::Constant(1e300)};
 };
@@ -31,7 +34,7 @@ struct CollapseLimits {
 /// single-precision numbers, and stay that. Of the vertices of fixed triangles those that come first keep their order.
 ///
 /// A collapse is made only where the surface stays 2-manifold (link condition), no triangle turns away from its plane,
-/// and no triangle that is moved meets another one (exact).
+/// and, where the limits say so, no triangle that is moved meets another one (exact).
 /// @throws Cancelled
 void collapse_edges(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits,
                     const Progress& progress);

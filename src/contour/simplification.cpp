@@ -11,6 +11,7 @@
 #include "base/key_set.h"
 #include "base/parallel.h"
 #include "contour/edge_collapse.h"
+#include "mesh/intersection/self_intersection.h"
 
 namespace mq::contour {
 
@@ -43,12 +44,24 @@ class Blocks {
             block.limits = limits;
             block.limits.within = within;
             fill(block);
-            collapse_edges(block.surface, crossings, block.limits, progress);
+            collapse(block, crossings, progress);
         });
         join();
     }
 
   private:
+    /// Collapses the edges of a block without a test of each collapse; where triangles of what is left meet, once more
+    /// with it.
+    static void collapse(Block& block, const std::vector<Crossing>& crossings, const Progress& progress) {
+        const Contour before = block.surface;
+        block.limits.keeps_apart = false;
+        collapse_edges(block.surface, crossings, block.limits, progress);
+        if (!mesh::self_intersections(block.surface.points, block.surface.triangles, 1, &progress).empty()) {
+            block.surface = before;
+            block.limits.keeps_apart = true;
+            collapse_edges(block.surface, crossings, block.limits, progress);
+        }
+    }
     BlockKey key_of(const Vec3& p) const {
         BlockKey key{};
         for (int i = 0; i < 3; ++i) {
