@@ -3270,6 +3270,10 @@
         <source>target not decided: {text}</source>
         <translation>Ziel nicht entschieden: {text}</translation>
     </message>
+    <message>
+        <source>A clipping plane shows the surface only; click one of the worst to look inside.</source>
+        <translation>Eine Schnittebene zeigt nur die Oberfläche; ein Klick auf eines der schlechtesten zeigt das Innere.</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
