@@ -21,8 +21,8 @@ from . import fault_phrases
 from .stage_names import STAGES
 
 # The verdict on a mesh.
-MET, NOT_MET = "met", "not met"
-NOT_MET_TEXT = f"{NOT_MET}: {{text}}"
+MET, NOT_MET, NOT_DECIDED = "met", "not met", "not decided"
+NOT_MET_TEXT, NOT_DECIDED_TEXT = f"{NOT_MET}: {{text}}", f"{NOT_DECIDED}: {{text}}"
 
 # Parts of certificates; verdict.py puts them together. Pairs are for one and for many. Whole sentences end with a
 # full stop; at the head of one the first letter is a capital.
@@ -51,10 +51,10 @@ SHAPE_DISTANCE_AT = "max. deviation {length} (requested {length2}), {phrase}."
 LONGEST_EDGE = "longest edge {length} (requested {length2}), {phrase}."
 THIN_WALL = "smallest thickness {length} (requested {length2})."
 NARROW_GAP = "smallest gap {length} (requested {length2})."
-WALL_NOT_KNOWN = "a smallest thickness of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by " \
-                 "{length3}; give a smaller max. deviation."
-GAP_NOT_KNOWN = "a smallest gap of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by " \
-                "{length3}; give a smaller max. deviation."
+WALL_NOT_DECIDED = "smallest thickness between {length2} and {length3} (requested {length}), as the measured mesh deviates by up to " \
+                   "{length4}; a max. deviation of {length5} may decide it, unless the wall is just as thick."
+GAP_NOT_DECIDED = "smallest gap between {length2} and {length3} (requested {length}), as the measured mesh deviates by up to {length4}; a " \
+                  "max. deviation of {length5} may decide it, unless the gap is just as wide."
 LOW_DRAFT = ("less draft than {number}° on 1 face.", "less draft than {number}° on {count} faces.")
 UNDERCUTS = ("1 face has undercuts.", "{count} faces have undercuts.")
 HAS_VOIDS = ("1 closed void.", "{count} closed voids.")
@@ -83,7 +83,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, THIN_WALL, NARROW_GAP, WALL_NOT_KNOWN, GAP_NOT_KNOWN, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, THIN_WALL, NARROW_GAP, WALL_NOT_DECIDED, GAP_NOT_DECIDED, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
@@ -107,6 +107,7 @@ NO_WALLS = "no two sides face each other: there is no smallest thickness or gap"
 ALL_MET = "all requested limits are met."
 LEFT_OUT = ("1 hidden object of {name} is no part of it: {list}.", "{count} hidden objects of {name} are no part of it: {list}.")
 TARGET_NOT_MET = "target not met: {text}"
+TARGET_NOT_DECIDED = "target not decided: {text}"
 
 # Why a triangle keeps a smaller angle, by the causes of src/mesh/quality/exempt_reason.h in their order: the build
 # compiles these into the core (tools/core_phrases).
@@ -359,7 +360,7 @@ _SHOWN = {
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, TARGET_NOT_DECIDED, *LEFT_OUT, *CURING)
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

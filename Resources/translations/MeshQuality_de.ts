@@ -3243,14 +3243,6 @@
         <translation>im Innern ist ein Hohlraum eingeschlossen, aus dem Harz, Pulver oder Luft nicht entweichen können; er spart {number}, {number2} % des Volumens</translation>
     </message>
     <message>
-        <source>a smallest gap of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by {length3}; give a smaller max. deviation.</source>
-        <translation>ein kleinster Spalt von {length} ist nicht bewiesen: auf dem Netz sind es {length2}, was die Abweichung des Netzes um {length3} offen lässt; eine kleinere max. Abweichung angeben.</translation>
-    </message>
-    <message>
-        <source>a smallest thickness of {length} is not proven: on the mesh it is {length2}, which the deviation of the mesh leaves open by {length3}; give a smaller max. deviation.</source>
-        <translation>eine kleinste Dicke von {length} ist nicht bewiesen: auf dem Netz sind es {length2}, was die Abweichung des Netzes um {length3} offen lässt; eine kleinere max. Abweichung angeben.</translation>
-    </message>
-    <message>
         <source>to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap</source>
         <translation>um aus Körpern, die einander durchdringen oder berühren, ein Netz zu machen: „Berührende Körper verbinden“ (Weitere Optionen), Boolesche Netzoperation oder Umhüllen</translation>
     </message>
@@ -3261,6 +3253,26 @@
     <message>
         <source>A difference is the first operand without the second one</source>
         <translation>Eine Differenz ist der erste Operand ohne den zweiten</translation>
+    </message>
+    <message>
+        <source>Target not decided: {}</source>
+        <translation>Ziel nicht entschieden: {}</translation>
+    </message>
+    <message>
+        <source>smallest gap between {length2} and {length3} (requested {length}), as the measured mesh deviates by up to {length4}; a max. deviation of {length5} may decide it, unless the gap is just as wide.</source>
+        <translation>kleinster Spalt zwischen {length2} und {length3} (verlangt {length}), da das gemessene Netz um bis zu {length4} abweicht; eine max. Abweichung von {length5} kann es entscheiden, außer der Spalt ist genau so weit.</translation>
+    </message>
+    <message>
+        <source>smallest thickness between {length2} and {length3} (requested {length}), as the measured mesh deviates by up to {length4}; a max. deviation of {length5} may decide it, unless the wall is just as thick.</source>
+        <translation>kleinste Dicke zwischen {length2} und {length3} (verlangt {length}), da das gemessene Netz um bis zu {length4} abweicht; eine max. Abweichung von {length5} kann es entscheiden, außer die Wand ist genau so dick.</translation>
+    </message>
+    <message>
+        <source>target not decided: {text}</source>
+        <translation>Ziel nicht entschieden: {text}</translation>
+    </message>
+    <message>
+        <source>A clipping plane shows the surface only; click one of the worst to look inside.</source>
+        <translation>Eine Schnittebene zeigt nur die Oberfläche; ein Klick auf eines der schlechtesten zeigt das Innere.</translation>
     </message>
 </context>
 <context>

@@ -57,11 +57,13 @@ struct Candidate {
 class EdgeCollapse {
   public:
     EdgeCollapse(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits,
-                 const Progress& progress)
+                 Progress& progress, double from)
         : surface_(surface),
           crossings_(crossings),
           limits_(limits),
           most_(limits.distance * limits.distance),
+          progress_(progress),
+          from_(from),
           pace_(progress),
           stars_(surface.points.size()),
           ages_(surface.points.size()),
@@ -79,8 +81,11 @@ class EdgeCollapse {
     void run() {
         prepare();
         assess_all();
+        const auto first = static_cast<double>(queue_.size());
         while (!queue_.empty()) {
             pace_.step();
+            // Collapses add candidates: the fraction of those at first that is left is all that is known.
+            advance(1.0 - 0.5 * static_cast<double>(queue_.size()) / first);
             Candidate next = queue_.top();
             queue_.pop();
             if (next.age_a == ages_[next.a] && next.age_b == ages_[next.b] && keeps_links(next) && finds_place(next)) {
@@ -91,6 +96,9 @@ class EdgeCollapse {
     }
 
   private:
+    /// @param done  fraction of this work
+    void advance(double done) { progress_.advance(from_ + (1.0 - from_) * done); }
+
     std::array<Vec3, 3> corners(const Triangle& t) const {
         return {surface_.points[t[0]], surface_.points[t[1]], surface_.points[t[2]]};
     }
@@ -165,7 +173,9 @@ class EdgeCollapse {
     }
 
     void assess_all() {
+        double done = 0.0;
         for (const Triangle& c : surface_.triangles) {
+            advance(0.5 * done++ / static_cast<double>(surface_.triangles.size()));
             for (int k = 0; k < 3; ++k) {
                 if (c[k] < c[(k + 1) % 3]) {
                     assess(c[k], c[(k + 1) % 3]);
@@ -501,6 +511,8 @@ class EdgeCollapse {
     const std::vector<Crossing>& crossings_;
     const CollapseLimits& limits_;
     double most_;  ///< square of the distance
+    Progress& progress_;
+    double from_;
     CancelPace pace_;
     std::vector<std::vector<std::int32_t>> stars_;
     std::vector<std::int32_t> ages_;
@@ -521,8 +533,8 @@ class EdgeCollapse {
 }  // namespace
 
 void collapse_edges(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits,
-                    const Progress& progress) {
-    EdgeCollapse(surface, crossings, limits, progress).run();
+                    Progress& progress, double from) {
+    EdgeCollapse(surface, crossings, limits, progress, from).run();
 }
 
 }  // namespace mq::contour

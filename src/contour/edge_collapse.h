@@ -35,8 +35,9 @@ struct CollapseLimits {
 ///
 /// A collapse is made only where the surface stays 2-manifold (link condition), no triangle turns away from its plane,
 /// and, where the limits say so, no triangle that is moved meets another one (exact).
+/// @param from  fraction of the stage that was done before; this is the rest
 /// @throws Cancelled
 void collapse_edges(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits,
-                    const Progress& progress);
+                    Progress& progress, double from = 0.0);
 
 }  // namespace mq::contour

@@ -20,6 +20,6 @@ namespace mq::contour {
 /// @param block  side of the blocks, mm: far more than triangles are long
 /// @throws Cancelled
 void simplify(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits, double block,
-              const Progress& progress);
+              Progress& progress);
 
 }  // namespace mq::contour

@@ -7,7 +7,7 @@
 namespace mq::view {
 
 /// A node of the scene that lies on the window rather than in space: it is drawn last, does not affect picking, and
-/// "fit all" ignores it.
+/// "fit all" ignores it; clipping planes do not cut it.
 class Overlay : public SoSeparator {
     SO_NODE_HEADER(Overlay);
 

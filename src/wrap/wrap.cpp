@@ -68,13 +68,14 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     const Lattice lattice(surface.tree.box(), radius + 2.0 * options.spacing, options.spacing);
     NodeStates states(lattice, surface, radius, progress);
 
-    watch.start("rolling the ball", 0.25, 0.4);
+    watch.start("rolling the ball", 0.25, 0.37);
     mark_outside(states, 0.5 * options.gap, progress);
     for (const Vec3& dry : options.dry) {
         if (std::optional<Leak> leak = find_leak(states, dry, progress)) {
             result.leaks.push_back(std::move(*leak));
         }
     }
+    watch.start("rolling the ball", 0.37, 0.4);
     move_into_thin_material(states, progress);
     result.sheet_nodes = mark_sheets(states, progress);
 

@@ -57,6 +57,16 @@ class Thickness(InspectionTest):
         self.assertTrue(obj.Certificate.startswith("not met"))
         self.assertEqual(self.document.UndoNames[0], "Update Part inspection")
 
+    def test_a_curved_wall_as_thick_as_its_limit_is_neither_met_nor_missed(self):
+        source = self.part(Part.makeCylinder(20, 10).cut(Part.makeCylinder(16, 10)))
+        obj = mq.add_inspection(source, min_thickness=4.0)
+        self.assertRegex(obj.Certificate, r"not decided: smallest thickness between 3\.\d+ mm and 4\.\d+ mm \(requested 4 mm\)")
+        self.assertEqual(len(obj.CertificatePlace), 3)
+        mq.update(obj, min_thickness=4.2)
+        self.assertTrue(obj.Certificate.startswith("not met"))
+        mq.update(obj, min_thickness=3.8)
+        self.assertEqual(obj.Certificate, "met")
+
     def test_gaps(self):
         source = self.part(Part.makeBox(30, 20, 10).cut(Part.makeBox(2, 20, 8, FreeCAD.Vector(14, 0, 2))))
         obj = mq.add_inspection(source, gap=True, min_thickness=2.5)

@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import subprocess
 import tempfile
 import time
@@ -123,14 +124,35 @@ class Bounds(unittest.TestCase):
         self.assertAlmostEqual(high - low, 4 * found.chord_height)
         self.assertTrue(low <= 4.0 <= high, found.bounds)
         self.assertTrue(any("is not known; give a smaller tolerance" in note for note in found.notes), found.notes)
-        self.assertEqual(mq.thickness(Part.makeBox(10, 10, 4), min_thickness=4.0).notes, [])
 
     def test_the_verdict_knows_it(self):
-        """A wall as thick as the limit is not called thinner, and one that is thinner is."""
+        """A wall as thick as the limit is neither called thinner nor thick enough."""
         found = mq.thickness(pipe(20, 4, 10), min_thickness=4.0)
-        said = [finding.text for finding in verdict.of_thickness(found)]
-        if found.minimum < 4.0:
-            self.assertRegex(said[0], r"^A smallest thickness of 4 mm is not proven: on the mesh it is [\d.]+ mm, .* by [\d.e-]+ mm; give ")
+        findings = verdict.of_thickness(found)
+        self.assertEqual((found.decided, verdict.word(findings)), (False, "not decided"))
+        said = re.fullmatch(r"Smallest thickness between ([\d.]+) mm and ([\d.]+) mm \(requested 4 mm\), as the measured mesh deviates by up "
+                            r"to [\d.e-]+ mm; a max. deviation of [\d.e-]+ mm may decide it, unless the wall is just as thick.",
+                            findings[0].text)
+        self.assertTrue(said, findings[0].text)
+        self.assertTrue(float(said[1]) < 4.0 < float(said[2]))
+        self.assertFalse(verdict.is_missed(verdict.sentence(findings)))
+        self.assertTrue(verdict.is_open(verdict.sentence(findings)))
+
+    def test_a_finer_mesh_decides(self):
+        """Where the first mesh cannot tell a wall a little thicker or thinner than its limit."""
+        for thick, word in ((4.004, "met"), (3.997, "not met")):
+            coarse = mq.thickness(pipe(20, thick, 10), min_thickness=4.0, tolerance=0.02)
+            self.assertFalse(coarse.decided)
+            found = mq.thickness(pipe(20, thick, 10), min_thickness=4.0)
+            self.assertEqual((found.decided, verdict.word(verdict.of_thickness(found))), (True, word))
+
+    def test_rounding_decides_nothing(self):
+        """Walls between planes are as thick as their limit but for single precision."""
+        for thick, at in ((4.0, 0.0), (0.3, 0.0), (0.3, 100.1), (1.1, 33.3)):
+            found = mq.thickness(Part.makeBox(10, 10, thick, FreeCAD.Vector(0, 0, at)), min_thickness=thick)
+            self.assertEqual((verdict.of_thickness(found), found.notes, found.thin_places()), ([], [], []), (thick, at))
+
+    def test_what_is_thinner(self):
         thin = mq.thickness(pipe(20, 3.9, 10), min_thickness=4.0)
         self.assertLess(thin.bounds[1], 4.0)
         self.assertRegex(verdict.of_thickness(thin)[0].text, r"^Smallest thickness 3\.\d+ mm \(requested 4 mm\)\.$")

@@ -268,6 +268,11 @@ class Given(unittest.TestCase):
         seen = []
         mq.wrap(Part.makeBox(10, 10, 10), 1.0, progress=lambda fraction, stage: seen.append((fraction, stage)))
         self.assertEqual(sorted(fraction for fraction, _ in seen), [fraction for fraction, _ in seen])
+        seen.clear()
+        mq.wrap(Part.makeSphere(6), 1.0, 0.12, progress=lambda fraction, stage: seen.append((fraction, stage)))
+        for stage in ("classifying nodes", "rolling the ball", "contouring", "simplifying", "measuring distances"):
+            # Long ones are not told by their beginning alone.
+            self.assertGreater(len({fraction for fraction, name in seen if name == stage}), 2, stage)
         with self.assertRaises(mq.Cancelled):
             mq.wrap(Part.makeBox(10, 10, 10), 0.5, 0.1, progress=lambda fraction, stage: False)
 

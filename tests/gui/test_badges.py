@@ -101,16 +101,19 @@ class Badges(gui_helpers.PanelTest):
         self.assertIsNone(badge.badge_of(obj))
         self.assertEqual(colours(obj.ViewObject.Icon)["red"], 0)
 
-    def test_documents_of_older_versions_keep_their_badges(self):
+    def test_each_verdict_has_its_badge_those_of_older_versions_too(self):
         obj = mq.add_quality_mesh(self.box())
         for text, expected, said in (
                 ("kept", None, "All requested limits are met."),
                 ("missed: smallest angle 4.57 of 25 degrees at triangle 7", badge.MISSED,
-                 "Target not met: smallest angle 4.57 of 25 degrees at triangle 7")):
+                 "Target not met: smallest angle 4.57 of 25 degrees at triangle 7"),
+                ("not decided: smallest thickness between 1.9 mm and 2.1 mm", badge.UNDECIDED,
+                 "Target not decided: smallest thickness between 1.9 mm and 2.1 mm")):
             obj.Certificate = text
             self.assertEqual(badge.badge_of(obj), expected)
             panel = self.edit(obj)
             self.assertEqual(panel.certificate.text.text(), said)
+            self.assertEqual("color" in panel.certificate.text.styleSheet(), expected == badge.MISSED)
             panel.reject()
 
     def test_a_source_that_was_deleted_is_said(self):

@@ -167,6 +167,7 @@ class QualityView(gui_helpers.GuiTest):
         self.assertIn(f"{found.max():.4g}: element {found.argmax()} on Face1",
                       panel.worst.item(0).text())
         self.assertIn(f"tetrahedra: worst {obj.MaxShapeDistortion:.4g}", panel.summary.text())
+        self.assertIn("A clipping plane shows the surface only", panel.summary.text())
         self.assertIn(f"surface: worst {found.max():.4g}", panel.summary.text())
 
     def test_means_are_those_of_the_properties(self):
@@ -378,7 +379,7 @@ class QualityView(gui_helpers.GuiTest):
     def legend_of(self, panel, background):
         """The pixels of the legend in a picture with this background."""
         left, low = panel.scene.scene.legend_place(gui_helpers.WIDTH, gui_helpers.HEIGHT)
-        high, width = legend.picture(panel.scale).shape[:2]
+        high, width = legend.picture(panel.scale, self.view.getSize()[1]).shape[:2]
         rows = self.saved(f"quality_legend_{background}", background=background)
         return rows[gui_helpers.HEIGHT - low - high:gui_helpers.HEIGHT - low, left:left + width]
 
@@ -395,6 +396,25 @@ class QualityView(gui_helpers.GuiTest):
             counts.append(text.sum())
         self.assertGreater(min(counts), 300)
         self.assertLess(max(counts), 1.5 * min(counts))
+
+    def test_a_clipping_plane_cuts_the_model_and_not_the_legend(self):
+        panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
+        self.view.viewAxonometric()
+        self.view.fitAll()
+        gui_helpers.wait()
+        whole, model = self.legend_of(panel, "White"), self.saved("quality_unclipped")
+        self.view.toggleClippingPlane(1, False, True, FreeCAD.Placement(FreeCAD.Vector(1.5, 2, 2.5), FreeCAD.Rotation()))
+        self.addCleanup(lambda: self.view.hasClippingPlane() and self.view.toggleClippingPlane(0))
+        clipped = self.legend_of(panel, "White")
+        self.assertGreater((np.abs(self.saved("quality_clipped") - model).max(axis=2) > 60).sum(), 5000)
+        np.testing.assert_array_equal(clipped, whole)
+
+    def test_the_legend_is_low_in_a_low_view(self):
+        panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
+        heights = [len(legend.picture(panel.scale, height)) for height in (900, 600, 250, 100)]
+        self.assertEqual(heights[0], heights[1])
+        self.assertLess(heights[2], 0.65 * 250)
+        self.assertGreater(heights[2], heights[3])
 
     def test_the_panel_is_legible_in_a_dark_theme(self):
         app = QtGui.QApplication.instance()

@@ -62,13 +62,13 @@ class ThicknessView(gui_helpers.PanelTest):
         mesh = self.stepped()
         panel = self.opened(mesh)
         values = np.where(np.isfinite(panel.values), panel.values, 1.0)
-        before = legend.picture(panel.data.scale(quality_data.THICKNESS, values))
+        before = legend.picture(panel.data.scale(quality_data.THICKNESS, values), 600)
         values[:5] = np.inf
         with_some = panel.data.scale(quality_data.THICKNESS, values)
         colours = colour_scale.bytes_of(with_some.goodness(values))
         self.assertEqual({tuple(colour) for colour in colours[:5].tolist()}, {(158, 158, 158, 255)})
         self.assertEqual(np.count_nonzero((colours[5:, :3] == 158).all(axis=1)), 0)
-        picture = legend.picture(with_some)
+        picture = legend.picture(with_some, 600)
         self.assertGreater(len(picture), len(before))
         self.assertLess(np.count_nonzero((before[:, :, :3] == 158).all(axis=2)), 20)  # of letters
         self.assertGreater(np.count_nonzero((picture[:, :, :3] == 158).all(axis=2)), 100)

@@ -17,7 +17,10 @@ from .surface_mesh import SurfaceMesh
 # The mesh of a shape is to deviate by at most this share of the thinnest wall: two sides, one percent of it together.
 _SHARE = 0.005
 _MOST_TRIANGLES = 200_000  # of the finer mesh that this leads to
-_FIRST = 0.3  # of the progress, for the first mesh and its measure
+_DECIDES = 0.4  # of what is between the smallest thickness and a limit: two sides deviate by less than all of it
+_ROUNDING = 2.0 ** -23  # of the size, of two points with coordinates of single precision
+_LEAST_FINER = 0.1  # of the deviation of a mesh: finer ones are not proposed
+_MEASURES = ((0.0, 0.3), (0.3, 0.6), (0.6, 1.0))  # of the progress, for each mesh and its measure
 _PERCENTILES = (1, 5, 25, 50, 75)
 _NAMED = 10  # thin places that a text lists
 
@@ -56,7 +59,10 @@ class ThicknessMap(metaclass=Public):
     areas        float64 (T,), mm^2, of the triangles
     minimum      mm, the smallest of values of walls; infinite where there are none
     bounds       (float, float), mm, between which the smallest thickness of the shape is there: both sides of a wall may deviate
-                 by chord_height; a note says where the limit is between them
+                 by chord_height
+    decided      whether min_thickness is not between these bounds: else it cannot be told whether it is met, and a note says so
+    deciding_deviation
+                 mm, the tolerance with which it may be told then, unless the wall is just as thick
     minimum_triangle, minimum_point, minimum_faces
                  where that is: the triangle, float64 (3,) in mm, and the names of the CAD faces on both sides, such as
                  ("Face3", "Face7"); -1, None and () where there are no walls
@@ -86,8 +92,8 @@ class ThicknessMap(metaclass=Public):
         self.chord_height, self.seconds, self.cpu_seconds = chord_height, seconds, cpu_seconds
         self.areas = tables.areas_of(self.mesh)
         self.notes = [*self.mesh.report.notes]
-        low, high = self.bounds
-        if self.min_thickness is not None and low < self.min_thickness <= high and low < high:
+        if not self.decided:
+            low, high = self.bounds
             self.notes.append(f"the smallest {'gap' if self.gap else 'thickness'} is {low:.4g} to {high:.4g} mm, as the mesh deviates by "
                               f"up to {chord_height:.3g} mm from the shape: whether it is below {self.min_thickness:g} mm is not known; "
                               "give a smaller tolerance")
@@ -133,6 +139,22 @@ class ThicknessMap(metaclass=Public):
         """Between which it is, mm, by the deviation of the mesh."""
         error = 2.0 * max(self.chord_height or 0.0, 0.0)
         return max(0.0, self.minimum - error), self.minimum + error
+
+    @property
+    def decided(self):
+        """Whether the smallest thickness is below min_thickness, or is not, however its mesh deviates from the shape."""
+        low, high = self.bounds
+        return self.min_thickness is None or not low < self.least_allowed <= high
+
+    @property
+    def least_allowed(self):
+        """min_thickness less what coordinates of single precision change of it, mm: a wall that thick meets it."""
+        return self.min_thickness - _ROUNDING * float(np.ptp(self.mesh.vertices, axis=0).max())
+
+    @property
+    def deciding_deviation(self):
+        """Deviation of a mesh from the shape, mm, by which that may be told, unless the wall is as thick as min_thickness."""
+        return max(_DECIDES * abs(self.minimum - self.min_thickness), _LEAST_FINER * self.chord_height)
 
     @property
     def minimum_point(self):
@@ -184,9 +206,9 @@ class ThicknessMap(metaclass=Public):
 
         Raises InvalidInput where there is no limit.
         """
-        limit = self.min_thickness if limit is None else inspection_options.THICKNESS[2].checked(limit)
-        if limit is None:
+        if limit is None and self.min_thickness is None:
             raise InvalidInput("limit = None is not allowed: give a length in mm, or min_thickness to thickness")
+        limit = self.least_allowed if limit is None else inspection_options.THICKNESS[2].checked(limit)
         thin = np.flatnonzero(self.is_wall & (self.values < limit))
         found = []
         for triangles in tables.connected(self.mesh.triangles, thin):
@@ -265,7 +287,8 @@ def thickness(source, measure="spheres", gap=False, min_thickness=None, toleranc
     gap            measure the gaps and slots outside of each solid instead
     min_thickness  mm; walls thinner than this are reported
     tolerance      mm; largest distance of the mesh from a shape. None: a thousandth of the largest dimension, and where
-                   that is more than 0.005 of the thinnest wall, the shape is meshed once more, finer
+                   that is more than 0.005 of the thinnest wall, or does not tell whether that is below min_thickness, the shape
+                   is meshed anew, finer, up to twice
     spacing        mm; largest distance between points that are measured; None: a fiftieth of the largest dimension
     corner_angle   degrees, at most 89. A ball that touches the surface near an edge is as small as it is near: that says
                    nothing about walls. Two sides are a wall where they are inclined to each other by this angle at most.
@@ -284,16 +307,16 @@ def thickness(source, measure="spheres", gap=False, min_thickness=None, toleranc
     if taken.shape is None:
         core = _measured(taken, None, values, progress)
         return ThicknessMap(core, values, None, dict(core.seconds), core.cpu_seconds)
-    chosen = values["tolerance"] or taken.first_chord_height()
-    core = _measured(taken, chosen, values, part_of(progress, 0.0, 1.0 if values["tolerance"] else _FIRST))
-    seconds, cpu_seconds = _times(core)
-    finer = None if values["tolerance"] else _finer(core, values)
-    if finer is not None:
-        core = _measured(taken, finer, values, part_of(progress, _FIRST, 1.0))
+    chosen, seconds, cpu_seconds = values["tolerance"] or taken.first_chord_height(), {}, 0.0
+    for begin, end in ((0.0, 1.0),) if values["tolerance"] else _MEASURES:
+        core = _measured(taken, chosen, values, part_of(progress, begin, end))
         more, cpu_more = _times(core)
         seconds = {stage: seconds.get(stage, 0.0) + more.get(stage, 0.0) for stage in {**seconds, **more}}
         cpu_seconds += cpu_more
-    elif progress is not None:
+        chosen = None if values["tolerance"] else _finer(core, values)
+        if chosen is None:
+            break
+    if progress is not None:
         progress(1.0, "done")
     found = ThicknessMap(core, values, core.surface.report.max_chord_height, seconds, cpu_seconds)
     if not values["tolerance"] and found.chord_height > 2.0 * _SHARE * found.minimum:
@@ -324,14 +347,19 @@ def _times(core):
 
 def _finer(core, values):
     """The distance of a finer mesh from the shape, mm, where the thinnest wall needs one; else None."""
-    first = ThicknessMap(core, values, None, {}, 0.0)
+    first = ThicknessMap(core, values, core.surface.report.max_chord_height, {}, 0.0)
     thinnest = min(first.by(measure).minimum for measure in inspection_options.THICKNESS_MEASURES)
     deviation = core.surface.report.max_chord_height
-    if not np.isfinite(thinnest) or deviation <= _SHARE * thinnest:
+    if not np.isfinite(thinnest):
+        return None
+    wanted = _SHARE * thinnest
+    if not first.decided:
+        wanted = min(wanted, first.deciding_deviation)
+    if deviation <= wanted:
         return None
     # Triangles of a curved surface are as many as their distance from it is small.
     least = deviation * len(first.values) / _MOST_TRIANGLES
-    wanted = max(_SHARE * thinnest, least)
+    wanted = max(wanted, least)
     return wanted if wanted < 0.7 * deviation else None
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import phrases
 from ..compat import extension
-from ..phrases import MET, NOT_MET, Text
+from ..phrases import MET, NOT_DECIDED, NOT_MET, Text
 from . import convert
 from .sides_on_edges import edges_of_shape
 
@@ -25,6 +25,7 @@ SHAPE_DISTORTION_LIMIT = 10.0
 UNKNOWN = "unknown: the mesh was made by an older version; update it"
 NOT_COMPUTED = "unknown: the mesh could not be computed with these options and sources"
 _OLD_MET, _OLD_NOT_MET = "kept", "missed: "  # in documents of older versions
+_TARGETS = {NOT_MET: phrases.TARGET_NOT_MET, NOT_DECIDED: phrases.TARGET_NOT_DECIDED}
 _NAMED = 3  # elements or faces that a sentence names
 _NO_VOLUME = 1e-9  # of the area to the power 3/2: a sheet with two sides encloses that much by rounding
 _COUNTED = 1000  # contacts that the core counts at most, where nobody has counted them before
@@ -40,22 +41,29 @@ class Finding:
             none where that is not known
     forced  whether the shape itself rules out what was requested, as a corner smaller than the
             smallest angle does
+    decided whether it is not met; else the measurement is too coarse to tell
     """
 
     text: str
     faces: tuple = ()
     place: tuple = ()
     forced: bool = False
+    decided: bool = True
 
 
 def word(findings):
-    """"met" or "not met"."""
-    return NOT_MET if findings else MET
+    """"met", "not met", or "not decided" where the measurement is too coarse to tell."""
+    if any(finding.decided for finding in findings):
+        return NOT_MET
+    return NOT_DECIDED if findings else MET
 
 
 def sentence(findings):
     """What the property Certificate says."""
-    return Text(phrases.NOT_MET_TEXT, text=_joined(findings)) if findings else MET
+    if not findings:
+        return MET
+    phrase = phrases.NOT_MET_TEXT if word(findings) == NOT_MET else phrases.NOT_DECIDED_TEXT
+    return Text(phrase, text=_joined(findings))
 
 
 def _joined(findings):
@@ -73,11 +81,16 @@ def is_missed(certificate):
     return certificate.startswith((NOT_MET, _OLD_NOT_MET))
 
 
+def is_open(certificate):
+    """Whether it says that the measurement is too coarse to tell."""
+    return certificate.startswith(NOT_DECIDED)
+
+
 def said(certificate):
-    """What a Certificate says is not met, without the words before it."""
+    """What a Certificate says is not met or not decided, without the words before it."""
     if isinstance(certificate, Text):
         return certificate.places["text"]
-    for start in (f"{NOT_MET}: ", _OLD_NOT_MET):
+    for start in (f"{NOT_MET}: ", f"{NOT_DECIDED}: ", _OLD_NOT_MET):
         if certificate.startswith(start):
             return certificate[len(start):]
     return ""
@@ -105,7 +118,7 @@ def line(label, report, findings, say=str):
 
     say   say(text that a phrase of `phrases` fits) -> text in the user's language and units
     """
-    verdict = Text(phrases.TARGET_NOT_MET, text=_joined(findings)) if findings else Text(phrases.ALL_MET)
+    verdict = Text(_TARGETS[word(findings)], text=_joined(findings)) if findings else Text(phrases.ALL_MET)
     hint = f" {say(phrases.sentence(Text(phrases.OVERLAPS_HINT)))}" if getattr(report, "overlaps", 0) > 0 else ""
     return f"{label}: {', '.join(map(say, _figures(report)))}; {say(verdict)}{hint}"
 
@@ -344,19 +357,23 @@ def of_curved_elements(mesh):
 
 
 def of_thickness(found):
-    """Findings of a ThicknessMap: its thinnest wall, where that is below its limit."""
-    if found.min_thickness is None or found.minimum >= found.min_thickness:
+    """Findings of a ThicknessMap: its thinnest wall, where that is below its limit or may be."""
+    limit, decided = found.min_thickness, found.decided
+    if limit is None or (decided and found.minimum >= found.least_allowed):
         return []
-    length, limit = map(_length, _told_apart(found.minimum, found.min_thickness))
-    places = {"length": length, "length2": limit}
-    phrase = phrases.NARROW_GAP if found.gap else phrases.THIN_WALL
-    if found.bounds[1] >= found.min_thickness:  # as thin, or as thick as it should be
-        places = {"length": limit, "length2": length, "length3": _length(_rounded(found.bounds[1] - found.minimum))}
-        phrase = phrases.GAP_NOT_KNOWN if found.gap else phrases.WALL_NOT_KNOWN
+    if decided:
+        length, length2 = map(_length, _told_apart(found.minimum, limit))
+        places, phrase = {"length": length, "length2": length2}, phrases.NARROW_GAP if found.gap else phrases.THIN_WALL
+    else:
+        digits = max(_DIGITS, 2 + int(np.log10(max(limit / found.chord_height, 1.0))))  # bounds to a tenth of the deviation
+        numbers = (_number(limit, _LIMIT_DIGITS), *(_number(bound, digits) for bound in found.bounds),
+                   _rounded(found.chord_height), _rounded(found.deciding_deviation))
+        places = {f"length{i}": _length(number) for i, number in zip(("", 2, 3, 4, 5), numbers)}
+        phrase = phrases.GAP_NOT_DECIDED if found.gap else phrases.WALL_NOT_DECIDED
     mesh = found.mesh
     corners = (mesh.vertices + mesh.origin)[mesh.triangles[found.minimum_triangle]]
     return [Finding(_sentence(phrase, **places), found.minimum_faces,
-                    tuple(tuple(corner) for corner in corners.tolist()))]
+                    tuple(tuple(corner) for corner in corners.tolist()), decided=decided)]
 
 
 def of_clearance(found):

@@ -76,7 +76,7 @@ class Inspection(offset.SolidMesh):
 
     def told(self, obj):
         """The minimum, where the certificate does not say it."""
-        if "Minimum" not in _given_by(obj.Check) or not obj.Fingerprint or verdict.is_missed(obj.Certificate):
+        if "Minimum" not in _given_by(obj.Check) or not obj.Fingerprint or not verdict.is_met(obj.Certificate):
             return None
         if not obj.Places:
             return phrases.Text(phrases.NO_WALLS)

@@ -34,6 +34,9 @@ def _verdict(obj):
     if verdict.is_missed(obj.Certificate):
         words = translate("MeshQuality", "Target not met: {}").format(
             translated_certificate(verdict.said(phrases.stored(obj.Certificate, obj.CertificateData))))
+    elif verdict.is_open(obj.Certificate):
+        words = translate("MeshQuality", "Target not decided: {}").format(
+            translated_certificate(verdict.said(phrases.stored(obj.Certificate, obj.CertificateData))))
     elif verdict.is_met(obj.Certificate):
         words = translate("MeshQuality", "All requested limits are met.")
     else:
@@ -89,7 +92,7 @@ class CertificateBox(QtGui.QWidget):
         missed = verdict.is_missed(obj.Certificate)
         self.text.setText(_words(obj))
         self.text.setStyleSheet("color: #cc0000" if missed else "")
-        self.button.setVisible(missed and bool(obj.CertificateFaces or obj.CertificatePlace))
+        self.button.setVisible((missed or verdict.is_open(obj.Certificate)) and bool(obj.CertificateFaces or obj.CertificatePlace))
 
     def show_place(self):
         """Selects those faces of the source, marks where it is worst and flies there; triangles become

@@ -2,6 +2,7 @@
 #include "wrap/lattice/node_states.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -21,20 +22,24 @@ constexpr std::int32_t kCoarse = 8;
 
 }  // namespace
 
-NodeStates::NodeStates(const Lattice& lattice, const InputSurface& surface, double radius, const Progress& progress)
+NodeStates::NodeStates(const Lattice& lattice, const InputSurface& surface, double radius, Progress& progress)
     : lattice_(lattice), surface_(surface), radius_(radius) {
     find_blocks(progress);
     states_.resize(blocks_.size());
     for (std::size_t k = 0; k < blocks_.size(); ++k) {
         slots_[lattice_.block_index(blocks_[k])] = static_cast<std::int32_t>(k);
     }
+    std::atomic<int> done{0};
     for_chunks(static_cast<int>(blocks_.size()), [&](int k) {
         progress.check();
         classify(static_cast<std::size_t>(k));
+        // Barring edges takes about as long.
+        progress.advance(0.5 * ++done / static_cast<double>(blocks_.size()));
     });
     for_chunks(static_cast<int>(blocks_.size()), [&](int k) {
         progress.check();
         bar_edges(static_cast<std::size_t>(k));
+        progress.advance(0.5 * ++done / static_cast<double>(blocks_.size()));
     });
 }
 

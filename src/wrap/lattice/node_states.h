@@ -35,7 +35,7 @@ class NodeStates {
     /// @param radius  of the ball, mm, at least the side
     /// @throws InvalidInput where the nodes would take more than kMostBytes of memory, or have no keys
     /// @throws Cancelled
-    NodeStates(const Lattice& lattice, const InputSurface& surface, double radius, const Progress& progress);
+    NodeStates(const Lattice& lattice, const InputSurface& surface, double radius, Progress& progress);
 
     const Lattice& lattice() const { return lattice_; }
     const InputSurface& surface() const { return surface_; }
@@ -69,9 +69,14 @@ class NodeStates {
     bool is_barred(const Node& node, int step) const;
 
     /// visit(node, its state) for all nodes of the blocks that are kept, by ascending blocks.
+    /// @param from, to  the fractions of the stage that this covers
+    /// @throws Cancelled
     template <typename Visit>
-    void for_each_node(const Visit& visit) {
+    void for_each_node(Progress& progress, double from, double to, const Visit& visit) {
+        double done = 0.0;
         for (const std::array<std::int32_t, 3>& block : blocks_) {
+            progress.check();
+            progress.advance(from + (to - from) * done++ / static_cast<double>(blocks_.size()));
             for (int place = 0; place < Lattice::kBlockNodes; ++place) {
                 const Node node = Lattice::node_at(block, place);
                 visit(node, *find(node));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 
@@ -31,14 +32,16 @@ void for_each_sample(const std::array<Vec3, 3>& c, double spacing, const Visit& 
 }
 
 /// The farthest of all samples of some triangles: measure(point, bound) gives the distance of those that count, where
-/// it is above the bound, else 0.
+/// it is above the bound, else 0. It covers half of the stage's progress.
 template <typename Counts, typename Measure>
 Farthest farthest_of(const std::vector<Vec3>& points, const std::vector<mesh::Triangle>& triangles, double spacing,
-                     const Counts& counts, const Measure& measure, const Progress& progress) {
+                     const Counts& counts, const Measure& measure, Progress& progress, double from) {
     constexpr std::size_t kBlock = 256;
     std::vector<Farthest> blocks((triangles.size() + kBlock - 1) / kBlock);
+    std::atomic<int> done{0};
     parallel_for(static_cast<int>(blocks.size()), [&](int k) {
         progress.check();
+        progress.advance(from + 0.5 * done++ / static_cast<double>(blocks.size()));
         Farthest& found = blocks[static_cast<std::size_t>(k)];
         const std::size_t first = static_cast<std::size_t>(k) * kBlock;
         for (std::size_t t = first; t < std::min(first + kBlock, triangles.size()); ++t) {
@@ -62,10 +65,10 @@ Farthest farthest_of(const std::vector<Vec3>& points, const std::vector<mesh::Tr
 }  // namespace
 
 WrapDistance wrap_distance(const mesh::TriangleMesh& wrap, const std::vector<std::int32_t>& source,
-                           const InputSurface& input, double spacing, const Progress& progress) {
+                           const InputSurface& input, double spacing, Progress& progress) {
     const Farthest to_input = farthest_of(
         wrap.vertices, wrap.triangles, spacing, [&](std::size_t t) { return source[t] >= 0; },
-        [&](const Vec3& p, double) { return input.tree.nearest(p).distance; }, progress);
+        [&](const Vec3& p, double) { return input.tree.nearest(p).distance; }, progress, 0.0);
     const mesh::NearestTree tree(wrap.vertices, wrap.triangles);
     // Any direction does: which triangles the ray crosses is decided exactly.
     const Vec3 direction = Vec3(0.48, 0.6, 0.64);
@@ -80,7 +83,7 @@ WrapDistance wrap_distance(const mesh::TriangleMesh& wrap, const std::vector<std
                                     tree, wrap.vertices, wrap.triangles, p, direction, -1)) > 0;
             return inside ? 0.0 : distance;
         },
-        progress);
+        progress, 0.5);
     return {to_input.distance, to_input.where, from_input.distance, from_input.where};
 }
 

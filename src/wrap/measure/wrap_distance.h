@@ -23,6 +23,6 @@ struct WrapDistance {
 /// @param source  of each triangle of the wrap: -1 where it closes a gap
 /// @throws Cancelled
 WrapDistance wrap_distance(const mesh::TriangleMesh& wrap, const std::vector<std::int32_t>& source,
-                           const InputSurface& input, double spacing, const Progress& progress);
+                           const InputSurface& input, double spacing, Progress& progress);
 
 }  // namespace mq::wrap

@@ -19,8 +19,7 @@ namespace {
 /// Where the ball's centre can go from the corner of the lattice.
 class Flood {
   public:
-    Flood(NodeStates& states, const Progress& progress)
-        : states_(states), lattice_(states.lattice()), pace_(progress) {}
+    Flood(NodeStates& states, Progress& progress) : states_(states), lattice_(states.lattice()), pace_(progress) {}
 
     void run() {
         enter(Node{0, 0, 0});
@@ -79,16 +78,18 @@ class Flood {
 /// distance between centres.
 class RollingBall {
   public:
-    RollingBall(NodeStates& states, const Progress& progress)
-        : states_(states), lattice_(states.lattice()), pace_(progress) {}
+    RollingBall(NodeStates& states, Progress& progress)
+        : states_(states), lattice_(states.lattice()), progress_(progress), pace_(progress) {}
 
     void run() {
-        states_.for_each_node([&](const Node& node, const NodeState& state) {
-            pace_.step();
+        double covered = 1.0;
+        states_.for_each_node(progress_, 0.1, 0.4, [&](const Node& node, const NodeState& state) {
+            covered += !state.free;
             if (state.free && state.outside && has_covered_neighbour(node)) {
                 spread(node, {node, states_.surface().tree.nearest(lattice_.at(node)).distance});
             }
         });
+        double reached = 0.0;
         while (!queue_.empty()) {
             pace_.step();
             const Reached next = queue_.top();
@@ -98,6 +99,7 @@ class RollingBall {
                 continue;
             }
             state.outside = true;
+            progress_.advance(0.4 + 0.3 * ++reached / covered);
             for (std::size_t i = 0; i < 3; ++i) {
                 state.to_ball[i] = static_cast<std::int16_t>(next.ball.centre[i] - next.node[i]);
             }
@@ -139,6 +141,7 @@ class RollingBall {
 
     NodeStates& states_;
     const Lattice& lattice_;
+    Progress& progress_;
     CancelPace pace_;
     std::priority_queue<Reached> queue_;
 };
@@ -146,11 +149,11 @@ class RollingBall {
 /// What lies behind the nodes that the ball covers, as shortest ways from there.
 class Pockets {
   public:
-    Pockets(NodeStates& states, double depth, const Progress& progress)
-        : states_(states), lattice_(states.lattice()), depth_(depth), pace_(progress) {}
+    Pockets(NodeStates& states, double depth, Progress& progress)
+        : states_(states), lattice_(states.lattice()), depth_(depth), progress_(progress), pace_(progress) {}
 
     void run() {
-        states_.for_each_node([&](const Node& node, const NodeState& state) {
+        states_.for_each_node(progress_, 0.7, 0.8, [&](const Node& node, const NodeState& state) {
             if (state.outside && !state.free) {
                 spread(node, 0.0, kOutside);
             }
@@ -215,6 +218,7 @@ class Pockets {
     NodeStates& states_;
     const Lattice& lattice_;
     double depth_;
+    Progress& progress_;
     CancelPace pace_;
     std::priority_queue<Way> queue_;
     std::vector<Way> ways_;
@@ -223,7 +227,7 @@ class Pockets {
 
 }  // namespace
 
-void mark_outside(NodeStates& states, double pocket, const Progress& progress) {
+void mark_outside(NodeStates& states, double pocket, Progress& progress) {
     Flood(states, progress).run();
     RollingBall(states, progress).run();
     Pockets(states, pocket, progress).run();

@@ -17,6 +17,6 @@ namespace mq::wrap {
 /// edge; it is outside, too. What goes on deeper is a gap, and stays closed.
 /// @param pocket  depth, mm
 /// @throws Cancelled
-void mark_outside(NodeStates& states, double pocket, const Progress& progress);
+void mark_outside(NodeStates& states, double pocket, Progress& progress);
 
 }  // namespace mq::wrap

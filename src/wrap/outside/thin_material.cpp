@@ -26,12 +26,10 @@ struct Middle {
 
 class ThinMaterial {
   public:
-    ThinMaterial(NodeStates& states, const Progress& progress)
-        : states_(states), lattice_(states.lattice()), pace_(progress) {}
+    explicit ThinMaterial(NodeStates& states) : states_(states), lattice_(states.lattice()) {}
 
-    void run() {
-        states_.for_each_node([&](const Node& node, const NodeState& state) {
-            pace_.step();
+    void run(Progress& progress) {
+        states_.for_each_node(progress, 0.0, 0.5, [&](const Node& node, const NodeState& state) {
             if (state.outside && state.near) {
                 move_into_widest(node);
             }
@@ -107,22 +105,19 @@ class ThinMaterial {
 
     NodeStates& states_;
     const Lattice& lattice_;
-    CancelPace pace_;
 };
 
 }  // namespace
 
-void move_into_thin_material(NodeStates& states, const Progress& progress) {
-    ThinMaterial(states, progress).run();
+void move_into_thin_material(NodeStates& states, Progress& progress) {
+    ThinMaterial(states).run(progress);
 }
 
-std::size_t mark_sheets(NodeStates& states, const Progress& progress) {
+std::size_t mark_sheets(NodeStates& states, Progress& progress) {
     const Lattice& lattice = states.lattice();
     const double half = 0.5 * lattice.side();
-    CancelPace pace(progress);
     std::vector<Node> sheet;
-    states.for_each_node([&](const Node& node, const NodeState& state) {
-        pace.step();
+    states.for_each_node(progress, 0.5, 1.0, [&](const Node& node, const NodeState& state) {
         bool is_thin = false;
         if (state.outside && state.near) {
             for_each_neighbour(lattice, node, [&](const Node& other, int step) {

@@ -16,12 +16,12 @@ namespace mq::wrap {
 /// still divide space, so that all that is said of the lattice holds (compare the warping of Labelle and Shewchuk
 /// 2007).
 /// @throws Cancelled
-void move_into_thin_material(NodeStates& states, const Progress& progress);
+void move_into_thin_material(NodeStates& states, Progress& progress);
 
 /// Marks nodes at material that still lies between nodes outside as sheets; they are no longer outside. Where an edge
 /// between two nodes outside meets the input, one of them is at most half a side from it: that becomes a sheet. Then no
 /// edge between nodes outside meets the input. Returns the number of nodes.
 /// @throws Cancelled
-std::size_t mark_sheets(NodeStates& states, const Progress& progress);
+std::size_t mark_sheets(NodeStates& states, Progress& progress);
 
 }  // namespace mq::wrap

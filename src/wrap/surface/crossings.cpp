@@ -36,11 +36,13 @@ std::uint64_t edge_key(const Edge& edge) {
 /// Finds the cells of blocks one after the other, and numbers the edges that they share.
 class CellSearch {
   public:
-    CellSearch(const NodeStates& states, const Progress& progress) : states_(states), pace_(progress) {}
+    explicit CellSearch(const NodeStates& states) : states_(states) {}
 
-    void run(CrossedCells& result) {
+    void run(CrossedCells& result, Progress& progress) {
+        double done = 0.0;
         for (const std::array<std::int32_t, 3>& block : states_.blocks()) {
-            pace_.step();
+            progress.check();
+            progress.advance(0.5 * done++ / static_cast<double>(states_.blocks().size()));
             for (int place = 0; place < Lattice::kBlockNodes / 2; ++place) {
                 const Node node = Lattice::node_at(block, place);
                 for_each_tetrahedron(node, [&](const std::array<Node, 4>& cell) { visit(cell, result); });
@@ -79,7 +81,6 @@ class CellSearch {
     }
 
     const NodeStates& states_;
-    CancelPace pace_;
     KeyMap<std::int32_t> numbers_;
 };
 
@@ -162,12 +163,14 @@ Crossing crossing_of(const NodeStates& states, const Edge& edge) {
 
 /// Moves where gaps are closed along their edges towards the middle of what is beside them. A crossing may be anywhere
 /// on its edge, so the surface stays as sound as it is.
-void smooth_gaps(CrossedCells& cells, const std::vector<Edge>& edges, const Lattice& lattice) {
+void smooth_gaps(CrossedCells& cells, const std::vector<Edge>& edges, const Lattice& lattice, Progress& progress) {
     std::vector<Vec3> sums(cells.crossings.size());
     std::vector<int> counts(cells.crossings.size());
     for (int round = 0; round < WrapTuning::kSmoothing; ++round) {
         std::fill(sums.begin(), sums.end(), Vec3(Vec3::Zero()));
         std::fill(counts.begin(), counts.end(), 0);
+        progress.check();
+        progress.advance(0.6 + 0.4 * round / WrapTuning::kSmoothing);
         for (const CrossedCell& cell : cells.cells) {
             for (int k = 0; k < cell.polygon.count; ++k) {
                 const std::int32_t a = cell.crossings[static_cast<std::size_t>(k)];
@@ -191,15 +194,15 @@ void smooth_gaps(CrossedCells& cells, const std::vector<Edge>& edges, const Latt
 
 }  // namespace
 
-CrossedCells find_crossings(const NodeStates& states, const Progress& progress) {
+CrossedCells find_crossings(const NodeStates& states, Progress& progress) {
     CrossedCells result;
-    CellSearch search(states, progress);
-    search.run(result);
+    CellSearch search(states);
+    search.run(result, progress);
     result.crossings.resize(search.edges.size());
     for_chunks(static_cast<int>(search.edges.size()), [&](int k) {
         result.crossings[static_cast<std::size_t>(k)] = crossing_of(states, search.edges[static_cast<std::size_t>(k)]);
     });
-    smooth_gaps(result, search.edges, states.lattice());
+    smooth_gaps(result, search.edges, states.lattice(), progress);
     return result;
 }
 

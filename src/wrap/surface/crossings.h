@@ -10,6 +10,6 @@ namespace mq::wrap {
 /// All tetrahedra that the wrap crosses, and where. An edge that meets the input is crossed where it does first, seen
 /// from outside; at a sheet half a side before it; and where a gap is closed on the ball that covers its outer end.
 /// @throws Cancelled
-contour::CrossedCells find_crossings(const NodeStates& states, const Progress& progress);
+contour::CrossedCells find_crossings(const NodeStates& states, Progress& progress);
 
 }  // namespace mq::wrap

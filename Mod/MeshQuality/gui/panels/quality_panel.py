@@ -266,8 +266,9 @@ class QualityPanel:
         if found.of_all is not None:
             everything = translate("MeshQuality", "{0} tetrahedra: worst {1}, mean {2}")
             shown = translate("MeshQuality", "Shown are the {0} at the surface: worst {1}, mean {2}")
+            inside = translate("MeshQuality", "A clipping plane shows the surface only; click one of the worst to look inside.")
             return "\n".join((everything.format(count_text(self.data.tetrahedra), *map(text, found.of_all)),
-                              shown.format(count_text(self.data.shown), worst, mean)))
+                              shown.format(count_text(self.data.shown), worst, mean), inside))
         words = translate("MeshQuality", "{0} elements: worst {1}, mean {2}") if self.data.curved \
             else translate("MeshQuality", "{0} triangles: worst {1}, mean {2}")
         words = words.format(count_text(self.data.elements), worst, mean)

@@ -11,7 +11,7 @@ from ...core import verdict
 from ...features import mesh_object
 
 ICONS = os.path.join(HOME, "Resources", "icons")
-MISSED, OUTDATED, FAILED = "MeshQuality_missed", "MeshQuality_outdated", "MeshQuality_failed"
+MISSED, UNDECIDED, OUTDATED, FAILED = (f"MeshQuality_{name}" for name in ("missed", "undecided", "outdated", "failed"))
 _SIDE = 64  # pixels
 
 
@@ -27,6 +27,8 @@ def badge_of(obj):
         return FAILED
     if verdict.is_missed(getattr(obj, "Certificate", "")):
         return MISSED
+    if verdict.is_open(getattr(obj, "Certificate", "")):
+        return UNDECIDED
     return OUTDATED if status in (mesh_object.OUT_OF_DATE, mesh_object.COMPUTING) else None
 
 

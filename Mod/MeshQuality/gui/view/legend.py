@@ -11,23 +11,29 @@ from . import colour_scale
 translate = FreeCAD.Qt.translate
 
 COLOURS, LABELS = 64, 5
+_FEWER, _LOW = 3, 100  # labels of a bar that is lower than this, pixels
 TOP_LEFT, TOP_RIGHT, BOTTOM_LEFT, BOTTOM_RIGHT = range(4)  # as FreeCAD numbers corners
 _BAR, _HEIGHT, _MARGIN, _GAP = 18, 180, 8, 6  # pixels
+_LEAST, _OF_VIEW = 50, 0.4  # pixels of a bar; of the height of a low view, so that the model is seen
 # Light enough for dark text on whatever is behind it.
 _PLATE, _INK = QtGui.QColor(250, 250, 250, 215), QtGui.QColor(20, 20, 20)
 _CUBE, _AROUND_CUBE = 132, 1.3  # pixels of FreeCAD's cube at first; with its arrows and its menu
 
 
-def picture(scale):
-    """The legend of a quality_data.Scale: uint8 (height, width, 4), the first row at the bottom."""
+def picture(scale, view_height):
+    """The legend of a quality_data.Scale: uint8 (height, width, 4), the first row at the bottom.
+
+    view_height  of the 3D view in pixels, in a low one of which the legend is low
+    """
     title = translate("MeshQuality", scale.measure.title)
-    labels = [scale.text(number) for number in np.linspace(scale.low, scale.high, LABELS)]
+    tall = min(_HEIGHT, max(_LEAST, round(_OF_VIEW * view_height)))  # of the bar
+    labels = [scale.text(number) for number in np.linspace(scale.low, scale.high, LABELS if tall >= _LOW else _FEWER)]
     font = QtGui.QApplication.font()
     metrics = QtGui.QFontMetrics(font)
     line = metrics.height()
     inner = max(_BAR + _GAP + max(map(metrics.horizontalAdvance, labels)), metrics.horizontalAdvance(title))
     below = 1.5 * line if scale.unbounded else 0.0  # for what is beyond all numbers
-    width, height = inner + 2 * _MARGIN, _HEIGHT + 2 * line + _GAP + 2 * _MARGIN + below
+    width, height = inner + 2 * _MARGIN, tall + 2 * line + _GAP + 2 * _MARGIN + below
     ratio = FreeCADGui.getMainWindow().devicePixelRatioF()
     image = QtGui.QImage(round(width * ratio), round(height * ratio), QtGui.QImage.Format_RGBA8888)
     image.setDevicePixelRatio(ratio)
@@ -41,13 +47,13 @@ def picture(scale):
     painter.setPen(_INK)
     painter.drawText(QtCore.QRectF(_MARGIN, _MARGIN, inner, line), QtCore.Qt.AlignLeft, title)
     top = _MARGIN + 1.5 * line + _GAP  # of the bar: labels are as high as a line, and beside its ends
-    _paint_bar(painter, scale, top)
+    _paint_bar(painter, scale, top, tall)
     for i, label in enumerate(labels):
-        middle = top + _HEIGHT * (1.0 - i / (LABELS - 1))
+        middle = top + tall * (1.0 - i / (len(labels) - 1))
         painter.drawText(QtCore.QRectF(_MARGIN + _BAR + _GAP, middle - 0.5 * line, inner, line),
                          QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, label)
     if scale.unbounded:
-        row = top + _HEIGHT + line
+        row = top + tall + line
         red, green, blue, _ = colour_scale.bytes_of(np.array([np.nan]))[0].tolist()
         painter.fillRect(QtCore.QRectF(_MARGIN, row, _BAR, line), QtGui.QColor(red, green, blue))
         painter.drawText(QtCore.QRectF(_MARGIN + _BAR + _GAP, row, inner, line),
@@ -57,13 +63,13 @@ def picture(scale):
     return rows[::-1].copy()
 
 
-def _paint_bar(painter, scale, top):
+def _paint_bar(painter, scale, top, tall):
     numbers = np.linspace(scale.low, scale.high, COLOURS)
-    step = _HEIGHT / COLOURS
+    step = tall / COLOURS
     painter.save()
     painter.setRenderHint(QtGui.QPainter.Antialiasing, False)
     for i, (red, green, blue, _) in enumerate(colour_scale.bytes_of(scale.goodness(numbers)).tolist()):
-        box = QtCore.QRectF(_MARGIN, top + _HEIGHT - (i + 1) * step, _BAR, step + 1.0)
+        box = QtCore.QRectF(_MARGIN, top + tall - (i + 1) * step, _BAR, step + 1.0)
         painter.fillRect(box, QtGui.QColor(red, green, blue))
     painter.restore()
 

@@ -3,6 +3,7 @@
 
 import importlib
 
+import FreeCADGui
 import numpy as np
 from pivy import coin
 from PySide import QtCore
@@ -82,7 +83,11 @@ class QualityScene:
         self.scene.colour(colours)
         if coarse is not None:
             self.scene.colour_coarse(coarse)
-        self.scene.legend(legend.picture(scale), *legend.corner_to_leave())
+        self.scene.legend(legend.picture(scale, self._view_height()), *legend.corner_to_leave())
+
+    def _view_height(self):
+        """In pixels that do not depend on the screen's scale."""
+        return self.view.getSize()[1] / FreeCADGui.getMainWindow().devicePixelRatioF()
 
     def light_up(self, corners):
         """Lights up triangles, float32 (n, 3, 3), instead of those before."""
