@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <iterator>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -39,19 +41,26 @@ bool has(const Triangle& t, std::int32_t v) {
     return t[0] == v || t[1] == v || t[2] == v;
 }
 
-/// An edge that may be collapsed, and where its ends would go.
-struct Candidate {
+/// An edge that may be collapsed.
+struct Queued {
     double cost = 0.0;
     std::int32_t a = -1;
     std::int32_t b = -1;
     std::int32_t age_a = 0;  ///< how often the ends had moved when it was assessed
     std::int32_t age_b = 0;
+
+    bool operator<(const Queued& o) const { return std::tie(o.cost, o.a, o.b) < std::tie(cost, a, b); }
+};
+
+/// An edge, and where its ends would go.
+struct Candidate {
+    std::int32_t a = -1;
+    std::int32_t b = -1;
     Vec3 place = Vec3::Zero();
 
     bool is_end(std::int32_t v) const { return v == a || v == b; }
     /// Whether a triangle vanishes with the edge.
     bool takes(const Triangle& t) const { return has(t, a) && has(t, b); }
-    bool operator<(const Candidate& o) const { return std::tie(o.cost, o.a, o.b) < std::tie(cost, a, b); }
 };
 
 class EdgeCollapse {
@@ -86,10 +95,11 @@ class EdgeCollapse {
             pace_.step();
             // Collapses add candidates: the fraction of those at first that is left is all that is known.
             advance(1.0 - 0.5 * static_cast<double>(queue_.size()) / first);
-            Candidate next = queue_.top();
+            const Queued next = queue_.top();
             queue_.pop();
-            if (next.age_a == ages_[next.a] && next.age_b == ages_[next.b] && keeps_links(next) && finds_place(next)) {
-                collapse(next);
+            Candidate edge{next.a, next.b};
+            if (next.age_a == ages_[next.a] && next.age_b == ages_[next.b] && keeps_links(edge) && finds_place(edge)) {
+                collapse(edge);
             }
         }
         finish();
@@ -174,18 +184,21 @@ class EdgeCollapse {
 
     void assess_all() {
         double done = 0.0;
+        std::vector<Queued> all;
         for (const Triangle& c : surface_.triangles) {
             advance(0.5 * done++ / static_cast<double>(surface_.triangles.size()));
             for (int k = 0; k < 3; ++k) {
                 if (c[k] < c[(k + 1) % 3]) {
-                    assess(c[k], c[(k + 1) % 3]);
+                    assess(c[k], c[(k + 1) % 3], [&](const Queued& edge) { all.push_back(edge); });
                 }
             }
         }
+        queue_ = std::priority_queue<Queued>(std::less<Queued>(), std::move(all));
     }
 
-    /// Puts the edge into the queue where its ends may go to one place.
-    void assess(std::int32_t a, std::int32_t b) {
+    /// Adds the edge to the candidates where its ends may go to one place.
+    template <typename Add>
+    void assess(std::int32_t a, std::int32_t b, const Add& add) const {
         if (stays_[b] != 0) {
             std::swap(a, b);  // what is left of the edge has the name of its first end
         }
@@ -196,28 +209,34 @@ class EdgeCollapse {
         }
         Quadric both = quadrics_[a];
         both.add(quadrics_[b]);
-        const Vec3& p = surface_.points[a];
-        const Vec3& q = surface_.points[b];
-        const double length = (q - p).squaredNorm();
-        Vec3 place = hold_a == hold_b ? Vec3(0.5 * (p + q)) : hold_a > hold_b ? p : q;
-        if (stays_[a] == 0) {
-            const Vec3 best = to_single(both.least(place, ContourTuning::kFlatShare));
-            // The least point of a nearly singular quadric may be anywhere.
-            place = (best - place).squaredNorm() <= length ? best : to_single(place);
-        }
-        const double cost = std::max(0.0, both.at(place));
+        const double cost = std::max(0.0, both.at(best_place(a, b, {hold_a, hold_b}, both)));
         // On a plane all costs are nearly 0: short edges go first there.
         constexpr double kByLength = 1e-2;
         if (cost <= most_) {
-            queue_.push({cost + kByLength * length, a, b, ages_[a], ages_[b], place});
+            const double length = (surface_.points[b] - surface_.points[a]).squaredNorm();
+            add({cost + kByLength * length, a, b, ages_[a], ages_[b]});
         }
+    }
+    /// Where the ends of an edge would best go.
+    /// @param held  what holds them
+    /// @param both  the sum of their quadrics
+    Vec3 best_place(std::int32_t a, std::int32_t b, const std::array<int, 2>& held, const Quadric& both) const {
+        const Vec3& p = surface_.points[a];
+        const Vec3& q = surface_.points[b];
+        const Vec3 place = held[0] == held[1] ? Vec3(0.5 * (p + q)) : held[0] > held[1] ? p : q;
+        if (stays_[a] != 0) {
+            return place;
+        }
+        const Vec3 best = to_single(both.least(place, ContourTuning::kFlatShare));
+        // The least point of a nearly singular quadric may be anywhere.
+        return (best - place).squaredNorm() <= (q - p).squaredNorm() ? best : to_single(place);
     }
     /// How much holds a vertex: 2 a fixed triangle, 1 a border between patches, 0 nothing.
     int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border(v) ? 1 : 0; }
 
     /// The vertices around one.
-    std::vector<std::int32_t> ring(std::int32_t v) const {
-        std::vector<std::int32_t> found;
+    void find_ring(std::int32_t v, std::vector<std::int32_t>& found) const {
+        found.clear();
         for (const std::int32_t t : stars_[v]) {
             for (const std::int32_t w : surface_.triangles[t]) {
                 if (w != v) {
@@ -227,26 +246,26 @@ class EdgeCollapse {
         }
         std::sort(found.begin(), found.end());
         found.erase(std::unique(found.begin(), found.end()), found.end());
-        return found;
     }
 
     /// The link condition: only the two vertices opposite to the edge are joined to both of its ends.
-    bool keeps_links(const Candidate& edge) const {
-        const std::vector<std::int32_t> around_a = ring(edge.a);
-        const std::vector<std::int32_t> around_b = ring(edge.b);
-        std::vector<std::int32_t> common;
-        std::set_intersection(around_a.begin(), around_a.end(), around_b.begin(), around_b.end(),
-                              std::back_inserter(common));
+    bool keeps_links(const Candidate& edge) {
+        find_ring(edge.a, ring_);
+        find_ring(edge.b, other_ring_);
+        common_.clear();
+        std::set_intersection(ring_.begin(), ring_.end(), other_ring_.begin(), other_ring_.end(),
+                              std::back_inserter(common_));
         constexpr std::size_t kOfTetrahedron = 6;  // neighbours of both ends
-        return common.size() == 2 && around_a.size() + around_b.size() > kOfTetrahedron;
+        return common_.size() == 2 && ring_.size() + other_ring_.size() > kOfTetrahedron;
     }
 
     /// Takes the first of the best place and those of both ends at which the surface stays sound.
     bool finds_place(Candidate& edge) {
-        const std::array<Vec3, 3> places{edge.place, surface_.points[edge.a], surface_.points[edge.b]};
         Quadric both = quadrics_[edge.a];
         both.add(quadrics_[edge.b]);
         const std::array<int, 2> held{hold(edge.a), hold(edge.b)};
+        const std::array<Vec3, 3> places{best_place(edge.a, edge.b, held, both), surface_.points[edge.a],
+                                         surface_.points[edge.b]};
         for (std::size_t k = 0; k < 3; ++k) {
             // An end that is held less than the other one is no place for both, nor is the best place where one is
             // fixed.
@@ -466,8 +485,9 @@ class EdgeCollapse {
         stars_[edge.b].clear();
         quadrics_[edge.a].add(quadrics_[edge.b]);
         ++ages_[edge.b];
-        for (const std::int32_t v : ring(edge.a)) {
-            assess(std::min(edge.a, v), std::max(edge.a, v));
+        find_ring(edge.a, ring_);
+        for (const std::int32_t v : ring_) {
+            assess(std::min(edge.a, v), std::max(edge.a, v), [&](const Queued& one) { queue_.push(one); });
         }
     }
     /// Takes a triangle of the edge out of the stars of the vertices beside it.
@@ -520,7 +540,7 @@ class EdgeCollapse {
     std::vector<Quadric> quadrics_;
     std::vector<Vec3> planes_;  ///< normal of the plane that each triangle stands for
     TriangleGrid grid_{1.0};
-    std::priority_queue<Candidate> queue_;
+    std::priority_queue<Queued> queue_;
     // What the tests of one collapse use.
     std::vector<std::pair<std::int32_t, Box>> near_;  ///< triangles that are moved, and those near them, with boxes
     std::vector<std::uint32_t> seen_;                 ///< by triangle: the round in which it came into near_
@@ -528,6 +548,9 @@ class EdgeCollapse {
     std::vector<std::pair<std::int32_t, bool>> embedded_;  ///< vertices of moved triangles, whether their star is
     std::vector<mesh::StarSector> star_;                   ///< that is tested
     std::vector<Vec3> of_pair_;                            ///< points of two triangles that are tested
+    std::vector<std::int32_t> ring_;                       ///< vertices around an end of an edge
+    std::vector<std::int32_t> other_ring_;                 ///< those around the other end
+    std::vector<std::int32_t> common_;                     ///< those around both
 };
 
 }  // namespace

@@ -46,6 +46,13 @@ class NodeStates {
         return slot < 0 ? nullptr : &states_[static_cast<std::size_t>(slot)][Lattice::place_in_block(node)];
     }
     const NodeState* find(const Node& node) const { return const_cast<NodeStates*>(this)->find(node); }
+    /// Which of the nodes that are kept it is; its block is.
+    std::size_t index_of(const Node& node) const {
+        return static_cast<std::size_t>(slots_[lattice_.block_of(node)]) * Lattice::kBlockNodes +
+               static_cast<std::size_t>(Lattice::place_in_block(node));
+    }
+    /// The number of nodes that are kept.
+    std::size_t size() const { return states_.size() * Lattice::kBlockNodes; }
     bool is_outside(const Node& node) const {
         const std::int32_t slot = slots_[lattice_.block_of(node)];
         return slot < 0 ? slot == kOutsideBlock

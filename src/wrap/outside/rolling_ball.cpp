@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -79,7 +80,7 @@ class Flood {
 class RollingBall {
   public:
     RollingBall(NodeStates& states, Progress& progress)
-        : states_(states), lattice_(states.lattice()), progress_(progress), pace_(progress) {}
+        : states_(states), lattice_(states.lattice()), progress_(progress), pace_(progress), lowest_(states.size()) {}
 
     void run() {
         double covered = 1.0;
@@ -133,7 +134,10 @@ class RollingBall {
                 return;
             }
             const double height = (lattice_.at(other) - lattice_.at(ball.centre)).norm() - ball.radius;
-            if (height <= 0.0) {
+            // The lowest of those in the queue reaches the node.
+            float& lowest = lowest_[states_.index_of(other)];
+            if (height <= lowest) {
+                lowest = std::nextafter(static_cast<float>(height), 1.0F);
                 queue_.push({height, other, ball});
             }
         });
@@ -144,6 +148,8 @@ class RollingBall {
     Progress& progress_;
     CancelPace pace_;
     std::priority_queue<Reached> queue_;
+    /// By node, the least height of those that were put into the queue, or a little more.
+    std::vector<float> lowest_;
 };
 
 /// What lies behind the nodes that the ball covers, as shortest ways from there.

@@ -58,16 +58,18 @@ class CellSearch {
                 return;
             }
         }
-        CrossedCell found;
         std::array<bool, 4> is_outside{};
         for (std::size_t k = 0; k < 4; ++k) {
-            found.corners[k] = states_.position(cell[k]);
             is_outside[k] = states_.is_outside(cell[k]);
         }
-        found.polygon = contour::cell_polygon(found.corners, is_outside);
-        if (found.polygon.count == 0) {
+        if (std::equal(is_outside.begin() + 1, is_outside.end(), is_outside.begin())) {
             return;
         }
+        CrossedCell found;
+        for (std::size_t k = 0; k < 4; ++k) {
+            found.corners[k] = states_.position(cell[k]);
+        }
+        found.polygon = contour::cell_polygon(found.corners, is_outside);
         for (std::size_t k = 0; k < static_cast<std::size_t>(found.polygon.count); ++k) {
             const auto& [outer, inner] = found.polygon.edges[k];
             const Edge edge{cell[static_cast<std::size_t>(outer)], cell[static_cast<std::size_t>(inner)]};
