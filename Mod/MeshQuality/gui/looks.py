@@ -8,8 +8,8 @@ from ..core import frames
 from ..features import cfd_surface, cured_mesh, mesh_object
 from .view import badge
 
-_EDGES = "Flat Lines"
-_MOST = 200_000  # triangles: the edges of more cover the surface, and take as long to draw as that
+_FACES, _EDGES = "Shaded", "Flat Lines"
+MOST_WITH_EDGES = 10_000  # triangles: on a screen the edges of more lie so close that they blacken the surface
 
 
 class FacesView(PlainState):
@@ -28,11 +28,22 @@ def show_in_place_of_sources(obj):
     if obj.Proxy.size(obj) == 0:
         return  # nothing would be seen
     # Curved meshes have a display mode of their own, with the edges of the elements.
-    if view.DisplayMode == "Shaded" and obj.Mesh.CountFacets <= _MOST and not view.Coloring:
+    if view.DisplayMode == _FACES and obj.Mesh.CountFacets <= MOST_WITH_EDGES and not view.Coloring:
         view.DisplayMode = _EDGES
     for source in sources_of(obj):
         if not _counts_for_others(source):
             source.ViewObject.Visibility = False
+
+
+def follow_count(view, before, count):
+    """Draws the edges of a mesh that has become so coarse that they are told apart, and none of one that has become finer.
+
+    before  number of its triangles so far; 0: there was none
+    """
+    if count > MOST_WITH_EDGES >= before > 0 and view.DisplayMode == _EDGES:
+        view.DisplayMode = _FACES
+    elif 0 < count <= MOST_WITH_EDGES < before and view.DisplayMode == _FACES and not view.Coloring:
+        view.DisplayMode = _EDGES
 
 
 def show_faces(obj, colours):
