@@ -492,7 +492,7 @@
         <translation>Wie die Flächen der Quelle waren, als die Öffnungen zuletzt stimmten: Art, Inhalt und Mittelpunkt</translation>
     </message>
     <message>
-        <source>Largest distance between the result and the exact one, in both directions; unless given, a thousandth of the size, at most a tenth of the distance; 0: by size and distance</source>
+        <source>Largest distance between the result and the exact one, in both directions; unless given, a thousandth of the size, at most a tenth of the distance; 0: by size</source>
         <translation>Größter Abstand zwischen dem Ergebnis und dem exakten, in beiden Richtungen; ohne Angabe ein Tausendstel der Größe, höchstens ein Zehntel des Abstands; 0: nach Größe und Abstand</translation>
     </message>
     <message>
@@ -960,7 +960,7 @@
     </message>
     <message>
         <source>Worst</source>
-        <translation>Schlechteste</translation>
+        <translation>Ärgste</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -2687,7 +2687,7 @@
         <translation>Größter Abstand zwischen dem Ergebnis und dem exakten, in beiden Richtungen; ohne Angabe ein Tausendstel der Größe, höchstens ein Zehntel des Abstands</translation>
     </message>
     <message>
-        <source>by size and distance</source>
+        <source>by size</source>
         <translation>nach Größe</translation>
     </message>
     <message>

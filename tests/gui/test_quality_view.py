@@ -344,7 +344,7 @@ class QualityView(gui_helpers.GuiTest):
                 self.assertGreater(float(worst), 0.0)
                 self.assertIn(f"worst {worst} {unit}", panel.summary.text())
                 self.assertTrue(panel.worst.item(0).text().startswith(f"{worst} {unit}: element"))
-                self.assertEqual(panel.tabs.tabText(1), f"Faces [{unit}]")
+                self.assertEqual(panel.faces.horizontalHeaderItem(3).text(), f"Mean [{unit}]")
                 self.assertEqual(panel.faces.item(0, 2).text(), f"{panel.values.max() / factor:.3g}")
                 self.assertIn(f"more than the requested {0.05 / factor:.4g} {unit}", panel.meaning.text())
                 self.assertIn(unit, panel.histogram.words(0))

@@ -483,7 +483,7 @@ class _Sizes(_SubElements):
 
     def __init__(self, option, sources):
         self._exact = {}  # lengths as they were shown, and the numbers of mm that they stand for
-        self.hint = f"Face3={length_text(0.5)}, Edge7={length_text(0.2)}"
+        self.hint = f"Face3={length_text(0.5)}"
         self.tip = translate("MeshQuality", "Add the faces, edges and vertices that are selected in the 3D view")
         self.for_one = translate("MeshQuality", "Local sizes are for one object: open the panel for that object alone.")
         self.nothing = translate("MeshQuality", "Select faces, edges or vertices of {} in the 3D view first.")

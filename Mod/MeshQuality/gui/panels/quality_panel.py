@@ -289,8 +289,9 @@ class QualityPanel:
     def _list_faces(self, faces):
         self._faces = faces
         unit = self.scale.unit.strip()
-        title = translate("MeshQuality", "Patches") if self.data.patches else translate("MeshQuality", "Faces")
-        self.tabs.setTabText(1, title + (f" [{unit}]" if unit else ""))
+        self.tabs.setTabText(1, translate("MeshQuality", "Patches") if self.data.patches else translate("MeshQuality", "Faces"))
+        mean = translate("MeshQuality", "Mean")
+        self.faces.horizontalHeaderItem(3).setText(f"{mean} [{unit}]" if unit else mean)
         self.faces.blockSignals(True)
         self.faces.setRowCount(len(faces))
         for i, row in enumerate(faces):
