@@ -97,7 +97,7 @@
     </message>
     <message>
         <source>CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth edges</source>
-        <translation>CAD-Kanten, denen das Netz folgt: alle (all) oder nur scharfe (feature); über glatte dürfen Dreiecke dann hinweggehen</translation>
+        <translation>CAD-Kanten, denen das Netz folgt: all oder feature; über glatte dürfen Dreiecke dann hinweggehen</translation>
     </message>
     <message>
         <source>Longest edge of a triangle; 0: unlimited</source>
@@ -289,7 +289,7 @@
     </message>
     <message>
         <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, circumcentre is the rule of Aftosmis 1999</source>
-        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: off-centre braucht weniger Dreiecke, circumcentre (Umkreismittelpunkt) ist die Regel von Aftosmis 1999</translation>
+        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: off-centre braucht weniger Dreiecke, circumcentre ist die Regel von Aftosmis 1999</translation>
     </message>
     <message>
         <source>Whether the mesh is up to date with its sources and options</source>
@@ -1344,7 +1344,7 @@
     </message>
     <message>
         <source>CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth edges</source>
-        <translation>CAD-Kanten, denen das Netz folgt: alle (all) oder nur scharfe (feature); über glatte dürfen Dreiecke dann hinweggehen</translation>
+        <translation>CAD-Kanten, denen das Netz folgt: all oder feature; über glatte dürfen Dreiecke dann hinweggehen</translation>
     </message>
     <message>
         <source>Difference</source>

@@ -86,6 +86,15 @@ class German(gui_helpers.PanelTest):
             self.narrow(panel, f"panel_{command.__name__}_de")
             panel.reject()
 
+    def test_help_names_choices_as_the_boxes_do(self):
+        for command in (commands.Triangulate, commands.Curve, commands.FemMesh, commands.Inspect, commands.Offset):
+            panel = self.panel(command, self.box())
+            for field in dict.fromkeys(panel.options._fields.values()):
+                for choice, title in zip(field.option.choices, field.option.choice_titles):
+                    if FreeCAD.Qt.translate("MeshQuality", title) != title:
+                        self.assertIsNone(re.search(rf"(?<![\w-]){re.escape(choice)}(?![\w-])", field.widget.toolTip()), choice)
+            panel.reject()
+
     def test_values_and_properties_do_not_depend_on_it(self):
         panel = self.panel(commands.Triangulate, self.box())
         panel.options.set_values({"min_angle": 27.5, "max_edge": 2.25, "method": "star"})

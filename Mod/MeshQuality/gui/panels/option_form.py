@@ -91,7 +91,7 @@ class OptionForm(QtGui.QWidget):
                 boxes[option.group].layout().addRow(field.widget)
                 continue
             label = self._labels[option.name] = QtGui.QLabel(_title(option))
-            label.setToolTip(translate("MeshQuality", option.help))
+            label.setToolTip(_help(option))
             boxes[option.group].layout().addRow(label, field.widget)
 
     def _field(self, option, table):
@@ -168,6 +168,16 @@ def _title(option):
     return f"{title} (0: {translate('MeshQuality', option.unset)})"
 
 
+def _help(option):
+    """What it says, in the words of the box with its choices where these are translated."""
+    text = translate("MeshQuality", option.help)
+    for choice, title in zip(option.choices, option.choice_titles):
+        shown = translate("MeshQuality", title)
+        if shown != title:
+            text = re.sub(rf"(?<![\w-]){re.escape(choice)}(?![\w-])", f"„{shown}“", text)
+    return text
+
+
 def _group(title):
     box = QtGui.QGroupBox(title)
     form = QtGui.QFormLayout(box)
@@ -192,7 +202,7 @@ class _Field(QtCore.QObject):
         unset = f"\n0: {translate('MeshQuality', option.unset)}" \
             if option.default is None and not (option.is_distance or option.is_sizes or option.is_faces
                                                or option.is_required) else ""
-        widget.setToolTip(translate("MeshQuality", option.help) + unset)
+        widget.setToolTip(_help(option) + unset)
         widget.setObjectName(option.property_name)
         self._expression, self._hints = None, {}
         self.set_value(option.default)
