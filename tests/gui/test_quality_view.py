@@ -379,7 +379,7 @@ class QualityView(gui_helpers.GuiTest):
     def legend_of(self, panel, background):
         """The pixels of the legend in a picture with this background."""
         left, low = panel.scene.scene.legend_place(gui_helpers.WIDTH, gui_helpers.HEIGHT)
-        high, width = legend.picture(panel.scale, self.view.getSize()[1]).shape[:2]
+        width, high = panel.scene.legend_size
         rows = self.saved(f"quality_legend_{background}", background=background)
         return rows[gui_helpers.HEIGHT - low - high:gui_helpers.HEIGHT - low, left:left + width]
 

@@ -189,6 +189,16 @@ class InPlaceOfSources(gui_helpers.PanelTest):
         mq.add_quality_mesh(box)
         self.assertEqual(self.visible(part, box, other), [True, False, True])
 
+    def test_a_second_mesh_of_a_part_is_not_drawn_through_the_first(self):
+        box, other = self.two_boxes()
+        first, apart = mq.add_quality_mesh(box), mq.add_quality_mesh(other)
+        second = mq.add_inspection(box)
+        self.assertEqual(self.visible(box, first, second, apart), [False, False, True, True])
+        self.document.undo()
+        self.assertEqual(self.visible(box, first, apart), [False, True, True])
+        both = mq.add_boolean(box, other)
+        self.assertEqual(self.visible(first, apart, both), [False, False, True])
+
     def test_edges_are_seen(self):
         obj = mq.add_quality_mesh(self.box(), max_edge=4.0)
         gui_helpers.wait(0.2)

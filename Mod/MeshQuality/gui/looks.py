@@ -21,8 +21,8 @@ class FacesView(PlainState):
 
 
 def show_in_place_of_sources(obj):
-    """Hides the sources of a mesh object that was added, and draws its edges. Undo and redo of the
-    step in which the object is added bring the sources back and hide them again.
+    """Hides the sources of a mesh object that was added and the other meshes of these, which it would be drawn through, and
+    draws its edges. Undo and redo of the step in which the object is added bring them back and hide them again.
     """
     view = obj.ViewObject
     if obj.Proxy.size(obj) == 0:
@@ -30,7 +30,7 @@ def show_in_place_of_sources(obj):
     # Curved meshes have a display mode of their own, with the edges of the elements.
     if view.DisplayMode == _FACES and obj.Mesh.CountFacets <= MOST_WITH_EDGES and not view.Coloring:
         view.DisplayMode = _EDGES
-    for source in sources_of(obj):
+    for source in (*sources_of(obj), *_made_of_the_same(obj)):
         if not _counts_for_others(source):
             source.ViewObject.Visibility = False
 
@@ -57,6 +57,13 @@ def show_faces(obj, colours):
         if is_new:
             obj.Source.ViewObject.Visibility = False
     view.DiffuseColor = [tuple(part / 255 for part in colour) for colour in colours]
+
+
+def _made_of_the_same(obj):
+    """The other mesh objects of the sources of one, or of some of these."""
+    sources = _sources(obj)
+    others = (made for made in obj.Document.Objects if made != obj and isinstance(getattr(made, "Proxy", None), mesh_object.MeshObject))
+    return [made for made in others if all(source in sources for source in _sources(made))]
 
 
 def _counts_for_others(source):
