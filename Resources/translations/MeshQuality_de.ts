@@ -2120,7 +2120,7 @@
     </message>
     <message>
         <source>each by its own name</source>
-        <translation>jede mit ihrem Namen</translation>
+        <translation>je einzeln</translation>
     </message>
     <message>
         <source>Mesh: {}. Select faces in the 3D view, then add them.</source>

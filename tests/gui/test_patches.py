@@ -44,6 +44,18 @@ class Patches(gui_helpers.PanelTest):
             self.select(*chosen)
             self.assertEqual(command.IsActive(), active)
 
+    def test_no_part_is_selected_as_a_whole_while_faces_are_picked(self):
+        obj = self.quality()
+        self.select(self.part)
+        panel = self.panel_for(obj)
+        self.assertEqual(FreeCADGui.Selection.getSelectionEx(), [])
+        panel.reject()
+        self.pick("Face2")
+        panel = self.panel_for(obj)
+        panel.new.click()
+        self.assertEqual(list(panel.patches()), ["patch_1"])
+        panel.reject()
+
     def test_a_name_is_edited_within_its_column_in_a_theme_with_wide_fields(self):
         app = QtGui.QApplication.instance()
         self.addCleanup(app.setStyleSheet, app.styleSheet())

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Widths of panels: no word and no number is cut off in the task view as wide as it is at first, in English and German."""
 
+from pathlib import Path
+
+import FreeCAD
 import FreeCADGui
 import gui_helpers
 from PySide import QtGui
 
 import MeshQuality as mq
 from MeshQuality.gui import commands
-from MeshQuality.gui.panels import quality_panel
+from MeshQuality.gui.panels import patches_panel, quality_panel
 
 _ARROW = 20  # pixels that a box with choices or a spin box takes beside its text, at least
 _WINDOW = (1366, 768)
@@ -47,6 +50,10 @@ def cut_texts(widget):
     return [row for row in found if row[1] > row[2]]
 
 
+SHEETS = [Path(FreeCAD.getResourceDir(), "Gui", "Stylesheets", "Dark-blue.qss"),
+          Path("/usr/share/freecad/Gui/Stylesheets/Dark-blue.qss")]
+
+
 class Widths(gui_helpers.PanelTest):
     def setUp(self):
         super().setUp()
@@ -82,6 +89,14 @@ class Widths(gui_helpers.PanelTest):
                     self.check(panel, f"width_{language}_{command.__name__}")
                 finally:
                     panel.reject()
+        panel = patches_panel.PatchesPanel(net)
+        FreeCADGui.Control.showDialog(panel)
+        gui_helpers.wait()
+        with self.subTest("Patches"):
+            try:
+                self.check(panel, f"width_{language}_Patches")
+            finally:
+                panel.reject()
         panel = quality_panel.open_panel(net)
         self.addCleanup(lambda: panel.ended or panel.reject())
         self.until(lambda: panel.values is not None)
@@ -100,6 +115,22 @@ class Widths(gui_helpers.PanelTest):
     def test_nothing_is_cut_off_in_german(self):
         self.in_language("German")
         self.everywhere("German")
+
+    def test_choices_are_as_wide_as_their_boxes_in_a_dark_theme_need(self):
+        sheet = next((path for path in SHEETS if path.exists()), None)
+        if sheet is None:
+            self.skipTest("this FreeCAD has no Dark-blue.qss")
+        app = QtGui.QApplication.instance()
+        self.addCleanup(app.setStyleSheet, app.styleSheet())
+        app.setStyleSheet(sheet.read_text(encoding="utf-8"))
+        self.in_language("German")
+        panel = self.panel(commands.Triangulate, self.box())
+        choice, = (box for box in panel.form.findChildren(QtGui.QComboBox) if box.findText("Relativ") >= 0)
+        panel.form.grab().save(f"{gui_helpers.PICTURES}/width_German_dark.png")
+        self.assertGreaterEqual(choice.width() - choice.fontMetrics().horizontalAdvance("Relativ"),
+                                choice.sizeHint().width() - max(choice.fontMetrics().horizontalAdvance(choice.itemText(i))
+                                                                for i in range(choice.count())))
+        panel.reject()
 
     def test_nothing_is_cut_off_in_inches(self):
         self.in_language("German")

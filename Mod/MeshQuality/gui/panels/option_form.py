@@ -70,6 +70,7 @@ class OptionForm(QtGui.QWidget):
         self.reset.setAutoRaise(True)
         self.reset.clicked.connect(lambda: self.set_values(self._defaults))
         row = QtGui.QHBoxLayout()
+        row.setSpacing(0)
         row.addWidget(self.more)
         row.addStretch()
         row.addWidget(self.reset)
@@ -347,6 +348,7 @@ class _Distance(_Field):
                              (options.ABSOLUTE, translate("MeshQuality", "Absolute")),
                              (options.UNBOUNDED, translate("MeshQuality", "No limit"))):
             self.choice.addItem(title, bound)
+        self.choice.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToContents)
         self.length, self.fraction = QuantityBox("mm"), _number_box(pair[1])
         for box in (self.choice, self.length, self.fraction):
             row.addWidget(box)
@@ -400,7 +402,10 @@ class _Distance(_Field):
         self._bound = bound
         # The panel may be 260 pixels wide: no more than this choice needs.
         text = self.choice.itemText(self.choice.findData(bound))
-        self.choice.setFixedWidth(self.choice.fontMetrics().boundingRect(text).width() + _ARROW)
+        metrics = self.choice.fontMetrics()
+        widest = max(metrics.horizontalAdvance(self.choice.itemText(i)) for i in range(self.choice.count()))
+        beside = max(self.choice.sizeHint().width() - widest, _ARROW)  # style sheets have wider boxes
+        self.choice.setFixedWidth(metrics.horizontalAdvance(text) + beside)
         self.length.setVisible(bound == options.ABSOLUTE)
         self.fraction.setVisible(bound == options.RELATIVE)
 

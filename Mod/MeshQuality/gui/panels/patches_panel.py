@@ -66,6 +66,8 @@ class PatchesPanel:
         self._lay_out()
         self._show_object()
         self._shown = _show_in_place([frames.object_of(member.source) for member in self.members], obj)
+        if not any(chosen.HasSubObjects for chosen in FreeCADGui.Selection.getSelectionEx()):
+            FreeCADGui.Selection.clearSelection()  # a click on a face of what is selected as a whole takes what is around it
         self.table.itemChanged.connect(self._show_colours)
         self.table.itemSelectionChanged.connect(self._select_faces)
 
