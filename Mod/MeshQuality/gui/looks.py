@@ -38,7 +38,7 @@ def show_in_place_of_sources(obj):
 def follow_count(view, before, count):
     """Draws the edges of a mesh that has become so coarse that they are told apart, and none of one that has become finer.
 
-    before  number of its triangles so far; 0: there was none
+    before  number of triangles that it had; 0: there was no mesh
     """
     if count > MOST_WITH_EDGES >= before > 0 and view.DisplayMode == _EDGES:
         view.DisplayMode = _FACES
