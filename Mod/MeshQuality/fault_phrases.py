@@ -18,5 +18,13 @@ HAS_FAULTS = "the mesh has {list}; the command Repair mesh mends faults"
 REPAIRS = "repairs: {list}"
 NO_THICKNESS_OPEN = "the mesh has {count} open edges: only solids have walls; close it first"
 NO_THICKNESS_FAULTS = "walls cannot be measured where the mesh has {list}: repair it by the command Repair mesh first"
-TEXTS = (*(text for pair in FAULTS.values() for text in pair), AT_LEAST, HAS_FAULTS, REPAIRS, NO_THICKNESS_OPEN,
+# What repairs did, for one and for many; count2 are the triangles that close holes.
+DONE = tuple((f"1 {one} {done}", f"{{count}} {many} {done}") for one, many, done in (
+    ("vertex", "vertices", "welded"), ("degenerate triangle", "degenerate triangles", "removed"),
+    ("duplicate triangle", "duplicate triangles", "removed"), ("triangle", "triangles", "turned around"),
+    ("edge", "edges", "of more than two triangles parted"), ("vertex", "vertices", "of several sheets parted"),
+    ("vertex", "vertices", "joined across cracks"), ("hole", "holes", "closed ({count2} triangles)"),
+    ("triangle", "triangles", "of open sheets removed")))
+ONE_HOLE = "1 hole closed (1 triangle)"
+TEXTS = (*(text for pair in DONE for text in pair), ONE_HOLE, *(text for pair in FAULTS.values() for text in pair), AT_LEAST, HAS_FAULTS, REPAIRS, NO_THICKNESS_OPEN,
          NO_THICKNESS_FAULTS)

@@ -4,7 +4,7 @@
 from .options import MUST_BE_GIVEN, THREADS, Option
 
 TOLERANCE = Option("tolerance", float, None, unit="mm", low=0.0, title="Max. deviation", group="Accuracy",
-                   unset="by size and distance",
+                   unset="by size",
                    help="Largest distance between the result and the exact one, in both directions; unless given, a "
                         "thousandth of the size, at most a tenth of the distance")
 

@@ -17,7 +17,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from . import fault_phrases
+from . import fault_phrases, label_phrases
 from .stage_names import STAGES
 
 # The verdict on a mesh.
@@ -192,7 +192,7 @@ ERRORS = (
     IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES,
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
     TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, HALF_OF_GAP, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
-    *fault_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
+    *fault_phrases.TEXTS, *label_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
 # Errors of patches, files and cases for meshers of flows.

@@ -97,7 +97,7 @@
     </message>
     <message>
         <source>CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth edges</source>
-        <translation>CAD-Kanten, denen das Netz folgt: alle (all) oder nur scharfe (feature); über glatte dürfen Dreiecke dann hinweggehen</translation>
+        <translation>CAD-Kanten, denen das Netz folgt: all oder feature; über glatte dürfen Dreiecke dann hinweggehen</translation>
     </message>
     <message>
         <source>Longest edge of a triangle; 0: unlimited</source>
@@ -289,7 +289,7 @@
     </message>
     <message>
         <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, circumcentre is the rule of Aftosmis 1999</source>
-        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: off-centre braucht weniger Dreiecke, circumcentre (Umkreismittelpunkt) ist die Regel von Aftosmis 1999</translation>
+        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: off-centre braucht weniger Dreiecke, circumcentre ist die Regel von Aftosmis 1999</translation>
     </message>
     <message>
         <source>Whether the mesh is up to date with its sources and options</source>
@@ -492,7 +492,7 @@
         <translation>Wie die Flächen der Quelle waren, als die Öffnungen zuletzt stimmten: Art, Inhalt und Mittelpunkt</translation>
     </message>
     <message>
-        <source>Largest distance between the result and the exact one, in both directions; unless given, a thousandth of the size, at most a tenth of the distance; 0: by size and distance</source>
+        <source>Largest distance between the result and the exact one, in both directions; unless given, a thousandth of the size, at most a tenth of the distance; 0: by size</source>
         <translation>Größter Abstand zwischen dem Ergebnis und dem exakten, in beiden Richtungen; ohne Angabe ein Tausendstel der Größe, höchstens ein Zehntel des Abstands; 0: nach Größe und Abstand</translation>
     </message>
     <message>
@@ -960,7 +960,7 @@
     </message>
     <message>
         <source>Worst</source>
-        <translation>Schlechteste</translation>
+        <translation>Ärgste</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -1344,7 +1344,7 @@
     </message>
     <message>
         <source>CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth edges</source>
-        <translation>CAD-Kanten, denen das Netz folgt: alle (all) oder nur scharfe (feature); über glatte dürfen Dreiecke dann hinweggehen</translation>
+        <translation>CAD-Kanten, denen das Netz folgt: all oder feature; über glatte dürfen Dreiecke dann hinweggehen</translation>
     </message>
     <message>
         <source>Difference</source>
@@ -2120,7 +2120,7 @@
     </message>
     <message>
         <source>each by its own name</source>
-        <translation>jede mit ihrem Namen</translation>
+        <translation>je einzeln</translation>
     </message>
     <message>
         <source>Mesh: {}. Select faces in the 3D view, then add them.</source>
@@ -2687,7 +2687,7 @@
         <translation>Größter Abstand zwischen dem Ergebnis und dem exakten, in beiden Richtungen; ohne Angabe ein Tausendstel der Größe, höchstens ein Zehntel des Abstands</translation>
     </message>
     <message>
-        <source>by size and distance</source>
+        <source>by size</source>
         <translation>nach Größe</translation>
     </message>
     <message>
@@ -3273,6 +3273,142 @@
     <message>
         <source>A clipping plane shows the surface only; click one of the worst to look inside.</source>
         <translation>Eine Schnittebene zeigt nur die Oberfläche; ein Klick auf eines der schlechtesten zeigt das Innere.</translation>
+    </message>
+    <message>
+        <source>1 degenerate triangle removed</source>
+        <translation>1 entartetes Dreieck entfernt</translation>
+    </message>
+    <message>
+        <source>1 duplicate triangle removed</source>
+        <translation>1 doppeltes Dreieck entfernt</translation>
+    </message>
+    <message>
+        <source>1 edge of more than two triangles parted</source>
+        <translation>1 Kante mit mehr als zwei Dreiecken getrennt</translation>
+    </message>
+    <message>
+        <source>1 hole closed (1 triangle)</source>
+        <translation>1 Loch geschlossen (1 Dreieck)</translation>
+    </message>
+    <message>
+        <source>1 hole closed ({count2} triangles)</source>
+        <translation>1 Loch geschlossen ({count2} Dreiecke)</translation>
+    </message>
+    <message>
+        <source>1 triangle of open sheets removed</source>
+        <translation>1 Dreieck offener Blätter entfernt</translation>
+    </message>
+    <message>
+        <source>1 triangle turned around</source>
+        <translation>1 Dreieck umgedreht</translation>
+    </message>
+    <message>
+        <source>1 vertex joined across cracks</source>
+        <translation>1 Knoten über Risse verbunden</translation>
+    </message>
+    <message>
+        <source>1 vertex of several sheets parted</source>
+        <translation>1 Knoten mehrerer Blätter getrennt</translation>
+    </message>
+    <message>
+        <source>1 vertex welded</source>
+        <translation>1 Knoten verschmolzen</translation>
+    </message>
+    <message>
+        <source>{count} degenerate triangles removed</source>
+        <translation>{count} entartete Dreiecke entfernt</translation>
+    </message>
+    <message>
+        <source>{count} duplicate triangles removed</source>
+        <translation>{count} doppelte Dreiecke entfernt</translation>
+    </message>
+    <message>
+        <source>{count} edges of more than two triangles parted</source>
+        <translation>{count} Kanten mit mehr als zwei Dreiecken getrennt</translation>
+    </message>
+    <message>
+        <source>{count} holes closed ({count2} triangles)</source>
+        <translation>{count} Löcher geschlossen ({count2} Dreiecke)</translation>
+    </message>
+    <message>
+        <source>{count} triangles of open sheets removed</source>
+        <translation>{count} Dreiecke offener Blätter entfernt</translation>
+    </message>
+    <message>
+        <source>{count} triangles turned around</source>
+        <translation>{count} Dreiecke umgedreht</translation>
+    </message>
+    <message>
+        <source>{count} vertices joined across cracks</source>
+        <translation>{count} Knoten über Risse verbunden</translation>
+    </message>
+    <message>
+        <source>{count} vertices of several sheets parted</source>
+        <translation>{count} Knoten mehrerer Blätter getrennt</translation>
+    </message>
+    <message>
+        <source>{count} vertices welded</source>
+        <translation>{count} Knoten verschmolzen</translation>
+    </message>
+    <message>
+        <source>{name} CFD surface</source>
+        <translation>{name} CFD-Oberfläche</translation>
+    </message>
+    <message>
+        <source>{name} FEM mesh</source>
+        <translation>{name} FEM-Netz</translation>
+    </message>
+    <message>
+        <source>{name} cured mesh</source>
+        <translation>{name} geheiltes Netz</translation>
+    </message>
+    <message>
+        <source>{name} curved mesh</source>
+        <translation>{name} gekrümmtes Netz</translation>
+    </message>
+    <message>
+        <source>{name} difference</source>
+        <translation>{name} Differenz</translation>
+    </message>
+    <message>
+        <source>{name} hollow</source>
+        <translation>{name} ausgehöhlt</translation>
+    </message>
+    <message>
+        <source>{name} improved</source>
+        <translation>{name} verbessert</translation>
+    </message>
+    <message>
+        <source>{name} inspection</source>
+        <translation>{name} Prüfung</translation>
+    </message>
+    <message>
+        <source>{name} intersection</source>
+        <translation>{name} Schnitt</translation>
+    </message>
+    <message>
+        <source>{name} offset</source>
+        <translation>{name} Versatz</translation>
+    </message>
+    <message>
+        <source>{name} quality mesh</source>
+        <translation>{name} Qualitätsnetz</translation>
+    </message>
+    <message>
+        <source>{name} repaired</source>
+        <translation>{name} repariert</translation>
+    </message>
+    <message>
+        <source>{name} symmetric difference</source>
+        <translation>{name} symmetrische Differenz</translation>
+    </message>
+    <message>
+        <source>{name} union</source>
+        <translation>{name} Vereinigung</translation>
+    </message>
+    <message>
+        <source>{name} wrap</source>
+        <translation>{name} Hülle</translation>
     </message>
 </context>
 <context>

@@ -47,6 +47,13 @@ class Commands(gui_helpers.PanelTest):
         self.finish(self.panel(commands.Triangulate, *sources))
         self.assertEqual([obj.Source for obj in self.document.Objects[2:]], list(sources))
 
+    def test_planes_and_axes_of_a_container_are_for_none(self):
+        part = self.document.addObject("App::Part", "Assembly")
+        self.document.recompute()
+        self.select(part.Origin)
+        for command in (commands.Triangulate, commands.Curve, commands.Inspect, commands.Hollow):
+            self.assertFalse(command().IsActive(), command.NAME)
+
     def test_what_is_no_mesh_is_for_none(self):
         sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
         link = self.document.addObject("App::Link", "Broken")

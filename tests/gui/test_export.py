@@ -35,6 +35,7 @@ class Export(gui_helpers.PanelTest):
     def test_it_is_for_one_mesh(self):
         box, command = self.box(), commands.Export()
         curved, plain = mq.add_curved_mesh(box), mq.add_quality_mesh(box)
+        curved.ViewObject.Visibility = True  # two are seen in place of the box
         for chosen, active in (((curved,), True), ((plain,), True), ((box,), False), ((), False),
                                ((curved, plain), False)):
             self.select(*chosen)

@@ -6,6 +6,7 @@ import re
 import FreeCAD
 import FreeCADGui
 import gui_helpers
+import Mesh
 import Part
 from PySide import QtCore, QtGui
 
@@ -86,6 +87,15 @@ class German(gui_helpers.PanelTest):
             self.narrow(panel, f"panel_{command.__name__}_de")
             panel.reject()
 
+    def test_help_names_choices_as_the_boxes_do(self):
+        for command in (commands.Triangulate, commands.Curve, commands.FemMesh, commands.Inspect, commands.Offset):
+            panel = self.panel(command, self.box())
+            for field in dict.fromkeys(panel.options._fields.values()):
+                for choice, title in zip(field.option.choices, field.option.choice_titles):
+                    if FreeCAD.Qt.translate("MeshQuality", title) != title:
+                        self.assertIsNone(re.search(rf"(?<![\w-]){re.escape(choice)}(?![\w-])", field.widget.toolTip()), choice)
+            panel.reject()
+
     def test_values_and_properties_do_not_depend_on_it(self):
         panel = self.panel(commands.Triangulate, self.box())
         panel.options.set_values({"min_angle": 27.5, "max_edge": 2.25, "method": "star"})
@@ -150,6 +160,33 @@ class German(gui_helpers.PanelTest):
         panel.histogram.pick(int(panel.histogram.counts.argmax()))
         self.no_english(panel.form)
         self.narrow(panel, "panel_quality_de")
+
+    def test_new_objects_have_german_names(self):
+        boxes = self.two_boxes()
+        for i, box in enumerate(boxes):
+            box.Label = f"Quader {i + 3}"
+        made = (mq.add_quality_mesh(boxes[0]), mq.add_inspection(boxes[0]), mq.add_offset(boxes[0], 1.0),
+                mq.add_wrap(boxes[0], 2.0), mq.add_repaired_mesh(mq.add_quality_mesh(boxes[1])))
+        self.assertEqual([obj.Label for obj in made], [
+            "Quader 3 Qualitätsnetz", "Quader 3 Prüfung", "Quader 3 Versatz", "Quader 3 Hülle", "Quader 4 Qualitätsnetz repariert"])
+        both = mq.add_boolean(*boxes)
+        self.assertEqual(both.Label, "Quader 3 Vereinigung")
+        mq.update(both, operation="difference")
+        self.assertEqual(both.Label, "Quader 3 Differenz")
+        both.Label = "Mein Teil"
+        mq.update(both, operation="union")
+        self.assertEqual(both.Label, "Mein Teil")
+
+    def test_what_repairs_did_is_german(self):
+        corners = [tuple(point) for facet in mq.add_quality_mesh(self.box()).Mesh.Facets for point in facet.Points]
+        dirty = self.document.addObject("Mesh::Feature", "Netz")
+        dirty.Mesh = Mesh.Mesh([*corners[3:], *corners[6:9]])
+        obj = mq.add_repaired_mesh(dirty)
+        panel = commands.panel_of(obj)
+        FreeCADGui.Control.showDialog(panel)
+        self.assertRegex(panel.certificate.text.text(), r"^Reparaturen: .*1 doppeltes Dreieck entfernt, 1 Loch geschlossen \(1 Dreieck\)")
+        self.no_english(panel.certificate)
+        panel.reject()
 
     def test_errors_and_stages_are_german(self):
         panel = self.panel(commands.Triangulate, self.box())

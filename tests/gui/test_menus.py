@@ -6,6 +6,7 @@ import os
 import FreeCAD
 import FreeCADGui
 import gui_helpers
+import numpy as np
 from PySide import QtGui
 
 import MeshQuality as mq
@@ -50,6 +51,16 @@ class Menus(gui_helpers.PanelTest):
                 if other != name:
                     far = (abs(found[name] - found[other]).max(axis=2) > 60).mean()
                     self.assertGreater(far, 0.35, (name, other))
+
+    def test_disabled_icons_are_told_from_enabled_ones_on_dark_and_light(self):
+        def colourful(icon, mode):
+            image = gui_helpers.pixels_of(icon.pixmap(24, 24, mode).toImage())
+            return np.count_nonzero(image.max(axis=2) - image.min(axis=2) > 60)
+
+        for command in (command.NAME for _, group in commands._MENUS for command in group):
+            icon = QtGui.QIcon(badge.path_of(command))
+            self.assertGreater(colourful(icon, QtGui.QIcon.Normal), 10, command)
+            self.assertEqual(colourful(icon, QtGui.QIcon.Disabled), 0, command)
 
     def test_a_cfd_surface_has_its_icon_in_the_tree_also_when_opened_again(self):
         surface = mq.add_cfd_surface(mq.add_quality_mesh(self.box()))

@@ -44,6 +44,32 @@ class Patches(gui_helpers.PanelTest):
             self.select(*chosen)
             self.assertEqual(command.IsActive(), active)
 
+    def test_no_part_is_selected_as_a_whole_while_faces_are_picked(self):
+        obj = self.quality()
+        self.select(self.part)
+        panel = self.panel_for(obj)
+        self.assertEqual(FreeCADGui.Selection.getSelectionEx(), [])
+        panel.reject()
+        self.pick("Face2")
+        panel = self.panel_for(obj)
+        panel.new.click()
+        self.assertEqual(list(panel.patches()), ["patch_1"])
+        panel.reject()
+
+    def test_a_name_is_edited_within_its_column_in_a_theme_with_wide_fields(self):
+        app = QtGui.QApplication.instance()
+        self.addCleanup(app.setStyleSheet, app.styleSheet())
+        app.setStyleSheet(gui_helpers.DARK + "QLineEdit { min-width: 100px; margin: 2px; padding: 4px }")
+        panel = self.panel_for(self.quality())
+        self.pick("Face1")
+        panel.new.click()
+        gui_helpers.wait(0.2)
+        gui_helpers.screen().save(os.path.join(gui_helpers.PICTURES, "patches_dark.png"))
+        editor, = panel.table.findChildren(QtGui.QLineEdit)
+        self.assertLess(panel.table.columnWidth(0), 110)
+        self.assertLessEqual(editor.geometry().right(), panel.table.visualItemRect(panel.table.item(0, 0)).right())
+        panel.reject()
+
     @unittest.skipUnless(importlib.util.find_spec("Fem"), "this FreeCAD has no FEM workbench")
     def test_of_a_fem_mesh_they_are_groups(self):
         self.part = self.box()

@@ -344,7 +344,7 @@ class QualityView(gui_helpers.GuiTest):
                 self.assertGreater(float(worst), 0.0)
                 self.assertIn(f"worst {worst} {unit}", panel.summary.text())
                 self.assertTrue(panel.worst.item(0).text().startswith(f"{worst} {unit}: element"))
-                self.assertEqual(panel.tabs.tabText(1), f"Faces [{unit}]")
+                self.assertEqual(panel.faces.horizontalHeaderItem(3).text(), f"Mean [{unit}]")
                 self.assertEqual(panel.faces.item(0, 2).text(), f"{panel.values.max() / factor:.3g}")
                 self.assertIn(f"more than the requested {0.05 / factor:.4g} {unit}", panel.meaning.text())
                 self.assertIn(unit, panel.histogram.words(0))
@@ -379,7 +379,7 @@ class QualityView(gui_helpers.GuiTest):
     def legend_of(self, panel, background):
         """The pixels of the legend in a picture with this background."""
         left, low = panel.scene.scene.legend_place(gui_helpers.WIDTH, gui_helpers.HEIGHT)
-        high, width = legend.picture(panel.scale, self.view.getSize()[1]).shape[:2]
+        width, high = panel.scene.legend_size
         rows = self.saved(f"quality_legend_{background}", background=background)
         return rows[gui_helpers.HEIGHT - low - high:gui_helpers.HEIGHT - low, left:left + width]
 

@@ -89,6 +89,9 @@ class ThicknessView(gui_helpers.PanelTest):
     def test_it_is_for_one_flat_mesh(self):
         box = self.box()
         curved, flat = mq.add_curved_mesh(box), mq.add_quality_mesh(box)
+        self.select(box)
+        self.assertTrue(commands.Thickness().IsActive())  # the mesh that is seen in its place
+        curved.ViewObject.Visibility = True  # two are
         for chosen, active in (((box,), False), ((curved,), False), ((flat,), True), ((flat, curved), False)):
             self.select(*chosen)
             self.assertEqual(commands.Thickness().IsActive(), active)

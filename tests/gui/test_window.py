@@ -189,6 +189,16 @@ class InPlaceOfSources(gui_helpers.PanelTest):
         mq.add_quality_mesh(box)
         self.assertEqual(self.visible(part, box, other), [True, False, True])
 
+    def test_a_second_mesh_of_a_part_is_not_drawn_through_the_first(self):
+        box, other = self.two_boxes()
+        first, apart = mq.add_quality_mesh(box), mq.add_quality_mesh(other)
+        second = mq.add_inspection(box)
+        self.assertEqual(self.visible(box, first, second, apart), [False, False, True, True])
+        self.document.undo()
+        self.assertEqual(self.visible(box, first, apart), [False, True, True])
+        both = mq.add_boolean(box, other)
+        self.assertEqual(self.visible(first, apart, both), [False, False, True])
+
     def test_edges_are_seen(self):
         obj = mq.add_quality_mesh(self.box(), max_edge=4.0)
         gui_helpers.wait(0.2)
@@ -197,9 +207,26 @@ class InPlaceOfSources(gui_helpers.PanelTest):
         self.assertGreater(lines, (self.picture("window_shaded") < 60).all(axis=2).mean() + 0.01)
 
     def test_many_triangles_are_drawn_without_edges(self):
-        with mock.patch.object(looks, "_MOST", 11):
+        with mock.patch.object(looks, "MOST_WITH_EDGES", 11):
             obj = mq.add_quality_mesh(self.box())
         self.assertEqual(obj.ViewObject.DisplayMode, "Shaded")
+
+    def test_a_fine_mesh_is_no_black_ball(self):
+        ball = self.document.addObject("Part::Sphere", "Ball")
+        self.document.recompute()
+        obj = mq.add_quality_mesh(ball, max_edge=0.12)
+        self.assertGreater(obj.Mesh.CountFacets, 10_000)
+        FreeCADGui.Selection.clearSelection()
+        dark = (self.picture("window_fine_ball") < 60).all(axis=2).mean()
+        obj.ViewObject.DisplayMode = "Flat Lines"
+        self.assertGreater((self.picture("window_black_ball") < 60).all(axis=2).mean(), 5 * dark)
+        obj.ViewObject.DisplayMode = "Shaded"
+        for edge, mode in ((1.0, "Flat Lines"), (0.12, "Shaded")):
+            mq.update(obj, max_edge=edge)
+            self.assertEqual(obj.ViewObject.DisplayMode, mode)
+        obj.ViewObject.DisplayMode = "Wireframe"  # what is chosen stays
+        mq.update(obj, max_edge=1.0)
+        self.assertEqual(obj.ViewObject.DisplayMode, "Wireframe")
 
     def test_failure_and_cancel_hide_nothing(self):
         box = self.box()

@@ -60,10 +60,8 @@ def word(findings):
 
 def sentence(findings):
     """What the property Certificate says."""
-    if not findings:
-        return MET
     phrase = phrases.NOT_MET_TEXT if word(findings) == NOT_MET else phrases.NOT_DECIDED_TEXT
-    return Text(phrase, text=_joined(findings))
+    return Text(phrase, text=_joined(findings)) if findings else MET
 
 
 def _joined(findings):
@@ -157,9 +155,7 @@ def of_triangulation(mesh, closed, values=None, shape=None):
 
 
 def of_improvement(mesh, closed, progress=None):
-    """Findings of a SurfaceMesh that improve made; `closed`: whether the mesh before it was; progress as for
-    improve.
-    """
+    """Findings of a SurfaceMesh that improve made; `closed`: whether the mesh before it was; progress as for improve."""
     return [*angles(mesh), *topology(mesh.report, closed, mesh), *_crossing_pairs(mesh, progress)]
 
 
@@ -233,18 +229,13 @@ def of_measured(mesh, report, closed):
 
 
 def topology(report, closed, mesh=None):
-    """Findings where a mesh is not manifold, inside out, or not closed where it must be; a SurfaceMesh also
-    tells where.
-    """
+    """Findings where a mesh is not manifold, inside out, or not closed where it must be; a SurfaceMesh also tells where."""
     found = []
     if closed and not report.closed:
-        found.append(_at_edges(_counted(phrases.NOT_CLOSED, report.border_edges), mesh,
-                               lambda uses: uses == 1))
-    for phrase, count in ((phrases.NONMANIFOLD, report.nonmanifold_edges),
-                          (phrases.PINCHED, report.pinched_vertices),
+        found.append(_at_edges(_counted(phrases.NOT_CLOSED, report.border_edges), mesh, lambda uses: uses == 1))
+    for phrase, count in ((phrases.NONMANIFOLD, report.nonmanifold_edges), (phrases.PINCHED, report.pinched_vertices),
                           (phrases.DEGENERATE, report.degenerate_triangles),
-                          (phrases.NOT_ORIENTED,
-                           report.misoriented_edges - report.nonmanifold_edges)):
+                          (phrases.NOT_ORIENTED, report.misoriented_edges - report.nonmanifold_edges)):
         if count:
             found.append(_at_edges(_counted(phrase, count), mesh, lambda uses: uses > 2))
     if report.closed and report.volume < -_NO_VOLUME * report.area**1.5:
@@ -284,8 +275,7 @@ def deviation(mesh):
     worst = report.max_chord_triangle
     if worst < 0:
         return _too_far(report.max_chord_height, report.chord_height_asked, phrases.SHAPE_DISTANCE)
-    found = _too_far(report.max_chord_height, report.chord_height_asked,
-                     phrases.SHAPE_DISTANCE_AT, phrase=_triangle(mesh, worst))
+    found = _too_far(report.max_chord_height, report.chord_height_asked, phrases.SHAPE_DISTANCE_AT, phrase=_triangle(mesh, worst))
     return [Finding(finding.text, _names(mesh, [worst]), _corners(mesh, worst)) for finding in found]
 
 
@@ -309,8 +299,7 @@ def edges(mesh, values, shape=None):
     for vertex, size in sizes["Vertex"].items():
         there = (np.asarray(mesh.vertex_entity)[ends] == (0, vertex)).all(axis=3).any(axis=2)
         allowed[there] = np.minimum(allowed[there], size)
-    along = edges_of_shape(mesh, ends, sizes["Edge"], shape) if sizes["Edge"] \
-        else np.full(lengths.shape, -1)
+    along = edges_of_shape(mesh, ends, sizes["Edge"], shape) if sizes["Edge"] else np.full(lengths.shape, -1)
     for edge, size in sizes["Edge"].items():
         allowed[along == edge] = np.minimum(allowed[along == edge], size)
     # Rounding to single precision may lengthen an edge by a millionth.

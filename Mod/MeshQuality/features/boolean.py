@@ -2,7 +2,6 @@
 """The document object "Boolean": a mesh that follows a Boolean of objects of the document."""
 
 import json
-import re
 from functools import partial
 
 import FreeCAD
@@ -131,10 +130,11 @@ class MeshBoolean(mesh_object.MeshObject):
 
     def follow_label(self, obj):
         """Has a label that add_boolean gave follow the first operand and the operation."""
-        labels = [frames.leaf_of(source).Label for source in self.sources(obj)]
-        operands, operations = "|".join(map(re.escape, labels)), "|".join(options.OPERATIONS).replace("_", " ")
-        wanted = f"{labels[0]} {obj.Operation}".replace("_", " ")
-        if re.fullmatch(rf"({operands}) ({operations})\d*", obj.Label) and obj.Label.rstrip("0123456789") != wanted:
+        sources = self.sources(obj)
+        given = {transactions.labelled(source, name.replace("_", " ")) for source in sources for name in options.OPERATIONS}
+        wanted = transactions.labelled(sources[0], obj.Operation.replace("_", " "))
+        bare = obj.Label.rstrip("0123456789")
+        if bare in given and bare != wanted:
             obj.Label = wanted
 
     def show_origin(self, obj, mesh):
@@ -178,7 +178,7 @@ def add_of_sources(kind, sources, values, told, name):
 
     def make(obj):
         proxy = kind(obj)
-        obj.Label = f"{frames.leaf_of(sources[0]).Label} {told}"
+        obj.Label = transactions.labelled(sources[0], told)
         obj.Sources, obj.SourcePaths = objects, [frames.path_of(source) for source in sources]
         properties.set_options(obj, kind.OPTIONS, values)
         return proxy

@@ -11,7 +11,7 @@ from ..errors import Error, InvalidInput
 from .export import flat_maker_of
 from .gui_hooks import window
 from .properties import add_property
-from .transactions import undo_step
+from .transactions import labelled, undo_step
 
 
 class CfdSurface(PlainState):
@@ -89,7 +89,7 @@ def add_cfd_surface(obj):
         made = document.addObject("Part::FeaturePython", "CfdSurface")
         try:
             CfdSurface(made)
-            made.Label = f"{frames.leaf_of(obj).Label} CFD surface"
+            made.Label = labelled(obj, "CFD surface")
             made.Source, made.SourcePath = frames.object_of(obj), frames.path_of(obj)
             made.Proxy._bring_up_to_date(made)
             made.purgeTouched()

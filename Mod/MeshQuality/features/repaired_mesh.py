@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "Repaired Mesh": a mesh of the document without its faults."""
 
+import re
+
 from .. import fault_phrases, phrases, repair_options
 from ..core import convert, verdict
 from ..core.repair import run_repair
@@ -23,8 +25,17 @@ class RepairedMesh(offset.SolidMesh):
 
     def told(self, obj):
         """What was put right beside triangles that cross."""
-        done = [text.removeprefix("operand A: ") for text in obj.Repaired]  # there is no other one
+        done = [part for text in obj.Repaired for part in _parts(text.removeprefix("operand A: "))]  # there is no other one
         return phrases.Text(fault_phrases.REPAIRS, list=done) if done else None
+
+
+def _parts(text):
+    """What the core says of repairs, such as "2 holes closed (4 triangles), 1 vertex welded", as phrases."""
+    for part in text.split(", "):
+        places = dict(zip(("count", "count2"), re.findall(r"\d+", part)))
+        forms = {form.format_map({"count2": "", **places}): form for pair in fault_phrases.DONE for form in pair}
+        forms[fault_phrases.ONE_HOLE] = fault_phrases.ONE_HOLE
+        yield phrases.Text(forms.get(part, part), **places)
 
 
 def add_repaired_mesh(source, tolerance=None):

@@ -5,9 +5,10 @@ from contextlib import contextmanager
 
 import FreeCAD
 
-from .. import options
+from .. import label_phrases, options
 from ..core import convert, frames
 from ..errors import Error, InvalidInput
+from ..phrases import Text
 from . import bindings
 from .gui_hooks import window
 from .mesh_object import MANUAL, UP_TO_DATE, MeshObject, PatchedMesh, with_precomputed
@@ -143,6 +144,11 @@ def undo_step(document, title):
         document.commitTransaction()
 
 
+def labelled(source, word):
+    """The label of an object that is made of `source`: a word of the table behind that of the source, in the user's language."""
+    return window().translated(Text(label_phrases.LABELS[word], name=frames.leaf_of(source).Label))
+
+
 def add_of_source(proxy_class, source, values, name, title, label=None, then=None):
     """Adds an object that is made of `source`, a document object or a pair (document object, path) as in
     frames; see add. Its label begins with that of the source and ends with `label`, or the title. then(obj) does what
@@ -155,7 +161,7 @@ def add_of_source(proxy_class, source, values, name, title, label=None, then=Non
 
     def make(obj):
         proxy = proxy_class(obj)
-        obj.Label = f"{frames.leaf_of(source).Label} {label or title.lower()}"
+        obj.Label = labelled(source, label or title.lower())
         obj.Source, obj.SourcePath = frames.object_of(source), frames.path_of(source)
         set_options(obj, proxy_class.OPTIONS, checked)
         if then is not None:

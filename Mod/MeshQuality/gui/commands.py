@@ -393,6 +393,8 @@ def _can_have_patches(source):
 
 def _has_shape(source):
     obj = frames.leaf_of(source)
+    if obj.isDerivedFrom("App::Origin"):  # a group, but of planes and axes
+        return False
     # FEM meshes have a link of the name Shape.
     return isinstance(getattr(obj, "Shape", None), Part.Shape) or obj.hasExtension("App::GroupExtension") \
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)

@@ -8,8 +8,8 @@ from ..core import frames
 from ..features import cfd_surface, cured_mesh, mesh_object
 from .view import badge
 
-_EDGES = "Flat Lines"
-_MOST = 200_000  # triangles: the edges of more cover the surface, and take as long to draw as that
+_FACES, _EDGES = "Shaded", "Flat Lines"
+MOST_WITH_EDGES = 10_000  # triangles: on a screen the edges of more lie so close that they blacken the surface
 
 
 class FacesView(PlainState):
@@ -21,18 +21,29 @@ class FacesView(PlainState):
 
 
 def show_in_place_of_sources(obj):
-    """Hides the sources of a mesh object that was added, and draws its edges. Undo and redo of the
-    step in which the object is added bring the sources back and hide them again.
+    """Hides the sources of a mesh object that was added and the other meshes of these, which it would be drawn through, and
+    draws its edges. Undo and redo of the step in which the object is added bring them back and hide them again.
     """
     view = obj.ViewObject
     if obj.Proxy.size(obj) == 0:
         return  # nothing would be seen
     # Curved meshes have a display mode of their own, with the edges of the elements.
-    if view.DisplayMode == "Shaded" and obj.Mesh.CountFacets <= _MOST and not view.Coloring:
+    if view.DisplayMode == _FACES and obj.Mesh.CountFacets <= MOST_WITH_EDGES and not view.Coloring:
         view.DisplayMode = _EDGES
-    for source in sources_of(obj):
+    for source in (*sources_of(obj), *_made_of_the_same(obj)):
         if not _counts_for_others(source):
             source.ViewObject.Visibility = False
+
+
+def follow_count(view, before, count):
+    """Draws the edges of a mesh that has become so coarse that they are told apart, and none of one that has become finer.
+
+    before  number of triangles that it had; 0: there was no mesh
+    """
+    if count > MOST_WITH_EDGES >= before > 0 and view.DisplayMode == _EDGES:
+        view.DisplayMode = _FACES
+    elif 0 < count <= MOST_WITH_EDGES < before and view.DisplayMode == _FACES and not view.Coloring:
+        view.DisplayMode = _EDGES
 
 
 def show_faces(obj, colours):
@@ -46,6 +57,13 @@ def show_faces(obj, colours):
         if is_new:
             obj.Source.ViewObject.Visibility = False
     view.DiffuseColor = [tuple(part / 255 for part in colour) for colour in colours]
+
+
+def _made_of_the_same(obj):
+    """The other mesh objects of the sources of one, or of some of these."""
+    sources = _sources(obj)
+    others = (made for made in obj.Document.Objects if made != obj and isinstance(getattr(made, "Proxy", None), mesh_object.MeshObject))
+    return [made for made in others if all(source in sources for source in _sources(made))]
 
 
 def _counts_for_others(source):

@@ -21,6 +21,7 @@ class MeshView(PlainState):
 
     _has_colours = False  # whether the mesh is drawn in the colours of its patches
     _colours_wait = False  # whether they are about to be drawn
+    _drawn = 0  # number of triangles of its last mesh that was not empty
 
     def __init__(self, view):
         view.Proxy = self
@@ -41,6 +42,9 @@ class MeshView(PlainState):
         """A property of the object has changed."""
         if name in ("Certificate", "Status"):
             obj.ViewObject.signalChangeIcon()
+        if name == "Mesh" and obj.Mesh.CountFacets > 0:
+            before, self._drawn = self._drawn, obj.Mesh.CountFacets
+            looks.follow_count(self.view, before, self._drawn)
         if name in ("Mesh", "Patches", "PatchRest"):
             self._colour_later(obj)
 

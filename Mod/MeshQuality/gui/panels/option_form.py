@@ -70,6 +70,7 @@ class OptionForm(QtGui.QWidget):
         self.reset.setAutoRaise(True)
         self.reset.clicked.connect(lambda: self.set_values(self._defaults))
         row = QtGui.QHBoxLayout()
+        row.setSpacing(0)
         row.addWidget(self.more)
         row.addStretch()
         row.addWidget(self.reset)
@@ -91,7 +92,7 @@ class OptionForm(QtGui.QWidget):
                 boxes[option.group].layout().addRow(field.widget)
                 continue
             label = self._labels[option.name] = QtGui.QLabel(_title(option))
-            label.setToolTip(translate("MeshQuality", option.help))
+            label.setToolTip(_help(option))
             boxes[option.group].layout().addRow(label, field.widget)
 
     def _field(self, option, table):
@@ -168,6 +169,16 @@ def _title(option):
     return f"{title} (0: {translate('MeshQuality', option.unset)})"
 
 
+def _help(option):
+    """What it says, in the words of the box with its choices where these are translated."""
+    text = translate("MeshQuality", option.help)
+    for choice, title in zip(option.choices, option.choice_titles):
+        shown = translate("MeshQuality", title)
+        if shown != title:
+            text = re.sub(rf"(?<![\w-]){re.escape(choice)}(?![\w-])", f"„{shown}“", text)
+    return text
+
+
 def _group(title):
     box = QtGui.QGroupBox(title)
     form = QtGui.QFormLayout(box)
@@ -192,7 +203,7 @@ class _Field(QtCore.QObject):
         unset = f"\n0: {translate('MeshQuality', option.unset)}" \
             if option.default is None and not (option.is_distance or option.is_sizes or option.is_faces
                                                or option.is_required) else ""
-        widget.setToolTip(translate("MeshQuality", option.help) + unset)
+        widget.setToolTip(_help(option) + unset)
         widget.setObjectName(option.property_name)
         self._expression, self._hints = None, {}
         self.set_value(option.default)
@@ -337,6 +348,7 @@ class _Distance(_Field):
                              (options.ABSOLUTE, translate("MeshQuality", "Absolute")),
                              (options.UNBOUNDED, translate("MeshQuality", "No limit"))):
             self.choice.addItem(title, bound)
+        self.choice.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToContents)
         self.length, self.fraction = QuantityBox("mm"), _number_box(pair[1])
         for box in (self.choice, self.length, self.fraction):
             row.addWidget(box)
@@ -390,7 +402,10 @@ class _Distance(_Field):
         self._bound = bound
         # The panel may be 260 pixels wide: no more than this choice needs.
         text = self.choice.itemText(self.choice.findData(bound))
-        self.choice.setFixedWidth(self.choice.fontMetrics().boundingRect(text).width() + _ARROW)
+        metrics = self.choice.fontMetrics()
+        widest = max(metrics.horizontalAdvance(self.choice.itemText(i)) for i in range(self.choice.count()))
+        beside = max(self.choice.sizeHint().width() - widest, _ARROW)  # style sheets have wider boxes
+        self.choice.setFixedWidth(metrics.horizontalAdvance(text) + beside)
         self.length.setVisible(bound == options.ABSOLUTE)
         self.fraction.setVisible(bound == options.RELATIVE)
 
@@ -483,7 +498,7 @@ class _Sizes(_SubElements):
 
     def __init__(self, option, sources):
         self._exact = {}  # lengths as they were shown, and the numbers of mm that they stand for
-        self.hint = f"Face3={length_text(0.5)}, Edge7={length_text(0.2)}"
+        self.hint = f"Face3={length_text(0.5)}"
         self.tip = translate("MeshQuality", "Add the faces, edges and vertices that are selected in the 3D view")
         self.for_one = translate("MeshQuality", "Local sizes are for one object: open the panel for that object alone.")
         self.nothing = translate("MeshQuality", "Select faces, edges or vertices of {} in the 3D view first.")

@@ -25,6 +25,19 @@ _NAME, _FACES = 0, 1
 _ROWS = 6  # in sight without scrolling
 
 
+class _CellEditor(QtGui.QStyledItemDelegate):
+    """Edits a cell within its column: Qt's editor grows with its text, and style sheets, as FreeCAD's dark ones, give fields a
+    least width.
+    """
+
+    def createEditor(self, parent, option, index):
+        """Called by Qt."""
+        editor = QtGui.QLineEdit(parent)
+        editor.setFrame(False)
+        editor.setStyleSheet("min-width: 0px; margin: 0px; padding: 0px")
+        return editor
+
+
 class PatchesPanel:
     """A panel for FreeCADGui.Control.showDialog: OK gives the object its patches as one undo step.
 
@@ -43,6 +56,7 @@ class PatchesPanel:
         self.table = QtGui.QTableWidget(0, 2)
         self.table.setHorizontalHeaderLabels([translate("MeshQuality", "Name"), translate("MeshQuality", "Faces")])
         self.table.horizontalHeader().setStretchLastSection(True)
+        self.table.setItemDelegate(_CellEditor(self.table))
         self.table.verticalHeader().hide()
         self.table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self.table.setMinimumHeight(_ROWS * self.table.verticalHeader().defaultSectionSize())
@@ -52,6 +66,8 @@ class PatchesPanel:
         self._lay_out()
         self._show_object()
         self._shown = _show_in_place([frames.object_of(member.source) for member in self.members], obj)
+        if not any(chosen.HasSubObjects for chosen in FreeCADGui.Selection.getSelectionEx()):
+            FreeCADGui.Selection.clearSelection()  # a click on a face of what is selected as a whole takes what is around it
         self.table.itemChanged.connect(self._show_colours)
         self.table.itemSelectionChanged.connect(self._select_faces)
 

@@ -30,7 +30,6 @@ translate = FreeCAD.Qt.translate
 WORST = 50  # elements in the list
 _DIGITS = 3  # of the numbers in the table, which may be 230 pixels wide
 _AROUND_INSIDE = 10.0  # width of the view around an element inside, in sizes of it
-_EDGES = 50_000  # triangles up to which edges are drawn from the beginning
 
 
 @dataclass(frozen=True)
@@ -213,7 +212,7 @@ class QualityPanel:
 
     def _compute(self, measure, progress):
         self.data.prepare()
-        if len(self.data.corners) <= _EDGES:
+        if len(self.data.corners) <= looks.MOST_WITH_EDGES:
             _ = self.data.lines
         values = np.asarray(measure.values(self.data, progress))
         scale, of_all = self.data.scale(measure, values), None
@@ -232,7 +231,7 @@ class QualityPanel:
         if not self._found and self.scene is not None:
             self._hidden = looks.Hidden(self._source)
             self.scene.show(self.data)
-            self.edges.setChecked(len(self.data.corners) <= _EDGES)
+            self.edges.setChecked(len(self.data.corners) <= looks.MOST_WITH_EDGES)
             self.edges.setEnabled(True)
         self._found[measure.title] = found
         self._show(measure, found)
@@ -290,8 +289,9 @@ class QualityPanel:
     def _list_faces(self, faces):
         self._faces = faces
         unit = self.scale.unit.strip()
-        title = translate("MeshQuality", "Patches") if self.data.patches else translate("MeshQuality", "Faces")
-        self.tabs.setTabText(1, title + (f" [{unit}]" if unit else ""))
+        self.tabs.setTabText(1, translate("MeshQuality", "Patches") if self.data.patches else translate("MeshQuality", "Faces"))
+        mean = translate("MeshQuality", "Mean")
+        self.faces.horizontalHeaderItem(3).setText(f"{mean} [{unit}]" if unit else mean)
         self.faces.blockSignals(True)
         self.faces.setRowCount(len(faces))
         for i, row in enumerate(faces):

@@ -19,7 +19,10 @@ _FITS = 1.5  # ... and of one in which it is seen whole
 
 
 class QualityScene:
-    """Draws in one 3D view until `close`."""
+    """Draws in one 3D view until `close`.
+
+    legend_size  (width, height) of the legend in pixels; None before there is one
+    """
 
     def __init__(self, view):
         # Built for one Coin, unlike the rest: without it there are no colours, but all numbers.
@@ -30,7 +33,7 @@ class QualityScene:
         self._graph = view.getSceneGraph()
         self._graph.addChild(self.node)
         self.flight = None
-        self._corners = self._colours = None
+        self._corners = self._colours = self.legend_size = None
         self._opened = False
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
@@ -83,7 +86,9 @@ class QualityScene:
         self.scene.colour(colours)
         if coarse is not None:
             self.scene.colour_coarse(coarse)
-        self.scene.legend(legend.picture(scale, self._view_height()), *legend.corner_to_leave())
+        picture = legend.picture(scale, self._view_height())
+        self.legend_size = picture.shape[1::-1]
+        self.scene.legend(picture, *legend.corner_to_leave())
 
     def _view_height(self):
         """In pixels that do not depend on the screen's scale."""

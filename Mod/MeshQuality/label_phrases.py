@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What new objects of a document are called, after what they are made of; a part of the table of phrases. Imports nothing of
+FreeCAD."""
+
+LABELS = {word: f"{{name}} {word}" for word in (
+    "quality mesh", "curved mesh", "FEM mesh", "cured mesh", "improved", "repaired", "inspection", "offset", "hollow", "wrap",
+    "CFD surface", "union", "intersection", "difference", "symmetric difference")}
+TEXTS = tuple(LABELS.values())

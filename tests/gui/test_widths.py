@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Widths of panels: no word and no number is cut off in the task view as wide as it is at first, in English and German."""
+
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+import gui_helpers
+from PySide import QtGui
+
+import MeshQuality as mq
+from MeshQuality.gui import commands
+from MeshQuality.gui.panels import patches_panel, quality_panel
+
+_ARROW = 20  # pixels that a box with choices or a spin box takes beside its text, at least
+_WINDOW = (1366, 768)
+
+
+def cut_texts(widget):
+    """[(text, pixels needed, pixels there), ...] of all labels, fields and buttons in sight that are narrower than their text."""
+    found = []
+    for part in widget.findChildren(QtGui.QWidget):
+        if not part.isVisible() or part.width() == 0:
+            continue
+        text, beside = "", 0
+        if isinstance(part, QtGui.QLabel) and part.text():
+            needed = part.minimumSizeHint().width() if part.wordWrap() else part.sizeHint().width()
+            found.append((part.text(), needed, part.width()))
+            continue
+        if isinstance(part, QtGui.QTableWidget):
+            found.append(("columns", part.horizontalHeader().length(), part.viewport().width()))
+            for column in range(part.columnCount()):
+                text = part.horizontalHeaderItem(column).text()
+                found.append((text, part.fontMetrics().horizontalAdvance(text) + 4, part.columnWidth(column)))
+        if isinstance(part, QtGui.QTabBar):
+            found.append((" ".join(part.tabText(i) for i in range(part.count())), part.sizeHint().width(), part.width()))
+        if isinstance(part, QtGui.QAbstractButton) and part.text():
+            found.append((part.text(), part.minimumSizeHint().width(), part.width()))
+            continue
+        if isinstance(part, QtGui.QAbstractSpinBox):
+            text, beside = part.text(), _ARROW
+        elif isinstance(part, QtGui.QComboBox):
+            text, beside = part.currentText(), _ARROW
+        elif isinstance(part, QtGui.QLineEdit) and not isinstance(part.parentWidget(), QtGui.QAbstractSpinBox):
+            text, beside = part.text() or part.placeholderText(), 8
+        elif isinstance(part, QtGui.QGroupBox):
+            text, beside = part.title(), 8
+        if text:
+            found.append((text, part.fontMetrics().horizontalAdvance(text) + beside, part.width()))
+    return [row for row in found if row[1] > row[2]]
+
+
+SHEETS = [Path(FreeCAD.getResourceDir(), "Gui", "Stylesheets", "Dark-blue.qss"),
+          Path("/usr/share/freecad/Gui/Stylesheets/Dark-blue.qss")]
+
+
+class Widths(gui_helpers.PanelTest):
+    def setUp(self):
+        super().setUp()
+        window = FreeCADGui.getMainWindow()
+        self.addCleanup(window.resize, window.size())
+        window.resize(*_WINDOW)
+
+    def in_language(self, language):
+        FreeCADGui.setLocale(language)
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        gui_helpers.wait(0.2)
+
+    def check(self, panel, name):
+        if hasattr(panel, "options"):
+            panel.options.more.setChecked(True)
+            gui_helpers.wait()
+        self.narrow(panel, name)
+        self.assertEqual(cut_texts(panel.form), [], name)
+
+    def everywhere(self, language):
+        sources = self.two_boxes()
+        net = mq.add_quality_mesh(sources[0])
+        other = mq.add_quality_mesh(sources[1])
+        for command, chosen in (
+                (commands.Triangulate, sources[:1]), (commands.Curve, sources[:1]), (commands.FemMesh, sources[:1]),
+                (commands.Boolean, [net, other]), (commands.Improve, [net]), (commands.Repair, [net]),
+                (commands.Offset, sources[:1]), (commands.Hollow, sources[:1]), (commands.Wrap, sources[:1]),
+                (commands.Inspect, sources[:1])):
+            with self.subTest(command.__name__):
+                panel = self.panel(command, *chosen)
+                try:
+                    self.until(lambda made=panel: "..." not in made.estimate.text())
+                    self.check(panel, f"width_{language}_{command.__name__}")
+                finally:
+                    panel.reject()
+        panel = patches_panel.PatchesPanel(net)
+        FreeCADGui.Control.showDialog(panel)
+        gui_helpers.wait()
+        with self.subTest("Patches"):
+            try:
+                self.check(panel, f"width_{language}_Patches")
+            finally:
+                panel.reject()
+        panel = quality_panel.open_panel(net)
+        self.addCleanup(lambda: panel.ended or panel.reject())
+        self.until(lambda: panel.values is not None)
+        for i in range(panel.measures.count()):
+            panel.measures.setCurrentIndex(i)
+            self.until(lambda k=i: panel.measure is panel.data.measures[k])
+            for tab in range(panel.tabs.count()):
+                panel.tabs.setCurrentIndex(tab)
+                gui_helpers.wait()
+                with self.subTest(measure=panel.measure.title, tab=tab):
+                    self.check(panel, f"width_{language}_quality")
+
+    def test_nothing_is_cut_off_in_english(self):
+        self.everywhere("English")
+
+    def test_nothing_is_cut_off_in_german(self):
+        self.in_language("German")
+        self.everywhere("German")
+
+    def test_choices_are_as_wide_as_their_boxes_in_a_dark_theme_need(self):
+        sheet = next((path for path in SHEETS if path.exists()), None)
+        if sheet is None:
+            self.skipTest("this FreeCAD has no Dark-blue.qss")
+        app = QtGui.QApplication.instance()
+        self.addCleanup(app.setStyleSheet, app.styleSheet())
+        app.setStyleSheet(sheet.read_text(encoding="utf-8"))
+        self.in_language("German")
+        panel = self.panel(commands.Triangulate, self.box())
+        choice, = (box for box in panel.form.findChildren(QtGui.QComboBox) if box.findText("Relativ") >= 0)
+        panel.form.grab().save(f"{gui_helpers.PICTURES}/width_German_dark.png")
+        self.assertGreaterEqual(choice.width() - choice.fontMetrics().horizontalAdvance("Relativ"),
+                                choice.sizeHint().width() - max(choice.fontMetrics().horizontalAdvance(choice.itemText(i))
+                                                                for i in range(choice.count())))
+        panel.reject()
+
+    def test_nothing_is_cut_off_in_inches(self):
+        self.in_language("German")
+        gui_helpers.use_units(gui_helpers.INCHES)
+        self.addCleanup(gui_helpers.use_units, gui_helpers.MM)
+        self.everywhere("German")
