@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Figure 1 of Dey, O'Bara, Shephard: the order of the geometry decides whether the same mesh is valid.
 
-    /usr/bin/python3 benchmarks/papers dey-order [--out-dir docs/pictures]
+    /usr/bin/python3 benchmarks/papers dey-order [--out-dir docs/pictures] [--solids tee elbow]
 
 The figure's mesh is two triangles on a plane face whose lower edge is a spline. It is curved at each order as it is, and then
 repaired. Below, each thin solid of curve_models.py has one coarse surface mesh (chord height 0.05 of the size), which is curved,
@@ -29,6 +29,7 @@ POINTS = 200  # of an edge
 def parser():
     result = inside_freecad.command_line(__doc__)
     result.add_argument("--out-dir", default=str(inside_freecad.ROOT / "docs" / "pictures"), help="folder for the picture")
+    result.add_argument("--solids", nargs="*", default=SOLIDS, choices=SOLIDS)
     return result
 
 
@@ -132,14 +133,14 @@ def from_shape(shape, order):
     return [report.elements, report.invalid_before, report.invalid]
 
 
-def solids():
+def solids(names):
     """Tetrahedra, and the invalid ones before and after repairs, of one surface mesh at each order."""
     import curve_models
     import MeshQuality as mq
 
     rows = {}
     print(f"\n{'solid':<10} {'triangles':>9}" + "".join(f"{f'order {order}: tets, invalid':>26}" for order in VOLUME_ORDERS))
-    for name in SOLIDS:
+    for name in names:
         shape = curve_models.load(name, Path())
         straight = mq.triangulate(shape, min_angle=MIN_ANGLE, chord_height_relative=CHORD_HEIGHT)
         rows[name] = {"triangles": len(straight.triangles)}
@@ -156,7 +157,7 @@ def solids():
 
 
 def work(arguments):
-    return {"figure": figure(Path(arguments.out_dir) / "dey_order.png"), "solids": solids()}
+    return {"figure": figure(Path(arguments.out_dir) / "dey_order.png"), "solids": solids(arguments.solids)}
 
 
 inside_freecad.start(__file__, parser(), work)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Future work (b) of Ruiz et al.: how good meshes of Star, Sprinkle, refine and Gmsh are for finite elements.
 
-    /usr/bin/python3 benchmarks/papers ruiz-fem [--python PYTHON]
+    /usr/bin/python3 benchmarks/papers ruiz-fem [--python PYTHON] [--solids crank]
 
 Linear triangles for -Laplace(u) + u / L^2 = f on the surface of each solid, L being its largest dimension; the Laplacian is the
 surface's own (Laplace-Beltrami). All meshes of a solid have about as many triangles as Star's raw one. Condition: of the matrix,
@@ -30,6 +30,7 @@ RESIDUAL = 1e-8
 def parser():
     result = inside_freecad.command_line(__doc__)
     result.add_argument("--python", default="/usr/bin/python3", help="that has the module gmsh")
+    result.add_argument("--solids", nargs="+", default=SOLIDS, choices=SOLIDS)
     return result
 
 
@@ -179,7 +180,7 @@ def work(arguments):
     if not arguments.gmsh:
         print(f"Gmsh is skipped: {arguments.python} has no module gmsh (package python3-gmsh)")
     found = {}
-    for name in SOLIDS:
+    for name in arguments.solids:
         shape = parts.ALL[name]()
         box = shape.BoundBox
         size = max(box.XLength, box.YLength, box.ZLength)

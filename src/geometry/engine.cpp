@@ -8,11 +8,15 @@
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
 
 #include "base/error.h"
+#include "base/parallel.h"
+#include "base/predicates.h"
+#include "base/threads/kept_threads.h"
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/engine_gate.h"
@@ -46,6 +50,34 @@ bool is_cancelled(const Progress* progress) {
     return progress != nullptr && progress->cancelled();
 }
 
+/// Makes another thread work for the one that made this object and waits for it: its predicates are counted there, and
+/// the limit of threads is the same.
+class ForCaller {
+  public:
+    void run(const std::function<void()>& work) const {
+        const ThreadLimit limit(threads_);
+        const Counting counting(count_);
+        work();
+    }
+
+  private:
+    class Counting {
+      public:
+        explicit Counting(PredicateCount& callers)
+            : callers_(callers), own_(std::exchange(predicate_count(), callers)) {}
+        ~Counting() { callers_ = std::exchange(predicate_count(), own_); }
+        Counting(const Counting&) = delete;
+        Counting& operator=(const Counting&) = delete;
+
+      private:
+        PredicateCount& callers_;
+        PredicateCount own_;
+    };
+
+    PredicateCount& count_ = predicate_count();
+    int threads_ = thread_count();
+};
+
 }  // namespace
 
 class Engine::Impl {
@@ -55,14 +87,17 @@ class Engine::Impl {
     std::future<Answers> submit(const std::shared_ptr<Model>& model, Batch batch);
     Answers ask(const std::shared_ptr<Model>& model, Batch batch, const Progress* progress);
     void run(const std::function<void()>& work, const Progress* progress);
-    void keep_open(EngineGate& gate, const Progress* progress);
+    void run_job(EngineGate& gate, const std::function<void()>& work, const Progress* progress);
+    void check_own_thread() const;
     void cancel();
     void shut_down();
-    bool on_own_thread() const { return std::this_thread::get_id() == worker_id_.load(); }
     std::uint64_t queries() const { return queries_.load(std::memory_order_relaxed); }
     void count_answered(std::uint64_t queries) { queries_.fetch_add(queries, std::memory_order_relaxed); }
 
   private:
+    bool on_main_thread() const { return std::this_thread::get_id() == worker_id_.load(); }
+    void refuse_jobs() const;
+    void keep_open(EngineGate& gate, const Progress* progress);
     bool push(Job& job, const Progress* progress);
     std::future<Answers> hand_over(Job& job, const Progress* progress);
     template <typename Result>
@@ -93,6 +128,7 @@ class Engine::Impl {
     /// Counts the cancellations: a batch is answered only while the count is the one it was submitted under.
     std::atomic<std::uint64_t> generation_{0};
     std::atomic<std::uint64_t> queries_{0};
+    KeptThreads threads_;  ///< the main one is a member; last, so that they end before what they use
 };
 
 Engine::Impl::~Impl() {
@@ -170,6 +206,7 @@ bool Engine::Impl::withdraw(std::uint64_t number) {
 }
 
 void Engine::Impl::serve() {
+    const KeptThreads::Member member(threads_);
     worker_id_.store(std::this_thread::get_id());
     for (;;) {
         std::unique_lock<std::mutex> lock(mutex_);
@@ -246,6 +283,7 @@ Engine::Answers Engine::Impl::ask(const std::shared_ptr<Model>& model, Batch bat
 
 /// Answers a batch; the job keeps its number.
 std::future<Engine::Answers> Engine::Impl::hand_over(Job& job, const Progress* progress) {
+    refuse_jobs();
     job.generation = generation_.load();
     std::future<Answers> future = job.answers.get_future();
     if (mode_ == Mode::Direct) {
@@ -253,8 +291,8 @@ std::future<Engine::Answers> Engine::Impl::hand_over(Job& job, const Progress* p
         const bool refused = stopping_;
         lock.unlock();
         job.answers.set_value(refused ? stopped(job.batch.size()) : answer(job.model, job.batch, job.generation));
-    } else if (on_own_thread()) {
-        // Waiting for the queue on the engine's own thread would never end.
+    } else if (on_main_thread()) {
+        // Waiting for the queue on the engine's main thread would never end.
         finish(job);
     } else if (!push(job, progress)) {
         job.answers.set_value(stopped(job.batch.size()));
@@ -263,12 +301,15 @@ std::future<Engine::Answers> Engine::Impl::hand_over(Job& job, const Progress* p
 }
 
 void Engine::Impl::run(const std::function<void()>& work, const Progress* progress) {
-    if (mode_ == Mode::Direct || on_own_thread()) {
+    if (mode_ == Mode::Direct || on_main_thread()) {
         work();
         return;
     }
+    refuse_jobs();
+    const ForCaller caller;
+    const std::function<void()> for_caller = [&] { caller.run(work); };
     Job job;
-    job.work = &work;
+    job.work = &for_caller;
     job.owner = progress;
     std::future<void> done = job.done.get_future();
     if (!push(job, progress)) {
@@ -278,6 +319,50 @@ void Engine::Impl::run(const std::function<void()>& work, const Progress* progre
     done.get();
 }
 
+void Engine::Impl::run_job(EngineGate& gate, const std::function<void()>& work, const Progress* progress) {
+    if (threads_.own_this_thread()) {
+        throw std::logic_error("a job of the geometry engine cannot begin another one, for which it would wait");
+    }
+    const ForCaller caller;
+    std::exception_ptr raised;
+    std::exception_ptr failure;
+    threads_.run(
+        [&] {
+            try {
+                caller.run(work);
+            } catch (...) {
+                raised = std::current_exception();
+            }
+            gate.close();
+        },
+        [&] {
+            try {
+                keep_open(gate, progress);
+            } catch (...) {
+                failure = std::current_exception();  // thrown again below, if the work has missed the answers
+                gate.close();
+            }
+        });
+    if (raised) {
+        std::rethrow_exception(failure ? failure : raised);
+    }
+}
+
+void Engine::Impl::check_own_thread() const {
+    if (mode_ == Mode::Threaded && !threads_.own_this_thread()) {
+        throw std::logic_error("models of the geometry engine are asked on its own threads: this is none of them");
+    }
+}
+
+/// @throws std::logic_error on the thread of a job
+void Engine::Impl::refuse_jobs() const {
+    if (threads_.own_this_thread() && !on_main_thread()) {
+        throw std::logic_error("a job of the geometry engine would wait for itself: it must ask its own session");
+    }
+}
+
+/// Opens the gate on the engine's main thread whenever nobody else needs it, until the gate is closed.
+/// @throws Cancelled
 void Engine::Impl::keep_open(EngineGate& gate, const Progress* progress) {
     const std::function<void()> work = [&] { stay_at(gate); };
     if (mode_ == Mode::Direct) {
@@ -298,7 +383,7 @@ void Engine::Impl::keep_open(EngineGate& gate, const Progress* progress) {
     }
 }
 
-/// On the engine's thread: waits at the gate until somebody else has a job.
+/// On the engine's main thread: waits at the gate until somebody else has a job.
 void Engine::Impl::stay_at(EngineGate& gate) {
     {
         const std::lock_guard<std::mutex> lock(mutex_);
@@ -349,7 +434,7 @@ void Engine::Impl::shut_down() {
     generation_.fetch_add(1);
     drop_waiting(true);
     not_empty_.notify_all();
-    if (!on_own_thread()) {
+    if (!on_main_thread()) {
         std::lock_guard<std::mutex> lock(join_mutex_);
         if (worker_.joinable()) {
             worker_.join();
@@ -377,12 +462,12 @@ void Engine::run(const std::function<void()>& work, const Progress* progress) {
     impl_->run(work, progress);
 }
 
-void Engine::keep_open(EngineGate& gate, const Progress* progress) {
-    impl_->keep_open(gate, progress);
+void Engine::run_job(EngineGate& gate, const std::function<void()>& work, const Progress* progress) {
+    impl_->run_job(gate, work, progress);
 }
 
-bool Engine::on_own_thread() const {
-    return impl_->on_own_thread();
+void Engine::check_own_thread() const {
+    impl_->check_own_thread();
 }
 
 void Engine::cancel() {

@@ -9,14 +9,15 @@
 
 namespace mq::geometry {
 
-/// Lets threads answer queries themselves while the engine's thread waits at the gate (Engine::keep_open). It closes
-/// for the time that somebody else needs the engine, in which they wait with their next question.
+/// Lets the threads of a job answer queries themselves while the engine's main thread waits at the gate
+/// (Engine::run_job). It closes for the time that somebody else needs the engine, in which they wait with their next
+/// question.
 class EngineGate {
   public:
-    /// Keeps the engine's thread waiting while the object lives. A thread has one at a time.
+    /// Keeps the engine's main thread waiting while the object lives. A thread has one at a time.
     class Entry {
       public:
-        /// @throws Cancelled when the engine's thread does not come any more
+        /// @throws Cancelled when the engine's main thread does not come any more
         explicit Entry(EngineGate& gate) : gate_(gate) { gate_.enter(); }
         ~Entry() { gate_.leave(); }
         Entry(const Entry&) = delete;
@@ -30,7 +31,7 @@ class EngineGate {
     /// notice.
     static constexpr std::chrono::milliseconds kOpenAtLeast{2};
 
-    /// On the engine's thread: lets the others in until somebody waits, or until `close`, and waits until all have
+    /// On the engine's main thread: lets the others in until somebody waits, or until `close`, and waits until all have
     /// left.
     void open() {
         std::unique_lock<std::mutex> lock(mutex_);

@@ -22,14 +22,14 @@ class Answerer {
 
 /// A CAD model behind a modeler-neutral interface: the role that CAPRI has in Aftosmis 1999, section 2.
 ///
-/// A model belongs to the thread of the engine that answers for it: only that thread calls `answer` and
-/// `add_definition`, or, while it waits, the work of Session::in_place. The topology and the place are plain data,
+/// A model belongs to the engine that answers for it: only its main thread calls `answer` and `add_definition`, or,
+/// while that waits, the work of Session::in_place on a thread for jobs. The topology and the place are plain data,
 /// fixed once the model is built, and may be read from anywhere.
 class Model : public Answerer {
   public:
     const Topology& topology() const { return topology_; }
-    /// What answers in one of several threads that work while the engine's thread waits for them; 0 is the model
-    /// itself. All give the same answers. Made at the first call, on the engine's thread; null where there is no
+    /// What answers in one of several threads that work while the engine's main thread waits for them; 0 is the model
+    /// itself. All give the same answers. Made at the first call, on the engine's main thread; null where there is no
     /// further one.
     virtual Answerer* answerer(int thread) { return thread == 0 ? this : nullptr; }
 

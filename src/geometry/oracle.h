@@ -23,7 +23,8 @@ class Oracle {
     virtual void check() const = 0;
 };
 
-/// Asks an answerer in the calling thread, while the engine's thread waits: in the calls of Session::run_parallel.
+/// Asks an answerer in the calling thread, one of the engine's, while its main thread waits: in the calls of
+/// Session::run_parallel.
 class AnswererOracle final : public Oracle {
   public:
     AnswererOracle(const Topology& topology, Answerer& answerer, const Progress* progress)

@@ -5,17 +5,14 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "base/parallel.h"
-#include "base/predicates.h"
 #include "base/progress.h"
 #include "base/waits.h"
 #include "geometry/engine.h"
@@ -24,13 +21,13 @@
 
 namespace mq::geometry {
 
-/// One model on one engine: the context in which an algorithm works on a model. The engine's thread answers, or, in the
-/// sessions of `in_place` and `run_apart`, the threads that ask.
+/// One model on one engine: the context in which an algorithm works on a model. The engine's main thread answers, or,
+/// in the sessions of `in_place` and `run_apart`, the threads that ask, which are the engine's, too.
 class Session final : public Oracle {
   public:
     /// Items in a chunk, which one thread takes at a time: 0.1 ms of work or more, so that starting a thread pays.
     static constexpr std::size_t kChunk = 256;
-    /// Time after which the engine's thread is to be open to others: much less than users may notice.
+    /// Time after which the engine's main thread is to be open to others: much less than users may notice.
     static constexpr std::chrono::milliseconds kOpenAfter{20};
 
     Session(Engine& engine, std::shared_ptr<Model> model, const Progress* progress = nullptr)
@@ -44,7 +41,7 @@ class Session final : public Oracle {
     Engine::Answers ask(Engine::Batch batch) override {
         check();
         if (batch.empty()) {
-            return {};  // an empty batch does not wake the engine's thread
+            return {};  // an empty batch does not wake the engine's main thread
         }
         if (batch.size() <= kChunk && answerers_ == nullptr) {
             return engine_.ask(model_, std::move(batch), progress_);
@@ -61,11 +58,11 @@ class Session final : public Oracle {
         if (answerers_ == nullptr) {
             return engine_.ask(model_, query, progress_);
         }
-        const EngineGate::Entry entry(*gate_);
+        const EngineGate::Entry entry = enter();
         return answerers_->answer(query);
     }
-    /// Calls `work(model)` while nobody else asks: on the engine's thread, or in the calling thread in a session of
-    /// `in_place`. It asks nothing but the model. Predicates count for the caller's, whose limit of threads holds.
+    /// Calls `work(model)` while nobody else asks: on the engine's main thread, or in the calling thread in a session
+    /// of `in_place`. It asks nothing but the model.
     /// @throws Cancelled, std::logic_error in a session of run_apart
     template <typename Work>
     void run(const Work& work) {
@@ -74,60 +71,44 @@ class Session final : public Oracle {
             if (apart_) {
                 throw std::logic_error("a session of run_apart cannot have the model for itself");
             }
-            const EngineGate::Entry entry(*gate_);
+            const EngineGate::Entry entry = enter();
             work(*model_);
             return;
         }
-        PredicateCount& callers = predicate_count();
-        const int threads = thread_count();
-        engine_.run(
-            [&] {
-                const ThreadLimit limit(threads);
-                const CountForCaller count(callers);
-                work(*model_);
-            },
-            progress_);
+        engine_.run([&] { work(*model_); }, progress_);
     }
 
-    /// Calls `work(session)` in the calling thread, with a session that answers in the threads that ask, while the
-    /// engine's thread waits: handing a small batch from thread to thread takes longer than its answers. The engine is
-    /// open to others between questions, or pieces of large batches.
-    /// @throws Cancelled, and what `work` throws; std::logic_error on the engine's thread, or without an answerer
+    /// Calls `work(session)` on a thread of the engine for jobs, with a session that answers in the threads that ask,
+    /// and waits for it: handing a small batch from thread to thread takes longer than its answers. What `work` runs in
+    /// parallel runs on the engine's threads, too. The engine is open to others between questions, or pieces of large
+    /// batches.
+    /// @throws Cancelled, and what `work` throws; std::logic_error on the engine's threads, or without an answerer
     template <typename Work>
     void in_place(const Work& work) {
-        if (engine_.on_own_thread()) {
-            throw std::logic_error("the engine's thread would wait for itself");
-        }
         std::vector<CountingAnswerer> answerers;
         run([&](Model& model) { answerers = answerers_of(model, thread_count()); });
         if (answerers.empty()) {
             throw std::logic_error("the model has no answerer");
         }
         EngineGate gate;
-        std::exception_ptr failure;
-        std::thread keeper([&] {
-            try {
-                engine_.keep_open(gate, progress_);
-            } catch (...) {
-                failure = std::current_exception();  // Thrown again below, if `work` has missed the answers.
-                gate.close();
+        const auto count = [&] {
+            for (const CountingAnswerer& answerer : answerers) {
+                engine_.count_answered(answerer.count());
             }
-        });
-        std::exception_ptr raised;
+        };
         try {
-            Session own(*this, answerers.data(), static_cast<int>(answerers.size()), gate, false);
-            work(own);
+            engine_.run_job(
+                gate,
+                [&] {
+                    Session own(*this, answerers.data(), static_cast<int>(answerers.size()), gate, false);
+                    work(own);
+                },
+                progress_);
         } catch (...) {
-            raised = std::current_exception();
+            count();
+            throw;
         }
-        gate.close();
-        keeper.join();
-        for (const CountingAnswerer& answerer : answerers) {
-            engine_.count_answered(answerer.count());
-        }
-        if (raised) {
-            std::rethrow_exception(failure ? failure : raised);
-        }
+        count();
     }
     /// Returns how many queries a session of `in_place` has answered.
     std::uint64_t queries() const {
@@ -136,14 +117,14 @@ class Session final : public Oracle {
         return sum;
     }
 
-    /// Calls `work(answerer, k)` for k = 0 .. count - 1, in no particular order, on as many threads as the caller may
-    /// use, while the engine's thread waits for them. What a call gives must not depend on the calls before it; calls
-    /// ask nothing but the answerer.
+    /// Calls `work(answerer, k)` for k = 0 .. count - 1, in no particular order, on as many of the engine's threads as
+    /// the caller may use, while the main one waits for them. What a call gives must not depend on the calls before it;
+    /// calls ask nothing but the answerer.
     /// @throws as parallel_for
     template <typename Work>
     void run_parallel(int count, const Work& work) {
         if (answerers_ != nullptr) {
-            const EngineGate::Entry entry(*gate_);
+            const EngineGate::Entry entry = enter();
             std::optional<OpenCascadeWait> wait;
             if (count > 1 && !apart_) {  // for one chunk, saying that it waits would take longer than the answers
                 wait.emplace(progress_, progress_ != nullptr ? progress_->name() : std::string());
@@ -162,8 +143,8 @@ class Session final : public Oracle {
         });
     }
 
-    /// Calls `work(session, k)` for k = 0 .. count - 1, in no particular order, on as many threads as the caller may
-    /// use. A call asks its own session, which answers in the call's thread, as in `in_place`.
+    /// Calls `work(session, k)` for k = 0 .. count - 1, in no particular order, on as many of the engine's threads as
+    /// the caller may use. A call asks its own session, which answers in the call's thread, as in `in_place`.
     /// @throws as parallel_for
     template <typename Work>
     void run_apart(int count, const Work& work) {
@@ -203,19 +184,12 @@ class Session final : public Oracle {
     void check() const override { check_cancelled(progress_); }
 
   private:
-    /// Counts predicates of the engine's thread for the caller's, who waits, while the object lives.
-    class CountForCaller {
-      public:
-        explicit CountForCaller(PredicateCount& callers)
-            : callers_(callers), own_(std::exchange(predicate_count(), callers)) {}
-        ~CountForCaller() { callers_ = std::exchange(predicate_count(), own_); }
-        CountForCaller(const CountForCaller&) = delete;
-        CountForCaller& operator=(const CountForCaller&) = delete;
-
-      private:
-        PredicateCount& callers_;
-        PredicateCount own_;
-    };
+    /// Before the model is asked in a session of `in_place` or `run_apart`.
+    /// @throws std::logic_error on a thread that is not the engine's; Cancelled
+    EngineGate::Entry enter() const {
+        engine_.check_own_thread();
+        return EngineGate::Entry(*gate_);
+    }
 
     /// Counts what another answers. Each has cache lines of its own, since each counts in its own thread.
     class alignas(64) CountingAnswerer final : public Answerer {
@@ -243,9 +217,12 @@ class Session final : public Oracle {
 
     // Calls `work(answerer, k)` for k = 0 .. count - 1, each thread with an answerer of its own.
     template <typename Work>
-    static void call_with(CountingAnswerer* answerers, int most, int count, const Work& work) {
+    void call_with(CountingAnswerer* answerers, int most, int count, const Work& work) const {
         const ThreadLimit limit(std::min(most, thread_count()));
-        parallel_for_on_threads(count, [&](int thread, int k) { work(answerers[thread], k); });
+        parallel_for_on_threads(count, [&](int thread, int k) {
+            engine_.check_own_thread();
+            work(answerers[thread], k);
+        });
     }
 
     static std::vector<CountingAnswerer> answerers_of(Model& model, int most) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <condition_variable>
 #include <cstddef>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <system_error>
@@ -45,9 +46,13 @@ class Calls {
     int running_ = 0;
 };
 
-/// A thread that waits for calls. It lives as long as the process.
+/// A thread that waits for calls.
 class KeptThread {
   public:
+    template <typename Serve>
+    void start(const Serve& serve) {
+        thread_ = std::thread(serve);
+    }
     void give(Calls& calls, int number) {
         {
             const std::lock_guard<std::mutex> lock(mutex_);
@@ -63,97 +68,128 @@ class KeptThread {
         calls_ = waits ? nullptr : calls_;
         return waits;
     }
-    /// Waits for the next call.
-    Calls& begin(int& number) {
+    /// Waits for the next call. @return null at the end
+    Calls* begin(int& number) {
         std::unique_lock<std::mutex> lock(mutex_);
-        given_.wait(lock, [this] { return calls_ != nullptr; });
+        given_.wait(lock, [this] { return calls_ != nullptr || ended_; });
         number = number_;
-        return *std::exchange(calls_, nullptr);
+        return std::exchange(calls_, nullptr);
+    }
+    void end() {
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            ended_ = true;
+        }
+        given_.notify_one();
+        thread_.join();
     }
 
   private:
+    std::thread thread_;
     std::mutex mutex_;
     std::condition_variable given_;
     Calls* calls_ = nullptr;  // null: none, or it has begun
     int number_ = 0;
+    bool ended_ = false;
 };
 
-struct Waiting {
-    std::mutex mutex;
-    std::vector<KeptThread*> threads;  // without a call; the last one ended last, and its memory is in caches
-    std::size_t made = 0;              // threads that there are: there is room for all of them
+}  // namespace
+
+class KeptThreads::Impl {
+  public:
+    explicit Impl(KeptThreads& owner) : owner_(owner) {}
+    ~Impl() {
+        for (const std::unique_ptr<KeptThread>& thread : all_) {
+            thread->end();
+        }
+    }
+
+    /// @return a thread that waits, else a new one
+    /// @throws std::system_error, std::bad_alloc when there is none to be had
+    KeptThread& take_one() {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!waiting_.empty()) {
+            KeptThread& last = *waiting_.back();
+            waiting_.pop_back();
+            return last;
+        }
+        waiting_.reserve(all_.size() + 1);
+        all_.push_back(std::make_unique<KeptThread>());
+        KeptThread& fresh = *all_.back();
+        try {
+            fresh.start([this, &fresh] { serve(fresh); });
+        } catch (...) {
+            all_.pop_back();
+            throw;
+        }
+        return fresh;
+    }
+    void keep(KeptThread& thread) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        waiting_.push_back(&thread);
+    }
+
+    // No other thread has the mutex while the process is copied, and threads do not survive that.
+    void before_fork() { mutex_.lock(); }
+    void after_fork() { mutex_.unlock(); }
+    void after_fork_in_child() {
+        waiting_.clear();
+        for (std::unique_ptr<KeptThread>& thread : all_) {
+            static_cast<void>(thread.release());  // The parent has the thread: nobody can end it here.
+        }
+        all_.clear();
+        mutex_.unlock();
+    }
+
+  private:
+    void serve(KeptThread& own) {
+        const Member member(owner_);
+        int number = 0;
+        while (Calls* const calls = own.begin(number)) {
+            calls->call(number);
+            keep(own);  // before its caller knows, whose next call finds it waiting
+            calls->end_one();
+        }
+    }
+
+    KeptThreads& owner_;
+    std::mutex mutex_;
+    std::vector<KeptThread*> waiting_;  // without a call; the last one ended last, and its memory is in caches
+    std::vector<std::unique_ptr<KeptThread>> all_;
 };
 
-Waiting& waiting();
+KeptThreads::KeptThreads() : impl_(std::make_unique<Impl>(*this)) {}
 
-// No other thread has the mutex while the process is copied, and threads do not survive that.
-void before_fork() {
-    waiting().mutex.lock();
-}
-void after_fork() {
-    waiting().mutex.unlock();
-}
-void after_fork_in_child() {
-    waiting().threads.clear();
-    waiting().mutex.unlock();
+KeptThreads::~KeptThreads() = default;
+
+void KeptThreads::run(const std::function<void()>& work, const std::function<void()>& meanwhile) {
+    const std::function<void(int)> call = [&](int /*number*/) { work(); };
+    Calls calls(call);
+    KeptThread& thread = impl_->take_one();
+    calls.add();
+    thread.give(calls, 1);
+    meanwhile();
+    calls.wait();
 }
 
-Waiting& waiting() {
-    static Waiting& instance = []() -> Waiting& {
-        pthread_atfork(before_fork, after_fork, after_fork_in_child);
-        return *new Waiting();  // never destroyed: the threads wait while the process exits
+KeptThreads& KeptThreads::of_process() {
+    static KeptThreads& instance = []() -> KeptThreads& {
+        pthread_atfork([] { of_process().impl_->before_fork(); }, [] { of_process().impl_->after_fork(); },
+                       [] { of_process().impl_->after_fork_in_child(); });
+        return *new KeptThreads();  // never destroyed: the threads wait while the process exits
     }();
     return instance;
 }
 
-void keep(KeptThread& thread) {
-    const std::lock_guard<std::mutex> lock(waiting().mutex);
-    waiting().threads.push_back(&thread);
-}
-
-void serve(KeptThread& own) {
-    for (;;) {
-        int number = 0;
-        Calls& calls = own.begin(number);
-        calls.call(number);
-        keep(own);  // before its caller knows, whose next call finds it waiting
-        calls.end_one();
-    }
-}
-
-/// @return a thread that waits, else a new one
-/// @throws std::system_error, std::bad_alloc when there is none to be had
-KeptThread& take_one() {
-    Waiting& all = waiting();
-    {
-        const std::lock_guard<std::mutex> lock(all.mutex);
-        if (!all.threads.empty()) {
-            KeptThread& last = *all.threads.back();
-            all.threads.pop_back();
-            return last;
-        }
-        all.threads.reserve(all.made + 1);
-        ++all.made;
-    }
-    KeptThread& fresh = *new KeptThread();
-    try {
-        std::thread([&fresh] { serve(fresh); }).detach();
-    } catch (const std::system_error&) {
-        delete &fresh;
-        throw;
-    }
-    return fresh;
-}
-
-}  // namespace
-
 void run_with_others(int others, const std::function<void(int)>& work) {
+    KeptThreads* const own = KeptThreads::present();
+    KeptThreads::Impl& threads = *(own != nullptr ? *own : KeptThreads::of_process()).impl_;
     Calls calls(work);
     std::vector<KeptThread*> given;
     given.reserve(static_cast<std::size_t>(std::max(0, others)));
     for (int number = 1; number <= others; ++number) {
         try {
-            given.push_back(&take_one());
+            given.push_back(&threads.take_one());
         } catch (const std::system_error&) {
             break;  // those that there are do the work
         } catch (const std::bad_alloc&) {
@@ -165,7 +201,7 @@ void run_with_others(int others, const std::function<void(int)>& work) {
     work(0);
     for (KeptThread* thread : given) {
         if (thread->take_back(calls)) {
-            keep(*thread);
+            threads.keep(*thread);
             calls.end_one();
         }
     }

@@ -6,11 +6,14 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "base/error.h"
+#include "base/predicates.h"
 #include "geometry/elementary/surface.h"
 
 namespace mq::geometry {
@@ -157,6 +160,15 @@ TEST(Session, EndsSoonOnceCancelledAndTheEngineGoesOn) {
     EXPECT_EQ(other.ask(numbered(10'000)).back().t, 2.0 * 9'999);
 }
 
+bool is_engines(const Engine& engine) {
+    try {
+        engine.check_own_thread();
+    } catch (const std::logic_error&) {
+        return false;
+    }
+    return true;
+}
+
 /// What asks in place is answered by its own thread, one batch as well as many chunks.
 TEST(Session, AnswersInPlaceInTheThreadsThatAsk) {
     for (const int threads : {1, 3}) {
@@ -183,6 +195,112 @@ TEST(Session, AnswersInPlaceInTheThreadsThatAsk) {
         }
         EXPECT_EQ(session.ask(numbered(3)).back().t, 4.0);
     }
+}
+
+/// Whoever calls only waits: for what is done in place, for calls apart, and for large batches.
+TEST(Session, WorksOnThreadsOfTheEngineOnly) {
+    const ThreadLimit limit(3);
+    const std::thread::id caller = std::this_thread::get_id();
+    for (const Engine::Mode mode : {Engine::Mode::Threaded, Engine::Mode::Direct}) {
+        Engine engine(mode);
+        Session session(engine, std::make_shared<DoublingModel>());
+        const bool threaded = mode == Engine::Mode::Threaded;
+        EXPECT_EQ(is_engines(engine), !threaded);
+        std::atomic<int> calls{0};
+        const auto check = [&](bool in_job) {
+            ++calls;
+            EXPECT_TRUE(is_engines(engine));
+            EXPECT_TRUE(!(threaded || in_job) || std::this_thread::get_id() != caller);
+        };
+        session.for_chunks(50'000, [&](Answerer&, std::size_t, std::size_t) { check(false); });
+        session.run([&](Model&) { check(false); });
+        session.in_place([&](Session& own) {
+            check(true);
+            own.for_chunks(50'000, [&](Answerer&, std::size_t, std::size_t) { check(true); });
+            own.run([&](Model&) { check(true); });
+            own.run_apart(8, [&](Session& /*apart*/, int /*k*/) {
+                check(true);
+                parallel_for(4, [&](int /*i*/) { check(true); });
+            });
+        });
+        session.run_apart(8, [&](Session& /*apart*/, int /*k*/) { check(true); });
+        EXPECT_EQ(calls, 2 * 196 + 1 + 1 + 1 + 8 * 5 + 8);
+    }
+}
+
+/// A thread that the engine does not own is refused, wherever it got its session from.
+TEST(Session, IsNotAskedOnOtherThreads) {
+    Engine engine;
+    Session session(engine, std::make_shared<DoublingModel>());
+    int refused = 0;
+    session.in_place([&](Session& own) {
+        std::thread other([&] {
+            for (const std::size_t count : {1, 10'000}) {
+                EXPECT_THROW(own.ask(numbered(count)), std::logic_error);
+                ++refused;
+            }
+            EXPECT_THROW(own.ask(numbered(1).front()), std::logic_error);
+            EXPECT_THROW(own.run([](Model&) {}), std::logic_error);
+            EXPECT_THROW(own.run_apart(2, [](Session& apart, int) { apart.ask(numbered(1)); }), std::logic_error);
+        });
+        other.join();
+        EXPECT_EQ(own.ask(numbered(3)).back().t, 4.0);
+    });
+    EXPECT_EQ(refused, 2);
+}
+
+TEST(Session, CountsPredicatesForWhoeverCalls) {
+    const ThreadLimit limit(3);
+    Engine engine;
+    Session session(engine, std::make_shared<DoublingModel>());
+    const auto decide = [] { orient2d(Vec2(0.0, 0.0), Vec2(1.0, 0.0), Vec2(0.0, 1.0)); };
+    predicate_count() = {};
+    decide();
+    const std::uint64_t one = predicate_count().filtered;
+    ASSERT_EQ(one, 1U);
+    session.in_place([&](Session& own) {
+        EXPECT_EQ(thread_count(), 3);
+        decide();
+        own.run_apart(5, [&](Session& /*apart*/, int /*k*/) { decide(); });
+    });
+    EXPECT_EQ(predicate_count().filtered, 7 * one);
+    session.run([&](Model&) { decide(); });
+    EXPECT_EQ(predicate_count().filtered, 8 * one);
+    predicate_count() = {};
+    session.in_place([&](Session& /*own*/) {});
+    EXPECT_EQ(predicate_count().filtered, 0U);  // the thread's counts of before are not its next caller's
+}
+
+/// Two jobs that wait for each other's questions end only where both run at a time; their threads are kept.
+TEST(Session, JobsRunSideBySideOnThreadsThatAreKept) {
+    Engine engine;
+    const auto job = [&](std::atomic<int>& asked, const std::atomic<int>& others, std::thread::id& thread) {
+        Session(engine, std::make_shared<DoublingModel>()).in_place([&](Session& own) {
+            thread = std::this_thread::get_id();
+            for (int n = 0; n < 10; ++n) {
+                EXPECT_EQ(own.ask(numbered(3)).back().t, 4.0);
+                ++asked;
+                const auto end = std::chrono::steady_clock::now() + 20s;
+                while (others < n && std::chrono::steady_clock::now() < end) {
+                    std::this_thread::yield();
+                }
+                EXPECT_GE(others, n);
+            }
+        });
+    };
+    std::set<std::thread::id> threads;
+    for (int round = 0; round < 3; ++round) {
+        std::atomic<int> first{0};
+        std::atomic<int> second{0};
+        std::thread::id of_first;
+        std::thread::id of_second;
+        std::thread other([&] { job(second, first, of_second); });
+        job(first, second, of_first);
+        other.join();
+        EXPECT_NE(of_first, of_second);
+        threads.insert({of_first, of_second});
+    }
+    EXPECT_EQ(threads.size(), 2U);
 }
 
 /// The time after which a test that waits for other threads has failed.
@@ -260,6 +378,34 @@ TEST(Session, IsNotInPlaceOnTheEnginesThreadNorWithoutAnAnswerer) {
     EXPECT_THROW(Session(engine, std::make_shared<Silent>()).in_place(nothing), std::logic_error);
     EXPECT_THROW(engine.run([&] { Session(engine, std::make_shared<DoublingModel>()).in_place(nothing); }),
                  std::logic_error);
+}
+
+/// What would wait for itself is refused, and says so; the engine goes on.
+TEST(Session, RefusesWhatAJobWouldWaitFor) {
+    Engine engine;
+    const auto model = std::make_shared<DoublingModel>();
+    const auto said = [](const auto& call) {
+        try {
+            call();
+        } catch (const std::logic_error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    Session session(engine, model);
+    session.in_place([&](Session& own) {
+        const std::string waits = "a job of the geometry engine would wait for itself: it must ask its own session";
+        EXPECT_EQ(said([&] { session.in_place([](Session&) {}); }), waits);
+        EXPECT_EQ(said([&] { own.in_place([](Session&) {}); }),
+                  "a job of the geometry engine cannot begin another one, for which it would wait");
+        EXPECT_EQ(said([&] { session.ask(numbered(1)); }), waits);
+        EXPECT_EQ(said([&] { engine.run([] {}); }), waits);
+        own.for_chunks(10, [&](Answerer&, std::size_t, std::size_t) {
+            EXPECT_EQ(said([&] { engine.ask(model, numbered(1)); }), waits);
+        });
+        EXPECT_EQ(own.ask(numbered(3)).back().t, 4.0);
+    });
+    EXPECT_EQ(session.ask(numbered(3)).back().t, 4.0);
 }
 
 TEST(Session, PassesOnWhatIsThrownInPlace) {

@@ -27,8 +27,8 @@ constexpr double kDeviations = 2.0;
 constexpr int kUndoRounds = 3;
 /// Contacts that are looked at in a round.
 constexpr std::size_t kListed = 100'000;
-/// Projections that one thread does at a time, and how many of these the engine's thread waits for, so that others come
-/// to their turn.
+/// Projections that one thread does at a time, and how many of these the engine's main thread waits for, so that others
+/// come to their turn.
 constexpr int kQueriesPerChunk = 64;
 constexpr int kChunksPerWork = 32;
 /// More faces have no point in common.

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <mutex>
@@ -106,6 +107,55 @@ TEST(KeptThreads, CallsWithinCallsAndFromSeveralThreads) {
     work();
     other.join();
     EXPECT_EQ(sum, 2 * 100 * 10 * 5);
+}
+
+TEST(KeptThreads, WorkRunsInOneOfThemWhileTheCallerDoesSomethingElse) {
+    KeptThreads threads;
+    std::atomic<int> arrived{0};
+    std::thread::id first;
+    for (int round = 0; round < 3; ++round) {
+        arrived = 0;
+        const auto meet = [&](bool own) {
+            ++arrived;
+            while (arrived < 2) {
+                std::this_thread::yield();
+            }
+            EXPECT_EQ(threads.own_this_thread(), own);
+        };
+        std::thread::id id;
+        threads.run(
+            [&] {
+                meet(true);
+                id = std::this_thread::get_id();
+            },
+            [&] { meet(false); });
+        EXPECT_NE(id, std::this_thread::get_id());
+        first = round == 0 ? id : first;
+        EXPECT_EQ(id, first);
+    }
+}
+
+TEST(KeptThreads, HelpersOfOneOfThemAreOfThem) {
+    const Ids of_process = ids_of_team(4);
+    Ids team;
+    {
+        KeptThreads threads;
+        std::atomic<int> own{0};
+        threads.run(
+            [&] {
+                team = ids_of_team(4);
+                run_with_others(3, [&](int) { own += threads.own_this_thread() ? 1 : 100; });
+            },
+            [] {});
+        EXPECT_GT(own, 0);
+        EXPECT_LT(own, 5);
+        const KeptThreads::Member member(threads);
+        EXPECT_TRUE(threads.own_this_thread());
+        const Ids beside = ids_of_team(4);
+        EXPECT_EQ(std::count_if(beside.begin(), beside.end(), [&](auto id) { return team.count(id) == 1; }), 4);
+    }
+    EXPECT_EQ(std::count_if(team.begin(), team.end(), [&](auto id) { return of_process.count(id) == 1; }), 0);
+    EXPECT_EQ(ids_of_team(4), of_process);
 }
 
 TEST(KeptThreads, AForkedProcessStartsItsOwn) {
