@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "boolean/offset/opening_extension.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,8 +10,6 @@
 #include <map>
 #include <set>
 #include <utility>
-
-#include <Eigen/QR>
 
 #include "base/vec.h"
 #include "mesh/corner_table.h"
@@ -46,10 +45,10 @@ struct Opening {
     Vec3 point = Vec3::Zero();
 };
 
-/// A convex part of what is put on openings.
+/// A convex piece of what is put on openings.
 struct Piece {
     std::int32_t group = -1;  ///< the opening, whose prisms are apart from each other
-    Vec3 up = Vec3::Zero();  ///< below the base across it nothing of the solid is near to the piece
+    Vec3 up = Vec3::Zero();   ///< what is below the base along it does not reach the piece
     Vec3 base = Vec3::Zero();
     std::vector<Vec3> points;
     Box box;
@@ -232,7 +231,7 @@ class OpeningExtension {
     }
     const Vec3& point(std::int32_t vertex) const { return solid_.vertices[static_cast<std::size_t>(vertex)]; }
 
-    /// Notes a part of what is put on openings: the hull of the points of the solid and those raised from them.
+    /// Notes a piece of what is put on openings: the hull of the points of the solid and those raised from them.
     void add_piece(std::int32_t group, const Vec3& up, const std::vector<std::array<std::int32_t, 2>>& lines) {
         Piece piece;
         piece.group = group;
@@ -280,7 +279,7 @@ class OpeningExtension {
     }
     bool reaches(const std::array<Vec3, 3>& triangle, const Piece& piece) const {
         const auto above = [&](std::size_t k) { return piece.up.dot(triangle[k] - piece.base) - options_.flatness; };
-        std::vector<Vec3> part;  // of the triangle, above the plane
+        std::vector<Vec3> part;  // what is above the plane
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             const double here = above(k);
@@ -467,14 +466,14 @@ class OpeningExtension {
     const std::vector<char>& open_;
     const ExtensionOptions options_;
     const double length_;  ///< mm, of the prisms
-    const double slope_;  ///< of a prism's side beside a wall that rises
+    const double slope_;   ///< slope of a prism's side beside a wall that rises
     const std::vector<std::int32_t> twins_;
     std::vector<std::int32_t> opening_of_;  ///< by triangle; -1: a wall
     std::vector<Opening> openings_;
     std::vector<Vec3> directions_;
-    std::map<std::array<std::int32_t, 2>, Vec3> lean_;  ///< mm, of prisms; by vertex and direction
+    std::map<std::array<std::int32_t, 2>, Vec3> lean_;            ///< mm, of prisms; by vertex and direction
     std::map<std::array<std::int32_t, 2>, std::int32_t> raised_;  ///< by vertex and direction
-    std::set<std::int32_t> rises_;  ///< vertices from which walls rise
+    std::set<std::int32_t> rises_;                                ///< vertices from which walls rise
     std::vector<Piece> pieces_;
     mesh::TriangleMesh result_;
 };
