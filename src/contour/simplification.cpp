@@ -20,7 +20,7 @@ namespace {
 
 using BlockKey = std::array<std::int32_t, 3>;
 
-/// Of the blocks the first time, as a fraction of their side.
+/// The shift of the blocks the first time, as a fraction of their side.
 constexpr double kShift = 0.309;
 
 /// A block of space, and a surface of its triangles and of those that reach into it.

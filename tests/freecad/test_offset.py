@@ -249,6 +249,29 @@ class Hollows(unittest.TestCase):
         self.assertLessEqual(distances_from(Part.Compound([f for i, f in enumerate(pocket.Faces) if f"Face{i + 1}" != floor]),
                                             result).max(), 1.56)  # amid the rim of the floor, 3 wide, at most 1.5
 
+    def test_walls_that_rise_from_an_opening(self):
+        # The hollow ends at a distance of 1 from the rim: half a disk, along a line and around an axis.
+        plate, up = Part.makeBox(30, 20, 10), Vector(0, 0, 1)
+        slab = 18 * (28 * 9 + 8 * 7 - math.pi / 2)
+        boss = 28 * 18 * 9 - math.pi**2 * 4 + math.pi * 3**2 * 7
+        for rising, hollow in ((Part.makeBox(10, 20, 18), slab), (Part.makeCylinder(4, 18, Vector(15, 10, 0)), boss)):
+            part = plate.fuse(rising).removeSplitter()
+            opening = next(f"Face{i + 1}" for i, face in enumerate(part.Faces)
+                           if face.normalAt(0, 0).dot(up) > 0.99 and abs(face.CenterOfMass.z - 10) < 1e-6)
+            part.rotate(Vector(1, 2, 3), Vector(1, 2, 1), 37)
+            result = mq.hollow(part, 1.0, openings=[opening], tolerance=0.02)
+            self.assertNotIn("dividing cells", result.report.seconds)  # no contour, which takes a hundred times as long
+            self.assertLessEqual(result.report.error_bound, 0.02)
+            self.assertAlmostEqual(result.report.volume, part.Volume - hollow, delta=0.002 * hollow)
+
+    def test_openings_whose_prisms_would_meet(self):
+        """Two faces that meet in a concave edge: the prism on one would be in that on the other."""
+        step = Part.makeBox(12, 8, 10).cut(Part.makeBox(6, 8, 5, Vector(6, 0, 5)))
+        openings = [f"Face{i + 1}" for i, face in enumerate(step.Faces) if (face.CenterOfMass - Vector(7.5, 4, 6.5)).Length < 2.6]
+        self.assertEqual(len(openings), 2)
+        result = mq.hollow(step, 1.0, openings=openings, tolerance=0.1)
+        self.assertAlmostEqual(result.report.volume, step.Volume - 6 * (10 * 4 + 5 * 4), delta=0.5)
+
     def test_what_is_closed_and_what_is_no_hollow_is_said(self):
         """An open shell is closed first: the result says so, as a Boolean does."""
         open_box = Part.Shell(Part.makeBox(10, 10, 10).Faces[:5])

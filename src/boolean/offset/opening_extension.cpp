@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "boolean/offset/opening_extension.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/vec.h"
@@ -27,6 +29,14 @@ constexpr double kLeastReach = 1.1;
 constexpr double kMostLift = 1.5;
 /// Normals whose cosine differs from 1 by less are the same.
 constexpr double kSameDirection = 1e-9;
+/// Rims whose directions differ by less are parallel: the square of that.
+constexpr double kParallel = 1e-8;
+/// How far a prism leans inward at most beside walls that rise, in gaps.
+constexpr double kMostLean = 4.0;
+/// Least gap between a prism and a wall that rises from its rim, as a fraction of what the prism leaves there.
+constexpr double kLeastGap = 0.25;
+/// The group of pieces between the prisms of several openings.
+constexpr std::int32_t kBetween = -1;
 
 /// Open triangles in one plane that hang together by edges.
 struct Opening {
@@ -35,6 +45,49 @@ struct Opening {
     Vec3 point = Vec3::Zero();
 };
 
+/// A convex piece of what is put on openings.
+struct Piece {
+    std::int32_t group = -1;  ///< the opening, whose prisms are apart from each other
+    Vec3 up = Vec3::Zero();   ///< what is below the base along it does not reach the piece
+    Vec3 base = Vec3::Zero();
+    std::vector<Vec3> points;
+    Box box;
+};
+
+/// Whether the hulls of two sets of points are apart by a gap along some normal of a face or of two edges.
+bool are_apart(const std::vector<Vec3>& one, const std::vector<Vec3>& two, double gap) {
+    std::vector<Vec3> edges;
+    for (const std::vector<Vec3>& points : {one, two}) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k) {
+                edges.push_back(points[i] - points[k]);
+            }
+        }
+    }
+    const auto along = [](const std::vector<Vec3>& points, const Vec3& axis) {
+        std::array<double, 2> range{axis.dot(points[0]), axis.dot(points[0])};
+        for (const Vec3& p : points) {
+            range = {std::min(range[0], axis.dot(p)), std::max(range[1], axis.dot(p))};
+        }
+        return range;
+    };
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            Vec3 axis = edges[i].cross(edges[k]);
+            const double length = axis.norm();
+            if (length > kSameDirection * edges[i].norm() * edges[k].norm()) {
+                axis /= length;
+                const std::array<double, 2> its = along(one, axis);
+                const std::array<double, 2> others = along(two, axis);
+                if (std::max(others[0] - its[1], its[0] - others[1]) >= gap) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
 class OpeningExtension {
   public:
     OpeningExtension(const mesh::TriangleMesh& solid, const std::vector<char>& open, const ExtensionOptions& options)
@@ -42,6 +95,7 @@ class OpeningExtension {
           open_(open),
           options_(options),
           length_(kLength * options.thickness),
+          slope_(std::sqrt(options.flatness / options.thickness)),
           twins_(mesh::edge_twins(solid.triangles, solid.vertices.size())),
           opening_of_(solid.triangles.size(), -1),
           result_(solid) {}
@@ -55,10 +109,8 @@ class OpeningExtension {
                 return std::nullopt;
             }
         }
-        for (const Opening& opening : openings_) {
-            if (rises_above(opening)) {
-                return std::nullopt;
-            }
+        if (!lean_from_walls()) {
+            return std::nullopt;
         }
         move_openings();
         for (std::int32_t c = 0; c < static_cast<std::int32_t>(twins_.size()); ++c) {
@@ -66,7 +118,7 @@ class OpeningExtension {
                 return std::nullopt;
             }
         }
-        if (!close_vertices()) {
+        if (!close_vertices() || !is_apart()) {
             return std::nullopt;
         }
         lift_walls();
@@ -134,42 +186,112 @@ class OpeningExtension {
     const Vec3& normal(const Opening& opening) const {
         return directions_[static_cast<std::size_t>(opening.direction)];
     }
-    /// The box of the prism on a triangle, and of all that is near to it.
-    Box prism_box(const Opening& opening, std::int32_t t, double margin) const {
-        Box box;
-        for (const Vec3& p : corners(t)) {
-            box.add(p);
-            box.add(p + length_ * normal(opening));
+    /// What the prisms lean inward beside walls that rise from an opening, so that a gap is left between them and the
+    /// wall; false where the prism would have to lean farther than the gap is wide.
+    bool lean_from_walls() {
+        struct Rim {
+            Vec3 inward;
+            double lean;
+        };
+        std::map<std::array<std::int32_t, 2>, std::vector<Rim>> rims;  // by vertex and direction
+        for (std::int32_t c = 0; c < static_cast<std::int32_t>(twins_.size()); ++c) {
+            if (!is_open(c) || is_open(twin(c))) {
+                continue;
+            }
+            const Vec3& up = directions_[static_cast<std::size_t>(direction_at(c))];
+            const Vec3& from = point(vertex(c));
+            const Vec3 inward = up.cross(point(vertex(next_corner(c))) - from).normalized();
+            const Vec3 wall = point(vertex(previous_corner(twin(c)))) - from;
+            const double height = up.dot(wall);
+            const bool steep = height > options_.flatness && inward.dot(wall) > -slope_ * height;
+            for (const std::int32_t end : {c, next_corner(c)}) {
+                rims[{vertex(end), direction_at(c)}].push_back({inward, steep ? slope_ * length_ : 0.0});
+                rises_.insert(steep ? vertex(end) : -1);
+            }
         }
-        box.low.array() -= margin;
-        box.high.array() += margin;
-        return box;
+        for (const auto& [at, edges] : rims) {
+            Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+            Vec3 wanted = Vec3::Zero();
+            for (const Rim& edge : edges) {
+                squares += edge.inward * edge.inward.transpose();
+                wanted += edge.lean * edge.inward;
+            }
+            if (wanted.isZero(0.0)) {
+                continue;
+            }
+            Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix3d> solver;
+            solver.setThreshold(kParallel);
+            const Vec3 lean = solver.compute(squares).solve(wanted);
+            if (lean.norm() > kMostLean * slope_ * length_) {
+                return false;
+            }
+            lean_[at] = lean;
+        }
+        return true;
     }
-    /// Whether some triangle above the plane of an opening is near to its prism; one of another opening, whose prism
-    /// could reach it.
-    bool rises_above(const Opening& opening) const {
-        Box whole;
-        for (const std::int32_t t : opening.triangles) {
-            const Box box = prism_box(opening, t, length_ + options_.thickness);
-            whole.add(box.low);
-            whole.add(box.high);
+    const Vec3& point(std::int32_t vertex) const { return solid_.vertices[static_cast<std::size_t>(vertex)]; }
+
+    /// Notes a piece of what is put on openings: the hull of the points of the solid and those raised from them.
+    void add_piece(std::int32_t group, const Vec3& up, const std::vector<std::array<std::int32_t, 2>>& lines) {
+        Piece piece;
+        piece.group = group;
+        piece.up = up;
+        piece.base = point(lines[0][0]);
+        const double begin = options_.flatness / length_;
+        for (const auto& [base, raised] : lines) {
+            const Vec3& end = result_.vertices[static_cast<std::size_t>(raised)];
+            piece.points.push_back(point(base) + begin * (end - point(base)));
+            piece.points.push_back(end);
         }
-        for (std::size_t t = 0; t < open_.size(); ++t) {
-            const std::array<Vec3, 3> p = corners(static_cast<std::int32_t>(t));
+        for (const Vec3& p : piece.points) {
+            piece.box.add(p);
+        }
+        pieces_.push_back(std::move(piece));
+    }
+    /// Whether what is put on openings is apart from the solid, and its parts from each other.
+    bool is_apart() const {
+        Box whole;
+        for (const Piece& piece : pieces_) {
+            whole.add(piece.box.low);
+            whole.add(piece.box.high);
+        }
+        for (std::int32_t t = 0; t < static_cast<std::int32_t>(open_.size()); ++t) {
+            const std::array<Vec3, 3> p = corners(t);
             Box box;
-            double height = 0.0;
             for (const Vec3& corner : p) {
                 box.add(corner);
-                height = std::max(height, normal(opening).dot(corner - opening.point));
             }
-            const double margin = options_.thickness + (open_[t] != 0 ? length_ : 0.0);
-            if (height > options_.flatness && box.meets(whole) &&
-                std::any_of(opening.triangles.begin(), opening.triangles.end(),
-                            [&](std::int32_t own) { return box.meets(prism_box(opening, own, margin)); })) {
-                return true;
+            if (box.meets(whole) && std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+                    return box.meets(piece.box) && reaches(p, piece);
+                })) {
+                return false;
             }
         }
-        return false;
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k) {
+                if (pieces_[i].group != pieces_[k].group && pieces_[i].box.meets(pieces_[k].box) &&
+                    !are_apart(pieces_[i].points, pieces_[k].points, -options_.flatness)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+    bool reaches(const std::array<Vec3, 3>& triangle, const Piece& piece) const {
+        const auto above = [&](std::size_t k) { return piece.up.dot(triangle[k] - piece.base) - options_.flatness; };
+        std::vector<Vec3> part;  // what is above the plane
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t next = (k + 1) % 3;
+            const double here = above(k);
+            const double there = above(next);
+            if (here > 0.0) {
+                part.push_back(triangle[k]);
+            }
+            if ((here > 0.0) != (there > 0.0)) {
+                part.emplace_back(triangle[k] + here / (here - there) * (triangle[next] - triangle[k]));
+            }
+        }
+        return !part.empty() && !are_apart(part, piece.points, kLeastGap * slope_ * options_.flatness);
     }
 
     /// The vertex at the end of the prism above a corner of an opening.
@@ -178,13 +300,23 @@ class OpeningExtension {
         if (fresh) {
             at->second = static_cast<std::int32_t>(result_.vertices.size());
             result_.vertices.push_back(solid_.vertices[static_cast<std::size_t>(vertex(corner))] +
-                                       length_ * directions_[static_cast<std::size_t>(direction_at(corner))]);
+                                       length_ * directions_[static_cast<std::size_t>(direction_at(corner))] +
+                                       lean_of(corner));
         }
         return at->second;
     }
+    Vec3 lean_of(std::int32_t corner) const {
+        const auto at = lean_.find({vertex(corner), direction_at(corner)});
+        return at == lean_.end() ? Vec3::Zero() : at->second;
+    }
     void move_openings() {
-        for (const Opening& opening : openings_) {
-            for (const std::int32_t t : opening.triangles) {
+        for (std::size_t group = 0; group < openings_.size(); ++group) {
+            for (const std::int32_t t : openings_[group].triangles) {
+                std::vector<std::array<std::int32_t, 2>> lines;
+                for (std::int32_t c = 3 * t; c < 3 * t + 3; ++c) {
+                    lines.push_back({vertex(c), raised(c)});
+                }
+                add_piece(static_cast<std::int32_t>(group), normal(openings_[group]), lines);
                 for (std::int32_t k = 0; k < 3; ++k) {
                     result_.triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(k)] = raised(3 * t + k);
                 }
@@ -214,9 +346,22 @@ class OpeningExtension {
         }
         const std::int32_t its_from = raised(next_corner(other));
         const std::int32_t its_to = raised(other);
+        if (from != its_from || to != its_to) {
+            const std::int32_t begin = vertex(corner);
+            const std::int32_t end = vertex(next_corner(corner));
+            add_piece(kBetween, between({direction_at(corner), direction_at(other)}),
+                      {{begin, from}, {begin, its_from}, {end, to}, {end, its_to}});
+        }
         add({from, its_to, to}, face(corner / 3));
         add({from, its_from, its_to}, face(other / 3));
         return is_beyond_reach(vertex(corner), {from, its_from});
+    }
+    Vec3 between(const std::vector<std::int32_t>& directions) const {
+        Vec3 sum = Vec3::Zero();
+        for (const std::int32_t direction : directions) {
+            sum += directions_[static_cast<std::size_t>(direction)];
+        }
+        return sum.normalized();
     }
     bool is_beyond_reach(std::int32_t vertex, const std::vector<std::int32_t>& raised) const {
         Vec3 middle = Vec3::Zero();
@@ -245,16 +390,26 @@ class OpeningExtension {
             }
             first = has_wall ? first : c;
             std::vector<std::int32_t> above;
+            std::vector<std::int32_t> directions;
             std::int32_t corner = first;
             do {
                 seen[static_cast<std::size_t>(corner)] = 1;
                 if (above.empty() || above.back() != raised(corner)) {
                     above.push_back(raised(corner));
+                    directions.push_back(direction_at(corner));
                 }
                 corner = twin(previous_corner(corner));
             } while (is_open(corner) && corner != first);
             if (!has_wall && above.size() > 1 && above.front() == above.back()) {
                 above.pop_back();
+                directions.pop_back();
+            }
+            if (above.size() > 2) {
+                std::vector<std::array<std::int32_t, 2>> lines;
+                for (const std::int32_t end : above) {
+                    lines.push_back({vertex(c), end});
+                }
+                add_piece(kBetween, between(directions), lines);
             }
             if (!close(vertex(c), above, has_wall, face(c / 3))) {
                 return false;
@@ -290,6 +445,9 @@ class OpeningExtension {
         }
         for (std::int32_t c = 0; c < count; ++c) {
             const auto v = static_cast<std::size_t>(vertex(c));
+            if (rises_.count(vertex(c)) != 0) {
+                along[v] = kSeveral;
+            }
             if (!is_open(c) && along[v] >= 0) {
                 const std::array<Vec3, 3> p = corners(c / 3);
                 const Vec3 wall = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
@@ -308,11 +466,15 @@ class OpeningExtension {
     const std::vector<char>& open_;
     const ExtensionOptions options_;
     const double length_;  ///< mm, of the prisms
+    const double slope_;   ///< slope of a prism's side beside a wall that rises
     const std::vector<std::int32_t> twins_;
     std::vector<std::int32_t> opening_of_;  ///< by triangle; -1: a wall
     std::vector<Opening> openings_;
     std::vector<Vec3> directions_;
+    std::map<std::array<std::int32_t, 2>, Vec3> lean_;            ///< mm, of prisms; by vertex and direction
     std::map<std::array<std::int32_t, 2>, std::int32_t> raised_;  ///< by vertex and direction
+    std::set<std::int32_t> rises_;                                ///< vertices from which walls rise
+    std::vector<Piece> pieces_;
     mesh::TriangleMesh result_;
 };
 

@@ -16,13 +16,15 @@ struct ExtensionOptions {
 /// A solid with a prism on each of its openings, which are plane: its offset inward by the thickness is, within the
 /// solid, all that is deeper in it than that, from those of its triangles that are not open.
 ///
-/// Points of the solid are below the planes of the openings. So what is nearest to them on a prism's sides is on the
-/// rim, which belongs to the walls, too. Openings that meet in a convex edge have a face between their prisms. Walls
-/// that stand upright on an opening go on above it, so that the offset has no vertices in its plane, where it is cut.
+/// The prisms are apart from the solid and from each other. So the way from a point of the solid to a prism's side
+/// leaves the solid through a wall, or through the opening of that prism, from below its plane. Then the rim, which
+/// belongs to the walls, is as near. Openings that meet in a convex edge have a face between their prisms. Where a wall
+/// rises from a rim, the prism leans away from it by an angle, so that a gap is left; this makes an error of less than
+/// the flatness. Walls that stand upright on an opening go on above it, so that the offset has no vertices in its
+/// plane, where it is cut.
 /// @param solid  closed, oriented outward; its triangle_face, where there is one, goes on along the prisms
 /// @param open  for each of its triangles
-/// @return nothing where an opening is not plane, or what is near to a prism rises above its opening: there that does
-///     not hold
+/// @return nothing where an opening is not plane, or a prism would meet the solid or another prism
 std::optional<mesh::TriangleMesh> extend_openings(const mesh::TriangleMesh& solid, const std::vector<char>& open,
                                                   const ExtensionOptions& options);
 
