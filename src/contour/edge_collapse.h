@@ -23,8 +23,8 @@ struct CollapseLimits {
     std::vector<char> fixed;
     /// Asked of triangles that are moved; empty: all may. Called by several threads.
     TriangleFilter accepts;
-    /// Whether each collapse is tested for triangles that meet then. Otherwise the caller looks for those in the end: of
-    /// a surface that is not folded nearly no collapse makes any.
+    /// Whether each collapse is tested for triangles that meet then. Otherwise the caller looks for those in the end:
+    /// of a surface that is not folded nearly no collapse makes any.
     bool keeps_apart = true;
     /// Where all others are, before and after.
     Box within{Vec3::Constant(-1e300), Vec3::Constant(1e300)};

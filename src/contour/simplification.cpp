@@ -193,8 +193,8 @@ class Blocks {
 
 void simplify(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits, double block,
               Progress& progress) {
-    // The second time most of what was between blocks is in one. Faces of parts often lie on whole multiples of lengths,
-    // where the planes between blocks are not.
+    // The second time most of what was between blocks is in one. Faces of parts often lie on whole multiples of
+    // lengths, where the planes between blocks are not.
     for (const double shift : {kShift, kShift + 0.5}) {
         Blocks(surface, block, shift).simplify(crossings, limits, progress);
     }
