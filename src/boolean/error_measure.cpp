@@ -279,8 +279,12 @@ class Measurement {
         const Vec3 normal = piece.normal();
         const auto add = [&](const Vec3& p) {
             const double known = std::max(limits_.enough, largest.get());
-            if (tree_.nearest(p, known).triangle < 0 && solid_.is_bounded_at(p, normal) &&
-                solid_.is_bounded_at(p, normal, limits_.thinnest) && solid_.is_thick_at(p, limits_.thinnest)) {
+            if (tree_.nearest(p, known).triangle >= 0 || !solid_.is_bounded_at(p, normal) ||
+                !solid_.is_bounded_at(p, normal, limits_.thinnest)) {
+                return;
+            }
+            progress_.check();  // balls are tested by many points
+            if (solid_.is_thick_at(p, limits_.thinnest)) {
                 largest.add(tree_.size() > 0 ? tree_.nearest(p).distance : size());
             }
         };

@@ -44,6 +44,8 @@ class Volumes(unittest.TestCase):
         thickness = 2.0 * rod.Volume / rod.Area
         self.assertAlmostEqual(asked[0], 3.0**0.5 * 8.0 * thickness / 512.0)
         self.assertAlmostEqual(asked[1], 2.0 * asked[0])
+        shells = mq.boolean(rod.Shells[0], rod.Shells[0], "union").report
+        self.assertAlmostEqual(shells.tolerance_asked, asked[0])
         bar = Part.makeBox(100, 0.5, 0.5)
         self.assertAlmostEqual(mq.boolean(bar, bar, "union").report.tolerance_asked, 3.0**0.5 * 100.0 / 16.0 / 512.0)
 

@@ -105,7 +105,7 @@ def run(operands, values, progress=None):
     """The BooleanMesh of operands that were read, with checked options."""
     module = extension()
     core_options, before = _core_options(values), module.WorkBefore()
-    if values["method"] != "uniform":
+    if values["method"] != "uniform" and not values["tolerance"]:
         core_options.length = operands.divided_length()
     meshing = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHING), _DEVIATION[values["method"]],
                                  volume_error=None if values["tolerance"] else _VOLUME_ERROR)

@@ -316,23 +316,16 @@ def _keeping_volume(shape, chord_height, error, progress, meshing):
 def _thicknesses(found):
     """The mean thickness, 2 V / A, mm, of each solid and of the mesh that an operand has; none of what has no volume."""
     if isinstance(found, tuple):
-        measures = [_measures_of(found[0].vertices, found[0].triangles)]
+        thicknesses = [found[0].mean_thickness()]
     else:
         shape = _shape_in(found)
-        measures = [(attribute_of(solid, "Volume"), attribute_of(solid, "Area")) for solid in attribute_of(shape, "Solids")]
+        bodies = attribute_of(shape, "Solids") or [shape]
+        measures = [(attribute_of(body, "Volume"), attribute_of(body, "Area")) for body in bodies]
+        thicknesses = [2.0 * abs(volume) / area for volume, area in measures if area]
         if isinstance(found, _Mixed):
-            measures.append(_measures_of(*found.meshes.arrays))
-    return [2.0 * abs(volume) / area for volume, area in measures if volume and area]
-
-
-def _measures_of(vertices, triangles):
-    """(volume, area) of a mesh, mm3 and mm2."""
-    if not len(triangles):
-        return 0.0, 0.0
-    points = np.asarray(vertices, float) - np.mean(vertices, axis=0)
-    a, b, c = (points[triangles[:, k]] for k in range(3))
-    doubled = np.cross(b - a, c - a)
-    return float(np.einsum("ij,ij->", a, doubled)) / 6.0, float(np.linalg.norm(doubled, axis=1).sum()) / 2.0
+            meshes = convert.surface_of_arrays(extension(), *found.meshes.arrays, measured=False)
+            thicknesses.append(meshes.mean_thickness())
+    return [thickness for thickness in thicknesses if thickness > 0.0]
 
 
 def _shape_in(found):

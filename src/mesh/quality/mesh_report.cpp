@@ -286,6 +286,15 @@ SurfaceTopology topology_of(const TriangleMesh& mesh) {
     return topology;
 }
 
+double mean_thickness(const TriangleMesh& mesh) {
+    double doubled_area = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3& a = mesh.vertices[t[0]];
+        doubled_area += (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+    }
+    return doubled_area > 0.0 ? 4.0 * std::abs(signed_volume(mesh, mesh.vertices.front())) / doubled_area : 0.0;
+}
+
 MeshReport measure(const TriangleMesh& mesh, const Progress* progress) {
     require_valid(mesh);
     MeshReport report;

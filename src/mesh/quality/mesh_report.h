@@ -109,6 +109,9 @@ struct MeshReport {
 /// @throws Cancelled when `progress` says so.
 MeshReport measure(const TriangleMesh& mesh, const Progress* progress = nullptr);
 
+/// Twice the volume by the area, mm: the thickness of a plate, the radius of a long rod. 0 without an area.
+double mean_thickness(const TriangleMesh& mesh);
+
 /// How a surface hangs together.
 struct SurfaceTopology {
     std::size_t components = 0;  ///< pieces that hang together by edges

@@ -206,6 +206,12 @@ TEST(Report, TextNamesWhatMatters) {
     }
 }
 
+TEST(Report, MeanThicknessIsTwiceTheVolumeByTheArea) {
+    const MeshReport r = measure(torus(20));
+    EXPECT_NEAR(mean_thickness(torus(20)), 2.0 * r.volume / r.area, 1e-12);
+    EXPECT_EQ(mean_thickness(TriangleMesh()), 0.0);
+}
+
 TEST(Report, OneLineSaysWhatTheMeshIs) {
     MeshReport r = measure(tetrahedron());
     EXPECT_EQ(in_short(r).rfind("4 triangles, closed, smallest angle ", 0), 0u) << in_short(r);
