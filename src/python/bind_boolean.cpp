@@ -23,6 +23,7 @@
 #include "python/progress_watch.h"
 #include "python/shared_engine.h"
 #include "workflows/boolean_of_operands.h"
+#include "workflows/cad_normals.h"
 #include "workflows/offset_of_solid.h"
 #include "workflows/wrap_objects.h"
 
@@ -249,7 +250,20 @@ void name_faces(BooleanSurface& result, const std::vector<SurfacePointer>& opera
     workflows::name_faces(result, taken);
 }
 
+void name_corner_normals(BooleanSurface& surface, const py::object& shape, const py::object& progress) {
+    const PartShape part = part_shape(shape);
+    geometry::Engine& engine = shared_engine();
+    watch(progress, [&](Progress& handle) {
+        surface.corner_normals = workflows::corner_normals(engine, surface.mesh, *part.shape, handle);
+        return 0;
+    });
+}
+
 void bind_offsets(py::module_& m) {
+    m.def("name_corner_normals", &name_corner_normals, py::arg("surface"), py::arg("shape"),
+          py::arg("progress") = py::none(),
+          "Gives the corners of the triangles of a BooleanSurface that knows its faces the normals of these, by which "
+          "they are offset.");
     m.def("name_faces", &name_faces, py::arg("result"), py::arg("operands"),
           "Gives the triangles of a BooleanSurface the CAD faces of those of its operands, all made of one shape, of "
           "which they are pieces.");

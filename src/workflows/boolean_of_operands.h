@@ -49,6 +49,8 @@ struct BooleanSurface : triangulate::Result {
     std::vector<std::array<std::int32_t, 2>> triangle_source;
     /// See boolean::BooleanResult::triangle_origin; of the method Uniform the same as triangle_source.
     std::vector<std::array<std::int32_t, 2>> triangle_origin;
+    /// See boolean::OffsetOptions::corner_normals; empty where none were asked for (workflows::corner_normals).
+    std::vector<Vec3> corner_normals;
 };
 
 /// Fills what every report of a closed result has: measured fields, notes, times and what the work before adds.

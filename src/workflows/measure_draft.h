@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <vector>
+#include <cstddef>
 
 #include "base/progress.h"
 #include "geometry/engine.h"
@@ -19,11 +19,6 @@ struct DraftSurface {
     inspection::MouldDraft draft;
     std::size_t exact_normals = 0;  ///< triangles whose normal is that of their CAD face
 };
-
-/// For each triangle the normal of its CAD face at the point nearest to its middle; that of the triangle itself where
-/// it has no face, or the surface has no normal there.
-std::vector<Vec3> cad_normals(geometry::Engine& engine, const mesh::TriangleMesh& mesh, const TopoDS_Shape& shape,
-                              Progress& progress, std::size_t& exact);
 
 /// @param shape  null: there is no CAD
 /// @throws as solid_surface and inspection::draft

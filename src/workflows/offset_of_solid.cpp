@@ -49,6 +49,15 @@ BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& sol
     return result;
 }
 
+/// The options with the normals of the solid's corners, and none for triangles that were added behind its own.
+boolean::OffsetOptions by_normals_of(const BooleanSurface& solid, boolean::OffsetOptions options) {
+    options.corner_normals = solid.corner_normals;
+    if (!options.corner_normals.empty()) {
+        options.corner_normals.resize(3 * solid.mesh.triangles.size(), Vec3::Zero());
+    }
+    return options;
+}
+
 /// The raw offset, trimmed, where few of its triangles cross. Else the contour of the distance, which takes longer in
 /// general, but not for features smaller than the distance. Where both miss the tolerance, or the contour fails, the
 /// one with the smaller bound.
@@ -89,7 +98,8 @@ BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::Offse
                                const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
     boolean::OffsetResult found = first_within(
-        options, [&](const boolean::OffsetOptions& how) { return boolean::offset(solid.mesh, how, progress); },
+        by_normals_of(solid, options),
+        [&](const boolean::OffsetOptions& how) { return boolean::offset(solid.mesh, how, progress); },
         [&](const boolean::OffsetOptions& how) { return offset::contoured_offset(solid.mesh, how, progress); });
     return reported(std::move(found), solid, options, before, watch, progress);
 }
@@ -106,6 +116,7 @@ std::optional<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid
         return std::nullopt;
     }
     extended.mesh = std::move(*mesh);
+    extended.corner_normals = solid.corner_normals;
     boolean::OffsetOptions inward = options;
     inward.distance = -options.distance;
     inward.tolerance = (1.0 - kFlat) * options.tolerance;
@@ -118,7 +129,7 @@ BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<ch
                                const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
     boolean::OffsetResult found = first_within(
-        options,
+        by_normals_of(solid, options),
         [&](const boolean::OffsetOptions& how) { return boolean::thicken(solid.mesh, left_out, how, progress); },
         [&](const boolean::OffsetOptions& how) {
             return offset::contoured_walls(solid.mesh, left_out, how, progress);

@@ -13,7 +13,7 @@ from .patches import division_for
 
 # Shares of the tolerance: of the mesh of a shape, of the union of what is given, of cutting the hollow out; what is left is
 # for the offset.
-_CHORD, _UNION, _CUTTING = 0.2, 0.05, 0.05
+_CHORD, _UNION, _CUTTING = 0.15, 0.05, 0.05
 # Fractions of the progress at which the steps end: meshing, union, offset.
 _MESHED, _UNITED, _OFFSET = 0.3, 0.4, 0.9
 _SHARE_OF_WALL = 40.0  # the thickness over the tolerance of a wall, where none is given
@@ -194,13 +194,15 @@ class _Work:
         meshing.threads = self.threads
         meshing.tolerance = 2.0 * _CHORD * self.tolerance  # shapes are meshed within half of it
         meshed = self._operands.mesh_shapes(meshing, self.progress(0.0, _MESHED), min_angle=self._min_angle)
-        operand, rounded, _ = self._operands.surfaces[0]
+        operand, rounded, shape = self._operands.surfaces[0]
         self._error_bound = self._operands.deviation
         self._seconds, self._notes = list(self._operands.seconds), []
         self._cpu_seconds = self._operands.cpu_seconds
         self.solid = extension().boolean([(operand, rounded, None)], "union", self.boolean_options(_UNION), "exact",
                                          self.before(), self.progress(_MESHED if meshed else 0.0, _UNITED))
         extension().name_faces(self.solid, [operand])
+        if shape is not None:
+            extension().name_corner_normals(self.solid, shape, self.progress(_UNITED, _UNITED))
         self._seconds, self._notes = [], []
         self.add(self.solid.report)
         self._repaired = [sentence.removeprefix("operand A: ") for sentence in self.solid.report.repaired]

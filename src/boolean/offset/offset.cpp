@@ -31,25 +31,36 @@ namespace mq::boolean {
 namespace {
 
 /// The surface of a solid, turned around where it is to be offset inward.
-ClosedSurface one_side(const mesh::TriangleMesh& solid, bool inward) {
-    ClosedSurface result{solid.vertices, solid.triangles, {}, {}};
+ClosedSurface one_side(const mesh::TriangleMesh& solid, const std::vector<Vec3>& normals, bool inward) {
+    ClosedSurface result{solid.vertices, solid.triangles, {}, {}, normals};
     for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
         result.source.push_back(static_cast<std::int32_t>(t));
         if (inward) {
             std::swap(result.triangles[t][1], result.triangles[t][2]);
         }
     }
+    for (std::size_t c = 0; inward && c < result.normals.size(); c += 3) {
+        result.normals[c] = -result.normals[c];
+        const Vec3 second = -result.normals[c + 1];
+        result.normals[c + 1] = -result.normals[c + 2];
+        result.normals[c + 2] = second;
+    }
     result.twins = mesh::edge_twins(result.triangles, result.points.size());
     return result;
 }
 
 /// The triangles that are not left out, and once more turned around: neighbours along the border between both sides.
-ClosedSurface both_sides(const mesh::TriangleMesh& surface, const std::vector<char>& left_out) {
-    ClosedSurface result{surface.vertices, {}, {}, {}};
+ClosedSurface both_sides(const mesh::TriangleMesh& surface, const std::vector<Vec3>& normals,
+                         const std::vector<char>& left_out) {
+    ClosedSurface result{surface.vertices, {}, {}, {}, {}};
+    const bool has_normals = !normals.empty();
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         if (left_out[t] == 0) {
             result.triangles.push_back(surface.triangles[t]);
             result.source.push_back(static_cast<std::int32_t>(t));
+            for (std::size_t c = 3 * t; has_normals && c < 3 * t + 3; ++c) {
+                result.normals.push_back(normals[c]);
+            }
         }
     }
     const std::vector<std::int32_t> front = mesh::edge_twins(result.triangles, result.points.size());
@@ -67,6 +78,12 @@ ClosedSurface both_sides(const mesh::TriangleMesh& surface, const std::vector<ch
         std::swap(back[1], back[2]);
         result.triangles.push_back(back);
         result.source.push_back(result.source[static_cast<std::size_t>(t)]);
+        for (const std::int32_t k : {0, 2, 1}) {
+            if (has_normals) {
+                const Vec3 front_normal = result.normals[static_cast<std::size_t>(3 * t + k)];
+                result.normals.emplace_back(-front_normal);
+            }
+        }
     }
     return result;
 }
@@ -139,7 +156,7 @@ class OffsetPipeline {
         stage("rounding", 0.8, 0.9);
         finish(extraction);
         stage("measuring distances", 0.9, 1.0);
-        measure(arrangement, cells, share * tolerance_);
+        measure(arrangement, cells, std::max(share * tolerance_, face_error()));
         stages_.end();
     }
 
@@ -149,8 +166,13 @@ class OffsetPipeline {
         stages_.start(name, 1.0 - left + 0.5 * left * from, 1.0 - left + 0.5 * left * to);
     }
 
+    /// Error of the raw offset where normals of CAD faces are known: finer rounds leave it as it is.
+    double face_error() const { return surface_.normals.empty() ? 0.0 : OffsetTuning::kFaceShare * tolerance_; }
+
     void make_soup(double raw_error, double extension) {
-        RawOffset raw = raw_offset(surface_, {distance_, raw_error, &searched_, extension, &progress_});
+        const double deep = distance_ - OffsetTuning::kDeepShare * tolerance_;
+        RawOffset raw =
+            raw_offset(surface_, {distance_, raw_error, face_error(), deep, &searched_, extension, &progress_});
         result_.raw_triangles = raw.triangles.size();
         soup_.operands = 1;
         soup_.vertices = std::move(raw.vertices);
@@ -326,7 +348,8 @@ OffsetResult offset(const mesh::TriangleMesh& solid, const OffsetOptions& option
     options.validate();
     const ThreadLimit threads(options.threads);
     const bool inward = options.distance < 0.0;
-    return OffsetPipeline(one_side(solid, inward), solid.origin, options, progress).run(0.0, inward);
+    return OffsetPipeline(one_side(solid, options.corner_normals, inward), solid.origin, options, progress)
+        .run(0.0, inward);
 }
 
 OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>& left_out, const OffsetOptions& options,
@@ -339,7 +362,7 @@ OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>&
     if (std::all_of(left_out.begin(), left_out.end(), [](char out) { return out != 0; })) {
         throw InvalidInput("all faces are left out: at least one is needed");
     }
-    return OffsetPipeline(both_sides(surface, left_out), surface.origin, options, progress)
+    return OffsetPipeline(both_sides(surface, options.corner_normals, left_out), surface.origin, options, progress)
         .run(OffsetTuning::kExtension * options.tolerance, false);
 }
 

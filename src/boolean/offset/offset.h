@@ -15,6 +15,9 @@ struct OffsetOptions {
     double distance = 0.0;   ///< mm; of a solid: outward where positive, inward where negative
     double tolerance = 0.0;  ///< mm: the largest distance between the result and the exact one, in both directions
     int threads = 0;         ///< as BooleanOptions::threads
+    /// For each corner of the input's triangles the unit normal of its CAD face there, outward; zero where it is not
+    /// known; empty: nowhere.
+    std::vector<Vec3> corner_normals{};
     /// @throws InvalidInput naming the option
     void validate() const;
 };

@@ -186,8 +186,8 @@ class OpeningExtension {
     const Vec3& normal(const Opening& opening) const {
         return directions_[static_cast<std::size_t>(opening.direction)];
     }
-    /// What the prisms lean inward beside walls that rise from an opening, so that a gap is left between them and the
-    /// wall; false where the prism would have to lean farther than the gap is wide.
+    /// What the prisms lean inward beside walls that rise from an opening, however far outward, so that a gap is left
+    /// between them and the wall; false where the prism would have to lean farther than the gap is wide.
     bool lean_from_walls() {
         struct Rim {
             Vec3 inward;
@@ -203,10 +203,10 @@ class OpeningExtension {
             const Vec3 inward = up.cross(point(vertex(next_corner(c))) - from).normalized();
             const Vec3 wall = point(vertex(previous_corner(twin(c)))) - from;
             const double height = up.dot(wall);
-            const bool steep = height > options_.flatness && inward.dot(wall) > -slope_ * height;
+            const bool rises = height > options_.flatness;
             for (const std::int32_t end : {c, next_corner(c)}) {
-                rims[{vertex(end), direction_at(c)}].push_back({inward, steep ? slope_ * length_ : 0.0});
-                rises_.insert(steep ? vertex(end) : -1);
+                rims[{vertex(end), direction_at(c)}].push_back({inward, rises ? slope_ * length_ : 0.0});
+                rises_.insert(rises ? vertex(end) : -1);
             }
         }
         for (const auto& [at, edges] : rims) {
@@ -455,9 +455,38 @@ class OpeningExtension {
                 lift[v] = lift[v] * slope <= options_.flatness ? lift[v] : options_.flatness / slope;
             }
         }
+        std::vector<Vec3> shift(along.size(), Vec3::Zero());
         for (std::size_t v = 0; v < along.size(); ++v) {
             if (along[v] >= 0) {
-                result_.vertices[v] += lift[v] * directions_[static_cast<std::size_t>(along[v])];
+                shift[v] = lift[v] * directions_[static_cast<std::size_t>(along[v])];
+            }
+        }
+        keep_turned_triangles(shift);
+        for (std::size_t v = 0; v < shift.size(); ++v) {
+            result_.vertices[v] += shift[v];
+        }
+    }
+
+    /// Leaves the vertices of a wall's triangle where they are if their shifts would turn it over, as beside a vertex
+    /// that stays.
+    void keep_turned_triangles(std::vector<Vec3>& shift) const {
+        const auto shifted = [&](std::int32_t v) { return Vec3(point(v) + shift[static_cast<std::size_t>(v)]); };
+        const auto moves = [&](std::int32_t v) { return !shift[static_cast<std::size_t>(v)].isZero(0.0); };
+        for (bool again = true; again;) {
+            again = false;
+            for (std::int32_t t = 0; t < static_cast<std::int32_t>(open_.size()); ++t) {
+                const mesh::Triangle& c = solid_.triangles[static_cast<std::size_t>(t)];
+                if (is_open(3 * t) || std::none_of(c.begin(), c.end(), moves)) {
+                    continue;
+                }
+                const Vec3 before = (point(c[1]) - point(c[0])).cross(point(c[2]) - point(c[0]));
+                const Vec3 after = (shifted(c[1]) - shifted(c[0])).cross(shifted(c[2]) - shifted(c[0]));
+                if (!(before.dot(after) > 0.0)) {
+                    for (const std::int32_t v : c) {
+                        shift[static_cast<std::size_t>(v)].setZero();
+                    }
+                    again = true;
+                }
             }
         }
     }

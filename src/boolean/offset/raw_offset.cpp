@@ -36,6 +36,7 @@ class RawOffsetBuilder {
         : surface_(surface), options_(options) {
         const double share = options.tolerance / options.distance;
         least_cosine_ = std::max(1.0 - share, kLeastCosine);
+        least_face_cosine_ = std::max(1.0 - options.face_tolerance / options.distance, kLeastCosine);
         // A triangle on a sphere with sides of this angle has its centre within the tolerance of the sphere.
         step_ = std::min(std::sqrt(3.0) * std::acos(std::max(1.0 - share, 0.0)), kLargestStep);
     }
@@ -74,6 +75,11 @@ class RawOffsetBuilder {
     std::int32_t twin(std::int32_t c) const { return surface_.twins[static_cast<std::size_t>(c)]; }
     std::int32_t node(std::int32_t c) const { return node_[static_cast<std::size_t>(c)]; }
     const Vec3& normal(std::int32_t c) const { return normals_[static_cast<std::size_t>(c / 3)]; }
+    /// The normal of the CAD face at a corner, that of the triangle where it is not known.
+    const Vec3& face_normal(std::int32_t c) const {
+        const bool known = !surface_.normals.empty() && !surface_.normals[static_cast<std::size_t>(c)].isZero(0.0);
+        return known ? surface_.normals[static_cast<std::size_t>(c)] : normal(c);
+    }
     /// The angle of the triangle at a corner.
     double angle(std::int32_t c) const {
         const Vec3 one = tail(next_corner(c)) - tail(c);
@@ -189,27 +195,37 @@ class RawOffsetBuilder {
         return runs;
     }
 
-    /// The mean of the normals of a run, weighted by angle; nothing where it is too far from one of them.
+    /// The mean of the normals of CAD faces at a run's corners, weighted by angle, or as near to that as the normals of
+    /// the run's triangles allow; nothing where their own mean is too far from one of several.
     std::optional<Vec3> direction_of(const Fan& fan, std::size_t first, std::size_t count) const {
-        if (count == 1) {
-            return normal(fan[first % fan.size()]);
-        }
-        Vec3 sum = Vec3::Zero();
+        Vec3 of_faces = Vec3::Zero();
+        Vec3 of_triangles = Vec3::Zero();
         double length = 0.0;  // mean of the edges there
         for (std::size_t i = 0; i < count; ++i) {
             const std::int32_t c = fan[(first + i) % fan.size()];
-            sum += angle(c) * normal(c);
+            of_faces += angle(c) * face_normal(c);
+            of_triangles += angle(c) * normal(c);
             length += (tail(next_corner(c)) - tail(c)).norm() / static_cast<double>(count);
         }
-        sum.normalize();
         const double sine = std::min(OffsetTuning::kLargestShift * length / options_.distance, 1.0);
-        const double least_cosine = std::max(least_cosine_, std::sqrt(1.0 - sine * sine));
-        for (std::size_t i = 0; i < count; ++i) {
-            if (!(sum.dot(normal(fan[(first + i) % fan.size()])) >= least_cosine)) {
-                return std::nullopt;
+        const double shifted = std::sqrt(1.0 - sine * sine);
+        const double least_cosine = std::max(least_cosine_, shifted);
+        const double of_face = std::min(least_cosine, std::max(least_face_cosine_, shifted));
+        of_faces.normalize();
+        of_triangles.normalize();
+        // At the border of a face all of its triangles may lean to one side of its normal.
+        constexpr int kSteps = 16;
+        for (int step = surface_.normals.empty() ? kSteps : 0; step <= kSteps; ++step) {
+            const Vec3 direction = on_arc(of_faces, of_triangles, static_cast<double>(step) / kSteps);
+            bool is_near = true;
+            for (std::size_t i = 0; i < count && is_near; ++i) {
+                is_near = direction.dot(normal(fan[(first + i) % fan.size()])) >= (step == 0 ? of_face : least_cosine);
+            }
+            if (is_near) {
+                return direction;
             }
         }
-        return sum;
+        return count == 1 ? std::optional<Vec3>(of_triangles) : std::nullopt;
     }
 
     void join(const Fan& fan, const Runs& runs, const Vec3& place) {
@@ -341,7 +357,7 @@ class RawOffsetBuilder {
     /// Draws vertices in onto the surface where all triangles around them lie within the offset, before and after: no
     /// boundary is lost, and what is offset from small features and folds crosses nothing any more.
     void draw_in() {
-        const double deep = options_.distance - options_.tolerance;
+        const double deep = options_.deep;
         const auto count = static_cast<int>(result_.triangles.size());
         std::vector<char> near(result_.vertices.size(), 0);
         for_chunks(static_cast<int>(near.size()), [&](int v) {
@@ -398,6 +414,7 @@ class RawOffsetBuilder {
     const ClosedSurface& surface_;
     const RawOffsetOptions options_;
     double least_cosine_ = 1.0;
+    double least_face_cosine_ = 1.0;
     double step_ = 0.0;  ///< largest angle between neighbours on an arc, radians
     std::vector<Vec3> normals_;
     std::vector<std::int32_t> node_;      ///< for each corner the vertex

@@ -18,11 +18,14 @@ struct ClosedSurface {
     std::vector<mesh::Triangle> triangles;
     std::vector<std::int32_t> twins;   ///< see mesh::edge_twins: all corners have one
     std::vector<std::int32_t> source;  ///< the triangle of the input that each one is
+    std::vector<Vec3> normals;  ///< for each corner that of the CAD face there; zero where not known; empty: nowhere
 };
 
 struct RawOffsetOptions {
-    double distance = 0.0;   ///< mm, above 0: to the side to which the triangles' normals point
-    double tolerance = 0.0;  ///< mm: the raw offset is no farther than this from points at the distance
+    double distance = 0.0;        ///< mm, above 0: to the side to which the triangles' normals point
+    double tolerance = 0.0;       ///< mm: the raw offset is no farther than this from points at the distance ...
+    double face_tolerance = 0.0;  ///< mm: ... than the larger of both where it is moved along normals of CAD faces
+    double deep = 0.0;            ///< mm: what is nearer to the surface than this is within the offset
     const SearchedSurface* searched = nullptr;  ///< the surface
     /// mm: how far the offset of a sheet goes on beyond its border, so that what cuts the sheet there meets no
     /// vertices.
@@ -36,7 +39,9 @@ struct RawOffsetOptions {
 /// other (the raw offset of Farouki 1985; the convolution of Guibas, Ramshaw and Stolfi 1983).
 ///
 /// Each triangle gives one, moved along the directions at its corners. Triangles around a vertex have one direction as
-/// far as their normals allow by the tolerance, so that a smooth surface keeps its connectivity. Where directions
+/// far as their normals allow by the tolerance, so that a smooth surface keeps its connectivity. It is the mean of the
+/// normals of CAD faces, where they are known, else of triangles: these scatter by half of the angle between
+/// neighbours, so that an offset to near the centre of curvature crosses itself many times. Where directions
 /// differ, an arc joins them; strips of triangles between two arcs round the edges off, caps on spheres the vertices.
 struct RawOffset {
     std::vector<Vec3> vertices;  ///< single-precision numbers

@@ -9,11 +9,14 @@ namespace mq::boolean {
 /// measured yet.
 struct OffsetTuning {
     /// Error of the raw offset, as a fraction of the tolerance, at first ...
-    MESHQUALITY_TUNED(double, kRawShare, 0.35);
+    MESHQUALITY_TUNED(double, kRawShare, 0.28);
     /// ... which is multiplied by this where the result misses the tolerance, ...
     MESHQUALITY_TUNED(double, kRefinement, 0.4);
     /// ... in this many rounds at most.
     MESHQUALITY_TUNED(int, kRounds, 4);
+    /// Error of the raw offset, as a fraction of the tolerance, that normals of CAD faces may lead to: a point along
+    /// one is nearer to the triangles than to the face. Below kDeepShare.
+    MESHQUALITY_TUNED(double, kFaceShare, 0.5);
     /// The distance is larger by this fraction of the tolerance, so that gaps of just twice the distance close, where
     /// their sides would else touch.
     MESHQUALITY_TUNED(double, kOvershoot, 1.0 / 64.0);
