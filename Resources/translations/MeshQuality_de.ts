@@ -3410,6 +3410,18 @@
         <source>{name} wrap</source>
         <translation>{name} Hülle</translation>
     </message>
+    <message>
+        <source>The max. deviation is {length}: at most the distance of {length2} is possible; give a smaller one</source>
+        <translation>Die max. Abweichung ist {length}: möglich ist höchstens der Abstand von {length2}; geben Sie eine kleinere an</translation>
+    </message>
+    <message>
+        <source>the mesh stands beside its part, as FreeCAD&apos;s FEM workbench looks for faces without the containers around them ({name}): it solves rightly; to see mesh and results on the part, take the part out of these</source>
+        <translation>das Netz steht neben seinem Bauteil, da FreeCADs FEM-Arbeitsbereich Flächen ohne die Behälter um sie sucht ({name}): gerechnet wird richtig; um Netz und Ergebnisse auf dem Bauteil zu sehen, nehmen Sie das Bauteil aus diesen heraus</translation>
+    </message>
+    <message>
+        <source>the mesh stands beside its part, which lies in {name}, as FreeCAD&apos;s FEM workbench looks for faces without the containers around them: it solves rightly; to see mesh and results on the part, put the analysis, or the mesh without one, into {name}</source>
+        <translation>das Netz steht neben seinem Bauteil, das in {name} liegt, da FreeCADs FEM-Arbeitsbereich Flächen ohne die Behälter um sie sucht: gerechnet wird richtig; um Netz und Ergebnisse auf dem Bauteil zu sehen, ziehen Sie die Analyse, oder das Netz ohne eine, in {name}</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

@@ -2,6 +2,7 @@
 """What is hidden in a container: FreeCAD leaves it out of the container's shape, and of what is made of that."""
 
 import FreeCAD
+import Part
 
 from .. import phrases
 from . import convert, frames, verdict
@@ -57,7 +58,8 @@ def _parts(source, visible):
 
 def _is_whole(source):
     leaf = frames.leaf_of(source)
-    return convert.is_mesh(source) or "Shape" in leaf.getLinkedObject(True).PropertiesList
+    # FEM meshes have a link of the name Shape, too.
+    return convert.is_mesh(source) or isinstance(getattr(leaf.getLinkedObject(True), "Shape", None), Part.Shape)
 
 
 def _counts(obj):
