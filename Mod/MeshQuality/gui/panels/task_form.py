@@ -49,8 +49,17 @@ def _scroll_to(widget):
 
 class Form(QtGui.QWidget):
     """The page of a panel. The mouse wheel over a field scrolls the page; it turns a value only where the field has the
-    focus.
+    focus. Return in a field or a list ends with the field: FreeCAD's task view would take it for OK, which may begin work of
+    minutes; Ctrl+Return does that.
     """
+
+    def keyPressEvent(self, event):
+        """Called by Qt with what a field has not used."""
+        is_return = event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter)
+        if is_return and not event.modifiers() & QtCore.Qt.ControlModifier:
+            event.accept()
+        else:
+            super().keyPressEvent(event)
 
     def showEvent(self, event):
         """Called by Qt, once all fields are there."""
