@@ -19,7 +19,7 @@ from ..translation import translated
 from ..view import badge
 from .option_form import OptionForm
 from .preset_box import PresetBox
-from .task_form import ClosesWithDocument, Form, Message, bring_into_sight, is_in_task_view
+from .task_form import ClosesWithDocument, Form, Message, bring_into_sight, is_in_task_view, narrow_buttons
 
 _PAUSE = 400  # ms without a change before a trial begins
 
@@ -129,6 +129,7 @@ class MeshPanel:
 
     def modifyStandardButtons(self, box):
         """Called by FreeCAD with its buttons."""
+        narrow_buttons(box)
         self._cancel = box.button(QtGui.QDialogButtonBox.Cancel)
 
     def _name_cancel(self):

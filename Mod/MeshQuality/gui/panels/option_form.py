@@ -13,6 +13,7 @@ from ...features import distance_bound
 from ..picked import picked
 from ..quantities import QuantityBox, length_text, text_of, value_of
 from ..translation import translated
+from .task_form import narrow
 
 translate = FreeCAD.Qt.translate
 
@@ -71,6 +72,8 @@ class OptionForm(QtGui.QWidget):
         self.reset.clicked.connect(lambda: self.set_values(self._defaults))
         row = QtGui.QHBoxLayout()
         row.setSpacing(0)
+        for button in (self.more, self.reset):
+            narrow(button, "padding: 0px; margin: 0px")
         row.addWidget(self.more)
         row.addStretch()
         row.addWidget(self.reset)
@@ -189,6 +192,11 @@ def _group(title):
     return box
 
 
+def _keep_wide(field, width):
+    """Keeps room for a text of so many pixels: style sheets give fields a least width, which counts instead of their own."""
+    narrow(field, f"min-width: {width}px")
+
+
 class _Field(QtCore.QObject):
     """A widget for an option. A subclass has write(value), which shows a value, and read(), which gives
     what is shown; None where the option is unset. What was shown may have less digits than the value.
@@ -261,6 +269,7 @@ class _Choice(_Field):
         box = QtGui.QComboBox()
         for choice, title in zip(option.choices, option.choice_titles):
             box.addItem(translate("MeshQuality", title), choice)
+        _keep_wide(box, max(box.fontMetrics().horizontalAdvance(box.itemText(i)) for i in range(box.count())))
         super().__init__(option, box)
         box.currentIndexChanged.connect(self._changed)
 
@@ -309,6 +318,7 @@ class _Number(_Field):
         box = _number_box(option)
         if option.default is None:
             box.setSpecialValueText(translate("MeshQuality", option.unset))
+            _keep_wide(box, box.fontMetrics().horizontalAdvance(box.specialValueText()))
         super().__init__(option, box)
         box.valueChanged.connect(self._changed)
 
@@ -430,6 +440,7 @@ class _SubElements(_Field):
         self.text, self.button, self.refusal = QtGui.QLineEdit(), QtGui.QToolButton(), QtGui.QLabel()
         self.text.setPlaceholderText(self.hint)
         self.text.setMinimumWidth(_WIDE)
+        _keep_wide(self.text, _WIDE)
         self.button.setText("+")
         self.button.setToolTip(self.tip)
         row.addWidget(self.text)

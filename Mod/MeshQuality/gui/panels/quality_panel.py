@@ -23,7 +23,7 @@ from ..view.quality_scene import QualityScene
 from .faults_box import AROUND, FaultsBox
 from .histogram import HistogramView
 from .mesh_panel import title_of
-from .task_form import Form, Message
+from .task_form import Form, Message, narrow
 
 translate = FreeCAD.Qt.translate
 
@@ -120,7 +120,9 @@ class QualityPanel:
         self.faces.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         for column in range(4):
             self.faces.horizontalHeaderItem(column).setTextAlignment(_alignment(column))
+        narrow(self.faces, "QHeaderView::section { padding: 0px } QTableView::item { padding: 0px }")
         self.tabs = QtGui.QTabWidget()
+        narrow(self.tabs.tabBar(), "QTabBar::tab { min-width: 0px; padding: 3px 4px }")
         self.tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
         self.tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
         self.faults = FaultsBox()

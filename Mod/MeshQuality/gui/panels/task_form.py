@@ -27,6 +27,19 @@ class Message(QtGui.QLabel):
             bring_into_sight(self)
 
 
+def narrow(widget, rules):
+    """Takes room from a widget to which a style sheet of the whole window, as FreeCAD's dark ones, gives more than the task view
+    has at first; without such a sheet nothing is changed.
+    """
+    if QtGui.QApplication.instance().styleSheet():
+        widget.setStyleSheet(rules)
+
+
+def narrow_buttons(box):
+    """Likewise FreeCAD's buttons below a panel: it calls this as modifyStandardButtons."""
+    narrow(box, "QPushButton { padding: 4px 8px; margin: 4px 2px }")
+
+
 def bring_into_sight(widget):
     """Has the task view, which is one long page, scroll to a widget once that has its place."""
     QtCore.QTimer.singleShot(0, lambda: is_in_task_view(widget) and _scroll_to(widget))
