@@ -1724,7 +1724,7 @@
     </message>
     <message>
         <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, circumcentre is the rule of Aftosmis 1999</source>
-        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: neben dem Umkreismittelpunkt braucht weniger Dreiecke, im Umkreismittelpunkt ist die Regel von Aftosmis 1999</translation>
+        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: neben der Umkreismitte braucht weniger Dreiecke, in der Umkreismitte ist die Regel von Aftosmis 1999</translation>
     </message>
     <message>
         <source>all</source>
@@ -1748,7 +1748,7 @@
     </message>
     <message>
         <source>circumcentre</source>
-        <translation>Umkreismittelpunkt</translation>
+        <translation>Umkreismitte</translation>
     </message>
     <message>
         <source>classifying the triangles</source>
@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>off-centre</source>
-        <translation>neben dem Umkreismittelpunkt</translation>
+        <translation>neben der Umkreismitte</translation>
     </message>
     <message>
         <source>only sharp ones</source>
@@ -3765,6 +3765,10 @@
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Meshes of CAD shapes with guaranteed quality</source>
+        <translation>Netze von CAD-Formen mit garantierter Qualität</translation>
     </message>
 </context>
 </TS>

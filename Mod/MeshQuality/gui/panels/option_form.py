@@ -20,6 +20,7 @@ translate = FreeCAD.Qt.translate
 _LARGEST = 2**31 - 1
 _WIDE = 150  # pixels that a list of sizes needs
 _NUMBER = 90  # pixels that a number with its unit needs
+_LENGTH = "0.1234 mm"
 _ARROW = 42  # pixels of a box with choices beside its text
 _KIND_OF_WORK = "check"  # the option that chooses among kinds of work: options of the others are no part of the form
 _BETWEEN_SIZES = re.compile(r"[,;]\s*(?=[^\W\d])")  # a comma before a digit is in a number
@@ -335,6 +336,7 @@ class _Quantity(_Field):
     def __init__(self, option):
         super().__init__(option, QuantityBox(option.unit, signed=option.low is None))
         self.widget.setMinimumWidth(_NUMBER)
+        _keep_wide(self.widget, self.widget.fontMetrics().horizontalAdvance(_LENGTH))
         self.widget.valueChanged.connect(self._changed)
 
     def read(self):
@@ -362,7 +364,7 @@ class _Distance(_Field):
         self.length, self.fraction = QuantityBox("mm"), _number_box(pair[1])
         for box in (self.choice, self.length, self.fraction):
             row.addWidget(box)
-        for box, widest in ((self.length, "0.1234 mm"), (self.fraction, "0.0003")):
+        for box, widest in ((self.length, _LENGTH), (self.fraction, "0.0003")):
             box.setMinimumWidth(box.fontMetrics().boundingRect(widest).width() + _ARROW)
         self._bound = None
         super().__init__(pair[0], widget)
