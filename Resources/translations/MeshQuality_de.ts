@@ -3139,10 +3139,6 @@
         <translation>∞, grau: {0} davon</translation>
     </message>
     <message>
-        <source>Click a bar to highlight its elements. Heights are logarithmic.</source>
-        <translation>Ein Klick auf einen Balken hebt seine Elemente hervor. Die Höhen sind logarithmisch.</translation>
-    </message>
-    <message>
         <source>{0} (1 face)</source>
         <translation>{0} (1 Fläche)</translation>
     </message>
@@ -3421,6 +3417,30 @@
     <message>
         <source>the mesh stands beside its part, which lies in {name}, as FreeCAD&apos;s FEM workbench looks for faces without the containers around them: it solves rightly; to see mesh and results on the part, put the analysis, or the mesh without one, into {name}</source>
         <translation>das Netz steht neben seinem Bauteil, das in {name} liegt, da FreeCADs FEM-Arbeitsbereich Flächen ohne die Behälter um sie sucht: gerechnet wird richtig; um Netz und Ergebnisse auf dem Bauteil zu sehen, ziehen Sie die Analyse, oder das Netz ohne eine, in {name}</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Colours over the usual range of this measure</source>
+        <translation>Farben über den üblichen Bereich dieses Maßes</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Colours begin at this value</source>
+        <translation>Die Farben beginnen bei diesem Wert</translation>
+    </message>
+    <message>
+        <source>Colours end at this value</source>
+        <translation>Die Farben enden bei diesem Wert</translation>
+    </message>
+    <message>
+        <source>Click a bar, or drag over several, to highlight their elements. Heights are logarithmic.</source>
+        <translation>Ein Klick auf einen Balken, oder Ziehen über mehrere, hebt ihre Elemente hervor. Die Höhen sind logarithmisch.</translation>
     </message>
 </context>
 <context>

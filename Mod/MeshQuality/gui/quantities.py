@@ -141,6 +141,18 @@ def value_of(text, unit="mm"):
     return quantity.Value if quantity.Unit == _UNITS[unit] else None
 
 
+def number_of(text):
+    """The finite number of a text as the user writes it, or as "0.5"; None where it is none."""
+    locale = QtCore.QLocale()
+    if locale.decimalPoint() in text:
+        text = text.replace(locale.groupSeparator(), "").replace(locale.decimalPoint(), ".")
+    try:
+        found = float(text)
+    except ValueError:
+        return None
+    return found if math.isfinite(found) else None
+
+
 def _plain(unit):
     """The Unit in which the user writes a number without one."""
     return Unit.of(_PLAIN, unit)
