@@ -98,7 +98,7 @@ FIGURES = (
 TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, MAX_DISTORTION, OVERLAPS, NOT_PROVEN_APART = FIGURES
 OVERLAPS_HINT = "to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap"
 NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
-HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number}, {number2} % of the " \
+HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {volume}, {number} % of the " \
                 "volume"
 STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
 SMALLEST_WALL = "smallest thickness {length}"
@@ -381,12 +381,14 @@ class Wording:
     lengths    lengths(texts such as ["0.0171 mm", "0.01 mm"]) -> as many texts in the user's unit, different
                ones where the lengths differ
     title      title(name of an option) -> its name in panels
+    volume     volume(text such as "511.2 mm³") -> text in the user's unit
     """
 
     translate: Callable = str
     number: Callable = str
     lengths: Callable = list
     title: Callable = str
+    volume: Callable = str
 
 
 class Text(str):
@@ -549,6 +551,8 @@ def _place(name, value, wording):
     kind = _kind(name)
     if kind in ("count", "number"):
         return wording.number(value)
+    if kind == "volume":
+        return wording.volume(value)
     if kind == "option":
         return wording.title(value)
     if kind == "list":

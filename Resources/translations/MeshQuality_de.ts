@@ -3235,8 +3235,8 @@
         <translation>1 ist ideal: Alle Kanten sind gleich lang.</translation>
     </message>
     <message>
-        <source>a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number}, {number2} % of the volume</source>
-        <translation>im Innern ist ein Hohlraum eingeschlossen, aus dem Harz, Pulver oder Luft nicht entweichen können; er spart {number}, {number2} % des Volumens</translation>
+        <source>a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {volume}, {number} % of the volume</source>
+        <translation>im Innern ist ein Hohlraum eingeschlossen, aus dem Harz, Pulver oder Luft nicht entweichen können; er spart {volume}, {number} % des Volumens</translation>
     </message>
     <message>
         <source>to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap</source>
@@ -3417,10 +3417,6 @@
     <message>
         <source>the mesh stands beside its part, which lies in {name}, as FreeCAD&apos;s FEM workbench looks for faces without the containers around them: it solves rightly; to see mesh and results on the part, put the analysis, or the mesh without one, into {name}</source>
         <translation>das Netz steht neben seinem Bauteil, das in {name} liegt, da FreeCADs FEM-Arbeitsbereich Flächen ohne die Behälter um sie sucht: gerechnet wird richtig; um Netz und Ergebnisse auf dem Bauteil zu sehen, ziehen Sie die Analyse, oder das Netz ohne eine, in {name}</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Zurück</translation>
     </message>
     <message>
         <source>Colours over the usual range of this measure</source>

@@ -10,7 +10,7 @@ import gui_helpers
 import Mesh
 import numpy as np
 import Part
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 import MeshQuality as mq
 from MeshQuality.compat import extension
@@ -93,45 +93,6 @@ class QualityView(gui_helpers.GuiTest):
         self.assertGreater(share_of(self.picture("quality_lit"), MAGENTA), 0.005)
         panel.histogram.pick(-1)
         self.assertEqual(share_of(self.picture("quality_dark"), MAGENTA), 0.0)
-
-    def test_bars_that_the_mouse_is_drawn_over_light_up(self):
-        panel = self.open(self.meshed(Part.makeCone(1, 5, 9), chord_height=0.05))
-        view, counts = panel.histogram, panel.histogram.counts
-        step = view.width() / len(counts)
-        for kind, bar in ((QtCore.QEvent.MouseButtonPress, 18), (QtCore.QEvent.MouseMove, 25), (QtCore.QEvent.MouseMove, 30),
-                          (QtCore.QEvent.MouseButtonRelease, 30)):
-            QtGui.QApplication.sendEvent(view, QtGui.QMouseEvent(
-                kind, QtCore.QPointF((bar + 0.5) * step, 20), QtCore.Qt.LeftButton, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier))
-        self.assertEqual((view.chosen, view.last, panel.lit.sum()), (18, 30, counts[18:31].sum()))
-        self.assertGreater(panel.lit.sum(), counts[18])
-        self.assertRegex(panel.hint.text(), rf"^{counts[18:31].sum():,} from 27° to 46\.5°")
-
-    def test_the_range_of_colours_is_seen_and_chosen(self):
-        panel = self.open(self.meshed(Part.makeCone(1, 5, 9), chord_height=0.05))
-        self.assertEqual((panel.range.low.text(), panel.range.high.text(), panel.range.unit.text()), ("0", "60", "°"))
-        before = self.picture("quality_whole_range")
-        self.write(panel.range.low, "40")
-        self.assertEqual((panel.scale.low, panel.scale.high), (40.0, 60.0))
-        np.testing.assert_array_equal(panel.scale.goodness(np.array([30.0, 40.0, 50.0, 60.0])), [0.0, 0.0, 0.5, 1.0])
-        self.assertEqual(panel.histogram.counts.sum(), panel.data.elements)
-        self.assertEqual(panel.histogram.counts[0], (panel.values < 40.5).sum())
-        self.assertGreater(share_of(self.picture("quality_own_range"), (217, 26, 26)), 2 * share_of(before, (217, 26, 26)))
-        for wrong in ("x", "60", "70"):
-            self.write(panel.range.low, wrong)
-            self.assertEqual((panel.range.low.text(), panel.scale.low), ("40", 40.0))
-        self.choose(panel, quality_data.DISTANCE)
-        self.write(panel.range.high, "0.2 mm")
-        self.assertAlmostEqual(panel.scale.high, 0.2)
-        self.assertEqual(panel.scale.goodness(np.array([0.0, 0.1, 0.2])).tolist(), [1.0, 0.5, 0.0])
-        self.choose(panel, quality_data.MIN_ANGLE)
-        self.assertEqual(panel.range.low.text(), "40")
-        panel.range.reset.click()
-        self.assertEqual((panel.scale.low, panel.range.low.text(), panel.range.reset.isEnabled()), (0.0, "0", False))
-        self.assertLess(np.abs(self.picture("quality_reset") - before).mean(), 0.5)
-
-    def write(self, field, text):
-        field.setText(text)
-        field.editingFinished.emit()
 
     def test_worst_elements_name_their_face_and_the_reason(self):
         # A wedge of 3 degrees: no mesh can do better in its corner.

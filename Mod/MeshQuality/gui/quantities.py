@@ -85,6 +85,14 @@ def lengths_in_units(texts):
     return [unit.written(number) for number in numbers]
 
 
+def volume_in_unit(text):
+    """A text such as "511.2 mm³" in the user's unit, to four digits."""
+    value = float(text.split()[0])
+    _, factor, name = FreeCAD.Units.Quantity(value, FreeCAD.Units.Volume).getUserPreferred()
+    number = in_locale(np.format_float_positional(float(f"{value / factor:.4g}"), trim="-"))
+    return f"{number} {name.replace('^3', '³')}"
+
+
 def length_text(value):
     """A length in mm, to three digits, in the user's unit."""
     unit = Unit.of(value)

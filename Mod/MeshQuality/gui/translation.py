@@ -29,7 +29,7 @@ def _title(name):
     return translate_phrase(_TITLES.get(name, name))
 
 
-WORDING = phrases.Wording(translate_phrase, quantities.in_locale, quantities.lengths_in_units, _title)
+WORDING = phrases.Wording(translate_phrase, quantities.in_locale, quantities.lengths_in_units, _title, quantities.volume_in_unit)
 
 
 def translated(text):

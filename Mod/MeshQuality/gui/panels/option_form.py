@@ -194,7 +194,7 @@ def _group(title):
 
 
 def _keep_wide(field, width):
-    """Keeps room for a text of so many pixels: style sheets give fields a least width, which counts instead of their own."""
+    """Keeps room for a text of this width in pixels: style sheets give fields a least width, which counts instead of their own."""
     narrow(field, f"min-width: {width}px")
 
 
