@@ -2,7 +2,6 @@
 """What is hidden in a container: FreeCAD leaves it out of the container's shape, and of what is made of that."""
 
 import FreeCAD
-import Part
 
 from .. import phrases
 from . import convert, frames, verdict
@@ -57,9 +56,9 @@ def _parts(source, visible):
 
 
 def _is_whole(source):
-    leaf = frames.leaf_of(source)
-    # FEM meshes have a link of the name Shape, too.
-    return convert.is_mesh(source) or isinstance(getattr(leaf.getLinkedObject(True), "Shape", None), Part.Shape)
+    linked = frames.leaf_of(source).getLinkedObject(True)
+    # FEM meshes have a link of the name Shape.
+    return convert.is_mesh(source) or "Shape" in linked.PropertiesList and not linked.isDerivedFrom("Fem::FemMeshObject")
 
 
 def _counts(obj):

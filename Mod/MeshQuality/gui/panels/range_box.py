@@ -50,6 +50,8 @@ class RangeBox(QtGui.QWidget):
 
     def _edited(self):
         """Another range, where there is one in the fields; else they get back what they had."""
+        if self._scale is None:  # nothing is measured yet
+            return
         texts, scale = (self.low.text(), self.high.text()), self._scale
         if texts == (scale.number(scale.low, _DIGITS), scale.number(scale.high, _DIGITS)):
             return
