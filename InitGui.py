@@ -4,13 +4,10 @@ import os
 
 import FreeCADGui
 import MeshQuality
-from MeshQuality.gui import preferences
+from MeshQuality.gui import preferences, translation
 
 
 class MeshQualityWorkbench(FreeCADGui.Workbench):
-    MenuText = "Mesh Quality"
-    ToolTip = "Meshes of CAD shapes with guaranteed quality"
-
     def Initialize(self):
         # FreeCAD would load this with the first mesh, which would stop the window then.
         import MeshGui  # noqa: F401
@@ -34,6 +31,8 @@ class MeshQualityWorkbench(FreeCADGui.Workbench):
 
 _resources = os.path.normpath(os.path.join(
     os.path.dirname(MeshQuality.__file__), os.pardir, os.pardir, "Resources"))
+MeshQualityWorkbench.MenuText = translation.of_workbench("Mesh Quality")
+MeshQualityWorkbench.ToolTip = translation.of_workbench("Meshes of CAD shapes with guaranteed quality")
 MeshQualityWorkbench.Icon = os.path.join(_resources, "icons", "MeshQuality.svg")
 FreeCADGui.addIconPath(os.path.join(_resources, "icons"))
 FreeCADGui.addLanguagePath(os.path.join(_resources, "translations"))

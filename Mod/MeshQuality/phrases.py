@@ -98,7 +98,7 @@ FIGURES = (
 TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, MAX_DISTORTION, OVERLAPS, NOT_PROVEN_APART = FIGURES
 OVERLAPS_HINT = "to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap"
 NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
-HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number}, {number2} % of the " \
+HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {volume}, {number} % of the " \
                 "volume"
 STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
 SMALLEST_WALL = "smallest thickness {length}"
@@ -141,7 +141,11 @@ TAKEN_OUT = "it is made of {name} and cannot lie in that, as each would wait for
             "follows from outside, too"
 # A FEM mesh in an analysis that has one.
 MORE_MESHES = "the analysis {name} has another mesh, {name2}: FreeCAD solves on one mesh only; take the others out"
-
+# A FEM mesh that is not seen where its part is.
+FEM_BESIDE = "the mesh stands beside its part, which lies in {name}, as FreeCAD's FEM workbench looks for faces without the containers " \
+             "around them: it solves rightly; to see mesh and results on the part, put the analysis, or the mesh without one, into {name}"
+FEM_BESIDE_ANY = "the mesh stands beside its part, as FreeCAD's FEM workbench looks for faces without the containers around them ({name}): it " \
+                 "solves rightly; to see mesh and results on the part, take the part out of these"
 TAKES_PLACE = "in the analysis {name} it takes the place of {name2}, as FreeCAD solves on one mesh only; what it replaces stays in " \
               "the document"
 # What curing a mesh that another program made has found and changed.
@@ -166,6 +170,7 @@ NO_BOUND_AND_BOUND = "chord_height = 'none' and chord_height_relative = {number}
 MIN_ABOVE_MAX = "min_edge = {length} is longer than max_edge = {length2}"
 NO_SOURCE = "Source is empty: choose an object with a shape"
 NO_SOURCES = "Sources is empty: choose objects with a mesh or a shape"
+ABOVE_DISTANCE = "tolerance is {length}: at most the distance of {length2} is possible; give a smaller one"
 HALF_OF_GAP = "tolerance is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap"
 GIVEN_DELETED = "Given is empty: the FEM mesh was deleted; choose another one, or delete this mesh"
 NOT_MEASURED = "the surface of the mesh is not measured: it is not of triangles of one order"
@@ -189,9 +194,9 @@ SOURCE_DELETED = "Source is empty: the source was deleted; choose another one, o
 SOURCE_GONE = "The source was deleted. Close this panel."
 DOCUMENT_CLOSED = "The document was closed. Close this panel."
 ERRORS = (
-    IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES,
+    IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES, FEM_BESIDE, FEM_BESIDE_ANY,
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
-    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, HALF_OF_GAP, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
+    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, ABOVE_DISTANCE, HALF_OF_GAP, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
     *fault_phrases.TEXTS, *label_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
@@ -312,6 +317,7 @@ _SHOWN = {
     TWO_BOUNDS: "The max. deviation is given twice, as {length} and as {number} of the size: give one of them",
     NO_BOUND_AND_BOUND: "The max. deviation is given twice, as unlimited and as {number} of the size: give one of them",
     NOT_GIVEN: "{option}: give a length that is not 0",
+    ABOVE_DISTANCE: "The max. deviation is {length}: at most the distance of {length2} is possible; give a smaller one",
     HALF_OF_GAP: "The max. deviation is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap",
     MIN_ABOVE_MAX: "The shortest edge of {length} is longer than the longest edge of {length2}",
     "greater than {length}, or 'none'": "greater than {length}, or without a limit",
@@ -375,12 +381,14 @@ class Wording:
     lengths    lengths(texts such as ["0.0171 mm", "0.01 mm"]) -> as many texts in the user's unit, different
                ones where the lengths differ
     title      title(name of an option) -> its name in panels
+    volume     volume(text such as "511.2 mm³") -> text in the user's unit
     """
 
     translate: Callable = str
     number: Callable = str
     lengths: Callable = list
     title: Callable = str
+    volume: Callable = str
 
 
 class Text(str):
@@ -456,6 +464,15 @@ def text_of(value):
     """What is said of a text or an error: as a Text where it is one."""
     said = value.args[0] if isinstance(value, Exception) and value.args else value
     return said if isinstance(said, Text) else str(value)
+
+
+def renamed(text, before, name):
+    """A text that names something in another way, wherever it does."""
+    if isinstance(text, Text):
+        return Text._of(text.phrase, {key: renamed(value, before, name) for key, value in text.places.items()}, text.upper)
+    if not isinstance(text, str):
+        return [renamed(part, before, name) for part in text]
+    return re.sub(rf"{re.escape(before)}\b", lambda _: name, text)
 
 
 def exempt_triangle(triangle, reason):
@@ -534,6 +551,8 @@ def _place(name, value, wording):
     kind = _kind(name)
     if kind in ("count", "number"):
         return wording.number(value)
+    if kind == "volume":
+        return wording.volume(value)
     if kind == "option":
         return wording.title(value)
     if kind == "list":

@@ -1724,7 +1724,7 @@
     </message>
     <message>
         <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, circumcentre is the rule of Aftosmis 1999</source>
-        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: neben dem Umkreismittelpunkt braucht weniger Dreiecke, im Umkreismittelpunkt ist die Regel von Aftosmis 1999</translation>
+        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: neben der Umkreismitte braucht weniger Dreiecke, in der Umkreismitte ist die Regel von Aftosmis 1999</translation>
     </message>
     <message>
         <source>all</source>
@@ -1748,7 +1748,7 @@
     </message>
     <message>
         <source>circumcentre</source>
-        <translation>Umkreismittelpunkt</translation>
+        <translation>Umkreismitte</translation>
     </message>
     <message>
         <source>classifying the triangles</source>
@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>off-centre</source>
-        <translation>neben dem Umkreismittelpunkt</translation>
+        <translation>neben der Umkreismitte</translation>
     </message>
     <message>
         <source>only sharp ones</source>
@@ -3139,10 +3139,6 @@
         <translation>∞, grau: {0} davon</translation>
     </message>
     <message>
-        <source>Click a bar to highlight its elements. Heights are logarithmic.</source>
-        <translation>Ein Klick auf einen Balken hebt seine Elemente hervor. Die Höhen sind logarithmisch.</translation>
-    </message>
-    <message>
         <source>{0} (1 face)</source>
         <translation>{0} (1 Fläche)</translation>
     </message>
@@ -3239,8 +3235,8 @@
         <translation>1 ist ideal: Alle Kanten sind gleich lang.</translation>
     </message>
     <message>
-        <source>a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {number}, {number2} % of the volume</source>
-        <translation>im Innern ist ein Hohlraum eingeschlossen, aus dem Harz, Pulver oder Luft nicht entweichen können; er spart {number}, {number2} % des Volumens</translation>
+        <source>a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {volume}, {number} % of the volume</source>
+        <translation>im Innern ist ein Hohlraum eingeschlossen, aus dem Harz, Pulver oder Luft nicht entweichen können; er spart {volume}, {number} % des Volumens</translation>
     </message>
     <message>
         <source>to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap</source>
@@ -3409,6 +3405,38 @@
     <message>
         <source>{name} wrap</source>
         <translation>{name} Hülle</translation>
+    </message>
+    <message>
+        <source>The max. deviation is {length}: at most the distance of {length2} is possible; give a smaller one</source>
+        <translation>Die max. Abweichung ist {length}: möglich ist höchstens der Abstand von {length2}; geben Sie eine kleinere an</translation>
+    </message>
+    <message>
+        <source>the mesh stands beside its part, as FreeCAD&apos;s FEM workbench looks for faces without the containers around them ({name}): it solves rightly; to see mesh and results on the part, take the part out of these</source>
+        <translation>das Netz steht neben seinem Bauteil, da FreeCADs FEM-Arbeitsbereich Flächen ohne die Behälter um sie sucht ({name}): gerechnet wird richtig; um Netz und Ergebnisse auf dem Bauteil zu sehen, nehmen Sie das Bauteil aus diesen heraus</translation>
+    </message>
+    <message>
+        <source>the mesh stands beside its part, which lies in {name}, as FreeCAD&apos;s FEM workbench looks for faces without the containers around them: it solves rightly; to see mesh and results on the part, put the analysis, or the mesh without one, into {name}</source>
+        <translation>das Netz steht neben seinem Bauteil, das in {name} liegt, da FreeCADs FEM-Arbeitsbereich Flächen ohne die Behälter um sie sucht: gerechnet wird richtig; um Netz und Ergebnisse auf dem Bauteil zu sehen, ziehen Sie die Analyse, oder das Netz ohne eine, in {name}</translation>
+    </message>
+    <message>
+        <source>Colours over the usual range of this measure</source>
+        <translation>Farben über den üblichen Bereich dieses Maßes</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Colours begin at this value</source>
+        <translation>Die Farben beginnen bei diesem Wert</translation>
+    </message>
+    <message>
+        <source>Colours end at this value</source>
+        <translation>Die Farben enden bei diesem Wert</translation>
+    </message>
+    <message>
+        <source>Click a bar, or drag over several, to highlight their elements. Heights are logarithmic.</source>
+        <translation>Ein Klick auf einen Balken, oder Ziehen über mehrere, hebt ihre Elemente hervor. Die Höhen sind logarithmisch.</translation>
     </message>
 </context>
 <context>
@@ -3753,6 +3781,10 @@
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Meshes of CAD shapes with guaranteed quality</source>
+        <translation>Netze von CAD-Formen mit garantierter Qualität</translation>
     </message>
 </context>
 </TS>

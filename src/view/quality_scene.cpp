@@ -8,11 +8,15 @@
 #include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoFaceSet.h>
 #include <Inventor/nodes/SoIndexedLineSet.h>
+#include <Inventor/nodes/SoInfo.h>
+#include <Inventor/nodes/SoLevelOfDetail.h>
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
 #include <Inventor/nodes/SoVertexProperty.h>
+
+#include <algorithm>
 
 #include "base/error.h"
 #include "view/legend.h"
@@ -25,7 +29,10 @@ constexpr std::uint32_t kLit = 0xff20ffffU;  // red, green, blue, opacity: a col
 /// The colour of edges: red, green, blue, 0 to 1; dark grey.
 constexpr float kEdgeColour[3] = {0.15F, 0.15F, 0.15F};
 constexpr int kFine = 0, kCoarse = 1;  // children of the switch
-constexpr float kOutline = 3.0F;       // width of outlines, pixels
+/// Square pixels of the box of the mesh for each edge, below which no edges are drawn, as they would blacken the
+/// surface: where the box is filled to 70 %, edges are 5 pixels long there.
+constexpr float kPixelsOfEdge = 5.0F;
+constexpr float kOutline = 3.0F;  // width of outlines, pixels
 
 void set_runs(SoMFInt32& runs, std::size_t count, std::int32_t length) {
     const std::vector<std::int32_t> lengths(count, length);
@@ -97,8 +104,11 @@ void QualityScene::end_drawing(void* scene, SoAction* action) {
     }
 }
 
-SoSeparator* QualityScene::make_edges() {
+SoLevelOfDetail* QualityScene::make_edges() {
     SoSeparator* edges = kept_separator();
+    edge_detail_ = new SoLevelOfDetail;
+    edge_detail_->addChild(edges);
+    edge_detail_->addChild(new SoInfo);  // nothing
     auto* colour = new SoBaseColor;
     colour->rgb.setValue(kEdgeColour);
     edge_points_ = new SoVertexProperty;
@@ -107,7 +117,7 @@ SoSeparator* QualityScene::make_edges() {
     edges->addChild(unlit());
     edges->addChild(colour);
     edges->addChild(edges_);
-    return edges;
+    return edge_detail_;
 }
 
 void QualityScene::make_lit() {
@@ -149,6 +159,7 @@ void QualityScene::draw_edges(const float* points, std::size_t count, const std:
     edge_points_->vertex.setValues(0, static_cast<int>(count), reinterpret_cast<const float(*)[3]>(points));
     edges_->coordIndex.setNum(static_cast<int>(lines.size()));
     edges_->coordIndex.setValues(0, static_cast<int>(lines.size()), lines.data());
+    edge_detail_->screenArea = kPixelsOfEdge * static_cast<float>(std::count(lines.begin(), lines.end(), -1));
 }
 
 void QualityScene::light_up(const float* corners, std::size_t triangles) {

@@ -13,6 +13,7 @@
 class SoAction;
 class SoFaceSet;
 class SoIndexedLineSet;
+class SoLevelOfDetail;
 class SoLineSet;
 class SoSeparator;
 class SoSwitch;
@@ -48,6 +49,7 @@ class QualityScene {
     /// card.
     double drawing_seconds() const { return seconds_; }
     /// Lines as runs of point indices, each ended by -1; points as three coordinates each. No lines: none are drawn.
+    /// Where the mesh is so small on the screen that they would lie close to each other, none are drawn, either.
     void draw_edges(const float* points, std::size_t count, const std::vector<std::int32_t>& lines);
     /// Highlights these triangles and no others: they are drawn over the others with thick outlines, so that the
     /// smallest one is visible from afar.
@@ -58,7 +60,7 @@ class QualityScene {
     static void begin_drawing(void* scene, SoAction* action);
     static void end_drawing(void* scene, SoAction* action);
     void make_triangles();
-    SoSeparator* make_edges();
+    SoLevelOfDetail* make_edges();
     void make_lit();
 
     std::string name_;
@@ -69,6 +71,7 @@ class QualityScene {
     double seconds_ = 0.0;
     SoVertexProperty* edge_points_ = nullptr;
     SoIndexedLineSet* edges_ = nullptr;
+    SoLevelOfDetail* edge_detail_ = nullptr;
     SoVertexProperty* lit_ = nullptr;
     SoFaceSet* lit_faces_ = nullptr;
     SoLineSet* lit_outlines_ = nullptr;

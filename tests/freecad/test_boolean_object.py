@@ -109,7 +109,7 @@ class Recompute(BooleanObjectTest):
         self.tool.Mesh = Mesh.createPlane(5, 5)
         self.document.recompute()
         self.assertFalse(obj.isValid())
-        self.assertRegex(obj.getStatusString(), "operand B.*open.*B is 'Tool'")
+        self.assertRegex(obj.getStatusString(), "'Tool' is an open surface")
         self.assertEqual(obj.Mesh.CountFacets, facets)
         self.tool.Mesh = Mesh.createBox(1, 1, 1)
         obj.Resolution = 3
@@ -165,7 +165,7 @@ class Undo(BooleanObjectTest):
         foreign = other.addObject("Part::Box", "Box")
         undo, objects = list(self.document.UndoNames), len(self.document.Objects)
         for sources, values, words in (
-                ((self.cube, sheet), {}, "operand B"),
+                ((self.cube, sheet), {}, "'Sheet' is an open surface"),
                 ((self.cube, self.tool), {"tolerance": -1}, "tolerance"),
                 ((self.cube, self.tool), {"tolerence": 1}, "tolerence"),
                 ((self.cube, self.tool), {"operation": "cut"}, "difference"),
@@ -253,7 +253,7 @@ class OfContainers(BooleanObjectTest):
         self.assertAlmostEqual(self.union(self.other, self.part), self.whole, places=4)
         result = mq.boolean(self.part, self.other, "union", tolerance=0.01)
         self.assertAlmostEqual(result.vertices[:, 0].min() + result.origin[0], 100.0)
-        self.assertIn("operand A holds shapes and meshes: the mesh of the shapes deviates by", " ".join(result.report.notes))
+        self.assertIn("holds shapes and meshes: the mesh of the shapes deviates by", " ".join(result.report.notes))
 
     def test_meshes_alone_and_through_links(self):
         self.part.removeObject(self.cube)

@@ -157,10 +157,11 @@ class Nested(CureTest):
 
     def test_it_stays_when_the_containers_move(self):
         obj = mq.add_cured_mesh(self.meshes()["own"], self.nested)
-        before = ElementMesh.of(obj).nodes
+        self.assertEqual(obj.getParentGeoFeatureGroup(), self.inner)
+        before = ElementMesh.of(obj.FemMesh).nodes
         self.outer.Placement = FreeCAD.Placement(FreeCAD.Vector(1, 2, 3), FreeCAD.Rotation())
         self.document.recompute()
-        np.testing.assert_array_equal(ElementMesh.of(obj).nodes, before)
+        np.testing.assert_array_equal(ElementMesh.of(obj.FemMesh).nodes, before)
         self.assertEqual((obj.Status, mq.certify(obj, self.nested).not_on_shape), ("up to date", None))
 
     def test_certify_and_curve_take_the_objects(self):

@@ -15,7 +15,7 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality import fem_options, options
-from MeshQuality.core import fem, fem_size
+from MeshQuality.core import fem, fem_size, frames
 from MeshQuality.features import fem_mesh
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
@@ -211,6 +211,41 @@ class Follows(FemObjectTest):
         self.assert_on(obj, source)
         source.Placement.Base = FreeCAD.Vector(-5, 0, 0)
         self.document.recompute()
+        self.assert_on(obj, source)
+
+    def nested(self):
+        source = self.box()
+        source.Placement.Base = FreeCAD.Vector(1, 2, 3)
+        outer, inner = (self.document.addObject("App::Part", name) for name in ("Outer", "Inner"))
+        outer.addObject(inner)
+        inner.addObject(source)
+        outer.Placement.Base, inner.Placement.Base = FreeCAD.Vector(100, 0, 0), FreeCAD.Vector(0, 50, 0)
+        self.document.recompute()
+        return source, inner
+
+    def test_it_stands_where_a_nested_part_is(self):
+        source, inner = self.nested()
+        obj = mq.add_fem_mesh(source)
+        self.assertEqual(obj.getParentGeoFeatureGroup(), inner)
+        self.assertEqual(frames.frame_of(obj).Base, FreeCAD.Vector(100, 50, 0))
+        self.assert_on(obj, source)
+        self.assertIsNone(obj.Proxy.told(obj))
+        # What the container holds is counted as before.
+        self.assertEqual(mq.add_quality_mesh(inner).Mesh.CountFacets, mq.add_quality_mesh(source).Mesh.CountFacets)
+        self.document.undo()
+        self.document.undo()
+        self.document.undo()
+        self.assertEqual(inner.Group, [source])
+
+    def test_in_an_analysis_elsewhere_it_says_that_it_stands_beside_and_the_remedy_helps(self):
+        source, inner = self.nested()
+        analysis = self.analysis()
+        obj = mq.add_fem_mesh(source, analysis=analysis)
+        self.assertIn("put the analysis, or the mesh without one, into 'Inner'", obj.Proxy.told(obj))
+        inner.addObject(analysis)
+        self.document.recompute()
+        self.assertEqual((analysis.Group, frames.frame_of(obj).Base), ([obj], FreeCAD.Vector(100, 50, 0)))
+        self.assertIsNone(obj.Proxy.told(obj))
         self.assert_on(obj, source)
 
     def assert_on(self, obj, source):

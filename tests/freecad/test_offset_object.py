@@ -109,7 +109,7 @@ class Offset(SolidTest):
         obj = mq.add_offset(self.cube, 1.0, tolerance=TOLERANCE)
         facets = obj.Mesh.CountFacets
         for name, value, words in (("Distance", 0, "distance is 0: give a length"),
-                                   ("Tolerance", 5, "tolerance.*larger than the distance")):
+                                   ("Tolerance", 5, "tolerance.*at most the distance")):
             held = getattr(obj, name)
             setattr(obj, name, value)
             self.document.recompute()

@@ -9,7 +9,7 @@ import Mesh
 import Part
 
 import MeshQuality as mq
-from MeshQuality import inspection_options, offset_options, options, wrap_options
+from MeshQuality import inspection_options, offset_options, options, phrases, wrap_options
 from MeshQuality.core import verdict
 from MeshQuality.features import mesh_object
 
@@ -72,6 +72,44 @@ class Told(helpers.DocumentTest):
         other.recompute()
         self.assertIsNone(copy.Source)
         self.assertEqual(copy.Status, mesh_object.SOURCE_DELETED)
+
+
+class Errors(helpers.DocumentTest):
+    """What a user of the window reads names objects, not the words of scripts."""
+
+    def objects(self):
+        made = {name: self.document.addObject(kind, name) for name, kind in (
+            ("Nothing", "Part::Feature"), ("Wire", "Part::Feature"), ("Empty", "Mesh::Feature"), ("Sheet", "Mesh::Feature"))}
+        made["Wire"].Shape = Part.makePolygon([(0, 0, 0), (1, 0, 0), (1, 1, 0)])
+        made["Sheet"].Mesh = Mesh.createPlane(5, 5)
+        return made
+
+    def test_errors_name_the_object_and_without_words_of_scripts(self):
+        box, objects = self.box(), self.objects()
+        for name, obj in objects.items():
+            for call in (lambda o=obj: mq.add_boolean([box, o], operation="union", method="exact"), lambda o=obj: mq.add_offset(o, 1.0),
+                         lambda o=obj: mq.add_boolean([o, box], operation="union"), lambda o=obj: mq.add_hollow(o, 1.0)):
+                with self.subTest(name), self.assertRaises(mq.Error) as caught:
+                    call()
+                said = str(caught.exception)
+                self.assertNotRegex(said, r"Mesh\.Mesh|SurfaceMesh|\(V, F\)|operand [A-Z]\b|\([A-Z] is ", said)
+                self.assertTrue(said.startswith(f"'{name}' "), said)
+
+    def test_two_of_one_label_are_told_apart(self):
+        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document")
+        settings.SetBool("DuplicateLabels", True)
+        self.addCleanup(settings.RemBool, "DuplicateLabels")
+        first, second = self.document.addObject("Mesh::Feature", "First"), self.box()
+        first.Mesh, first.Label, second.Label = Mesh.createPlane(5, 5), "Same", "Same"
+        with self.assertRaisesRegex(mq.Error, r"^'Same' \(operand A\) is an open"):
+            mq.add_boolean([first, second], operation="union", method="exact")
+
+    def test_the_error_keeps_its_phrase_for_other_languages(self):
+        self.document.addObject("Mesh::Feature", "Flat").Mesh = Mesh.Mesh([[(0, 0, 0), (1, 0, 0), (2, 0, 0)]])
+        with self.assertRaises(mq.Error) as caught:
+            mq.add_boolean([self.box(), self.document.getObject("Flat")], operation="union")
+        self.assertEqual(phrases.text_of(caught.exception).phrase, phrases.CORE_ERRORS["no_enclosed_volume"])
+        self.assertTrue(str(caught.exception).startswith("'Flat' "), caught.exception)
 
 
 def improved_name(document):

@@ -12,6 +12,10 @@ from PySide import QtCore, QtGui
 import MeshQuality as mq
 from MeshQuality.gui import commands, jobs
 from MeshQuality.gui.panels import quality_panel
+from MeshQuality.gui.panels.case_panel import CasePanel
+from MeshQuality.gui.panels.export_panel import ExportPanel
+from MeshQuality.gui.panels.patches_panel import PatchesPanel
+from MeshQuality.gui.panels.quality_panel import QualityPanel
 
 ALL = (commands.Triangulate, commands.Curve, commands.Boolean)
 
@@ -162,6 +166,33 @@ class Commands(gui_helpers.PanelTest):
         panel.form.keyPressEvent(with_control)
         self.assertFalse(with_control.isAccepted())  # so that the task view takes it as OK
         panel.reject()
+
+    def test_return_in_any_field_of_any_panel_is_no_ok(self):
+        box = self.box()
+        mesh = mq.add_quality_mesh(box)
+        for make in (PatchesPanel, ExportPanel, CasePanel, QualityPanel):
+            panel = make(mesh)
+            FreeCADGui.Control.showDialog(panel)
+            gui_helpers.wait()
+            if make is PatchesPanel:
+                FreeCADGui.Selection.addSelection(box, "Face1")
+                panel.new.click()  # the name of the patch is in edit
+                gui_helpers.wait()
+            fields = [field for kind in (QtGui.QLineEdit, QtGui.QAbstractSpinBox, QtGui.QComboBox, QtGui.QAbstractItemView)
+                      for field in panel.form.findChildren(kind)]
+            self.assertGreater(len(fields), 1)
+            with mock.patch.object(type(panel), "accept", create=True) as accepted:
+                for field in fields:
+                    key = QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier)
+                    QtGui.QApplication.sendEvent(field, key)
+                gui_helpers.wait()
+                with self.subTest(make.__name__):
+                    self.assertEqual(accepted.call_count, 0)
+                    self.assertTrue(FreeCADGui.Control.activeDialog())
+            if make is PatchesPanel:
+                self.assertEqual(list(panel.patches()), ["patch_1"])
+            panel.reject()
+            gui_helpers.wait()
 
     def test_a_hidden_source_stands_for_its_mesh(self):
         """After OK the source is still selected, and hidden: the next command takes the mesh that is seen in its place."""

@@ -193,7 +193,7 @@ class Quality(CureTest):
         gui_helpers.wait(0.3)
         pixels = self.saved("quality_inside")
         self.assertGreater((np.abs(pixels - np.array(MAGENTA)) < 40).all(axis=2).mean(), 0.0005)
-        panel.histogram.picked.emit(-1)
+        panel.histogram.picked.emit(-1, -1)
         self.assertEqual(panel.scene.scene.triangles, len(panel.data.corners))
         panel.reject()
         self.assertTrue(self.part.ViewObject.Visibility)

@@ -50,6 +50,13 @@ class Export(gui_helpers.PanelTest):
             panel = export_panel.ExportPanel(obj)
             self.assertEqual(any("patch" in label.text().lower() for label in panel.form.findChildren(QtGui.QLabel)), said)
 
+    def test_the_format_of_the_last_file_comes_first(self):
+        plain, curved = mq.add_quality_mesh(self.box()), self.curved()
+        self.write(self.panel_for(plain, "part.3mf"))
+        for obj, suffix in ((plain, ".3mf"), (curved, ".msh")):
+            panel = export_panel.ExportPanel(obj)
+            self.assertEqual((panel.formats.currentData(), os.path.splitext(panel.path.property("fileName"))[1]), (suffix, suffix))
+
     def test_the_file_is_that_of_the_api(self):
         obj = self.curved()
         for name in ("part.msh", "part.vtu"):

@@ -120,6 +120,14 @@ class FemMesh(gui_helpers.PanelTest):
     def test_without_an_analysis_it_stands_alone(self):
         self.assertEqual(self.made(self.part).InList, [])
 
+    def test_that_of_a_nested_part_stands_on_it_and_is_up_to_date(self):
+        around = self.document.addObject("App::Part", "Around")
+        around.addObject(self.part)
+        around.Placement.Base.x = 500
+        self.document.recompute()
+        obj = self.made(self.part)
+        self.assertEqual((around.Group, obj.Status), ([self.part, obj], mesh_object.UP_TO_DATE))
+
     def test_it_follows_in_the_background(self):
         box = self.box()
         obj = mq.add_fem_mesh(box)

@@ -70,6 +70,12 @@ class German(gui_helpers.PanelTest):
         self.assertIn("Quality mesh...", menu_texts())
         self.assertNotIn("Qualitätsnetz...", menu_texts())
 
+    def test_the_name_of_the_workbench_is_that_of_its_menu(self):
+        workbench = FreeCADGui.listWorkbenches()["MeshQualityWorkbench"]
+        self.assertEqual((workbench.MenuText, workbench.ToolTip), ("Netzqualität", "Netze von CAD-Formen mit garantierter Qualität"))
+        FreeCADGui.setLocale("English")
+        self.assertEqual(workbench.MenuText, "Mesh Quality")
+
     def test_panels_are_german_and_fit(self):
         sources = self.two_boxes()
         expected = {commands.Triangulate: ("Qualitätsnetz", "Kleinster Winkel", "Sehr fein"),

@@ -72,7 +72,7 @@ class Offset(SolidCommands):
         self.assertIn("in", box.text())
         gui_helpers.typed(panel.options.field("tolerance"), "0.1")  # inches
         self.finish(panel)
-        self.assertIn("larger than the distance of", panel.said)
+        self.assertIn("at most the distance of", panel.said)
         self.assertNotIn("mm", panel.said)
         gui_helpers.typed(panel.options.field("tolerance"), "0.002")
         self.finish(panel)

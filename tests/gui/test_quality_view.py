@@ -397,6 +397,21 @@ class QualityView(gui_helpers.GuiTest):
         self.assertGreater(min(counts), 300)
         self.assertLess(max(counts), 1.5 * min(counts))
 
+    def test_colours_are_seen_where_the_mesh_is_small_on_the_screen(self):
+        panel = self.open(self.meshed(Part.makeSphere(5), max_edge=0.45))
+        self.assertTrue(panel.edges.isChecked())
+        self.assertGreater(panel.data.elements, 2500)
+        near, camera = self.dark(self.picture("quality_near")), self.view.getCameraNode()
+        camera.height.setValue(5.0 * camera.height.getValue())
+        gui_helpers.wait()
+        self.assertGreater(near, 0.1)
+        self.assertLess(self.dark(self.saved("quality_far")), 0.02)
+
+    def dark(self, pixels):
+        """The share of the mesh, in the middle of the picture, that is as dark as edges are."""
+        middle = pixels[:, 150:550]
+        return (middle < 70).all(axis=2).sum() / (middle < 240).any(axis=2).sum()
+
     def test_a_clipping_plane_cuts_the_model_and_not_the_legend(self):
         panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
         self.view.viewAxonometric()
@@ -550,7 +565,7 @@ class QualityView(gui_helpers.GuiTest):
         self.assertFalse(panel.edges.isChecked() or panel.data.has_lines)
         panel.edges.setChecked(True)
         self.until(lambda: panel.data.has_lines)
-        self.until(lambda: panel.scene.node.getChild(0).getChild(0).getChild(2).getChild(2)
+        self.until(lambda: panel.scene.node.getChild(0).getChild(0).getChild(2).getChild(0).getChild(2)
                    .coordIndex.getNum() == len(panel.data.lines[1]))
         self.assertGreater(np.abs(fine - coarse).max(), 0)
         self.assertLess(np.abs(fine - coarse).mean(), 2)

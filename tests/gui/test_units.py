@@ -43,6 +43,12 @@ class UnitsTest(gui_helpers.PanelTest):
 
 
 class Said(UnitsTest):
+    def test_the_volume_that_a_hollow_saves(self):
+        obj = mq.add_hollow(self.cylinder(), 1.0)
+        inches = obj.HollowVolume.Value / 25.4**3
+        self.assertRegex(translated(obj.Proxy.told(obj)), rf"it saves {inches:.3g}\d? in³, 51\.2 % of the volume")
+        self.assertIn(" mm³, ", obj.Proxy.told(obj))
+
     def test_the_certificate(self):
         obj = mq.add_quality_mesh(self.cylinder(), **ROUGH)
         self.assertIn("max. deviation 0.0171 mm (requested 0.01 mm), triangle", obj.Certificate)

@@ -10,7 +10,7 @@ from PySide import QtGui
 
 import MeshQuality as mq
 from MeshQuality.gui import commands
-from MeshQuality.gui.panels import patches_panel, quality_panel
+from MeshQuality.gui.panels import case_panel, export_panel, patches_panel, quality_panel
 
 _ARROW = 20  # pixels that a box with choices or a spin box takes beside its text, at least
 _WINDOW = (1366, 768)
@@ -34,7 +34,7 @@ def cut_texts(widget):
                 found.append((text, part.fontMetrics().horizontalAdvance(text) + 4, part.columnWidth(column)))
         if isinstance(part, QtGui.QTabBar):
             found.append((" ".join(part.tabText(i) for i in range(part.count())), part.sizeHint().width(), part.width()))
-        if isinstance(part, QtGui.QAbstractButton) and part.text():
+        if isinstance(part, QtGui.QAbstractButton) and part.text() and part.maximumWidth() > part.width():  # no field's own
             found.append((part.text(), part.minimumSizeHint().width(), part.width()))
             continue
         if isinstance(part, QtGui.QAbstractSpinBox):
@@ -60,6 +60,14 @@ class Widths(gui_helpers.PanelTest):
         window = FreeCADGui.getMainWindow()
         self.addCleanup(window.resize, window.size())
         window.resize(*_WINDOW)
+
+    def in_dark_theme(self):
+        sheet = next((path for path in SHEETS if path.exists()), None)
+        if sheet is None:
+            self.skipTest("this FreeCAD has no Dark-blue.qss")
+        app = QtGui.QApplication.instance()
+        self.addCleanup(app.setStyleSheet, app.styleSheet())
+        app.setStyleSheet(sheet.read_text(encoding="utf-8"))
 
     def in_language(self, language):
         FreeCADGui.setLocale(language)
@@ -89,14 +97,15 @@ class Widths(gui_helpers.PanelTest):
                     self.check(panel, f"width_{language}_{command.__name__}")
                 finally:
                     panel.reject()
-        panel = patches_panel.PatchesPanel(net)
-        FreeCADGui.Control.showDialog(panel)
-        gui_helpers.wait()
-        with self.subTest("Patches"):
-            try:
-                self.check(panel, f"width_{language}_Patches")
-            finally:
-                panel.reject()
+        for kind in (patches_panel.PatchesPanel, export_panel.ExportPanel, case_panel.CasePanel):
+            panel = kind(net)
+            FreeCADGui.Control.showDialog(panel)
+            gui_helpers.wait()
+            with self.subTest(kind.__name__):
+                try:
+                    self.check(panel, f"width_{language}_{kind.__name__}")
+                finally:
+                    panel.reject()
         panel = quality_panel.open_panel(net)
         self.addCleanup(lambda: panel.ended or panel.reject())
         self.until(lambda: panel.values is not None)
@@ -117,12 +126,7 @@ class Widths(gui_helpers.PanelTest):
         self.everywhere("German")
 
     def test_choices_are_as_wide_as_their_boxes_in_a_dark_theme_need(self):
-        sheet = next((path for path in SHEETS if path.exists()), None)
-        if sheet is None:
-            self.skipTest("this FreeCAD has no Dark-blue.qss")
-        app = QtGui.QApplication.instance()
-        self.addCleanup(app.setStyleSheet, app.styleSheet())
-        app.setStyleSheet(sheet.read_text(encoding="utf-8"))
+        self.in_dark_theme()
         self.in_language("German")
         panel = self.panel(commands.Triangulate, self.box())
         choice, = (box for box in panel.form.findChildren(QtGui.QComboBox) if box.findText("Relativ") >= 0)
@@ -131,6 +135,11 @@ class Widths(gui_helpers.PanelTest):
                                 choice.sizeHint().width() - max(choice.fontMetrics().horizontalAdvance(choice.itemText(i))
                                                                 for i in range(choice.count())))
         panel.reject()
+
+    def test_nothing_is_cut_off_in_a_dark_theme(self):
+        self.in_dark_theme()
+        self.in_language("German")
+        self.everywhere("German_dark")
 
     def test_nothing_is_cut_off_in_inches(self):
         self.in_language("German")

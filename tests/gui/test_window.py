@@ -3,6 +3,7 @@
 sources, work that goes on without its panel.
 """
 
+import importlib.util
 import os
 from unittest import mock
 
@@ -211,16 +212,41 @@ class InPlaceOfSources(gui_helpers.PanelTest):
             obj = mq.add_quality_mesh(self.box())
         self.assertEqual(obj.ViewObject.DisplayMode, "Shaded")
 
+    def test_edges_go_where_the_mesh_is_small_on_the_screen(self):
+        """Of 3,000 triangles on 100 pixels only the faces are seen, and both from near."""
+        ball = self.document.addObject("Part::Sphere", "Ball")
+        self.document.recompute()
+        meshes = [mq.add_quality_mesh(ball, max_edge=0.4), mq.add_curved_mesh(ball, max_edge=0.4)]
+        if importlib.util.find_spec("Fem"):
+            meshes.append(mq.add_fem_mesh(ball, max_edge=0.8))
+        FreeCADGui.Selection.clearSelection()
+        for obj in (ball, *meshes):
+            obj.ViewObject.Visibility = False
+        for obj in meshes:
+            with self.subTest(obj.Label):
+                obj.ViewObject.Visibility = True
+                near = self.black(self.picture(f"window_near_{obj.Name}"))
+                camera = self.view.getCameraNode()
+                camera.height.setValue(5.0 * camera.height.getValue())
+                gui_helpers.wait()
+                far = self.black(self.saved(f"window_far_{obj.Name}"))
+                self.assertGreater(near, 0.1)
+                self.assertLess(far, 0.1)
+                obj.ViewObject.Visibility = False
+
+    def black(self, pixels):
+        """The share of the mesh that is black."""
+        return (pixels < 60).all(axis=2).sum() / (pixels < 240).any(axis=2).sum()
+
     def test_a_fine_mesh_is_no_black_ball(self):
         ball = self.document.addObject("Part::Sphere", "Ball")
         self.document.recompute()
         obj = mq.add_quality_mesh(ball, max_edge=0.12)
         self.assertGreater(obj.Mesh.CountFacets, 10_000)
         FreeCADGui.Selection.clearSelection()
-        dark = (self.picture("window_fine_ball") < 60).all(axis=2).mean()
-        obj.ViewObject.DisplayMode = "Flat Lines"
-        self.assertGreater((self.picture("window_black_ball") < 60).all(axis=2).mean(), 5 * dark)
-        obj.ViewObject.DisplayMode = "Shaded"
+        for mode in ("Flat Lines", "Shaded"):  # also with edges, which would be too close to each other here
+            obj.ViewObject.DisplayMode = mode
+            self.assertLess(self.black(self.picture(f"window_fine_ball_{mode.split()[0]}")), 0.1)
         for edge, mode in ((1.0, "Flat Lines"), (0.12, "Shaded")):
             mq.update(obj, max_edge=edge)
             self.assertEqual(obj.ViewObject.DisplayMode, mode)

@@ -56,8 +56,9 @@ def _parts(source, visible):
 
 
 def _is_whole(source):
-    leaf = frames.leaf_of(source)
-    return convert.is_mesh(source) or "Shape" in leaf.getLinkedObject(True).PropertiesList
+    linked = frames.leaf_of(source).getLinkedObject(True)
+    # FEM meshes have a link of the name Shape.
+    return convert.is_mesh(source) or "Shape" in linked.PropertiesList and not linked.isDerivedFrom("Fem::FemMeshObject")
 
 
 def _counts(obj):

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .. import offset_options, options
+from .. import offset_options, options, phrases
 from ..compat import extension
 from ..errors import Error, InvalidInput
 from ..listing import Public
@@ -168,8 +168,7 @@ class _Work:
         self.tolerance = tolerance or min(1e-3 * (size + 2.0 * max(distance, 0.0)), 0.1 * abs(distance))
         self._finest = _FINEST * size
         if self.tolerance > abs(distance):
-            raise InvalidInput(f"tolerance = {self.tolerance:g} mm is larger than the distance of {abs(distance):g} mm: give "
-                               "a smaller one")
+            raise InvalidInput(phrases.Text(phrases.ABOVE_DISTANCE, length=f"{self.tolerance:g} mm", length2=f"{abs(distance):g} mm"))
         self._error_bound, self._seconds, self._notes, self._cpu_seconds = 0.0, [], [], 0.0
         self._repaired = []
 

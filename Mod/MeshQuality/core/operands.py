@@ -61,8 +61,8 @@ class Operands:
         self._sources = sources
         self._volume_error = None
         self._deviations = []  # (name, mm) of operands whose meshes have nothing else to tell
-        self._letters = letters(len(sources))
-        self._names = [f"operand {letter}" for letter in self._letters]
+        self._letters = [f"operand {letter}" for letter in letters(len(sources))]
+        self._names = _names(sources, self._letters)
         self._taken = [self._take(i) for i in range(len(sources))]
         # Only document objects ask for a digest.
         of_document = all(isinstance(frames.object_of(source), FreeCAD.DocumentObject) for source in sources)
@@ -186,13 +186,15 @@ class Operands:
 
     @contextmanager
     def _naming(self, i):
-        """Has errors name the operand."""
+        """Has errors name the operand; those of scripts what operands are, too, which the window offers only."""
         try:
             yield
         except InvalidInput as error:
-            raise InvalidInput(f"{self._names[i]}: {error}; operands are meshes (Mesh.Mesh, "
-                               "SurfaceMesh, arrays (V, F)), shapes, and document objects with a "
-                               "mesh or a shape") from error
+            name = self._names[i]
+            if name == self._letters[i]:
+                raise InvalidInput(f"{name}: {error}; operands are meshes (Mesh.Mesh, SurfaceMesh, arrays (V, F)), shapes, and "
+                                   "document objects with a mesh or a shape") from error
+            raise _of(name, error) from error
 
     def size(self):
         """Longest side of the box of all operands, mm."""
@@ -228,8 +230,7 @@ class Operands:
             mesh, deviation, rounded, note = self._any_mesh(i, shape, chord_height, progress, meshing) if any_faces else \
                 self._mesh_of_all_faces(i, shape, chord_height, progress, meshing)
         except (InvalidInput, TopologyError) as error:
-            raise type(error)(f"{self._names[i]}, {convert.label_of(self._sources[i])}: {error}") \
-                from error
+            raise _of(self._names[i], error) from error
         self.deviation = max(self.deviation, deviation)
         self.notes += [note] if note else []
         if not isinstance(self._found[i], _Mixed):
@@ -273,12 +274,24 @@ class Operands:
 
     def explain(self, error):
         """The error with the labels of the operands, where it names one by its letter."""
-        labels = [f"{letter} is {convert.label_of(source)}"
-                  for letter, source in zip(self._letters, self._sources)
-                  if getattr(source, "Label", None)]
-        if not labels or not any(name in str(error) for name in self._names):
-            return error
-        return type(error)(f"{error} ({', '.join(labels)})")
+        said = phrases.text_of(error)
+        for letter, name in zip(self._letters, self._names):
+            said = phrases.renamed(said, letter, name)
+        return error if said == str(error) else type(error)(said)
+
+
+def _names(sources, operands):
+    """How errors name operands: document objects by their labels, two of one label by their letters, too."""
+    labels = [convert.label_of(source) if getattr(frames.object_of(source), "Label", None) else operand
+              for source, operand in zip(sources, operands)]
+    return [label if labels.count(label) == 1 else f"{label} ({operand})" for label, operand in zip(labels, operands)]
+
+
+def _of(name, error):
+    """An error that begins with the name of the operand, unless it says that already."""
+    if name in str(error):
+        return error
+    return type(error)(phrases.Text("{name}: {phrase}", name=name, phrase=phrases.text_of(error)))
 
 
 def _complete(shape, chord_height, progress, meshing):

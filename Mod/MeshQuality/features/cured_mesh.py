@@ -178,13 +178,17 @@ def add_cured_mesh(fem_object, part=None, order=2, **values):
     if isinstance(frames.object_of(part), FreeCAD.DocumentObject) and frames.object_of(part).Document != fem_object.Document:
         raise InvalidInput(f"'{fem_object.Label}' and its part are objects of different documents: link them into one")
     analyses = _analyses_of(fem_object)
+
+    def begin(obj):
+        setattr(obj, GIVEN[0], fem_object)
+        if not analyses:
+            fem_mesh.put_into(window().analysis_for(part) or fem_mesh.analysis_around(part), obj, part)
+
     with transactions.undo_step(fem_object.Document, "Certify and cure"):
         obj = transactions.add_of_source(CuredMeshObject, part, {"order": order, **values}, "CuredMesh", "Certify and cure",
-                                         "cured mesh", then=lambda obj: setattr(obj, GIVEN[0], fem_object))
+                                         "cured mesh", then=begin)
         for analysis in analyses:
             _replace_meshes(analysis, obj)
-        if not analyses:
-            fem_mesh.put_into(window().analysis_for(part) or fem_mesh.analysis_around(part), obj)
         obj.purgeTouched()
     return obj
 

@@ -3,7 +3,8 @@
 document.
 
 That workbench finds nodes and faces by where they lie on a shape as its own placement has it, without the
-containers around it. So the mesh stays there, too.
+containers around it. So the mesh stays there, too. It is seen where the part is in the same App::Part, into which it is
+put unless an analysis elsewhere gets it.
 """
 
 from dataclasses import dataclass
@@ -52,6 +53,16 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
     def require_patch_names(self, names):
         """As fem_groups.require_patch_names."""
         fem_groups.require_patch_names(names)
+
+    def told(self, obj):
+        """That the mesh is not seen where its part is, and how it would be."""
+        source = self.sources(obj)[0]
+        if source is None or frames.same(frames.frame_of(obj), frames.frame_of(source)):
+            return None
+        part, mesh = (frames.containers_of(found) for found in (frames.object_of(source), obj))
+        if part and home_of(source) == part[0]:
+            return phrases.Text(phrases.FEM_BESIDE, name=f"'{part[0].Label}'")
+        return phrases.Text(phrases.FEM_BESIDE_ANY, name=", ".join(f"'{found.Label}'" for found in [*part, *mesh]))
 
     def show_patches(self, obj):
         """Patches are groups."""
@@ -134,7 +145,13 @@ def add_fem_mesh(source, analysis=None, **values):
         analysis = _checked(analysis, source) if analysis is not None \
             else window().analysis_for(source) or analysis_around(source)
     return transactions.add_of_source(FemMeshObject, source, values, "FemMesh", "FEM mesh", "FEM mesh",
-                                      then=lambda obj: put_into(analysis, obj))
+                                      then=lambda obj: put_into(analysis, obj, source))
+
+
+def home_of(source):
+    """The App::Part in which the mesh of a source is seen where that is; None outside of such ones."""
+    container = next(iter(frames.containers_of(frames.object_of(source))), None)
+    return container if container is not None and container.isDerivedFrom("App::Part") else None
 
 
 def _checked(analysis, source):
@@ -145,9 +162,12 @@ def _checked(analysis, source):
     return analysis
 
 
-def put_into(analysis, obj):
-    """Adds a mesh to an analysis, unless None, and says where that has others."""
+def put_into(analysis, obj, source):
+    """Adds a mesh to an analysis, and says where that has others; without one to the App::Part around its source."""
     if analysis is None:
+        home = home_of(source)
+        if home is not None:
+            home.addObject(obj)
         return
     others = [f"'{other.Label}'" for other in analysis.Group if other.isDerivedFrom("Fem::FemMeshObject")]
     analysis.addObject(obj)

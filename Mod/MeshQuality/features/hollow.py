@@ -66,7 +66,7 @@ class HollowObject(offset.SolidMesh):
         if not hollow:
             return None
         share = hollow / (hollow + property_of(obj, "Volume").Value)
-        return phrases.Text(phrases.HOLLOW_SEALED, number=f"{hollow:.4g} mm³", number2=f"{100.0 * share:.3g}")
+        return phrases.Text(phrases.HOLLOW_SEALED, volume=f"{hollow:.4g} mm³", number=f"{100.0 * share:.3g}")
 
 
 def _volume_of(mesh):

@@ -15,6 +15,7 @@ from ..compat import SHAPE_COLOURS, property_of, shape_colour
 from ..core.curving import loader_of
 from ..errors import Error
 from .mesh_view import MeshView
+from .view import edge_detail
 from .view.colour_scale import colours_of
 
 MODE = "Curved"
@@ -60,9 +61,10 @@ class CurvedMeshScene:
         light, plain = coin.SoLightModel(), coin.SoMaterialBinding()
         light.model = coin.SoLightModel.BASE_COLOR
         plain.value = coin.SoMaterialBinding.OVERALL
-        for node in (light, plain, self._line_colour, self._line_style, self._lines):
+        for node in (self._points, light, plain, self._line_colour, self._line_style, self._lines):
             edges.addChild(node)
-        for node in (self._points, surface, edges):
+        self._detail = edge_detail.thinned(edges, 0)
+        for node in (self._points, surface, self._detail):
             self.root.addChild(node)
         self._element = np.zeros(0, dtype=np.int32)
 
@@ -74,6 +76,7 @@ class CurvedMeshScene:
         _fill(self._faces.coordIndex, drawing.faces)
         _fill(self._faces.normalIndex, drawing.face_normals)
         _fill(self._lines.coordIndex, drawing.lines)
+        edge_detail.set_count(self._detail, np.count_nonzero(drawing.lines == -1))
 
     def colour(self, quality, transparency=0.0):
         """Colours each curved triangle by its quality."""

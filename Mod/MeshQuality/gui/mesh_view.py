@@ -15,6 +15,10 @@ from .view import badge
 
 translate = FreeCAD.Qt.translate
 
+# The number of triangles that are drawn, by the property that holds the mesh; each edge is that of two.
+_TRIANGLES = {"Mesh": lambda obj: obj.Mesh.CountFacets, "FemMesh": lambda obj: obj.FemMesh.FaceCount}
+_EDGES_OF_TRIANGLE = 1.5
+
 
 class MeshView(PlainState):
     """Proxy of the view of a mesh object."""
@@ -45,6 +49,10 @@ class MeshView(PlainState):
         if name == "Mesh" and obj.Mesh.CountFacets > 0:
             before, self._drawn = self._drawn, obj.Mesh.CountFacets
             looks.follow_count(self.view, before, self._drawn)
+        if name in _TRIANGLES and _TRIANGLES[name](obj):
+            from .view import edge_detail  # with it Coin
+
+            edge_detail.thin_out(self.view.RootNode, _EDGES_OF_TRIANGLE * _TRIANGLES[name](obj))
         if name in ("Mesh", "Patches", "PatchRest"):
             self._colour_later(obj)
 

@@ -17,6 +17,7 @@ translate = FreeCAD.Qt.translate
 
 # Properties of a source that do not change its shape or mesh.
 _LOOKS = ("Label", "Label2", "Visibility", "Proxy", "ExpressionEngine", "_GroupTouched")
+_HELD = "Group", "ElementList"  # what lists the objects in a container
 
 
 class Operation:
@@ -131,12 +132,12 @@ class Operation:
 
 
 class Watch:
-    """Notes whether one of the sources, what they are made of, or a container around them changes."""
+    """Notes whether one of the sources or what they are made of changes, or a container around them but for what it holds."""
 
     def __init__(self, sources):
         objects = [frames.object_of(source) for source in sources if frames.object_of(source) is not None]
-        self._objects = {(obj.Document.Name, obj.Name) for source in objects
-                         for obj in (source, *source.OutListRecursive, *frames.containers_of(source))}
+        self._objects = {_key(obj) for source in objects for obj in (source, *source.OutListRecursive)}
+        self._around = {_key(obj) for source in objects for obj in frames.containers_of(source)}
         self.changed = False
         FreeCAD.addDocumentObserver(self)
 
@@ -146,8 +147,12 @@ class Watch:
 
     def slotChangedObject(self, obj, name):
         """Called by FreeCAD."""
-        if name not in _LOOKS and (obj.Document.Name, obj.Name) in self._objects:
+        if name not in _LOOKS and (_key(obj) in self._objects or name not in _HELD and _key(obj) in self._around):
             self.changed = True
+
+
+def _key(obj):
+    return obj.Document.Name, obj.Name
 
 
 def is_there(document, obj):

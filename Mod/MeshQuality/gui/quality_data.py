@@ -21,7 +21,7 @@ from ..errors import InvalidInput
 from ..features import mesh_object
 from ..features.properties import exempt_reasons
 from .patch_colours import division_of
-from .quantities import Unit, in_locale
+from .quantities import Unit, in_locale, number_of, value_of
 from .view.colour_scale import GREEN
 
 translate = FreeCAD.Qt.translate
@@ -99,6 +99,20 @@ class Scale:
     def text(self, value):
         """A value with its unit."""
         return self.number(value) + ("" if np.isinf(value) else self.unit)
+
+    def value_of(self, text):
+        """The value of a number that is written without a unit or with one; None where it is none."""
+        if self._length_unit is not None:
+            plain = number_of(text)
+            return value_of(text) if plain is None else plain * self._length_unit.factor
+        return number_of(text.strip().removesuffix(self.unit.strip()))
+
+    def within(self, low, high):
+        """The Scale of the same values with other ends."""
+        ends = (low, high) if self.measure.low_is_bad else (high, low)
+        found = Scale(replace(self.measure, bad=ends[0], good=ends[1]), np.zeros(0))
+        found.unbounded = self.unbounded
+        return found
 
     def goodness(self, values):
         """float64: 0 where bad, 1 where good; not a number where a value is infinite and not bad."""

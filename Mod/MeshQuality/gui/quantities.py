@@ -85,6 +85,14 @@ def lengths_in_units(texts):
     return [unit.written(number) for number in numbers]
 
 
+def volume_in_unit(text):
+    """A text such as "511.2 mm³" in the user's unit, to four digits."""
+    value = float(text.split()[0])
+    _, factor, name = FreeCAD.Units.Quantity(value, FreeCAD.Units.Volume).getUserPreferred()
+    number = in_locale(np.format_float_positional(float(f"{value / factor:.4g}"), trim="-"))
+    return f"{number} {name.replace('^3', '³')}"
+
+
 def length_text(value):
     """A length in mm, to three digits, in the user's unit."""
     unit = Unit.of(value)
@@ -139,6 +147,18 @@ def value_of(text, unit="mm"):
     if quantity.Unit == FreeCAD.Units.Unit():
         return quantity.Value * _plain(unit).factor
     return quantity.Value if quantity.Unit == _UNITS[unit] else None
+
+
+def number_of(text):
+    """The finite number of a text as the user writes it, or as "0.5"; None where it is none."""
+    locale = QtCore.QLocale()
+    if locale.decimalPoint() in text:
+        text = text.replace(locale.groupSeparator(), "").replace(locale.decimalPoint(), ".")
+    try:
+        found = float(text)
+    except ValueError:
+        return None
+    return found if math.isfinite(found) else None
 
 
 def _plain(unit):

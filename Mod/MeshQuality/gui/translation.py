@@ -12,6 +12,13 @@ def translate_phrase(text):
     return FreeCAD.Qt.translate("MeshQuality", text)
 
 
+def of_workbench(text):
+    """A property of the workbench with a text in the user's language: FreeCAD asks for it whenever it lists the workbenches, and
+    does not translate it.
+    """
+    return property(lambda _: FreeCAD.Qt.translate("Workbench", text))
+
+
 _TITLES = {option.name: option.title for table in (options.TRIANGULATE, options.CURVE, options.CURVED_DISPLAY, fem_options.FEM,
                                                    options.BOOLEAN, options.IMPROVE, offset_options.OFFSET_OBJECT,
                                                    offset_options.HOLLOW_OBJECT, inspection_options.INSPECTION_OBJECT,
@@ -22,7 +29,7 @@ def _title(name):
     return translate_phrase(_TITLES.get(name, name))
 
 
-WORDING = phrases.Wording(translate_phrase, quantities.in_locale, quantities.lengths_in_units, _title)
+WORDING = phrases.Wording(translate_phrase, quantities.in_locale, quantities.lengths_in_units, _title, quantities.volume_in_unit)
 
 
 def translated(text):

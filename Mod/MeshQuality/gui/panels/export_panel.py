@@ -14,6 +14,7 @@ from ...core.curving import holds_elements
 from ...errors import Error, IoError
 from ...features import export, mesh_object
 from ...features.patches import patches_of_object
+from .. import preferences
 from ..panel_operation import name_of
 from ..translation import translated
 from .writing_panel import WritingPanel
@@ -99,6 +100,7 @@ class ExportPanel(WritingPanel):
         finally:
             forget()
         self.remember_folder(os.path.dirname(path))
+        preferences.stored().SetString(_setting_of(self.source)[0], formats.known_suffix(os.path.splitext(path)[1], self._known))
         FreeCAD.Console.PrintMessage(f"Written: {path}\n")
 
     def _complete_path(self):
@@ -126,7 +128,16 @@ class ExportPanel(WritingPanel):
 
 
 def _first_format(source):
-    return ".msh" if holds_elements(source) or export.holds_fem_mesh(source) else ".stl"
+    """That of the last file with such a mesh: who prints, writes for printing again."""
+    setting, usual = _setting_of(source)
+    last = preferences.stored().GetString(setting, usual)
+    return last if last in export.suffixes_for(source) else usual
+
+
+def _setting_of(source):
+    """(name of the setting with the last format, the usual format)."""
+    has_elements = holds_elements(source) or export.holds_fem_mesh(source)
+    return ("ExportFormatElements", ".msh") if has_elements else ("ExportFormat", ".stl")
 
 
 def _has_text(suffix):

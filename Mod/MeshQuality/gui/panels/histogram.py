@@ -17,18 +17,20 @@ _AXIS = 16  # pixels for the numbers below
 class HistogramView(QtGui.QWidget):
     """Bars in the colours of the scale; heights are logarithmic, as few bad ones matter most."""
 
-    picked = QtCore.Signal(int)  # a bar; -1: none any more
+    picked = QtCore.Signal(int, int)  # the first and the last bar; -1: none any more
 
     def __init__(self):
         super().__init__()
         self.setMinimumHeight(_HEIGHT)
         self.setMouseTracking(True)
         self._histogram = self._scale = self._colours = None
-        self.chosen = -1
+        self.chosen = self.last = -1
+        self._pressed = -1  # the place of the bar from which the mouse is drawn
 
     def show_histogram(self, histogram, scale):
         """Takes a quality_data.Histogram and the Scale of its values."""
-        self._histogram, self._scale, self.chosen = histogram, scale, -1
+        self._histogram, self._scale = histogram, scale
+        self.chosen = self.last = self._pressed = -1
         edges = histogram.edges()
         goodness = scale.goodness(0.5 * (edges[1:] + edges[:-1]))
         self._colours = [QtGui.QColor(*map(int, rgb)) for rgb in colour_scale.bytes_of(goodness)]
@@ -39,35 +41,47 @@ class HistogramView(QtGui.QWidget):
         """How many elements each bar stands for."""
         return self._histogram.counts
 
-    def pick(self, bar):
-        """Chooses a bar, or none by -1."""
-        self.chosen = bar
+    def pick(self, bar, last=None):
+        """Chooses a bar, those from one to another, or none by -1."""
+        self.chosen, self.last = bar, bar if last is None else last
         self.update()
-        self.picked.emit(bar)
+        self.picked.emit(self.chosen, self.last)
 
-    def words(self, bar):
-        """What a bar stands for."""
-        edges, count = self._histogram.edges(), int(self._histogram.counts[bar])
-        low, high = self._scale.text(edges[bar]), self._scale.text(edges[bar + 1])
-        if bar == 0 or bar == len(self._histogram.counts) - 1:
+    def words(self, bar, last=None):
+        """What a bar, or those from one to another, stand for."""
+        last = bar if last is None else last
+        edges, count = self._histogram.edges(), int(self._histogram.counts[bar:last + 1].sum())
+        low, high = self._scale.text(edges[bar]), self._scale.text(edges[last + 1])
+        end = len(self._histogram.counts) - 1
+        if (bar == 0) != (last == end):
             words = translate("MeshQuality", "{0} below {1}") if bar == 0 \
                 else translate("MeshQuality", "{0} above {1}")
             return words.format(count_text(count), high if bar == 0 else low)
         words = translate("MeshQuality", "{0} from {1} to {2}")
         return words.format(count_text(count), low, high)
 
+    def _place_at(self, x):
+        return int(np.clip(x * len(self._colours) / max(self.width(), 1), 0, len(self._colours) - 1))
+
     def bar_at(self, x):
         """The bar at a place in pixels; -1 when it is empty."""
         if self._histogram is None:
             return -1
-        bar = int(np.clip(x * len(self._colours) / max(self.width(), 1), 0, len(self._colours) - 1))
+        bar = self._place_at(x)
         return bar if self._histogram.counts[bar] else -1
 
     def mousePressEvent(self, event):
         bar = self.bar_at(event.pos().x())
-        self.pick(-1 if bar == self.chosen else bar)
+        self._pressed = self._place_at(event.pos().x()) if self._histogram is not None else -1
+        self.pick(-1 if bar == self.chosen == self.last else bar)
 
     def mouseMoveEvent(self, event):
+        """Drawn over several bars with a button down, it chooses all of them."""
+        if event.buttons() & QtCore.Qt.LeftButton and self._pressed >= 0:
+            first, last = sorted((self._pressed, self._place_at(event.pos().x())))
+            if first != last and (first, last) != (self.chosen, self.last):
+                self.pick(first, last)
+            return
         bar = self.bar_at(event.pos().x())
         self.setToolTip(self.words(bar) if bar >= 0 else "")
 
@@ -83,7 +97,7 @@ class HistogramView(QtGui.QWidget):
                 high = max(2.0, part * (height - 2))
                 box = QtCore.QRectF(bar * width, height - high, max(width - 1, 1.0), high)
                 painter.fillRect(box, self._colours[bar])
-                if bar == self.chosen:
+                if self.chosen <= bar <= self.last:
                     painter.setPen(QtGui.QPen(QtGui.QColor(255, 32, 255), 2))
                     painter.drawRect(box)
         painter.setPen(self.palette().color(QtGui.QPalette.WindowText))

@@ -19,23 +19,11 @@ from ..translation import translated
 from ..view import badge
 from .option_form import OptionForm
 from .preset_box import PresetBox
-from .task_form import ClosesWithDocument, Form, Message, bring_into_sight, is_in_task_view
+from .task_form import ClosesWithDocument, Form, Message, bring_into_sight, is_in_task_view, narrow_buttons
 
 _PAUSE = 400  # ms without a change before a trial begins
 
 translate = FreeCAD.Qt.translate
-
-
-class _Form(Form):
-    """Keeps Return in a field from FreeCAD's task view, which would begin work that may take minutes; Ctrl+Return does."""
-
-    def keyPressEvent(self, event):
-        """Called by Qt with what a field has not used."""
-        is_return = event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter)
-        if is_return and not event.modifiers() & QtCore.Qt.ControlModifier:
-            event.accept()
-        else:
-            super().keyPressEvent(event)
 
 
 class MeshPanel:
@@ -62,7 +50,7 @@ class MeshPanel:
         self._finishing = None  # the cancelled job that the message is about
         self._size = max(made.size() for made in operations)
         self._kept_length = operations[0].kind.kept_length(operations[0].sources)
-        self.form = _Form()
+        self.form = Form()
         self.form.setWindowTitle(title_of(operations[0].kind.COMMAND, operations[0].title))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of(operations[0].kind.COMMAND)))
         self._document_watch = ClosesWithDocument(operations[0].document, self.form, self._document_gone)
@@ -141,6 +129,7 @@ class MeshPanel:
 
     def modifyStandardButtons(self, box):
         """Called by FreeCAD with its buttons."""
+        narrow_buttons(box)
         self._cancel = box.button(QtGui.QDialogButtonBox.Cancel)
 
     def _name_cancel(self):

@@ -13,12 +13,14 @@ from ...features import distance_bound
 from ..picked import picked
 from ..quantities import QuantityBox, length_text, text_of, value_of
 from ..translation import translated
+from .task_form import narrow
 
 translate = FreeCAD.Qt.translate
 
 _LARGEST = 2**31 - 1
 _WIDE = 150  # pixels that a list of sizes needs
 _NUMBER = 90  # pixels that a number with its unit needs
+_LENGTH = "0.1234 mm"
 _ARROW = 42  # pixels of a box with choices beside its text
 _KIND_OF_WORK = "check"  # the option that chooses among kinds of work: options of the others are no part of the form
 _BETWEEN_SIZES = re.compile(r"[,;]\s*(?=[^\W\d])")  # a comma before a digit is in a number
@@ -71,6 +73,8 @@ class OptionForm(QtGui.QWidget):
         self.reset.clicked.connect(lambda: self.set_values(self._defaults))
         row = QtGui.QHBoxLayout()
         row.setSpacing(0)
+        for button in (self.more, self.reset):
+            narrow(button, "padding: 0px; margin: 0px")
         row.addWidget(self.more)
         row.addStretch()
         row.addWidget(self.reset)
@@ -189,6 +193,11 @@ def _group(title):
     return box
 
 
+def _keep_wide(field, width):
+    """Keeps room for a text of this width in pixels: style sheets give fields a least width, which counts instead of their own."""
+    narrow(field, f"min-width: {width}px")
+
+
 class _Field(QtCore.QObject):
     """A widget for an option. A subclass has write(value), which shows a value, and read(), which gives
     what is shown; None where the option is unset. What was shown may have less digits than the value.
@@ -261,6 +270,7 @@ class _Choice(_Field):
         box = QtGui.QComboBox()
         for choice, title in zip(option.choices, option.choice_titles):
             box.addItem(translate("MeshQuality", title), choice)
+        _keep_wide(box, max(box.fontMetrics().horizontalAdvance(box.itemText(i)) for i in range(box.count())))
         super().__init__(option, box)
         box.currentIndexChanged.connect(self._changed)
 
@@ -309,6 +319,7 @@ class _Number(_Field):
         box = _number_box(option)
         if option.default is None:
             box.setSpecialValueText(translate("MeshQuality", option.unset))
+            _keep_wide(box, box.fontMetrics().horizontalAdvance(box.specialValueText()))
         super().__init__(option, box)
         box.valueChanged.connect(self._changed)
 
@@ -325,6 +336,7 @@ class _Quantity(_Field):
     def __init__(self, option):
         super().__init__(option, QuantityBox(option.unit, signed=option.low is None))
         self.widget.setMinimumWidth(_NUMBER)
+        _keep_wide(self.widget, self.widget.fontMetrics().horizontalAdvance(_LENGTH))
         self.widget.valueChanged.connect(self._changed)
 
     def read(self):
@@ -352,7 +364,7 @@ class _Distance(_Field):
         self.length, self.fraction = QuantityBox("mm"), _number_box(pair[1])
         for box in (self.choice, self.length, self.fraction):
             row.addWidget(box)
-        for box, widest in ((self.length, "0.1234 mm"), (self.fraction, "0.0003")):
+        for box, widest in ((self.length, _LENGTH), (self.fraction, "0.0003")):
             box.setMinimumWidth(box.fontMetrics().boundingRect(widest).width() + _ARROW)
         self._bound = None
         super().__init__(pair[0], widget)
@@ -430,6 +442,7 @@ class _SubElements(_Field):
         self.text, self.button, self.refusal = QtGui.QLineEdit(), QtGui.QToolButton(), QtGui.QLabel()
         self.text.setPlaceholderText(self.hint)
         self.text.setMinimumWidth(_WIDE)
+        _keep_wide(self.text, _WIDE)
         self.button.setText("+")
         self.button.setToolTip(self.tip)
         row.addWidget(self.text)

@@ -17,7 +17,7 @@ from ..sub_elements import select_face
 from ..translation import translated
 from ..view import badge
 from .mesh_panel import title_of
-from .task_form import ClosesWithDocument, Form, Message
+from .task_form import ClosesWithDocument, Form, Message, narrow_buttons
 
 translate = FreeCAD.Qt.translate
 
@@ -43,6 +43,8 @@ class PatchesPanel:
 
     obj  a document object that set_patches takes
     """
+
+    modifyStandardButtons = staticmethod(narrow_buttons)
 
     def __init__(self, obj):
         self.obj, self.said = obj, ""

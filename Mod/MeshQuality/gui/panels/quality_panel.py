@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of Analyse Quality: how good a mesh is, where it is worst, and why."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional
 
 import FreeCAD
@@ -23,7 +23,8 @@ from ..view.quality_scene import QualityScene
 from .faults_box import AROUND, FaultsBox
 from .histogram import HistogramView
 from .mesh_panel import title_of
-from .task_form import Form, Message
+from .range_box import RangeBox
+from .task_form import Form, Message, narrow
 
 translate = FreeCAD.Qt.translate
 
@@ -73,6 +74,7 @@ class QualityPanel:
         self.lit = None  # of each element: whether it is lit up
         self.ended = False
         self._found = {}  # values by title of the measure
+        self._own_ranges = {}  # the range that the user has chosen, likewise
         self._job = None
         self._make_form(measure)
         self.measures.setCurrentIndex(self.data.measures.index(measure) if measure in self.data.measures else 0)
@@ -94,7 +96,7 @@ class QualityPanel:
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of(_command(measure)[0])))
         of, self.summary = QtGui.QLabel(
             translate("MeshQuality", "Mesh: {0}").format(self._label)), QtGui.QLabel()
-        self.measures, self.histogram = QtGui.QComboBox(), HistogramView()
+        self.measures, self.histogram, self.range = QtGui.QComboBox(), HistogramView(), RangeBox()
         self.meaning, self.hint, self.warning = QtGui.QLabel(), QtGui.QLabel(_hint()), Message()
         self.worst, self.faces = QtGui.QListWidget(), QtGui.QTableWidget(0, 4)
         self.edges = QtGui.QCheckBox(translate("MeshQuality", "Draw edges"))
@@ -120,7 +122,9 @@ class QualityPanel:
         self.faces.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         for column in range(4):
             self.faces.horizontalHeaderItem(column).setTextAlignment(_alignment(column))
+        narrow(self.faces, "QHeaderView::section { padding: 0px } QTableView::item { padding: 0px }")
         self.tabs = QtGui.QTabWidget()
+        narrow(self.tabs.tabBar(), "QTabBar::tab { min-width: 0px; padding: 3px 4px }")
         self.tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
         self.tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
         self.faults = FaultsBox()
@@ -128,11 +132,12 @@ class QualityPanel:
             self.tabs.addTab(self.faults, translate("MeshQuality", "Faults"))
         layout = QtGui.QVBoxLayout(self.form)
         layout.setContentsMargins(0, 0, 0, 0)
-        for widget in (of, self.measures, self.meaning, self.summary, self.warning, self.histogram, self.hint, self.tabs,
-                       self.edges):
+        for widget in (of, self.measures, self.meaning, self.summary, self.warning, self.histogram, self.range, self.hint,
+                       self.tabs, self.edges):
             layout.addWidget(widget)
         self._show_numbers(False)
         self.histogram.picked.connect(self._pick_bar)
+        self.range.chosen.connect(self._choose_range)
         self.faults.picked.connect(self._pick_faults)
         self.faults.searched.connect(self._name_faults)
         self.worst.currentRowChanged.connect(self._pick_worst)
@@ -199,7 +204,7 @@ class QualityPanel:
         self._show_numbers(False)
 
     def _show_numbers(self, shown):
-        for widget in (self.histogram, self.hint, self.worst, self.faces):
+        for widget in (self.histogram, self.range, self.hint, self.worst, self.faces):
             widget.setVisible(shown)
 
     def _tell(self, job):
@@ -237,12 +242,14 @@ class QualityPanel:
         self._show(measure, found)
 
     def _show(self, measure, found):
+        found = self._within_range(measure, found)
         self.measure, self.values, self._bars = measure, found.values, found.histogram
         self._worst, self.scale = found.worst, found.scale
         self._show_numbers(True)
         self.meaning.setText(self._meaning(measure))
         self._say(self._summary(found))
         self.histogram.show_histogram(found.histogram, found.scale)
+        self.range.show_scale(found.scale, measure.title in self._own_ranges)
         self.hint.setText(_hint())
         self._list_worst()
         self._list_faces(found.faces)
@@ -250,9 +257,25 @@ class QualityPanel:
             self.scene.colour(found.colours, found.coarse, found.scale)
         self._light_up(self.data.marked(measure, found.values))
 
+    def _within_range(self, measure, found):
+        """What was found of a measure, in the colours of the range that the user has chosen for it."""
+        if measure.title not in self._own_ranges:
+            return found
+        scale = found.scale.within(*self._own_ranges[measure.title])
+        colours = colour_scale.bytes_of(scale.goodness(found.values))[self.data.element]
+        coarse = None if self.data.coarse is None else self.data.coarse_colours(colours)
+        return replace(found, scale=scale, colours=colours, coarse=coarse, histogram=Histogram.of(found.values, scale))
+
+    def _choose_range(self, ends):
+        if ends is None:
+            self._own_ranges.pop(self.measure.title, None)
+        else:
+            self._own_ranges[self.measure.title] = ends
+        self._show(self.measure, self._found[self.measure.title])
+
     def _meaning(self, measure):
         words = translate("MeshQuality", measure.help)
-        if measure is not DISTANCE:
+        if measure is not DISTANCE or measure.title in self._own_ranges:
             return words
         if self.data.bound is None:
             return words + " " + translate("MeshQuality", "Red: the largest distance of this mesh.")
@@ -304,9 +327,9 @@ class QualityPanel:
                 self.faces.setItem(i, k, item)
         self.faces.blockSignals(False)
 
-    def _pick_bar(self, bar):
-        chosen = self._bars.bar == bar
-        self.hint.setText(self.histogram.words(bar) if bar >= 0 else _hint())
+    def _pick_bar(self, bar, last):
+        chosen = (self._bars.bar >= bar) & (self._bars.bar <= last) & (self._bars.bar >= 0)
+        self.hint.setText(self.histogram.words(bar, last) if bar >= 0 else _hint())
         self._light_up(chosen)
 
     def _pick_worst(self, row):
@@ -365,7 +388,7 @@ def _mean(values):
 
 
 def _hint():
-    return translate("MeshQuality", "Click a bar to highlight its elements. Heights are logarithmic.")
+    return translate("MeshQuality", "Click a bar, or drag over several, to highlight their elements. Heights are logarithmic.")
 
 
 _shown = None

@@ -27,6 +27,19 @@ class Message(QtGui.QLabel):
             bring_into_sight(self)
 
 
+def narrow(widget, rules):
+    """Takes room from a widget to which a style sheet of the whole window, as FreeCAD's dark ones, gives more than the task view
+    has at first; without such a sheet nothing is changed.
+    """
+    if QtGui.QApplication.instance().styleSheet():
+        widget.setStyleSheet(rules)
+
+
+def narrow_buttons(box):
+    """Likewise FreeCAD's buttons below a panel: it calls this as modifyStandardButtons."""
+    narrow(box, "QPushButton { padding: 4px 8px; margin: 4px 2px }")
+
+
 def bring_into_sight(widget):
     """Has the task view, which is one long page, scroll to a widget once that has its place."""
     QtCore.QTimer.singleShot(0, lambda: is_in_task_view(widget) and _scroll_to(widget))
@@ -49,8 +62,17 @@ def _scroll_to(widget):
 
 class Form(QtGui.QWidget):
     """The page of a panel. The mouse wheel over a field scrolls the page; it turns a value only where the field has the
-    focus.
+    focus. Return in a field or a list ends with the field: FreeCAD's task view would take it for OK, which may begin work of
+    minutes; Ctrl+Return does that.
     """
+
+    def keyPressEvent(self, event):
+        """Called by Qt with what a field has not used."""
+        is_return = event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter)
+        if is_return and not event.modifiers() & QtCore.Qt.ControlModifier:
+            event.accept()
+        else:
+            super().keyPressEvent(event)
 
     def showEvent(self, event):
         """Called by Qt, once all fields are there."""

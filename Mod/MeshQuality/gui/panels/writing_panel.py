@@ -14,7 +14,7 @@ from ..panel_operation import is_there
 from ..translation import translated
 from ..view import badge
 from .mesh_panel import title_of
-from .task_form import ClosesWithDocument, Form, Message, is_in_task_view
+from .task_form import ClosesWithDocument, Form, Message, is_in_task_view, narrow_buttons
 
 translate = FreeCAD.Qt.translate
 
@@ -32,6 +32,7 @@ class WritingPanel:
     """
 
     COMMAND = TITLE = ""
+    modifyStandardButtons = staticmethod(narrow_buttons)
     DROP = staticmethod(lambda result: None)  # called with a result that nobody takes
 
     def __init__(self, source):
