@@ -106,22 +106,26 @@ class Fitting {
 
     /// Runs Newton's method for all candidates side by side.
     void approach() {
-        for (int step = 0; step <= BooleanTuning::kProjectionSteps; ++step) {
-            std::vector<Candidate*> active;
-            for (Candidate& c : candidates_) {
-                if (!c.lost && (c.first_distance < 0.0 || c.distance() > on_surface_)) {
-                    active.push_back(&c);
-                }
-            }
+        std::vector<Candidate*> active;
+        for (Candidate& c : candidates_) {
+            active.push_back(&c);
+        }
+        for (int step = 0; step <= BooleanTuning::kProjectionSteps && !active.empty(); ++step) {
             ask(active);
+            std::vector<Candidate*> farther;
             for (Candidate* c : active) {
+                const double distance = c->distance();
                 if (c->first_distance < 0.0) {
-                    c->first_distance = c->distance();
+                    c->first_distance = distance;
                 }
-                if (!c->lost && step < BooleanTuning::kProjectionSteps && c->distance() > on_surface_) {
+                if (!c->lost && step < BooleanTuning::kProjectionSteps && distance > on_surface_) {
                     c->now += newton_step(*c);
+                    if (c->distance() > on_surface_) {
+                        farther.push_back(c);
+                    }
                 }
             }
+            active.swap(farther);
         }
     }
 
@@ -192,6 +196,7 @@ class Fitting {
         std::vector<std::int32_t> around;
         tree.for_each_in_box(box, [&](std::int32_t t) { around.push_back(t); });
         std::sort(around.begin(), around.end());
+        std::size_t known = 0;  // constraints of operands before this one
         for (const std::int32_t all : around) {
             const auto o = std::prev(std::upper_bound(first_.begin(), first_.end(), all)) - first_.begin();
             const CadOperand& operand = operands_[static_cast<std::size_t>(o)];
@@ -210,12 +215,16 @@ class Fitting {
                 constraint.normal = (b - a).cross(c - a).normalized();
             }
             const auto same = [&](const Constraint& other) {
-                return other.operand == constraint.operand && other.face == constraint.face &&
+                return other.face == constraint.face &&
                        (other.face >= 0 ||
                         other.normal.cross(constraint.normal).norm() < BooleanTuning::kLeastSurfaceAngle);
             };
+            if (!candidate.constraints.empty() && candidate.constraints.back().operand != constraint.operand) {
+                known = candidate.constraints.size();
+            }
             // Most triangles around a vertex are of a face that is known already.
-            if (std::none_of(candidate.constraints.begin(), candidate.constraints.end(), same) &&
+            if (std::none_of(candidate.constraints.begin() + static_cast<std::ptrdiff_t>(known),
+                             candidate.constraints.end(), same) &&
                 (mesh::nearest_on_triangle(p, a, b, c) - p).norm() <= near) {
                 candidate.constraints.push_back(constraint);
             }
