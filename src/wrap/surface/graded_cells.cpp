@@ -125,7 +125,7 @@ bool GradedCells::contains(const Cube& cube) const {
 }
 
 bool GradedCells::is_plane(const Cube& low, std::int32_t across) const {
-    constexpr double kSlack = 1e-3;  // of a side, between a point and the plane
+    constexpr double kSlack = 1e-3;  // a fraction of a side, between a point and the plane
     const Lattice& lattice = states_.lattice();
     const double slack = kSlack * lattice.side();
     const std::optional<Plane> plane =
