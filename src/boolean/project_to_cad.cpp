@@ -106,22 +106,26 @@ class Fitting {
 
     /// Runs Newton's method for all candidates side by side.
     void approach() {
-        for (int step = 0; step <= BooleanTuning::kProjectionSteps; ++step) {
-            std::vector<Candidate*> active;
-            for (Candidate& c : candidates_) {
-                if (!c.lost && (c.first_distance < 0.0 || c.distance() > on_surface_)) {
-                    active.push_back(&c);
-                }
-            }
+        std::vector<Candidate*> active;
+        for (Candidate& c : candidates_) {
+            active.push_back(&c);
+        }
+        for (int step = 0; step <= BooleanTuning::kProjectionSteps && !active.empty(); ++step) {
             ask(active);
+            std::vector<Candidate*> farther;
             for (Candidate* c : active) {
+                const double distance = c->distance();
                 if (c->first_distance < 0.0) {
-                    c->first_distance = c->distance();
+                    c->first_distance = distance;
                 }
-                if (!c->lost && step < BooleanTuning::kProjectionSteps && c->distance() > on_surface_) {
+                if (!c->lost && step < BooleanTuning::kProjectionSteps && distance > on_surface_) {
                     c->now += newton_step(*c);
+                    if (c->distance() > on_surface_) {
+                        farther.push_back(c);
+                    }
                 }
             }
+            active.swap(farther);
         }
     }
 
@@ -152,19 +156,28 @@ class Fitting {
   private:
     /// Makes a candidate of each vertex that lies on a face of a shape and is no operand's own.
     void constrain(const std::vector<std::int32_t>& vertices, double near) {
-        std::vector<Candidate> found(vertices.size());
-        std::vector<char> own(vertices.size(), 0);
+        // One tree: with one for each operand every vertex would be sought in each of many.
+        std::vector<Vec3> all_vertices;
+        std::vector<Triangle> all_triangles;
         for (std::size_t o = 0; o < operands_.size(); ++o) {
             const TriangleMesh& mesh = *operands_[o].mesh;
-            const mesh::AabbTree tree(mesh.vertices, mesh.triangles);
-            parallel_for(static_cast<int>(vertices.size()), [&](int k) {
-                const auto i = static_cast<std::size_t>(k);
-                found[i].vertex = vertices[i];
-                found[i].before = found[i].now = result_.vertices[static_cast<std::size_t>(vertices[i])];
-                own[i] = own[i] != 0 || !add_constraints(found[i], static_cast<std::int32_t>(o), tree, near);
-            });
-            progress_.check();
+            const auto first = static_cast<std::int32_t>(all_vertices.size());
+            first_.push_back(static_cast<std::int32_t>(all_triangles.size()));
+            all_vertices.insert(all_vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+            for (const Triangle& t : mesh.triangles) {
+                all_triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+            }
         }
+        const mesh::AabbTree tree(all_vertices, all_triangles);
+        std::vector<Candidate> found(vertices.size());
+        std::vector<char> own(vertices.size(), 0);
+        parallel_for(static_cast<int>(vertices.size()), [&](int k) {
+            const auto i = static_cast<std::size_t>(k);
+            found[i].vertex = vertices[i];
+            found[i].before = found[i].now = result_.vertices[static_cast<std::size_t>(vertices[i])];
+            own[i] = !add_constraints(found[i], tree, near);
+        });
+        progress_.check();
         for (std::size_t i = 0; i < found.size(); ++i) {
             const auto& list = found[i].constraints;
             if (own[i] == 0 && std::any_of(list.begin(), list.end(), [](const Constraint& c) { return c.face >= 0; })) {
@@ -173,72 +186,81 @@ class Fitting {
         }
     }
 
-    /// False when the vertex is one of the operand's own.
-    bool add_constraints(Candidate& candidate, std::int32_t o, const mesh::AabbTree& tree, double near) const {
-        const CadOperand& operand = operands_[static_cast<std::size_t>(o)];
-        const TriangleMesh& mesh = *operand.mesh;
+    /// False when the vertex is an operand's own.
+    /// @param tree  over the triangles of all operands
+    bool add_constraints(Candidate& candidate, const mesh::AabbTree& tree, double near) const {
         const Vec3 p = candidate.before;
         Box box;
         box.add(p - Vec3::Constant(near));
         box.add(p + Vec3::Constant(near));
-        bool own = false;
-        tree.for_each_in_box(box, [&](std::int32_t t) {
-            const Triangle& corners = mesh.triangles[static_cast<std::size_t>(t)];
+        std::vector<std::int32_t> around;
+        tree.for_each_in_box(box, [&](std::int32_t t) { around.push_back(t); });
+        std::sort(around.begin(), around.end());
+        std::size_t known = 0;  // constraints of operands before this one
+        for (const std::int32_t all : around) {
+            const auto o = std::prev(std::upper_bound(first_.begin(), first_.end(), all)) - first_.begin();
+            const CadOperand& operand = operands_[static_cast<std::size_t>(o)];
+            const TriangleMesh& mesh = *operand.mesh;
+            const auto t = static_cast<std::size_t>(all - first_[static_cast<std::size_t>(o)]);
+            const Triangle& corners = mesh.triangles[t];
             const Vec3 &a = mesh.vertices[corners[0]], &b = mesh.vertices[corners[1]], &c = mesh.vertices[corners[2]];
-            own = own || p == a || p == b || p == c;
+            if (p == a || p == b || p == c) {
+                return false;
+            }
             Constraint constraint;
-            constraint.operand = o;
-            constraint.face = operand.model ? (*operand.faces)[static_cast<std::size_t>(t)] : -1;
+            constraint.operand = static_cast<std::int32_t>(o);
+            constraint.face = operand.model ? (*operand.faces)[t] : -1;
             constraint.foot = a;
             if (constraint.face < 0) {
                 constraint.normal = (b - a).cross(c - a).normalized();
             }
             const auto same = [&](const Constraint& other) {
-                return other.operand == o && other.face == constraint.face &&
+                return other.face == constraint.face &&
                        (other.face >= 0 ||
                         other.normal.cross(constraint.normal).norm() < BooleanTuning::kLeastSurfaceAngle);
             };
+            if (!candidate.constraints.empty() && candidate.constraints.back().operand != constraint.operand) {
+                known = candidate.constraints.size();
+            }
             // Most triangles around a vertex are of a face that is known already.
-            if (std::none_of(candidate.constraints.begin(), candidate.constraints.end(), same) &&
+            if (std::none_of(candidate.constraints.begin() + static_cast<std::ptrdiff_t>(known),
+                             candidate.constraints.end(), same) &&
                 (mesh::nearest_on_triangle(p, a, b, c) - p).norm() <= near) {
                 candidate.constraints.push_back(constraint);
             }
-        });
-        return !own;
+        }
+        return true;
     }
 
     /// Requests projections and normals of all candidates on their faces.
     void ask(const std::vector<Candidate*>& active) {
-        for (std::size_t o = 0; o < operands_.size(); ++o) {
-            if (!operands_[o].model) {
-                continue;
-            }
-            geometry::Engine::Batch batch;
-            std::vector<std::pair<Candidate*, Constraint*>> asked;
-            for (Candidate* candidate : active) {
-                for (Constraint& c : candidate->constraints) {
-                    if (c.operand != static_cast<std::int32_t>(o) || c.face < 0) {
-                        continue;
-                    }
-                    const Vec3 p = candidate->now + result_.origin;
-                    batch.push_back(c.asked ? Query::face_nearest(c.face, p, c.u, c.v)
-                                            : Query::face_nearest_global(c.face, p));
-                    asked.emplace_back(candidate, &c);
-                    if (batch.size() == kBatch) {
-                        take(operands_[o], batch, asked);
-                    }
+        std::vector<std::vector<std::pair<Candidate*, Constraint*>>> all(operands_.size());
+        for (Candidate* candidate : active) {
+            for (Constraint& c : candidate->constraints) {
+                if (c.face >= 0) {
+                    all[static_cast<std::size_t>(c.operand)].emplace_back(candidate, &c);
                 }
             }
-            take(operands_[o], batch, asked);
+        }
+        for (std::size_t o = 0; o < operands_.size(); ++o) {
+            for (std::size_t first = 0; first < all[o].size(); first += kBatch) {
+                take(operands_[o], all[o].data() + first, std::min(kBatch, all[o].size() - first));
+            }
         }
     }
-    void take(const CadOperand& operand, geometry::Engine::Batch& batch,
-              std::vector<std::pair<Candidate*, Constraint*>>& asked) {
+    void take(const CadOperand& operand, const std::pair<Candidate*, Constraint*>* asked, std::size_t count) {
         progress_.check();
+        geometry::Engine::Batch batch;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto& [candidate, c] = asked[i];
+            const Vec3 p = candidate->now + result_.origin;
+            batch.push_back(c->asked ? Query::face_nearest(c->face, p, c->u, c->v)
+                                     : Query::face_nearest_global(c->face, p));
+        }
         const geometry::Engine::Answers answers = engine_.ask(operand.model, batch, &progress_);
         for (std::size_t i = 0; i < answers.size(); ++i) {
             const geometry::Answer& answer = answers[i];
-            auto& [candidate, constraint] = asked[i];
+            const auto& [candidate, constraint] = asked[i];
             if (answer.status != geometry::Status::Ok) {
                 candidate->lost = true;
                 continue;
@@ -249,8 +271,6 @@ class Fitting {
             constraint->v = answer.v;
             constraint->asked = true;
         }
-        batch.clear();
-        asked.clear();
     }
 
     /// Reverts the moves of vertices at triangles with faults, until there are none; returns how many.
@@ -331,6 +351,7 @@ class Fitting {
     geometry::Engine& engine_;
     Progress& progress_;
     double on_surface_ = 0.0;
+    std::vector<std::int32_t> first_;  ///< the first triangle of each operand, in one list of all
     std::vector<Candidate> candidates_;
 };
 

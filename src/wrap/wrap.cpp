@@ -80,7 +80,7 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     result.sheet_nodes = mark_sheets(states, progress);
 
     watch.start("contouring", 0.4, 0.5);
-    const contour::CrossedCells cells = find_crossings(states, progress);
+    const contour::CrossedCells cells = find_crossings(states, input.triangle_face, progress);
     contour::Contour between = contour::contour(cells, nullptr, progress);
 
     watch.start("simplifying", 0.5, 0.9);

@@ -213,53 +213,55 @@ class Division {
         }
     }
 
-    /// The edges of the triangles are constraints, so that a piece lies in a triangle or outside.
+    /// The edges of the triangles are constraints, so that a piece lies in a triangle or outside: inside where its
+    /// corners do. Each point is tested once, not with every piece around it.
     void add_covered(const std::vector<std::int32_t>& triangles, FaceDivision& result) {
-        struct Cut {
-            int corner[3];
-            int turn;
-            Box box;
-        };
-        const int turn_of_plane = turn(triangles[0]);
-        std::vector<Cut> cuts;
-        for (const std::int32_t t : triangles) {
-            const Triangle& c = corners(t);
-            Cut cut{{local(c[0]), local(c[1]), local(c[2])}, turn(t) * turn_of_plane, {}};
-            for (const std::int32_t v : c) {
-                cut.box.add(vertex(v));
-            }
-            if (cut.turn < 0) {
-                std::swap(cut.corner[1], cut.corner[2]);
-            }
-            cuts.push_back(cut);
-        }
+        std::vector<DividedFace> pieces;
         for (const std::array<int, 3>& piece : plane_.triangles()) {
-            check_cancelled(progress_);
-            if (global(piece[0]) < 0 || global(piece[1]) < 0 || global(piece[2]) < 0) {
-                continue;
+            if (global(piece[0]) >= 0 && global(piece[1]) >= 0 && global(piece[2]) >= 0) {
+                pieces.push_back({{piece[0], piece[1], piece[2]}, {}});
             }
-            const auto at = [&](int k) -> const ExactPoint& {
-                return plane_.points()[static_cast<std::size_t>(piece[static_cast<std::size_t>(k)])];
-            };
-            const Vec3 middle = (at(0).approx() + at(1).approx() + at(2).approx()) / 3.0;
-            DividedFace face{{global(piece[0]), global(piece[1]), global(piece[2])}, {}};
-            for (std::size_t i = 0; i < cuts.size(); ++i) {
-                const Cut& cut = cuts[i];
-                const Vec3 slack = Vec3::Constant(1e-9 * cut.box.largest_side());
-                if (((cut.box.low - slack).array() <= middle.array()).all() &&
-                    (middle.array() <= (cut.box.high + slack).array()).all() && inside(piece, cut.corner)) {
-                    face.covers.push_back({triangles[i], cut.turn});
+        }
+        const int turn_of_plane = turn(triangles[0]);
+        std::vector<char> in;
+        for (const std::int32_t t : triangles) {
+            check_cancelled(progress_);
+            const int way = turn(t) * turn_of_plane;
+            mark_inside(t, way, in);
+            for (DividedFace& piece : pieces) {
+                if (std::all_of(piece.points.begin(), piece.points.end(),
+                                [&](std::int32_t p) { return in[static_cast<std::size_t>(p)] != 0; })) {
+                    piece.covers.push_back({t, way});
                 }
             }
-            if (!face.covers.empty()) {
-                result.faces.push_back(std::move(face));
+        }
+        for (DividedFace& piece : pieces) {
+            if (!piece.covers.empty()) {
+                for (std::int32_t& p : piece.points) {
+                    p = global(p);
+                }
+                result.faces.push_back(std::move(piece));
             }
         }
     }
 
-    bool inside(const std::array<int, 3>& piece, const int (&corner)[3]) const {
-        return std::all_of(piece.begin(), piece.end(),
-                           [&](int p) { return plane_.in_triangle(p, corner[0], corner[1], corner[2]); });
+    /// Marks the plane's points that lie in a closed triangle.
+    void mark_inside(std::int32_t t, int way, std::vector<char>& in) {
+        const Triangle& c = corners(t);
+        const int a = local(c[0]);
+        const int b = local(way > 0 ? c[1] : c[2]);
+        const int d = local(way > 0 ? c[2] : c[1]);
+        Box box;
+        for (const std::int32_t v : c) {
+            box.add(vertex(v));
+        }
+        const Vec3 slack = Vec3::Constant(1e-9 * box.largest_side());
+        const Box around{box.low - slack, box.high + slack};
+        const std::vector<ExactPoint>& all = plane_.points();
+        in.assign(all.size(), 0);
+        for (std::size_t p = 0; p < all.size(); ++p) {
+            in[p] = around.contains(all[p].approx()) && plane_.in_triangle(static_cast<int>(p), a, b, d);
+        }
     }
 
     int turn(std::int32_t t) const {

@@ -93,6 +93,12 @@ class ExactPoint::Construction {
                         : on_plane(point, planes_[0]) && on_plane(point, planes_[1]) && on_plane(point, planes_[2]);
     }
 
+    /// Whether the other point is the intersection of the same three planes: it is this one.
+    bool is_same_intersection(const Construction& other) const {
+        return !on_line_ && !other.on_line_ &&
+               std::is_permutation(planes_.begin(), planes_.end(), other.planes_.begin());
+    }
+
   private:
     std::array<Expansion, 4> compute() const { return on_line_ ? exact_on_line() : exact_on_planes(); }
 
@@ -248,6 +254,10 @@ std::array<Expansion, 4> ExactPoint::homogeneous() const {
     return {Expansion(approx_.x()), Expansion(approx_.y()), Expansion(approx_.z()), Expansion(1.0)};
 }
 
+bool ExactPoint::is_same_intersection(const ExactPoint& other) const {
+    return construction_ && other.construction_ && construction_->is_same_intersection(*other.construction_);
+}
+
 namespace {
 
 /// Sign of p - q along a coordinate axis where the approximations tell.
@@ -279,7 +289,7 @@ bool coincide(const ExactPoint& p, const ExactPoint& q) {
             return false;
         }
     }
-    if (known[0] && known[1] && known[2]) {
+    if ((known[0] && known[1] && known[2]) || p.is_same_intersection(q)) {
         return true;
     }
     const std::array<Expansion, 4> a = p.homogeneous();

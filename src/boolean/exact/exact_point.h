@@ -37,6 +37,10 @@ class ExactPoint {
     /// Whether the coordinates are doubles: approx() is the point itself.
     bool given() const { return construction_ == nullptr; }
 
+    /// Whether both are constructed of the same three planes, as where each of three faces finds the point in which
+    /// they meet: the points are the same, and nothing is computed.
+    bool is_same_intersection(const ExactPoint& other) const;
+
     /// (x, y, z, w); w is not zero.
     std::array<Expansion, 4> homogeneous() const;
 

@@ -112,15 +112,6 @@ void for_each_tetrahedron_around(const Node& node, int axis, int direction, cons
     }
 }
 
-/// visit(corners) for each of the 12 tetrahedra whose even axis edge goes from `node`, which is even, along +x, +y or
-/// +z; over all nodes each tetrahedron is visited once.
-template <typename Visit>
-void for_each_tetrahedron(const Node& node, const Visit& visit) {
-    for (int axis = 0; axis < 3; ++axis) {
-        for_each_tetrahedron_around(node, axis, 1, visit);
-    }
-}
-
 /// visit(corners) for the 24 tetrahedra at a node.
 template <typename Visit>
 void for_each_tetrahedron_at(const Node& node, const Visit& visit) {

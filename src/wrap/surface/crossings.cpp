@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "contour/tuning.h"
 #include "wrap/lattice/tuning.h"
+#include "wrap/surface/graded_cells.h"
 
 namespace mq::wrap {
 
@@ -28,9 +29,12 @@ struct Edge {
     Node inner;
 };
 
+/// By its middle, which no other edge has.
 std::uint64_t edge_key(const Edge& edge) {
-    const int step = Lattice::step_between(edge.outer, edge.inner);
-    return Lattice::key(step < 7 ? edge.outer : edge.inner) << 3 | static_cast<std::uint64_t>(step % 7);
+    constexpr int kBits = 21;  // for sums of two numbers of nodes
+    const Node sum = edge.outer + edge.inner;
+    return (static_cast<std::uint64_t>(sum[0]) << 2 * kBits) | (static_cast<std::uint64_t>(sum[1]) << kBits) |
+           static_cast<std::uint64_t>(sum[2]);
 }
 
 /// Finds the cells of blocks one after the other, and numbers the edges that they share.
@@ -38,15 +42,12 @@ class CellSearch {
   public:
     explicit CellSearch(const NodeStates& states) : states_(states) {}
 
-    void run(CrossedCells& result, Progress& progress) {
+    void run(const GradedCells& cells, CrossedCells& result, Progress& progress) {
         double done = 0.0;
-        for (const std::array<std::int32_t, 3>& block : states_.blocks()) {
+        for (const std::array<std::int32_t, 3>& block : cells.blocks()) {
             progress.check();
-            progress.advance(0.5 * done++ / static_cast<double>(states_.blocks().size()));
-            for (int place = 0; place < Lattice::kBlockNodes / 2; ++place) {
-                const Node node = Lattice::node_at(block, place);
-                for_each_tetrahedron(node, [&](const std::array<Node, 4>& cell) { visit(cell, result); });
-            }
+            progress.advance(0.5 * done++ / static_cast<double>(cells.blocks().size()));
+            cells.for_each_tetrahedron(block, [&](const std::array<Node, 4>& cell) { visit(cell, result); });
         }
     }
     std::vector<Edge> edges;
@@ -118,8 +119,19 @@ Crossing at_sheet(const InputSurface& surface, const Vec3& outer, const Vec3& in
     return result;
 }
 
+/// Where a segment passes the plane of the triangle that is nearest to its middle.
+FirstMeeting plane_meeting(const InputSurface& surface, const Vec3& outer, const Vec3& inner) {
+    const mesh::ClosestPoint nearest = surface.tree.nearest(0.5 * (outer + inner));
+    const Vec3 normal = surface.normal(nearest.triangle);
+    const double ahead = normal.dot(inner - outer);
+    return {ahead != 0.0 ? std::clamp(normal.dot(nearest.point - outer) / ahead, 0.0, 1.0) : 0.5, nearest.triangle};
+}
+
 Crossing at_input(const InputSurface& surface, const Vec3& outer, const Vec3& inner) {
-    const FirstMeeting first = surface.first_meeting(outer, inner);
+    FirstMeeting first = surface.first_meeting(outer, inner);
+    if (first.triangle < 0) {
+        first = plane_meeting(surface, outer, inner);
+    }
     Crossing result = at_share(first.share, outer, inner);
     result.source = first.triangle;
     result.normal = surface.normal(first.triangle);
@@ -157,7 +169,9 @@ Crossing crossing_of(const NodeStates& states, const Edge& edge) {
     if (inner_state != nullptr && inner_state->sheet) {
         return at_sheet(states.surface(), outer, inner, 0.5 * lattice.side());
     }
-    if (states.is_barred(edge.outer, Lattice::step_between(edge.outer, edge.inner))) {
+    // Edges of larger cubes pass through the input.
+    const int step = Lattice::step_between(edge.outer, edge.inner);
+    if (step < 0 || states.is_barred(edge.outer, step)) {
         return at_input(states.surface(), outer, inner);
     }
     return at_gap(states, edge);
@@ -196,10 +210,10 @@ void smooth_gaps(CrossedCells& cells, const std::vector<Edge>& edges, const Latt
 
 }  // namespace
 
-CrossedCells find_crossings(const NodeStates& states, Progress& progress) {
+CrossedCells find_crossings(const NodeStates& states, const std::vector<std::int32_t>& patch, Progress& progress) {
     CrossedCells result;
     CellSearch search(states);
-    search.run(result, progress);
+    search.run(GradedCells(states, patch, progress), result, progress);
     result.crossings.resize(search.edges.size());
     for_chunks(static_cast<int>(search.edges.size()), [&](int k) {
         result.crossings[static_cast<std::size_t>(k)] = crossing_of(states, search.edges[static_cast<std::size_t>(k)]);

@@ -23,6 +23,15 @@ double volume(const Lattice& lattice, const std::array<Node, 4>& c) {
     return std::abs((lattice.at(c[1]) - o).cross(lattice.at(c[2]) - o).dot(lattice.at(c[3]) - o)) / 6.0;
 }
 
+/// visit(corners) for each of the 12 tetrahedra whose even axis edge goes from `node`, which is even, along +x, +y or
+/// +z; over all nodes each tetrahedron is visited once.
+template <typename Visit>
+void for_each_tetrahedron(const Node& node, const Visit& visit) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for_each_tetrahedron_around(node, axis, 1, visit);
+    }
+}
+
 TEST(Lattice, TetrahedraAreCongruentAndFillSpace) {
     const Lattice lattice = lattice_of_box(0.5);
     // Each cube has two nodes, of which the even one has 12 tetrahedra: together they are as large as the cube.
