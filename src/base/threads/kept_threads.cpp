@@ -61,7 +61,7 @@ class KeptThread {
         }
         given_.notify_one();
     }
-    /// @return whether it had not begun, and does not begin any more
+    /// @return true if the call was still queued; it will not run then
     bool take_back(const Calls& calls) {
         const std::lock_guard<std::mutex> lock(mutex_);
         const bool waits = calls_ == &calls;

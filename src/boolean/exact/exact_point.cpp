@@ -323,7 +323,8 @@ int side_of(const PlanePoints& plane, const ExactPoint& p) {
     const Vec3 w = p.approx() - plane[0];
     const double volume = u.cross(v).dot(w);
     const double face = u.cwiseAbs().maxCoeff() * v.cwiseAbs().maxCoeff();
-    // Six products of three differences, each with a rounding; the last one has the point's error, too.
+    // Error bound: 6 products of 3 differences with one rounding each, plus the error of the approximated point in the
+    // third difference.
     if (std::abs(volume) > 8.0 * face * p.error() + 32.0 * kEpsilon * face * w.cwiseAbs().maxCoeff()) {
         return volume > 0.0 ? 1 : -1;
     }

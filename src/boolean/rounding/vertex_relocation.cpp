@@ -305,7 +305,8 @@ class VertexRelocation {
                });
     }
 
-    /// Puts a group at its places and a displacement; false where that is too far, or nothing moves.
+    /// Moves the vertices of a group from `from` by `displacement` and rounds them. False if one would leave its reach
+    /// or none moves.
     bool place(const Group& group, const std::vector<Vec3>& from, const Vec3& displacement) {
         bool moves = false;
         for (std::size_t i = 0; i < group.size(); ++i) {
