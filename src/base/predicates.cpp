@@ -84,7 +84,7 @@ constexpr int kDotOperations = 5;
 /// as rounding is monotone. With the quotient that makes 12, relative to sin^2 <= 3/4 for the smallest angle: 9 units
 /// more. Together below 23.5 units; 24 covers the terms in u^2.
 constexpr double kSineError = 24.0 * kUnit;
-/// The error of the difference of two such values, and one unit for the rounding of the difference.
+/// Bound of the error of the difference of two such values, and one unit for the rounding of the difference.
 constexpr double kSineBound = 2.0 * kSineError + kUnit;
 
 enum Side { kPQ, kPR, kPS, kQR, kQS, kRS, kSideCount };
@@ -390,7 +390,7 @@ int in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 
 namespace {
 
-/// The minors of the rows of x and y, and what in_sphere adds up of them.
+/// The minors of the rows of x and y, from which in_sphere computes its determinant.
 struct SphereMinors {
     double ab, bc, cd, da, ac, bd;
 };

@@ -191,7 +191,8 @@ class Session final : public Oracle {
         return EngineGate::Entry(*gate_);
     }
 
-    /// Counts what another answers. Each has cache lines of its own, since each counts in its own thread.
+    /// Counts the queries that another object answers. Each has cache lines of its own, since each counts in its own
+    /// thread.
     class alignas(64) CountingAnswerer final : public Answerer {
       public:
         explicit CountingAnswerer(Answerer& other) : other_(other) {}

@@ -46,16 +46,17 @@ mesh::TriangleMesh checked(const mesh::TriangleMesh& given) {
     return mesh;
 }
 
-/// What must not become worse: faults by kind, and the smallest angle; and the surface, which stays where it was.
+/// The state that must not become worse: faults by kind, the smallest angle, and the place of the surface.
 class Condition {
   public:
     /// @param mesh  is referred to
     Condition(const mesh::TriangleMesh& mesh, Progress& progress)
         : count_(verified(mesh, progress).count), least_(least_angle(mesh)), surface_(mesh.vertices, mesh.triangles) {}
 
-    /// The triangles of an improved mesh at faults of a kind of which it has more, those with smaller angles, and those
-    /// of which a corner, the middle of a side or the centre is farther than the tolerance, mm, from the given mesh:
-    /// halves of triangles have other ones than these, which were looked at when they were made.
+    /// The triangles of an improved mesh that are worse than in the given one: those at faults of a kind of which it
+    /// has more, those with smaller angles, and those with a corner, a middle of a side or a centre farther than the
+    /// tolerance (mm) from the given mesh. Halves of triangles have other such points than the triangles that were
+    /// tested when they were made.
     std::vector<std::int32_t> worse_in(const mesh::TriangleMesh& mesh, double tolerance, Progress& progress) const {
         const mesh::Verification after = verified(mesh, progress);
         std::vector<std::int32_t> found;

@@ -55,7 +55,7 @@ template <typename Visit>
 EdgeBuckets edge_buckets(const std::vector<Triangle>& triangles, std::size_t vertex_count, const Visit& visit) {
     // Triangles for each thread from which its start is worth its time.
     constexpr std::size_t kWorthAThread = 32768;
-    // Beyond this number of blocks, reading all triangles takes longer than what is left of the rest.
+    // With more blocks, reading all triangles for each of them takes longer than the rest of the work.
     constexpr int kMostBlocks = 8;
     const auto blocks = static_cast<std::size_t>(std::min(threads_for(triangles.size(), kWorthAThread), kMostBlocks));
     const auto in_blocks = [&](const auto& work) {

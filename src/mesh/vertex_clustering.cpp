@@ -20,7 +20,7 @@ Vec3 corner_of(const float* corners, std::size_t k) {
     return {corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]};
 }
 
-/// Whether all nine numbers of a triangle are finite; those of others have no cell.
+/// Whether all nine numbers of a triangle are finite; other triangles have no cell.
 bool is_finite(const float* corners, std::size_t t) {
     return std::all_of(corners + 9 * t, corners + 9 * (t + 1), [](float x) { return std::isfinite(x); });
 }

@@ -49,9 +49,9 @@ BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& sol
     return result;
 }
 
-/// The raw offset, trimmed, where few of its triangles cross. Else the contour of the distance, which takes longer in
-/// general, but not for features smaller than the distance. Where both miss the tolerance, or the contour fails, the
-/// one with the smaller bound.
+/// Takes the trimmed raw offset if few of its triangles cross. Else it makes the contour of the distance, which takes
+/// longer in general, but not for features smaller than the distance. If both miss the tolerance, or the contour fails,
+/// the one with the smaller bound is taken.
 template <typename Trimmed, typename Contoured>
 boolean::OffsetResult first_within(const boolean::OffsetOptions& options, const Trimmed& trimmed,
                                    const Contoured& contoured) {
@@ -63,7 +63,7 @@ boolean::OffsetResult first_within(const boolean::OffsetOptions& options, const 
             return std::move(*first);
         }
     } catch (const TopologyError&) {
-        // What the contour says of the same surface counts.
+        // The contour's answer on the same surface counts.
     }
     StageTimes seconds = first ? first->seconds : StageTimes{{"trimming the raw offset", watch.wall()}};
     boolean::OffsetResult second;

@@ -18,7 +18,7 @@ namespace {
 /// Several meshes in one list, each CAD face of each with a number of its own.
 struct Joined {
     mesh::TriangleMesh mesh;
-    std::vector<std::array<std::int32_t, 2>> source;  ///< object and triangle there
+    std::vector<std::array<std::int32_t, 2>> source;  ///< by triangle: its object, and its index in that
 };
 
 Joined joined(const std::vector<const mesh::TriangleMesh*>& meshes, const std::vector<BooleanOperand>& objects,

@@ -147,14 +147,15 @@ class KeptThreads::Impl {
         int number = 0;
         while (Calls* const calls = own.begin(number)) {
             calls->call(number);
-            keep(own);  // before its caller knows, whose next call finds it waiting
+            keep(own);  // before its caller is told, whose next call then finds it waiting
             calls->end_one();
         }
     }
 
     KeptThreads& owner_;
     std::mutex mutex_;
-    std::vector<KeptThread*> waiting_;  // without a call; the last one ended last, and its memory is in caches
+    std::vector<KeptThread*>
+        waiting_;  // threads without a call; the last one in the list ended last, and its memory is in caches
     std::vector<std::unique_ptr<KeptThread>> all_;
 };
 
@@ -191,7 +192,7 @@ void run_with_others(int others, const std::function<void(int)>& work) {
         try {
             given.push_back(&threads.take_one());
         } catch (const std::system_error&) {
-            break;  // those that there are do the work
+            break;  // the threads that could be started do the work
         } catch (const std::bad_alloc&) {
             break;
         }

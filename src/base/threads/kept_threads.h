@@ -39,7 +39,7 @@ class KeptThreads {
     class Impl;
     friend void run_with_others(int others, const std::function<void(int)>& work);
     static KeptThreads& of_process();
-    /// Those to which the calling thread belongs; null: none.
+    /// The kept threads to which the calling thread belongs; null: it belongs to none.
     static KeptThreads*& present() {
         thread_local KeptThreads* threads = nullptr;
         return threads;

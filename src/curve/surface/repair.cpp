@@ -44,10 +44,10 @@ class Repair {
     /// Changes of a triangle that repairs leave invalid, made whether or not they help at once.
     enum class Way { Snap, Collapse, Split };
 
-    /// Where coarse edges deviate by more than the height of the triangles at them, halving a triangle leaves two
-    /// invalid ones: only finer ones fit; and one vertex snapped to a border or collapsed into its neighbour may fold a
-    /// triangle that several such changes repair. Each face in turn is changed this way around its invalid triangles,
-    /// with repairs in between.
+    /// Some faces need several changes at once. If coarse edges deviate by more than the height of the triangles at
+    /// them, halving a triangle leaves two invalid ones: only finer triangles fit. And a single vertex that is snapped
+    /// to a border or collapsed into its neighbour may fold a triangle that several such changes repair. So each face
+    /// in turn is changed around its invalid triangles, with repairs in between.
     bool refine_faces() {
         bool any = false;
         std::set<int> faces;
@@ -317,8 +317,8 @@ class Repair {
         return bulge.ratio > SurfaceTuning::kBulges ? bulge.edge : longest(v);
     }
 
-    /// The edge with the largest such deviation of the triangle or its neighbours: the edge that folds a triangle may
-    /// be that of the next one, behind which its vertices lie.
+    /// The edge with the largest such deviation of the triangle or of its neighbours: a triangle may be folded by an
+    /// edge of its neighbour behind which its vertices lie.
     std::pair<int, int> edge_to_split_around(int t) const {
         const SurfaceTriangle& bad = editor_.triangle(t);
         Bulge most = most_bulging(bad.corners);
@@ -356,7 +356,7 @@ SurfaceRepairs repair_surface(SurfaceEditor& editor, const Progress& progress, R
     if (reached.reached == 0 || reached.invalid_after == 0) {
         return reached;
     }
-    // Leaving the CAD repairs one place and may prevent repairs at another.
+    // Leaving the CAD repairs one place, and may prevent repairs at another one.
     const CurvedSurface kept = std::exchange(editor.surface, before);
     const SurfaceRepairs plain = Repair(editor, progress, scope, false).run();
     if (plain.invalid_after < reached.invalid_after) {

@@ -126,7 +126,7 @@ class Repair {
         }
         done_.patches += static_cast<int>(places.size());
         const int order = volume_.shapes().order();
-        // Quadratics come first; higher orders start from what they have reached.
+        // Quadratic shapes come first; higher orders start from their result.
         if (order > 2 && round != 1) {
             curve_patches(places, 2, round);
         }

@@ -102,7 +102,7 @@ PatchTree::PatchTree(const Handle(Geom_BSplineCurve) & curve, double from, doubl
           1);
 }
 
-/// Between knots that are as often there as the degree, the poles are those of a Bézier patch.
+/// Between knots whose multiplicity is the degree, the poles are those of a Bézier patch.
 std::vector<PatchTree::Span> PatchTree::spans_in(const TColStd_Array1OfReal& knots,
                                                  const TColStd_Array1OfInteger& multiplicities, std::size_t degree,
                                                  const Turn& first, double from, double to) {
@@ -142,7 +142,7 @@ void PatchTree::build(const KnotSpans& spans, const Net& poles, std::size_t colu
     least_radius_ = kSmallBesideWhole * nodes_.front().radius;
 }
 
-/// Halves the block of spans until one is left.
+/// Halves the block of spans until it has one span.
 void PatchTree::group(std::size_t node, const KnotSpans& spans, const Block& block, const Net& poles,
                       std::size_t columns) {
     const std::size_t counts[2] = {block[1] - block[0], block[3] - block[2]};

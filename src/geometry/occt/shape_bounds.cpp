@@ -131,7 +131,7 @@ Bnd_Box quick_bounds(const TopoDS_Shape& shape, QuickBoxes& boxes, const Progres
 }
 
 bool much_larger(const Box& box, const Box& inner) {
-    // Relative excess of the quick box from which the close one is computed.
+    // Relative excess of the quick box above which the close box is computed.
     constexpr double kMuch = 1e-3;
     return inner.empty() || ((box.high - box.low) - (inner.high - inner.low)).maxCoeff() > kMuch * inner.largest_side();
 }

@@ -85,7 +85,7 @@ class BoundingBox {
         (high_ - low_).maxCoeff(&axis);
         return axis;
     }
-    /// Never more than that of what is inside.
+    /// A lower bound for the squared distances of the contents.
     double square_distance(const Vec3& p) const { return (low_ - p).cwiseMax(p - high_).cwiseMax(0.0).squaredNorm(); }
 
   private:
@@ -93,7 +93,7 @@ class BoundingBox {
     Vec3 high_;
 };
 
-/// From `low` along one vector to `high` along the other; periodic as the curve.
+/// The surface from `low` along one vector to `high` along the other; periodic if the curve is.
 Handle(Geom_BSplineSurface)
     extruded(const Handle(Geom_BSplineCurve) & curve, const gp_Vec& along, double low, double high) {
     TColgp_Array2OfPnt poles(1, curve->NbPoles(), 1, 2);
@@ -155,7 +155,8 @@ class EdgeDistance {
         }
     }
 
-    /// The smaller of the squared distance from the inside of the edge and of `square`, the smallest one known.
+    /// The smaller of `square`, the smallest known squared distance, and the squared distance from the inside of the
+    /// edge.
     double measure(const Vec3& point, double square) {
         if (box_.square_distance(point) >= square) {
             return square;
@@ -208,7 +209,7 @@ class FaceDistance {
     }
 
     const BoundingBox& box() const { return box_; }
-    /// The smaller of the squared distance and of what is known.
+    /// The smaller of the squared distance and the smallest known one.
     double measure(const Vec3& point, double square) {
         const gp_Pnt p(point.x(), point.y(), point.z());
         for (const gp_Pnt& corner : corners_) {

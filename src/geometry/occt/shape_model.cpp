@@ -170,12 +170,12 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     const OpenCascadeWait wait(progress, "reading the shape");
     sew_collapsed_pieces(entities, topology_, live_, progress);
     if (remove_spikes(topology_, live_, progress)) {
-        sew_collapsed_pieces(entities, topology_, live_, progress);  // what is left of a face can be thin, too
+        sew_collapsed_pieces(entities, topology_, live_, progress);  // what remains of a face can be thin, too
     }
     topology_.sewn = join.sew && topology_.detail > 0.0;
     if (topology_.sewn) {
         for (const int turned : join_loose_faces(topology_, live_, progress)) {
-            first_.forget_face(turned);  // it measured the size, and knows the side of before
+            first_.forget_face(turned);  // it measured the size, and knows the former side
         }
     }
     check_cancelled(progress);

@@ -18,7 +18,7 @@ enum class Creases {
     Cut,   ///< they become edges, and the face is cut along them (Topology::parts_of)
 };
 
-/// What is made one in the topology of a shape where its entities lie together. The shape itself stays as it is.
+/// Which entities of a shape count as one in its topology if they lie together. The shape itself does not change.
 struct VirtualTopology {
     /// Returns, for the box of a shape, the length below which its edges and faces are not told apart, mm; 0 or no
     /// function: all are.

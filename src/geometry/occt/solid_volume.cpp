@@ -81,7 +81,7 @@ Integral by_rule(const Function& f, double low, double high) {
     return found;
 }
 
-/// Halves the interval until the error is that fraction of the integral of the absolute value over the whole one.
+/// Halves the interval until the error is that fraction of the integral of the absolute value over the whole interval.
 template <typename Function>
 Integral adaptive(const Function& f, double low, double high, double allowed, int halvings) {
     const Integral whole = by_rule(f, low, high);

@@ -120,7 +120,7 @@ void AabbTree::sort(LargeVector<MortonKey>& triangles) const {
     }
     const double scale = side > 0.0 ? 0.5 * (kMortonCells - 1) / side : 0.0;
     for (MortonKey& key : triangles) {
-        // Boxes are computed again for the items in their order: to move these there takes longer.
+        // Boxes are computed again in the order of the items, as moving them takes longer.
         const Bounds bounds = bounds_of(static_cast<std::int32_t>(key.item));
         std::array<double, 3> cell{};
         for (int i = 0; i < 3; ++i) {

@@ -83,7 +83,7 @@ class AabbTree {
         for_each_on_ray(origin, direction, std::numeric_limits<double>::infinity(), visit);
     }
 
-    // ---- values of nodes, for sums over triangles of which far ones are taken together ----
+    // ---- values of nodes, for sums over triangles in which far triangles are summed as one ----
 
     std::size_t node_count() const { return nodes_.size(); }
     Box node_box(std::int32_t node) const;
@@ -147,7 +147,7 @@ class AabbTree {
     std::size_t size_of(std::int32_t node) const;
     /// Appends the subtasks of a task, itself where it has none.
     void divide(Task task, std::vector<Task>& next) const;
-    /// Whether the first of two nodes that meet is the one to be divided.
+    /// Whether the first of two nodes whose boxes meet is divided, rather than the second one.
     static bool divide_first(const Node& a, const Node& b) {
         return b.count > 0 || (a.count == 0 && a.bounds.size() >= b.bounds.size());
     }

@@ -17,8 +17,9 @@ namespace {
 
 /// No patch, trial or number yet.
 constexpr std::int32_t kNone = -1;
-constexpr std::size_t kMost = 4096;  ///< triangles of a patch at most; larger ones overlap themselves more often
-constexpr double kSteepest = 0.5;    ///< least cosine between the axis and the normal of a triangle
+constexpr std::size_t kMost =
+    4096;  ///< largest number of triangles in a patch; larger patches overlap themselves more often
+constexpr double kSteepest = 0.5;  ///< least cosine between the axis and the normal of a triangle
 
 /// A coordinate axis, up or down, along which a patch is projected.
 struct View {
@@ -50,7 +51,7 @@ class Border {
         return view_.sign * orient2d(at(a), at(b), at(c), view_.axis);
     }
 
-    /// Whether one loop alone runs counter-clockwise seen along the view, by areas that are larger than their rounding.
+    /// Whether exactly one loop runs counter-clockwise seen along the view; its area must exceed its rounding error.
     bool one_runs_round() const {
         int positive = 0;
         std::vector<char> seen(edges_.size(), 0);
@@ -122,7 +123,7 @@ class Border {
         return !(convex ? left_of_a && right_of_b : left_of_a || right_of_b);
     }
 
-    /// Whether no two edges meet, but for the ends of successive ones.
+    /// Whether no two edges meet except in the common ends of successive edges.
     bool simple() const {
         const std::vector<std::pair<std::uint32_t, std::uint32_t>> entries = in_cells();
         if (entries.empty()) {

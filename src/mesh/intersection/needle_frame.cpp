@@ -16,7 +16,7 @@ constexpr std::size_t kSamples = 512;
 constexpr double kNeedle = 20.0;
 /// Needles, as a share of the samples, from which a frame is worth its cost.
 constexpr double kWorthAFrame = 0.1;
-/// Least cosine between directions that count as one: 5 degrees.
+/// Least cosine between two directions that count as equal: 5 degrees.
 constexpr double kSameDirection = 0.996;
 /// Largest cosine between directions that count as perpendicular: 17 degrees.
 constexpr double kPerpendicular = 0.3;

@@ -18,10 +18,11 @@ class NeedleFrame {
     NeedleFrame(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles);
     /// A place in this frame.
     Vec3 turned(const Vec3& p) const { return slack_ > 0.0 ? Vec3(frame_ * p) : p; }
-    /// Adds a vertex that was appended to the mesh's; not farther from the origin than those before.
+    /// Adds a vertex that was appended to the mesh's vertices; it must not be farther from the origin than those
+    /// before.
     void add(const Vec3& vertex);
 
-    /// The vertices in this frame; those of the mesh where it is not turned.
+    /// The vertices in this frame; the mesh's own vertices if the frame is not turned.
     const std::vector<Vec3>& vertices() const { return slack_ > 0.0 ? turned_ : vertices_; }
     /// A bound for the rounding error of coordinates in this frame, mm.
     double slack() const { return slack_; }

@@ -90,7 +90,7 @@ Box box_of(const std::vector<Vec3>& vertices, const std::vector<Triangle>& trian
     return box;
 }
 
-/// A grid whose cells are marked where they meet the boxes of some triangles: a quick test of what may meet them.
+/// A grid whose cells are marked if they meet boxes of some triangles: a quick test of triangles that may meet these.
 class OccupiedCells {
   public:
     OccupiedCells(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
@@ -106,14 +106,14 @@ class OccupiedCells {
         }
     }
 
-    /// False only if the triangle's box meets none of those of the marked triangles.
+    /// False only if the triangle's box meets no box of a marked triangle.
     bool may_meet(const Triangle& t) const {
         return all_ || !grid_.visit(t, kMostAsked, [this](std::size_t cell) { return occupied_[cell] == 0; });
     }
 
   private:
     static constexpr int kMostMarked = 4096;  ///< cells of one triangle at most; larger triangles make the grid useless
-    /// Cells of a tested triangle at most; for larger ones the test takes too long.
+    /// Most cells of a tested triangle; for larger triangles the test would take too long.
     static constexpr int kMostAsked = 64;
 
     VertexGrid grid_;
@@ -136,7 +136,7 @@ std::vector<ContactPair> sorted(std::vector<ContactPair>&& pairs) {
     return std::move(pairs);
 }
 
-/// 0 for the vertices that lie inside a patch or on the border of one alone, 1 for others.
+/// By vertex: 0 if it lies inside of a patch or on the border of one patch only, else 1.
 std::vector<char> between_patches(std::size_t vertex_count, const std::vector<Triangle>& triangles,
                                   const std::vector<std::int32_t>& patch) {
     // The vertex belongs to no patch yet.

@@ -38,7 +38,7 @@ double distance_to(const Box& box, const Vec3& p) {
     return (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0).norm();
 }
 
-/// The edges along which more triangles run one way than the other, see WindingNumber::border.
+/// The border: edges along which more triangles run in one direction than in the other, see WindingNumber::border.
 std::vector<Triangle> border_of(const std::vector<Triangle>& triangles) {
     std::vector<std::array<std::int32_t, 3>> edges;  // low vertex, high vertex, 1 upward or -1
     edges.reserve(3 * triangles.size());
@@ -86,7 +86,8 @@ void WindingNumber::Moments::add(const Moments& other) {
     }
 }
 
-/// Moments from an origin, with the centre as the sum of area times place, become those from the centre.
+/// Turns moments about an origin, whose centre is the sum of area times position, into moments about the centre of
+/// area.
 void WindingNumber::Moments::move_to_centre(const Vec3& origin) {
     const Vec3 c = area > 0.0 ? Vec3(centre / area) : Vec3(Vec3::Zero());
     for (int i = 0; i < 3; ++i) {

@@ -29,7 +29,7 @@ void append_real(Output& out, double value) {
 constexpr std::size_t kPerLine =
     8;  ///< numbers of a set in one line; Abaqus takes 16, and 132 characters are CalculiX's
 
-/// What the name of a patch's sides ends with: CalculiX 2.20 ends where a surface has the name of a set.
+/// Suffix of the name of a patch's sides: CalculiX 2.20 ends if a surface has the name of a set.
 constexpr const char* kSurface = "_surface";
 
 void append_set(Output& out, const std::string& head, const std::vector<std::int32_t>& numbers) {

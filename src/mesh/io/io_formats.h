@@ -59,10 +59,10 @@ void append_point(Out& out, const Vec3& p) {
     }
 }
 
-/// Appends "x y z" and what ends them.
+/// Appends "x y z" and the given end.
 void append_point_text(Output& out, const Vec3& p, std::string_view end = "\n");
 
-/// Appends the numbers of `count` nodes from `first` on, each after a separator, and what ends them.
+/// Appends the numbers of `count` nodes from `first` on, each after a separator, and the given end.
 void append_nodes(Output& out, const std::int32_t* nodes, std::size_t count, int first, char separator = ' ',
                   std::string_view end = "\n");
 

@@ -22,7 +22,7 @@ namespace {
 
 using Sets = DisjointSets<std::uint32_t>;
 
-/// What shapes of neighbouring triangles add up to.
+/// Sums and extremes over the shapes of neighbouring triangles.
 struct Shapes {
     std::size_t degenerate = 0;
     double min_angle = 180.0;

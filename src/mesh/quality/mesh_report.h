@@ -91,7 +91,7 @@ struct MeshReport {
     std::vector<std::pair<std::int32_t, std::string>> fallback;  ///< CAD face, why its samples were joined in (u, v)
     std::vector<std::pair<std::int32_t, std::string>> missing;   ///< CAD face that has no triangles, why
     std::vector<SolidContact> contacts;                          ///< where solids share triangles
-    std::vector<FaceCrossing> crossings;                         ///< which CAD faces the self-intersections lie on
+    std::vector<FaceCrossing> crossings;                         ///< by pair of CAD faces: the self-intersections
     std::vector<std::string> notes;  ///< what the reader must know: faults of the model, budget reached, ...
     bool complete = true;            ///< false when a budget ended the work early
 
@@ -118,7 +118,7 @@ struct SurfaceTopology {
     long euler = 0;              ///< V - E + F
 };
 
-/// The same two numbers as in a MeshReport, in a fraction of its time. The mesh must be valid.
+/// The same two numbers as in a MeshReport, computed in a fraction of its time. The mesh must be valid.
 SurfaceTopology topology_of(const TriangleMesh& mesh);
 
 /// A text of a dozen lines for people.

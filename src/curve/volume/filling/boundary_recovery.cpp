@@ -89,7 +89,7 @@ bool BoundaryRecovery::recover_edge(int a, int b, int depth) {
         calls_ = 0;
         const bool even = step % 2 == 0;
         if (!advance(even ? a : b, even ? b : a, depth) && !advance(even ? b : a, even ? a : b, depth)) {
-            // What was tried in vain may have brought it nevertheless.
+            // Attempts that failed may have made the edge nevertheless.
             return mesh_.cell_with(a, b) >= 0;
         }
     }
@@ -248,7 +248,7 @@ void BoundaryRecovery::count_division() {
 
 namespace {
 
-/// Where the line from a to b meets the plane, as a fraction of the way; the middle where it hardly does.
+/// The fraction of the way from a to b at which the line meets the plane; 0.5 if the line is nearly parallel to it.
 double fraction_at(const Vec3& a, const Vec3& b, const Vec3& on_plane, const Vec3& normal) {
     const double along = (b - a).dot(normal);
     const double fraction = along != 0.0 ? (on_plane - a).dot(normal) / along : 0.5;

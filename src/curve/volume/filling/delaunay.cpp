@@ -98,7 +98,7 @@ bool CavityInsertion::shrink(const Vec3& p, int cell) {
             return false;
         }
         inside_[cavity_[unseen]] = 0;
-        // What hangs on the cell that goes may no longer hang on the first one: the cavity is collected anew.
+        // A cell that was connected through the removed cell may no longer be connected: the cavity is collected again.
         for (const int c : cavity_) {
             seen_[c] = inside_[c];
             inside_[c] = 0;

@@ -23,9 +23,9 @@ struct FillingTuning {
     MESHQUALITY_TUNED(double, kPoorSine, 0.6);
     /// Least factor of the worst quality that a new vertex must bring.
     MESHQUALITY_TUNED(double, kInsertionGain, 1.1);
-    /// Cells that may get a new vertex in one sweep, the worst ones, by the number of cells.
+    /// Largest fraction of the cells, the worst ones first, that may get a new vertex in one sweep.
     MESHQUALITY_TUNED(double, kInsertedShare, 0.01);
-    /// The same for the smallest meshes.
+    /// Number of cells that may always get one, for the smallest meshes.
     MESHQUALITY_TUNED(double, kInsertedAlways, 30.0);
     /// The sweep from which on cells get new vertices.
     MESHQUALITY_TUNED(int, kFirstInsertion, 2);

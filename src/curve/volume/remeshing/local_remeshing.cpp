@@ -62,7 +62,7 @@ class Remesher {
         }
     }
 
-    /// Removes what no longer fits the surface.
+    /// Removes the tetrahedra that no longer fit the surface.
     void remove_unfit() {
         find_changes();
         for (std::size_t t = 0; t < stale_.size(); ++t) {
@@ -460,7 +460,7 @@ void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& su
                 done.cavities += tried.cavities;
                 continue;
             }
-        } catch (const MeshingFailed&) {  // what was there before is as good
+        } catch (const MeshingFailed&) {  // the tetrahedra of before are as good
         }
         surface = std::move(kept);
         volume.emplace(surface, tetrahedra);

@@ -42,7 +42,7 @@ class CheckedWire {
     }
     /// The area inside in (u, v), negative around a hole, and the largest error of it.
     std::pair<double, double> area() const;
-    /// 1 for a point inside, -1 for one outside, 0 where that is not sure.
+    /// 1 for a point inside, -1 for a point outside, 0 if that is not certain.
     int side_of(const Vec2& point) const;
     const Vec2& start() const { return pieces_.front().start(); }
     bool is_apart_from(const CheckedWire& other) const;
@@ -50,7 +50,7 @@ class CheckedWire {
   private:
     /// The place where two edges meet.
     struct Joint {
-        std::size_t piece;  ///< the first one after it
+        std::size_t piece;  ///< the first piece after it
         double room;        ///< how far from it in (u, v) both edges stay within the vertex's tolerance
         double gap;         ///< between both curves in (u, v)
     };
@@ -238,7 +238,7 @@ void CheckedWire::add_joint(const CheckedUse& before, const CheckedUse& after) {
         {pieces_.size(), left / std::max(su.Magnitude() + sv.Magnitude(), 1e-300), before.uv[1].Distance(after.uv[0])});
 }
 
-/// Whether neighbours only meet where one goes over into the other, and all others are apart.
+/// Whether neighbours meet only where one continues the other, and all other pieces are apart.
 bool CheckedWire::is_simple() const {
     const std::size_t n = pieces_.size();
     std::size_t joint = 0;
@@ -326,7 +326,7 @@ bool CheckedWire::is_apart_from(const CheckedWire& other) const {
     });
 }
 
-/// Whether one wire has the others in it, which are holes beside each other.
+/// Whether one wire encloses all others, and the others are holes side by side.
 bool are_nested(const std::vector<CheckedWire>& wires) {
     const CheckedWire* outer = nullptr;
     for (const CheckedWire& wire : wires) {

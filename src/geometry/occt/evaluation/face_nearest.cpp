@@ -15,10 +15,10 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 /// Stands for bounds that do not exist.
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// A Newton step below this fraction of the face's size is the last one: the next would be of the order of its square.
-/// Steps that are not full Newton steps converge slowly, and go on to kLastSlowStep.
+/// A Newton step below this fraction of the face's size is the last one: the next step would be of the order of its
+/// square. Steps that are not full Newton steps converge slowly, and go on down to kLastSlowStep.
 constexpr double kLastStep = 1e-7;
-/// The same for other steps: near the rounding of distances.
+/// The last step if steps are no full Newton steps: near the rounding of distances.
 constexpr double kLastSlowStep = 1e-11;
 
 Vec2 clamped(const Vec2& uv, const ParameterBox& box) {

@@ -102,7 +102,7 @@ bool any_sees_nothing(const TopoDS_Shape& solid) {
     for (const BoxedFace& face : faces) {
         box.add(face.box);
     }
-    // Planes are tried before others, and those that lie in a thin layer at a side of the box: nothing is before them.
+    // Planes come first, and among them faces in a thin layer at a side of the box: no face lies in front of these.
     const auto depth = [&](const BoxedFace& face) {
         return std::min((face.box.high - box.low).minCoeff(), (box.high - face.box.low).minCoeff());
     };

@@ -27,7 +27,7 @@ class EdgeJoining {
     /// How `a` lies along `b`; none where a sample of `a` is farther than `within` from `b`, mm.
     std::optional<Alignment> alignment(int a, int b, double within) const;
     /// Radians: the angle between the faces of two uses in the middle of their edges, which lie along each other; 0:
-    /// the faces lie on each other there. None where a use has no curve on its face.
+    /// the faces lie on each other there. Nothing if a use has no curve on its face.
     std::optional<double> dihedral_angle(int use, int other) const;
 
     /// Divides an edge at its parameter `t`, where it gets the node: the edge keeps the first piece.

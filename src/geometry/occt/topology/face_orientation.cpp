@@ -57,15 +57,16 @@ class FaceOrientation {
   private:
     struct Set {
         std::vector<int> faces;
-        int edge = -1;  ///< that two of the faces share
+        int edge = -1;  ///< an edge that two of the faces share
         bool closed = true;
-        /// Whether the faces of a closed set look outward if those with 1 in `turned_` turn.
+        /// Whether the faces of a closed set look outward after those with 1 in `turned_` are reversed.
         bool outward = false;
         Bnd_Box box;
     };
 
-    /// The faces that share edges with one, directly or through others. `turned_` becomes 0 or 1: those with the one
-    /// have to be turned if those with the other stay.
+    /// The faces that share edges with `face`, directly or through others. Sets `turned_` to 0 or 1: faces with
+    /// different
+    /// values must not both be reversed, nor both stay.
     Set connected_to(int face) {
         Set set;
         set.faces.push_back(face);
@@ -146,7 +147,7 @@ class FaceOrientation {
         return sum;
     }
 
-    /// The faces of a closed set as a solid, those with 1 in `turned_` turned, or the others.
+    /// The faces of a closed set as a solid. Those with 1 in `turned_` are reversed or, with `others`, those with 0.
     TopoDS_Solid solid_of(const Set& set, bool others) const {
         const BRep_Builder builder;
         TopoDS_Shell shell;

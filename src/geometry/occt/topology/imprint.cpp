@@ -92,7 +92,7 @@ class Fuse {
 
     bool failed() const { return fuse_.HasErrors(); }
 
-    /// What became of a face, an edge or a vertex, oriented as it is.
+    /// The pieces into which a face, an edge or a vertex was divided, oriented as it is.
     TopoDS_Shape pieces_of(const TopoDS_Shape& entity) {
         const TopTools_ListOfShape* images = fuse_.Images().Seek(entity);
         TopTools_ListOfShape pieces;
@@ -114,8 +114,8 @@ class Fuse {
     }
 
   private:
-    /// The piece without edges inside it that its face does not have: seams of the other face, and edges of bodies that
-    /// touch there along a line.
+    /// The piece without inner edges that its face does not have: seams of the other face, and edges of bodies that
+    /// touch it along a line.
     TopoDS_Shape without_inner_edges(const TopoDS_Shape& piece, const TopoDS_Shape& face) {
         if (!has_inner_edge(piece) || has_inner_edge(face)) {
             return piece;

@@ -99,7 +99,7 @@ class FaceSides {
 
 /// The width (mm) below which a face has no area; smaller for very small shapes, whose edges may be that short.
 double least_width(const std::vector<Node>& nodes) {
-    // That width as a fraction of the size of such shapes.
+    // The same width as a fraction of the size of such shapes.
     constexpr double kPart = 1e-6;
     Box box;
     for (const Node& node : nodes) {
