@@ -290,8 +290,8 @@ class BooleanPipeline {
         return measure_error(enclosed, expression_, result_.mesh, {}, limits, progress_, &moved).largest();
     }
 
-    /// The triangles of the soup of which pieces are at edges or vertices where the surface is no manifold: what is
-    /// given out is what was verified. Contacts have been searched while it was rounded.
+    /// The triangles of the soup with pieces at edges or vertices at which the surface is no manifold: the returned
+    /// result is the one that was verified. Contacts were searched while it was rounded.
     std::set<std::int32_t> nonmanifold(const ResultMesh& draft) {
         const std::vector<std::int32_t> no_contacts;
         constexpr std::size_t kAllFaults = std::numeric_limits<std::size_t>::max();
@@ -322,7 +322,7 @@ class BooleanPipeline {
     double joined_ = 0.0;                      ///< how far operands were moved where cracks were closed, mm
     std::vector<Operand> prepared_;
     Soup soup_;
-    std::vector<Box> boxes_;  ///< that contain the operands
+    std::vector<Box> boxes_;  ///< boxes that contain the operands
     std::vector<CoincidentTriangle> twins_;
     std::vector<std::array<std::int32_t, 2>> crossing_;
     StageWatch stages_{progress_, result_.seconds};
@@ -379,7 +379,7 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
     sum.retained = static_cast<std::size_t>(std::count_if(sum.triangle_source.begin(), sum.triangle_source.end(),
                                                           [](const auto& source) { return source[0] >= 0; }));
     sum.reconstructed = sum.mesh.triangles.size() - sum.retained;
-    sum.operand_topology.clear();  // they are of parts
+    sum.operand_topology.clear();  // the counts are those of partial results
     return sum;
 }
 

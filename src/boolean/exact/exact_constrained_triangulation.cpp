@@ -392,7 +392,8 @@ bool ExactConstrainedTriangulation::better_flipped(int h) const {
            kClearly * std::min(squared_sine_of_smallest_angle(a, b, c), squared_sine_of_smallest_angle(b, a, d));
 }
 
-/// Swaps the edges opposite the point, and those that come to lie there, as long as that enlarges angles (Lawson 1977).
+/// Swaps the edges opposite to the point, and the new edges opposite to it, as long as that enlarges angles (Lawson
+/// 1977).
 void ExactConstrainedTriangulation::improve_around(int point) {
     std::vector<int> opposite;
     around(point, [&](int h) {

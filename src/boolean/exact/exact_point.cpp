@@ -42,7 +42,7 @@ Expansion offset(const ExactVec& normal, const Vec3& point) {
     return normal[0].scaled(point.x()) + normal[1].scaled(point.y()) + normal[2].scaled(point.z());
 }
 
-/// The nearest double, within one unit in the last place.
+/// The double nearest to the value, within one unit in the last place.
 double nearest(const Expansion& value) {
     const Expansion compressed = value.compressed();
     return compressed.size() == 0 ? 0.0 : compressed[compressed.size() - 1];
@@ -64,7 +64,7 @@ bool on_line_through(const Vec3& point, const Vec3& p, const Vec3& q) {
 struct Approximation {
     Vec3 place = Vec3::Zero();
     double error = 0.0;  ///< bound for the error of each coordinate
-    /// Whether the coordinates may be doubles: what was rounded off is within the error of the arithmetic.
+    /// Whether the coordinates may be doubles: the rounding error is within the error of the arithmetic.
     bool may_be_exact = false;
 };
 
@@ -82,12 +82,12 @@ class ExactPoint::Construction {
         return *exact_;
     }
 
-    /// Nothing when double-double arithmetic does not give the nearest doubles.
+    /// Nothing if double-double arithmetic does not determine the nearest doubles.
     std::optional<Approximation> approximate() const {
         return on_line_ ? approximate_on_line() : approximate_on_planes();
     }
 
-    /// Whether the point is this one. Exact.
+    /// Whether the point has exactly these coordinates.
     bool is(const Vec3& point) const {
         return on_line_ ? on_line_through(point, line_[0], line_[1]) && on_plane(point, planes_[0])
                         : on_plane(point, planes_[0]) && on_plane(point, planes_[1]) && on_plane(point, planes_[2]);

@@ -87,7 +87,7 @@ class FanOpener {
         }
     }
 
-    /// The triangles that start an edge at slots a and b are neighbours there.
+    /// The triangles with the directed edges at slots a and b are neighbours at that edge.
     void join_sides(std::size_t a, std::size_t b, const EdgeKey& edge) {
         const bool a_up = point_[a] == edge[0];
         const bool b_up = point_[b] == edge[0];

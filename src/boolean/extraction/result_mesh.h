@@ -27,7 +27,7 @@ struct ResultMesh {
     std::vector<double> displacement;  ///< for each triangle how far at most its points are from their exact places, mm
 };
 
-/// Adds to the displacement of each triangle the largest of those of its vertices.
+/// Adds to the displacement of each triangle the largest displacement of its vertices.
 /// @param of_vertices  how far each vertex was moved, mm
 void add_displacements(ResultMesh& draft, const std::vector<double>& of_vertices);
 

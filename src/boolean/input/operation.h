@@ -42,9 +42,9 @@ class Expression {
     /// The operation, if the expression is a chain of it.
     std::optional<Operation> chained() const { return chained_; }
     /// Whether a point of space belongs to the result.
-    /// @param winding  how often each operand winds around the point: it lies in those with more than 0
+    /// @param winding  winding number of each operand at the point: it is inside of operands with more than 0
     bool contains(const std::int32_t* winding) const;
-    /// What the operations make of the values of the operands: leaf(operand), join(operation, first, second).
+    /// Evaluates the expression with any kind of values: leaf(operand), join(operation, first, second).
     template <typename Value, typename Leaf, typename Join>
     Value fold(const Leaf& leaf, const Join& join) const {
         std::vector<Value> stack;
@@ -92,7 +92,7 @@ class Membership {
   private:
     const Expression& expression_;
     std::vector<std::vector<int>> leaves_;   ///< nodes of each operand
-    std::vector<std::array<int, 2>> below_;  ///< what each operation joins
+    std::vector<std::array<int, 2>> below_;  ///< by operation: the two values that it joins
     std::vector<char> holds_;                ///< by node
 };
 

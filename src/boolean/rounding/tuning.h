@@ -10,7 +10,7 @@ namespace mq::boolean {
 /// The constants that tune the rounding to single precision. docs/measurements/tuning.md says what each does at
 /// half and at double its value.
 struct RoundingTuning {
-    /// Rounds of dividing what rounding left in contact at most. Nearly all surfaces take one or two.
+    /// Most rounds of dividing triangles that rounding has left in contact. Nearly all surfaces take one or two.
     MESHQUALITY_TUNED(std::size_t, kRoundingRounds, 16);
     /// Faults from which a surface that has more of them than triangles is given up.
     MESHQUALITY_TUNED(std::size_t, kTangle, 10000);

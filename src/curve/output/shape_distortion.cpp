@@ -29,9 +29,9 @@ double length_of(const Vec3& value) {
     return value.norm();
 }
 
-/// The measure that is divided by the sum of the squared edge derivatives to give 1 / eta; the constants are those of
-/// the regular simplex. It is taken from the area of a triangle's map from the reference simplex, or from the Jacobian
-/// of a tetrahedron's.
+/// The numerator of 1 / eta, whose denominator is the sum of the squared edge derivatives; the constants are those of
+/// the regular simplex. It is computed from the area of a triangle's map from the reference simplex, or from the
+/// Jacobian of a tetrahedron's map.
 double weighed(const Vec3&, double area) {
     return 2.0 * std::sqrt(3.0) * area;
 }

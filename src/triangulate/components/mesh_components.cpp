@@ -73,8 +73,8 @@ class Cutting {
         }
     }
 
-    // Numbers what is marked in the order of the mesh.
-    // @return the indices of these in the mesh
+    // Numbers the marked entities in the order of the mesh.
+    // @return their indices in the mesh
     std::vector<int> numbered(Numbers& numbers) {
         std::vector<int> marked;
         for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
@@ -282,7 +282,7 @@ class Joining {
     const ClassifiedMesh& divided_;
     const std::vector<const MeshComponent*>& changed_;
     CancelPace pace_;
-    std::vector<std::vector<int>> vertices_;  // by component and index there: index in the whole
+    std::vector<std::vector<int>> vertices_;  // by component and index in it: index in the whole
     std::vector<std::vector<int>> sites_;
     std::vector<std::vector<int>> segments_;
     JoinedComponents result_;

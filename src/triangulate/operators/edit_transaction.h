@@ -36,8 +36,7 @@ class EditTransaction {
     /// around it. Pass them to `added` afterwards. None of the segments may be split later.
     void record_relocation(int near, int far, const std::vector<int>& around);
 
-    // The following need it to be open.
-    /// The triangles that replaced the recorded ones.
+    // The following functions need an open transaction. The triangles that replaced the recorded ones.
     const std::set<int>& now() const { return changes_->now; }
     /// Returns the smallest angle of each recorded triangle, radians.
     std::vector<double> angles_before() const;

@@ -43,7 +43,7 @@ std::optional<AngleRefinement::QueuedTriangle> AngleRefinement::if_bad(int trian
 void AngleRefinement::push_touched() {
     // Triangles that are worth a thread: about half a millisecond.
     constexpr int kWorthAThread = 2048;
-    // Triangles looked at at a time: what is found for all would take as much memory as the mesh.
+    // Triangles that are examined at a time: the results for all would take as much memory as the mesh.
     constexpr std::size_t kAtOnce = 16384;
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());

@@ -37,7 +37,7 @@ struct NewIndices {
     LargeVector<int> edges;  ///< by number
 };
 
-/// Moves data to their new indices, of which there are no gaps; `none` is for those that had no data yet.
+/// Moves data to their new indices, which have no gaps; indices without former data get `none`.
 template <typename Values>
 void move_to_indices(const LargeVector<int>& renewed, Values& values, const typename Values::value_type& none) {
     if (values.empty()) {
@@ -54,7 +54,7 @@ void move_to_indices(const LargeVector<int>& renewed, Values& values, const type
     values.swap(moved);
 }
 
-/// The same for data in a map by index, which may have kept those of indices that are no more.
+/// The same for data in a map by index, which may contain indices that no longer exist.
 template <typename Value>
 void move_to_indices(const LargeVector<int>& renewed, std::map<int, Value>& values) {
     std::map<int, Value> moved;
