@@ -65,8 +65,8 @@ class BooleanPipeline {
         oriented_ = options.oriented;
     }
 
-    /// Runs all stages; nothing for a symmetric difference with common faces that do not coincide, which takes several
-    /// runs.
+    /// Runs all stages. Returns nothing for a symmetric difference with common faces that do not coincide, which takes
+    /// several runs.
     std::optional<BooleanResult> run() {
         prepare();
         make_soup();
@@ -185,11 +185,11 @@ class BooleanPipeline {
         const FacingSearch search(soup_, crossings->tree(), 2.0 * tolerance_, progress_);
         const std::vector<ContactFace> faces = contact_faces(soup_, search, twins_, tolerance_, clearance(), progress_);
         if (std::any_of(faces.begin(), faces.end(), differs)) {
-            // In a symmetric difference faces that go to either side would be wrong.
+            // In a symmetric difference moving faces to either side would be wrong.
             if (symmetric_) {
                 return false;
             }
-            make_soup();  // operands that share no vertices
+            make_soup();  // now operands share no vertices
             const std::vector<Vec3> before = soup_.vertices;
             const NearCoincidence done =
                 overlap_contacts(soup_, search, expression_, faces, {tolerance_, clearance()}, progress_);
@@ -318,7 +318,7 @@ class BooleanPipeline {
     double tolerance_ = 0.0;
     double moved_ = 0.0;
     std::vector<char> in_contact_;             ///< for each triangle of the soup, where common faces were moved
-    std::vector<std::int32_t> result_source_;  ///< for each triangle of the result that of the soup
+    std::vector<std::int32_t> result_source_;  ///< for each triangle of the result the triangle of the soup
     double joined_ = 0.0;                      ///< how far operands were moved where cracks were closed, mm
     std::vector<Operand> prepared_;
     Soup soup_;

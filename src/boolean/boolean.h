@@ -57,7 +57,7 @@ struct BooleanResult {
     double error_bound = 0.0;
     /// mm, the widest gap or sliver between common faces of operands that was closed; 0: none was.
     double closed_gaps = 0.0;
-    std::size_t retained = 0;       ///< triangles that are an operand's own
+    std::size_t retained = 0;       ///< triangles that an operand has unchanged
     std::size_t reconstructed = 0;  ///< all other triangles
     std::size_t crossing_pairs = 0;
     std::size_t curve_edges = 0;         ///< on the intersection curves

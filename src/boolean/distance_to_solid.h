@@ -20,16 +20,17 @@ class DistanceToSolid {
     double bound(double enough);
 
   private:
-    /// Factor by which the ball grows in which triangles are sought.
+    /// Factor by which the ball grows in which triangles are searched.
     static constexpr double kWider = 2.0;
     /// Factors by which steps are longer than the way to a surface; the next one is used if a step is too short, as on
     /// curved surfaces.
     static constexpr std::array<double, 4> kBeyond{1.0, 1.01, 1.1, 1.5};
     /// Steps count as equal if the distance of their ends is less than this fraction of their length.
     static constexpr double kSame = 0.05;
-    /// Steps shorter than this, by the radius of the ball, are not taken in pairs: they were in smaller balls.
+    /// Steps shorter than this, as a fraction of the ball's radius, are not combined in pairs: they were tried in
+    /// smaller balls.
     static constexpr double kNear = 0.125;
-    /// Steps that are taken singly, looked around at their ends, taken in pairs, and in threes.
+    /// Most steps that are tried singly, with the surroundings of their ends, in pairs, and in threes.
     static constexpr std::size_t kMost = 256;
     static constexpr std::size_t kMostAround = 8;
     static constexpr std::size_t kMostInPairs = 16;
@@ -53,7 +54,8 @@ class DistanceToSolid {
     /// Whether a point on another side than p is found at this distance.
     bool is_any_beyond(double distance) const;
 
-    /// Tries points all around p: where no plane tells the way, as at edges and vertices.
+    /// Tries points in all directions around p, for places without a plane that gives the direction, as at edges and
+    /// vertices.
     void probe(double radius);
 
     /// Accepts a step to the other side, up to the surface on its way.

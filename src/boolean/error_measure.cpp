@@ -20,7 +20,7 @@ namespace {
 using mesh::Triangle;
 using Corners = std::array<Vec3, 3>;
 
-/// Samples on large triangles, all together, about.
+/// Approximate number of samples on all large triangles together.
 constexpr double kLargeSamples = 100'000.0;
 /// Triangles whose samples are measured between two looks at a cancellation.
 constexpr std::size_t kBlock = 64;
@@ -255,13 +255,13 @@ class Measurement {
         return alone;
     }
 
-    /// How far the points of a piece of an operand, alone, are from the result.
+    /// The largest distance of the points of a piece of an operand from the result, if no other operand is near.
     double distance_where_alone(const Piece& piece) const {
         const Corners& moved = moved_->triangles[static_cast<std::size_t>(piece.triangle)];
         if (moved == solid_.corners(piece.triangle) || !solid_.is_bounded_at(piece.centre(), piece.normal())) {
             return 0.0;
         }
-        // Where a sheet was moved through another one of the same operand the moved triangle is not in the result.
+        // If a sheet was moved through another sheet of the same operand, the moved triangle is not in the result.
         const double at_centre = tree_.size() > 0 ? tree_.nearest(piece.centre()).distance : size();
         return std::max(at_centre, distance_to_triangle(piece.corners, moved));
     }

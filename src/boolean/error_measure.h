@@ -24,12 +24,12 @@ struct MovedOperands {
     double reach = 0.0;  ///< mm, twice the largest move
 };
 
-/// How finely a result is measured, mm.
+/// The resolution at which a result is measured, mm.
 struct ErrorLimits {
     /// The spacing of samples on large triangles; no more are taken than some 100,000 beyond one for each triangle.
     double finest = 0.0;
     double enough = 0.0;  ///< distances up to this are not told apart
-    /// Where the exact solid, or a gap in it, is thinner than this, nobody looks for its surface in the result.
+    /// Surfaces of the exact solid are not searched in the result if the solid, or a gap in it, is thinner than this.
     double thinnest = 0.0;
 };
 
@@ -37,7 +37,7 @@ struct ErrorLimits {
 struct MeasuredError {
     double to_exact = 0.0;    ///< from points of the result to the exact surface
     double from_exact = 0.0;  ///< from points of the exact surface to the result
-    double spacing = 0.0;     ///< sampled triangles have a point within this distance of each of theirs, mm
+    double spacing = 0.0;     ///< mm: every point of a sampled triangle has a sample within this distance
 
     double largest() const { return to_exact > from_exact ? to_exact : from_exact; }
 };

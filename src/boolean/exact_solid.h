@@ -21,7 +21,7 @@ struct EnclosedOperand {
     /// Null: the triangles are closed, and points with a winding number of at least 1 are inside. Else points at which
     /// this is at least 0.5 are inside.
     const mesh::WindingNumber* winding = nullptr;
-    std::vector<char> retained;  ///< for each triangle whether the result has it bit for bit; empty: for none
+    std::vector<char> retained;  ///< for each triangle whether the result has it bit for bit; empty: it has none
 };
 
 /// Calls visit for the 26 steps to neighbours in a grid, of one length, until it returns false.
@@ -46,7 +46,7 @@ class ExactSolid {
     }
 
     const mesh::NearestTree& tree() const { return tree_; }
-    /// Half the distance between the two points by which a side of a surface is told from the other, mm.
+    /// mm: half the distance between the two points by which the sides of a surface are told apart.
     double beside() const { return beside_; }
     std::array<Vec3, 3> corners(std::int32_t triangle) const {
         const mesh::Triangle& t = triangles_[static_cast<std::size_t>(triangle)];

@@ -60,7 +60,7 @@ class Engine {
     /// @throws std::logic_error on a thread that the engine does not own; never in Mode::Direct
     void check_own_thread() const;
 
-    /// Drops all batches in the queue; they and the rest of the running one are answered with Status::Stopped.
+    /// Cancels all batches in the queue; they and the rest of the running one are answered with Status::Stopped.
     void cancel();
     /// Cancels all batches as cancel() does, and ends the main thread; threads of jobs end with the object. Idempotent.
     void shut_down();

@@ -91,7 +91,7 @@ struct Volume {
 struct Joined {
     std::array<Entity, 2> entities;
     double distance = 0.0;  ///< mm, at most
-    bool by_shape = false;  ///< whether the shape's own tolerances do not tell them apart
+    bool by_shape = false;  ///< whether the shape's own tolerances make them one
 };
 
 struct Topology {

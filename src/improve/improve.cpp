@@ -62,7 +62,8 @@ class Condition {
         std::vector<std::int32_t> found;
         for (const mesh::Fault& fault : after.faults) {
             const auto kind = static_cast<std::size_t>(fault.kind);
-            // Open and non-manifold edges are of the connections, which are kept; halves of them are no more faults.
+            // Open and non-manifold edges belong to the connections, which are kept; halves of such an edge are no
+            // further faults.
             if (fault.kind == mesh::FaultKind::OpenEdge || fault.kind == mesh::FaultKind::NonmanifoldEdge ||
                 after.count[kind] <= count_[kind]) {
                 continue;
@@ -82,7 +83,7 @@ class Condition {
 
   private:
     static mesh::Verification verified(const mesh::TriangleMesh& mesh, Progress& progress) {
-        constexpr std::size_t kMost = 1000000;  // faults of a kind that are told apart
+        constexpr std::size_t kMost = 1000000;  // faults of one kind that are counted at most
         return mesh::verify(mesh.vertices, mesh.triangles, nullptr, kMost, &progress);
     }
     static double angle(const mesh::TriangleMesh& mesh, const mesh::Triangle& t) {
@@ -146,7 +147,7 @@ Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, P
     StageTimes seconds;
     StageClock clock(seconds);
     watched.stage("improving", 0.0, 1.0);
-    // Vertices are rounded to single precision after they are looked at.
+    // Vertices are rounded to single precision after they were tested.
     double rounding = 0.0;
     for (const Vec3& p : start.vertices) {
         rounding = std::max(rounding, std::numeric_limits<float>::epsilon() * p.cwiseAbs().maxCoeff());

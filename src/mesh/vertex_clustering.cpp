@@ -43,7 +43,7 @@ double cell_side(const float* corners, std::size_t triangles, std::size_t wanted
 
 /// The number of each corner's cluster, in the order of the first corners.
 struct Numbering {
-    std::vector<std::int32_t> cluster;  ///< -1: of a triangle with numbers that are not finite
+    std::vector<std::int32_t> cluster;  ///< -1: its triangle has numbers that are not finite
     std::vector<Vec3> centre;           ///< mean of the corners in each cluster
 };
 

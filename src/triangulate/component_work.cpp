@@ -12,7 +12,7 @@ namespace mq::triangulate {
 
 namespace {
 
-// Measured distances have single precision.
+// Measured distances are stored in single precision.
 constexpr double kSinglePrecision = 1.0 - 1e-6;
 
 }  // namespace

@@ -27,7 +27,7 @@ struct RefinedBody {
 /// Copies of refined bodies at their places, as one component.
 class PlacedBodies {
   public:
-    /// One of the copies; indices in the component.
+    /// A copy, with indices in the component.
     struct Copy {
         const RefinedBody& original;
         int body;
@@ -72,7 +72,7 @@ class ComponentWork {
     /// Placed bodies. Their vertices stay, and triangles are changed only where rounding has broken a bound.
     ComponentWork(PlacedBodies& placed, const Common& common);
 
-    /// Refines it.
+    /// Refines the component.
     /// @throws Cancelled
     void run();
 

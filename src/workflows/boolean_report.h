@@ -17,7 +17,7 @@ struct BooleanReport : mesh::MeshReport {
     /// (boolean/error_measure.h).
     double error_bound = 0.0;
     double tolerance_asked = 0.0;   ///< the tolerance that was requested, or that of the resolution, mm
-    std::size_t retained = 0;       ///< triangles that are an operand's own
+    std::size_t retained = 0;       ///< triangles that an operand has unchanged
     std::size_t reconstructed = 0;  ///< all other triangles
     std::size_t faults_left = 0;    ///< faults of the result that no repair removed; notes name them
     /// Pairs of triangles of the operands that cross; of the method Uniform those of its surface that did, until this
@@ -35,7 +35,7 @@ struct BooleanReport : mesh::MeshReport {
     /// Share of the result's surface where an open operand has no triangle: it is a guess by the winding number, to
     /// which the error bound does not apply (method Uniform). 0 to 1.
     double guessed_share = 0.0;
-    /// How each operand hangs together as it was given, beside `components` and `euler` of the result.
+    /// Components and Euler number of each given operand, to be compared with `components` and `euler` of the result.
     std::vector<mesh::SurfaceTopology> operands;
     std::vector<std::string> repaired;  ///< a sentence for each operand that was repaired
 };

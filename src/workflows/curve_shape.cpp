@@ -121,7 +121,7 @@ void measure_volume(Mesh& mesh, geometry::Engine& engine, const TopoDS_Shape& sh
     mesh.report.cad_volume_error = content.error;
 }
 
-/// How many pairs of triangles that cross are of different bodies, which no node connects.
+/// Number of crossing pairs of triangles that belong to different bodies, which share no node.
 std::int64_t count_of_bodies(const CurvedMesh& mesh, const std::vector<curve::CurvedCrossings::Crossing>& crossing) {
     const std::size_t count = mesh.triangle_face.size();
     const std::size_t of_each = count > 0 ? mesh.triangles.size() / count : 0;

@@ -61,7 +61,7 @@ void measure_gaps(WrapSurface& surface, const std::vector<std::int32_t>& source)
     }
 }
 
-/// As meshers give them, so that a document has few numbers to keep.
+/// Sorts triangles by face, as meshers do, so that a document has few numbers to store.
 void sort_by_face(wrap::WrapResult& wrapped, const std::vector<std::int32_t>& faces) {
     const std::vector<std::int32_t> source = wrapped.triangle_source;
     const std::vector<mesh::Triangle> triangles = wrapped.mesh.triangles;

@@ -31,7 +31,7 @@ class Calls {
     void end_one() {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (--running_ == 0) {
-            ended_.notify_one();  // with the mutex held: the waiting caller destroys this object
+            ended_.notify_one();  // while the mutex is locked, as the waiting caller destroys this object
         }
     }
     void wait() {
@@ -88,7 +88,7 @@ class KeptThread {
     std::thread thread_;
     std::mutex mutex_;
     std::condition_variable given_;
-    Calls* calls_ = nullptr;  // null: none, or it has begun
+    Calls* calls_ = nullptr;  // null: no call waits to begin
     int number_ = 0;
     bool ended_ = false;
 };
@@ -129,7 +129,7 @@ class KeptThreads::Impl {
         waiting_.push_back(&thread);
     }
 
-    // No other thread has the mutex while the process is copied, and threads do not survive that.
+    // The mutex is locked while the process is copied, so that no other thread has it: threads do not survive the copy.
     void before_fork() { mutex_.lock(); }
     void after_fork() { mutex_.unlock(); }
     void after_fork_in_child() {

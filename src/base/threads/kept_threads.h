@@ -23,7 +23,7 @@ class KeptThreads {
     /// Whether the calling thread is one of these.
     bool own_this_thread() const { return present() == this; }
 
-    /// Makes the calling thread, which others started, one of these while the object lives.
+    /// Makes the calling thread, which this object did not start, one of its threads while the Member lives.
     class Member {
       public:
         explicit Member(KeptThreads& threads) : before_(present()) { present() = &threads; }

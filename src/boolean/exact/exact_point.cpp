@@ -70,7 +70,7 @@ struct Approximation {
 
 }  // namespace
 
-/// How a point is constructed, and its coordinates as they are needed.
+/// The construction of a point, and its coordinates as far as they were needed.
 class ExactPoint::Construction {
   public:
     Construction(const Vec3& p, const Vec3& q, const PlanePoints& plane) : line_{p, q}, planes_{plane} {}
@@ -250,7 +250,7 @@ std::array<Expansion, 4> ExactPoint::homogeneous() const {
 
 namespace {
 
-/// Sign of p - q along a coordinate axis where the approximations tell.
+/// Sign of p - q along a coordinate axis if the approximations decide it.
 std::optional<int> compare_approximations(const ExactPoint& p, const ExactPoint& q, int axis) {
     const double gap = p.approx()[axis] - q.approx()[axis];
     if (std::abs(gap) > 2.0 * (p.error() + q.error()) || (p.given() && q.given())) {

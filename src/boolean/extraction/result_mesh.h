@@ -23,8 +23,9 @@ struct ResultMesh {
     std::vector<char> made;  ///< origin of each vertex: kFromOperand, kConstructed or kRounded
     std::vector<Triangle> triangles;
     std::vector<Source> source;  ///< operand's triangle for each triangle; operand -1 where it was made or changed here
-    std::vector<std::int32_t> from;    ///< for each triangle the soup's triangle of which it is or was a piece
-    std::vector<double> displacement;  ///< for each triangle how far at most its points are from their exact places, mm
+    std::vector<std::int32_t> from;  ///< for each triangle the soup's triangle of which it is or was a piece
+    std::vector<double>
+        displacement;  ///< mm, by triangle: bound for the distance of its points from their exact places
 };
 
 /// Adds to the displacement of each triangle the largest displacement of its vertices.

@@ -228,7 +228,7 @@ class CrackClosing {
             return std::tie(a.corner, a.along, a.vertex) < std::tie(b.corner, b.along, b.vertex);
         });
         for (std::size_t i = 0; i < all.size();) {
-            // One edge of a triangle only: the division gives others other indices.
+            // Divides at one edge of a triangle only, as the division gives the others new indices.
             std::size_t end = i;
             std::vector<std::int32_t> chain;
             for (; end < all.size() && all[end].corner / 3 == all[i].corner / 3; ++end) {
@@ -279,7 +279,7 @@ class CrackClosing {
     const Progress* progress_;
     std::vector<std::int32_t> component_of_;                   ///< by triangle of the input
     std::vector<std::int32_t> borders_;                        ///< corners on the border
-    std::vector<mesh::Triangle> edges_;                        ///< their edges, as triangles for the tree
+    std::vector<mesh::Triangle> edges_;                        ///< border edges, as triangles for the tree
     std::unordered_map<std::int32_t, BorderVertex> vertices_;  ///< vertices on the border
     std::vector<std::int32_t> joined_;                         ///< vertices that were joined to something
 };

@@ -160,7 +160,7 @@ class DuplicateRemoval {
         return result;
     }
 
-    /// Directed edges from the star's vertex to `head` of triangles that are not in question themselves.
+    /// Number of directed edges from the star's vertex to `head` in triangles that are not candidates themselves.
     int count_edges(mesh::VertexStars::Star star, std::int32_t head, const std::vector<char>& asked) const {
         return static_cast<int>(std::count_if(star.begin(), star.end(), [&](std::uint32_t corner) {
             return asked[corner / 3] == 0 && draft_.head(static_cast<std::int32_t>(corner)) == head;

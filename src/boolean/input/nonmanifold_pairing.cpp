@@ -39,7 +39,7 @@ std::vector<EdgeGroup> irregular_edges(const OperandMesh& draft) {
     return groups;
 }
 
-/// Reverses the triangles of each patch (connected over mates) so that they agree, the majority staying as it is.
+/// Reverses the triangles of each patch (connected over mates) so that they agree; the majority stays unchanged.
 class PatchOrientation {
   public:
     explicit PatchOrientation(OperandMesh& draft) : draft_(draft), turn_(draft.triangles.size(), kUnknown) {}

@@ -403,7 +403,7 @@ Operand prepare_open_operand(const mesh::TriangleMesh& mesh, const std::string& 
         draft = std::move(turned);
         draft.repairs.nonmanifold_edges = 0;  // no edges are separated there
     } catch (const OpenOperand&) {
-        check_cancelled(progress);  // one side only: its triangles stay as they are turned
+        check_cancelled(progress);  // a one-sided surface: its triangles keep their orientation
     }
     return operand_of(draft, mesh);
 }

@@ -59,7 +59,7 @@ class Expression {
         }
         return stack.back();
     }
-    /// How two operands are joined; None by a symmetric difference, and where one of them occurs several times.
+    /// How two operands are joined; None for a symmetric difference, and if one of them occurs several times.
     Pairing pairing(int first, int second) const;
 
   private:
@@ -75,7 +75,7 @@ class Expression {
 
     std::vector<Node> nodes_;  ///< in postfix order
     std::vector<int> open_;    ///< nodes without a parent
-    std::vector<int> leaf_;    ///< node of each operand; -1 where there are several
+    std::vector<int> leaf_;    ///< by operand: its node; -1: it has several
     std::optional<Operation> chained_;
 };
 

@@ -31,14 +31,14 @@ struct InputTuning {
     /// area; components attached to the rest along edges of three or more triangles (inner walls, fins) are treated as
     /// sheets.
     MESHQUALITY_TUNED(double, kLargestScrapShare, 0.05);
-    /// Corners up to which every possible triangle of a loop is tested against the surface; the test is cubic in
-    /// them.
+    /// Most corners of a loop for which every possible triangle is tested against the surface; the time grows with the
+    /// third power.
     MESHQUALITY_TUNED(std::size_t, kTestedLoop, 80);
     /// Rounds of filling holes anew at most.
     MESHQUALITY_TUNED(int, kFillingRounds, 4);
     /// Vertices of a component tried as starts of a ray.
     MESHQUALITY_TUNED(std::size_t, kRayStarts, 8);
-    /// Triangles of an open sheet that vote on which side of it is out, about.
+    /// Approximate number of triangles of an open sheet that vote on which side of it is outside.
     MESHQUALITY_TUNED(std::size_t, kVotes, 32);
 };
 

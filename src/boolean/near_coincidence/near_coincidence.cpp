@@ -58,7 +58,7 @@ class ShortestDisplacement {
     /// @return nothing if no displacement is in all of them
     static std::optional<Vec3> in(const std::vector<HalfSpace>& spaces) {
         ShortestDisplacement solver(spaces);
-        // Rounding could let the same sets come again.
+        // Because of rounding the same sets could come again without end.
         constexpr int kMostSteps = 100;
         for (int step = 0; step < kMostSteps; ++step) {
             const std::size_t worst = solver.farthest_from_kept();

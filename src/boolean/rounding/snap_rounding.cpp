@@ -70,7 +70,7 @@ class SnapRounder {
     }
 
     Vec3 rounded(const Vec3& p) const { return options_.in_single ? to_single(p) : p; }
-    /// Double-precision coordinates have the spacing of single-precision ones where they must be told apart.
+    /// Double-precision coordinates get the spacing of single-precision ones at places that must be told apart.
     Vec3 on_grid(const Vec3& p) const {
         return options_.in_single ? to_single(p) : Vec3(unit_ * (p / unit_).array().round().matrix());
     }
@@ -155,7 +155,7 @@ class SnapRounder {
             soup.source.push_back({0, static_cast<std::int32_t>(t)});
         }
         twins = find_twins(soup, touched);
-        // Where faces on top of each other cancel, the surface may be left with several fans.
+        // If coinciding faces cancel each other, a vertex may be left with several fans.
         for (const CoincidentTriangle& twin : twins) {
             for (const std::int32_t v : soup.triangles[static_cast<std::size_t>(twin.triangle)]) {
                 soup.moved[static_cast<std::size_t>(v)] = 1;

@@ -179,7 +179,7 @@ class VertexRelocation {
         });
     }
 
-    /// Tries to move something at each fault; returns the number of moves.
+    /// Tries to move vertices at each fault. Returns the number of moves.
     std::size_t sweep() {
         std::size_t moves = 0;
         const std::set<std::int32_t> flat = flat_;
@@ -415,7 +415,7 @@ class VertexRelocation {
     std::unordered_map<std::int32_t, std::size_t> changed_;  ///< by vertex, the last move at which it was marked
     std::unordered_map<std::int32_t, Vec3> start_;           ///< first place of each vertex that was tried
     std::optional<mesh::NeedleFrame> frame_;
-    std::optional<mesh::AabbTree> tree_;  ///< over the places at the beginning, its boxes larger by the reach
+    std::optional<mesh::AabbTree> tree_;  ///< over the places at the start, with boxes enlarged by the reach
     std::optional<mesh::VertexStars> stars_;
 };
 

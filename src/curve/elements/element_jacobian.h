@@ -42,16 +42,16 @@ class ElementJacobian {
         std::vector<double> multinomials;
         double gain = 0.0;  // largest sum of the absolute weights of a coefficient
     };
-    /// Where the products of the coefficients of two polynomials add up.
+    /// Which coefficient of the product each pair of coefficients of two polynomials contributes to.
     struct Product {
         ProductLattice lattice;
         std::vector<int> targets;
         int terms = 0;  // in the longest sum
     };
-    /// Vectors times multinomials, a list a coordinate.
+    /// Vectors times multinomials, as one list for each coordinate.
     struct Field {
         std::array<std::vector<double>, 3> c;
-        double longest = 0.0;  // vector, without its multinomial, with its error
+        double longest = 0.0;  // largest length of a vector without its multinomial, plus its error
         double error = 0.0;
     };
 

@@ -105,7 +105,7 @@ class ShapeSearch {
         lower_bounds(piece.volume, rounding_, bounds_);
         piece.low = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < bounds_.size(); ++i) {
-            // Where the coefficient is not positive, which the polynomial is, it bounds nothing.
+            // If the coefficient is not positive, although the polynomial is, it gives no bound.
             if (piece.stretch[i] > 0.0) {
                 piece.low = std::min(piece.low, bounds_[i] / piece.stretch[i]);
             }

@@ -163,7 +163,7 @@ class Tessellator {
         return sum;
     }
 
-    /// Halvings until a bend is at most the allowed one: each leaves a fourth of it.
+    /// Number of halvings until a bend is at most the allowed one: each halving leaves a fourth of the bend.
     static double halvings(double bend, double allowed) {
         return std::clamp(std::ceil(0.5 * std::log2(std::max(bend, 1e-300) / allowed)), 0.0, double{kDeepest});
     }
@@ -177,7 +177,7 @@ class Tessellator {
         return std::exp2(2.0 * most);
     }
 
-    /// About as many as the triangle is divided into, from the bends of edges of sixteen pieces.
+    /// Estimate of the number of pieces of the triangle, from the bends of edges of sixteen pieces.
     double likely_pieces() {
         constexpr int kRows = 4;  // 16 pieces: an estimate for the limit of triangles needs no more
         const auto at = [](int i, int j) -> Barycentric {

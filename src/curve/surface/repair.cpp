@@ -41,7 +41,7 @@ class Repair {
     }
 
   private:
-    /// Changes of a triangle that repairs leave invalid, made whether or not they help at once.
+    /// Changes of a triangle that repairs leave invalid; they are made whether or not they help at once.
     enum class Way { Snap, Collapse, Split };
 
     /// Some faces need several changes at once. If coarse edges deviate by more than the height of the triangles at
@@ -116,7 +116,8 @@ class Repair {
 
     int invalid() const { return static_cast<int>(editor_.surface.invalid()); }
 
-    /// Runs before edges are split that bend only because they lead to a vertex off the CAD.
+    /// Lets nodes leave the CAD towards all vertices off the CAD, before edges are split that bend only because they
+    /// lead to such a vertex.
     void reach_all() {
         const std::size_t count = editor_.surface.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
@@ -149,7 +150,7 @@ class Repair {
         return any;
     }
 
-    /// Runs before other repairs, which would separate the rows of such vertices.
+    /// Snaps all vertices that lie on a border, before other repairs separate the rows of such vertices.
     bool snap_all() {
         int snapped = 0;
         const std::size_t count = editor_.surface.triangles.size();
@@ -239,7 +240,7 @@ class Repair {
         return false;
     }
 
-    /// Curves one of the two edges of a triangle that meet in a away from the other.
+    /// Curves one of the two edges of a triangle that meet in vertex a away from the other one.
     bool curve_beside(int a, int b, int c) {
         return curve_face_edge(editor_, a, b, c) || curve_face_edge(editor_, a, c, b);
     }

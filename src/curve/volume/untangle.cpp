@@ -85,7 +85,7 @@ class Objective {
                     unpack(work, batch, first);
                 }
             });
-            // In the order of the batches, so that rounding does not depend on the number of threads.
+            // Summed in the order of the batches, so that rounding does not depend on the number of threads.
             for (std::size_t batch = first; batch < std::min(first + at_once_, batches()); ++batch) {
                 evaluations_ += count(batch);
                 sum += sums_[batch - first];
@@ -102,7 +102,7 @@ class Objective {
     }
 
   private:
-    /// Batches for a thread, so that its start pays.
+    /// Least number of batches for a thread, so that starting it pays.
     static constexpr std::size_t kOfThread = 64;
 
     /// The buffers of one thread.
@@ -137,7 +137,7 @@ class Objective {
         return std::min<std::size_t>(kLanes, elements_.size() - batch * kLanes);
     }
 
-    /// Coefficient k relative to the J that the element is to have; 1 where nothing can change it.
+    /// Coefficient k relative to the J that the element shall have; 1 if no free point can change it.
     Lanes relative(const Workspace& work, std::size_t batch, std::size_t k) const {
         const unsigned char movable = movable_[batch][k];
         Lanes b = work.jacobian.coefficients[k] * inverse_[batch];
@@ -247,7 +247,7 @@ class Objective {
         return result;
     }
 
-    /// Some derivative that holds point `e` is a factor of coefficient `l`.
+    /// Whether coefficient `l` has a factor that is a derivative with point `e`.
     static bool depends(const Exponents& l, const Exponents& e) {
         for (std::size_t k = 0; k < 4; ++k) {
             if (e[k] == 0) {
@@ -266,10 +266,10 @@ class Objective {
 
     UntanglingPatch& patch_;
     const Progress& progress_;
-    std::size_t coefficients_;  // their number in the Jacobian of an element
+    std::size_t coefficients_;  // number of coefficients of an element's Jacobian
     std::size_t evaluations_ = 0;
     std::vector<std::size_t> elements_;                // elements of the patch that can change, four to a batch
-    std::vector<Lanes> inverse_;                       // 1 / J that the element is to have
+    std::vector<Lanes> inverse_;                       // 1 / J that the element shall have
     std::vector<std::vector<unsigned char>> movable_;  // by batch and coefficient: a bit for each lane
     std::vector<Lanes> barrier_;
     std::vector<Lanes> least_;

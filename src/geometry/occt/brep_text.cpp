@@ -37,7 +37,7 @@ std::shared_ptr<const TopoDS_Shape> read_brep_text(const std::string& text) {
 
 namespace {
 
-/// With the digits that a FreeCAD document keeps: a fixed number of decimals, however small a number is.
+/// The BREP text with the digits that a FreeCAD document keeps: a fixed number of decimals, however small a number is.
 std::string text_of_document(const TopoDS_Shape& shape) {
     std::ostringstream stream;
     stream.setf(std::ios::fixed, std::ios::floatfield);

@@ -61,7 +61,7 @@ class PatchTree {
         double radius = 0.0;         // radius of the ball around the box
         double reach = 0.0;          // up to this distance from every point of the patch the squared distance is convex
         std::size_t longer = 0;      // the parameter to cut
-        std::size_t child = 0;       // the first of two, one after the other; 0: none
+        std::size_t child = 0;       // the first of two children, which are neighbours in the list; 0: none
 
         double square_distance(const Vec3& p) const;
     };

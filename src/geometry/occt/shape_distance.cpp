@@ -112,7 +112,7 @@ Handle(Geom_BSplineSurface)
                                    curve->Degree(), 1, curve->IsPeriodic());
 }
 
-/// None for all other curves.
+/// The curve as a B-spline; null for other curves.
 Handle(Geom_BSplineCurve) spline_of(const Adaptor3d_Curve& curve) {
     switch (curve.GetType()) {
         case GeomAbs_BSplineCurve:
@@ -244,7 +244,7 @@ class FaceDistance {
         return square;
     }
 
-    // Not by BRepExtrema_ExtPF: its classifier takes points inside of large plane faces with holes for outside.
+    // Not BRepExtrema_ExtPF, whose classifier takes points inside of large plane faces with holes for outside.
     bool on_face(double u, double v) const {
         const TopAbs_State state = trimmed_.Perform(gp_Pnt2d(u, v));
         return state == TopAbs_IN || state == TopAbs_ON;
@@ -288,9 +288,9 @@ class ShapeDistance {
   private:
     struct Node {
         BoundingBox box;
-        std::size_t first;  // its faces, and their end
+        std::size_t first;  // first of its faces, and the end of these
         std::size_t last;
-        std::size_t second_child;  // the first follows upon its parent
+        std::size_t second_child;  // the first child is the next node in the list
     };
 
     std::size_t build(std::size_t first, std::size_t last) {

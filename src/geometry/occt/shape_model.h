@@ -14,8 +14,8 @@ namespace mq::geometry {
 
 /// The treatment of lines inside a face across which its normal jumps.
 enum class Creases {
-    Keep,  ///< they stay inside: all entities are the shape's own
-    Cut,   ///< they become edges, and the face is cut along them (Topology::parts_of)
+    Keep,  ///< creases stay inside of faces: all entities are the shape's own
+    Cut,   ///< creases become edges, and the face is cut along them (Topology::parts_of)
 };
 
 /// Which entities of a shape count as one in its topology if they lie together. The shape itself does not change.

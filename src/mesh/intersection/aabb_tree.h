@@ -91,8 +91,8 @@ class AabbTree {
     /// children of every other node.
     template <typename Take, typename Join>
     void sum_up(Take&& take, Join&& join) const;
-    /// From the root down: children of a node are visited where divide(node) is true; of such leaves visit(i) for each
-    /// triangle.
+    /// Visits nodes from the root downwards: the children of a node if divide(node) is true; visit(i) is called for
+    /// each triangle of the leaves that are reached.
     template <typename Divide, typename Visit>
     void for_each_divided(Divide&& divide, Visit&& visit) const;
 
@@ -106,7 +106,7 @@ class AabbTree {
         std::array<float, 3> high;
 
         bool meets(const Bounds& o) const {
-            // Without branches: half of the tested boxes meet, and no branch prediction knows which.
+            // Without branches, as half of the tested boxes meet and branch prediction would fail often.
             return bool(int(low[0] <= o.high[0]) & int(o.low[0] <= high[0]) & int(low[1] <= o.high[1]) &
                         int(o.low[1] <= high[1]) & int(low[2] <= o.high[2]) & int(o.low[2] <= high[2]));
         }

@@ -15,7 +15,7 @@
 namespace mq::mesh {
 namespace {
 
-/// No patch, trial or number yet.
+/// No patch, trial or number was assigned yet.
 constexpr std::int32_t kNone = -1;
 constexpr std::size_t kMost =
     4096;  ///< largest number of triangles in a patch; larger patches overlap themselves more often
@@ -143,7 +143,7 @@ class Border {
     /// kMostEntries for each edge.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> in_cells() const {
         constexpr double kMostCells = 1000.0;  // cells along a side of the grid at most
-        // Cells for each edge on average at most: bounds the memory and time of the grid.
+        // Largest average number of cells per edge, which bounds the memory and time of the grid.
         constexpr std::size_t kMostEntries = 24;
         Box box;
         for (const Edge& edge : edges_) {
@@ -319,7 +319,8 @@ class PatchFinder {
 
     bool proven(const View& view, std::int32_t trial) {
         std::vector<std::int32_t> corners;
-        std::vector<std::array<std::int32_t, 2>> numbers;  // corners on the border, ascending, and their places
+        std::vector<std::array<std::int32_t, 2>>
+            numbers;  // corners on the border, ascending, with their positions in it
         for (const std::int32_t t : members_) {
             for (std::int32_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
                 if (!inside(twin(corner), trial)) {
@@ -346,7 +347,7 @@ class PatchFinder {
     std::size_t fewest_;
     std::vector<std::int32_t> twins_;  ///< twin of each corner
     std::vector<std::int32_t> patch_;
-    LargeVector<std::int32_t> tried_;  ///< for each triangle the trial in which it was tested
+    LargeVector<std::int32_t> tried_;  ///< by triangle: the trial in which it was tested
     std::vector<std::int32_t> members_;
 };
 

@@ -120,7 +120,7 @@ void NearestTree::for_each_near(const Vec3& p, const double& bound_squared, Visi
         float distance;
         std::int32_t child;
     };
-    // Each level leaves at most three more on the stack.
+    // Each level adds at most three entries to the stack.
     std::array<Entry, 3 * kDeepest + kWidth> stack;
     std::size_t height = 0;
     if (!wide_.empty()) {

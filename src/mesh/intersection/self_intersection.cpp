@@ -36,7 +36,7 @@ class Collector {
           limit_(limit),
           progress_(progress) {}
 
-    /// False once there are as many as the limit.
+    /// False once the number of pairs reaches the limit.
     bool operator()(std::int32_t i, std::int32_t j) {
         // Pairs tested between two checks for cancellation.
         constexpr std::uint32_t kPairsBetweenChecks = 1u << 16;
@@ -124,7 +124,7 @@ class OccupiedCells {
 /// Calls work(0) and work(1), at the same time where there are triangles enough.
 template <typename Work>
 void do_both(std::size_t triangles, const Work& work) {
-    // Triangles for each thread from which waking it is worth its time.
+    // Number of triangles per thread above which waking the thread pays.
     constexpr std::size_t kWorthAThread = 4096;
     const ThreadLimit limit(threads_for(triangles, kWorthAThread));
     parallel_for(2, work);
@@ -152,7 +152,7 @@ std::vector<char> between_patches(std::size_t vertex_count, const std::vector<Tr
     return result;
 }
 
-/// For each vertex at which several patches meet whether no two triangles of its star are in contact.
+/// For each vertex at which several patches meet: whether no two triangles of its star are in contact.
 std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                                     const std::vector<std::int32_t>& patch, const Progress* progress) {
     // Vertices in one parallel task: enough that starting a task costs little.
@@ -178,7 +178,7 @@ std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std
 SelfIntersectionSearch::SelfIntersectionSearch(const std::vector<Vec3>& vertices,
                                                const std::vector<Triangle>& triangles, const Progress* progress)
     : vertices_(vertices), triangles_(triangles), progress_(progress) {
-    // Triangles from which a patch saves more pairs than its proof costs.
+    // Number of triangles above which a patch saves more tests of pairs than its proof costs.
     constexpr std::size_t kWorthAProof = 64;
     do_both(triangles.size(), [&](int task) {
         if (task == 0) {

@@ -39,7 +39,8 @@ class WindingNumber {
         double radius = 0.0;         ///< the radius of a ball around the centre that holds them, mm
         double area = 0.0;           ///< mm2
         Vec3 normal = Vec3::Zero();
-        Eigen::Matrix3d first = Eigen::Matrix3d::Zero();  ///< column i: of the place, by component i of the normal
+        Eigen::Matrix3d first =
+            Eigen::Matrix3d::Zero();  ///< column i: moment of the position with component i of the normal
         std::array<Eigen::Matrix3d, 3> second{first, first,
                                               first};  ///< moments with the tensor product of the position with itself
 
@@ -51,7 +52,7 @@ class WindingNumber {
         Box box;
         double length = 0.0;
         Vec3 along = Vec3::Zero();   ///< sum of edges
-        Vec3 centre = Vec3::Zero();  ///< the centre of their length
+        Vec3 centre = Vec3::Zero();  ///< the mean of the edges, weighted by length
     };
     void sum_moments();
     void sum_currents();

@@ -12,10 +12,10 @@ namespace {
 /// CalculiX reads no number of more characters.
 constexpr std::size_t kLongest = 20;
 
-/// Digits of a number that fits at any sign and exponent.
+/// Number of digits that always fits, whatever the sign and exponent.
 constexpr int kDigits = 13;
 
-/// Appends a number that reads back as the same where it is short enough for that.
+/// Appends a number with all its digits if these fit, so that reading gives the same number; else with fewer digits.
 void append_real(Output& out, double value) {
     std::array<char, 40> text;
     const auto first = text.data();

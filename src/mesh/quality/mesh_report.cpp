@@ -234,7 +234,7 @@ std::string faults_text(const MeshReport& r) {
     return text.empty() ? "none" : text;
 }
 
-/// Names which distance it is: a triangle may lie near another face than its own.
+/// Says which distance it is: to the triangle's own face, or to the nearest face.
 std::string distance_text(const MeshReport& r) {
     std::string text =
         line(r.to_nearest_face ? "deviation    %.6g mm: largest distance from the nearest CAD face"

@@ -19,7 +19,7 @@ struct BodyEntities {
     std::vector<int> uses;
 };
 
-/// Which bodies of a part are others at another place.
+/// The bodies of a shape that are equal to another one at another place.
 struct EqualBodies {
     /// By body: the body with the lowest face that is equal to it, if that is another one; -1: there is none.
     std::vector<int> original;

@@ -317,7 +317,7 @@ std::vector<std::vector<int>> groups_of(const std::vector<double>& work, std::si
     for (std::size_t i = 0; i < work.size(); ++i) {
         groups.push_back({work[i], {static_cast<int>(i)}});
     }
-    for (; groups.size() > most; groups.pop_back()) {  // goes to the smallest one that stays
+    for (; groups.size() > most; groups.pop_back()) {  // added to the smallest group that stays
         const Group& last = groups.back();
         Group& smallest =
             *std::max_element(groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(most), more_work<Group>);

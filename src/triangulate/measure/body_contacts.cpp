@@ -14,9 +14,9 @@ namespace {
 
 using geometry::Query;
 
-// Pairs of triangles of two faces that are examined first, spread over all of them.
+// Number of pairs of triangles of two faces that are examined first, spread over all pairs.
 constexpr std::size_t kSample = 16;
-// Points that are tried as common ones of two solids.
+// Number of points that are tried as common points of two solids.
 constexpr std::size_t kTried = 8;
 // Cosine of the angle between two faces that count as parallel.
 constexpr double kParallel = 0.99;

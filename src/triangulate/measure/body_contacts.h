@@ -11,9 +11,9 @@
 
 namespace mq::triangulate {
 
-/// How two bodies are to each other in the shape where their triangles cross, in ascending severity.
+/// The relation in the shape between two bodies whose triangles cross, in ascending severity.
 enum class BodyContact : std::uint8_t {
-    Touching,     ///< their surfaces lie on each other, with the bodies on different sides: they cross by chords only
+    Touching,     ///< their surfaces lie on each other, with the bodies on different sides; only chords cross
     Apart,        ///< there is a gap between them, which the chords close
     Overlapping,  ///< the bodies have a volume in common, or their surfaces cross
 };

@@ -219,7 +219,7 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
         }
         next += uses;
     }
-    for (const int s : halves) {  // only after the loop, since their mates may have been among these segments
+    for (const int s : halves) {  // after the loop, since their mates may have been among these segments
         remove_encroaching_vertices(work_, s, touched);
         enforce_equal_shells(s);
     }

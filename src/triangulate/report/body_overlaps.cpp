@@ -244,7 +244,8 @@ class Overlaps {
         return ((box.low - around.low).array() >= -near_).all() && ((around.high - box.high).array() >= -near_).all();
     }
 
-    // Decided at the middle of the largest triangles that is farther than `beyond` from the surface.
+    // Decided at the middle of the largest one of these triangles whose middle is farther than `beyond` from the
+    // surface.
     bool is_inside(std::vector<int> triangles, int other, double beyond) {
         constexpr std::size_t kTried = 16;
         const std::size_t tried = std::min(kTried, triangles.size());

@@ -55,7 +55,7 @@ class FaceCells {
   private:
     struct Cell {
         std::array<int, 4> corners;
-        int list;  // index into lists_ for the segments that it meets; -1: none
+        int list;  // index into lists_ of the segments that it meets; -1: none
         bool inside;
         std::uint8_t depth;  // number of halvings that led to it
     };

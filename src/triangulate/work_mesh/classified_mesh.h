@@ -44,7 +44,7 @@ void move_to_indices(const LargeVector<int>& renewed, Values& values, const type
         return;
     }
     const auto present = [](int index) { return index >= 0; };
-    // A copy: moving along the chains of indices waits for memory at every step.
+    // Data are copied, as moving them along the chains of indices would wait for memory at every step.
     Values moved(static_cast<std::size_t>(std::count_if(renewed.begin(), renewed.end(), present)), none);
     for (std::size_t old = 0; old < std::min(values.size(), renewed.size()); ++old) {
         if (renewed[old] >= 0) {
@@ -114,7 +114,7 @@ class ClassifiedMesh {
     void bind(int half_edge, int segment, int use);
 
     int triangle_count() const { return static_cast<int>(face_.size()); }
-    /// Without the indices that `replace` left unused.
+    /// Number of triangles without the indices that `replace` left unused.
     int used_triangle_count() const { return triangle_count() - gone_; }
     int half_edge_count() const { return static_cast<int>(corner_.size()); }
     int vertex_count() const { return static_cast<int>(points_.size()); }
@@ -246,7 +246,7 @@ class ClassifiedMesh {
     LargeVector<int> face_;
     LargeVector<std::uint32_t> stamp_;  // also for indices that were dropped from the end
     int numbers_ = 0;
-    std::int64_t dropped_ = 0;  // numbers that renumber_edges has dropped
+    std::int64_t dropped_ = 0;  // count of the numbers that renumber_edges has dropped
     int gone_ = 0;              // number of unused indices
 };
 

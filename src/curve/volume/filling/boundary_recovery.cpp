@@ -14,11 +14,11 @@ namespace {
 
 /// Flips along one edge or triangle at most.
 constexpr int kMostSteps = 60;
-/// Removals of other edges that one removal may ask for.
+/// Most removals of other edges for the removal of one edge.
 constexpr int kMostCalls = 60;
-/// Depths to which edges are removed in order that others can be, one after the other.
+/// Largest nesting of such removals, in successive attempts.
 constexpr std::array<int, 3> kDepths{0, 1, 2};
-/// Points on the surface at most, and one more for each hundred vertices.
+/// Most points on the surface; one more is allowed for each hundred vertices.
 constexpr std::size_t kMostDivisions = 100;
 
 }  // namespace
@@ -309,7 +309,7 @@ void BoundaryRecovery::divide_triangle(const SurfaceConstraints::Triangle& t) {
     throw MeshingFailed("a triangle of the surface holds one of its vertices");
 }
 
-/// Inserts a point into the cells that it should divide, or else into the one that holds it.
+/// Inserts a point into the cells that it should divide or, if that fails, into the cell that contains it.
 int BoundaryRecovery::insert(const Vec3& p, const std::vector<int>& cells) {
     StarCavity cavity(mesh_, surface_);
     if (!cavity.open(p, cells, -1, {})) {

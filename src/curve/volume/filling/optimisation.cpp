@@ -61,7 +61,8 @@ void Optimisation::note(const std::vector<int>& changed) {
 template <typename Wanted, typename Plan, typename Apply>
 bool Optimisation::sweep(std::size_t begin, std::size_t end, const Progress& progress, const Wanted& wanted,
                          const Plan& plan, const Apply& apply) {
-    // Plans of a thread in a block, so that its start pays. Blocks grow until one in kAgain is made again.
+    // Least number of plans of a thread in a block, so that starting it pays. Blocks grow until one plan in kAgain has
+    // to be made again.
     constexpr std::size_t kLeast = 4;
     constexpr std::size_t kMost = 256;
     constexpr std::size_t kAgain = 8;
@@ -124,7 +125,7 @@ bool Optimisation::flip_cells(const Progress& progress) {
         }
     };
     bool any = false;
-    // Flips add cells, which come last.
+    // Flips append cells to the list.
     for (std::size_t from = 0; from < mesh_.cells.size();) {
         const std::size_t end = mesh_.cells.size();
         any = sweep(from, end, progress, wanted, plan, apply) || any;

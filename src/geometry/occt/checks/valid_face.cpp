@@ -51,7 +51,7 @@ class CheckedWire {
     /// The place where two edges meet.
     struct Joint {
         std::size_t piece;  ///< the first piece after it
-        double room;        ///< how far from it in (u, v) both edges stay within the vertex's tolerance
+        double room;        ///< distance from it in (u, v) up to which both edges stay within the vertex's tolerance
         double gap;         ///< between both curves in (u, v)
     };
 
@@ -59,7 +59,7 @@ class CheckedWire {
     struct Side {
         Vec2 from;
         Vec2 to;
-        double beside;  ///< how far from it the boundary runs at most
+        double beside;  ///< largest distance of the boundary from it
     };
 
     bool read();
@@ -82,7 +82,7 @@ class CheckedWire {
     std::vector<BoundaryPiece> pieces_;
     std::vector<Side> sides_;
     std::vector<Joint> joints_;
-    double margin_ = 0.0;  ///< distance in (u, v) that counts as apart
+    double margin_ = 0.0;  ///< distance in (u, v) from which places count as apart
 };
 
 bool CheckedWire::read() {
@@ -149,7 +149,7 @@ bool CheckedWire::put_in_order() {
 
 /// Whether OpenCASCADE, which follows a wire by vertices and by places in (u, v), can only follow it in this order.
 bool CheckedWire::goes_one_way() const {
-    // Distance of ends in (u, v) that are one place, as a fraction of what OpenCASCADE allows.
+    // Ends in (u, v) closer than this fraction of OpenCASCADE's limit count as one place.
     constexpr double kSmall = 0.5;
     double largest = 0.0;
     for (const CheckedUse& use : uses_) {

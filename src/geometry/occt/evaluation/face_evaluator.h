@@ -55,7 +55,7 @@ class FaceEvaluator {
     };
     struct Step {
         Vec2 move = Vec2::Zero();
-        bool minimum = false;  ///< the distance is convex here: a vanishing step is at a minimum
+        bool minimum = false;  ///< the distance is convex here, so that a vanishing step means a minimum
         Vec2 squares;          ///< squared lengths of Su and Sv
     };
 

@@ -106,7 +106,7 @@ class FaceOrientation {
         set.faces.push_back(other.face);
     }
 
-    /// 0 or 1: the faces with this in `turned_` are to be turned.
+    /// 0 or 1: the faces with this value in `turned_` have to be reversed.
     int side_to_turn(const Set& set, const std::vector<Set>& sets) {
         if (!set.closed) {
             const auto ones = std::count_if(set.faces.begin(), set.faces.end(),
@@ -133,7 +133,7 @@ class FaceOrientation {
         }
     }
 
-    /// Volume of a closed set if its faces with 1 in `turned_` turn, mm^3; negative: it is inside out.
+    /// mm^3: volume of a closed set after its faces with 1 in `turned_` are reversed; negative: it is inside out.
     double volume(const Set& set) const {
         double sum = 0.0;
         for (const int f : set.faces) {

@@ -157,7 +157,7 @@ class LooseFaces : EdgeJoining {
     /// @return whether there are any
     bool divide_at_ends() {
         std::vector<int> free;
-        // By x: an edge, and 0 for its first end, 1 for its last.
+        // By x coordinate: an edge, and which end: 0 the first, 1 the last.
         std::multimap<double, std::pair<int, std::size_t>> ends;
         for (int e = 0; e < static_cast<int>(topology_.edges.size()); ++e) {
             if (is_free(e)) {

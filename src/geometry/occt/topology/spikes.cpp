@@ -117,7 +117,7 @@ class Spikes : EdgeJoining {
                              direction_at(sides.shorter, sides.ascending, kStep));
     }
 
-    /// From an end of a use into its edge: from its start, or back from its end.
+    /// Direction from an end of a use into its edge: from its start forward, or from its end backward.
     Vec3 direction_at(int use, bool from_start, double step) const {
         const EdgeEvaluator& along = curve(edge_of(use));
         const double end = use_of(use).forward == from_start ? 0.0 : 1.0;
@@ -172,7 +172,7 @@ class Spikes : EdgeJoining {
         drop(loop, use_on(piece, face));
         drop(loop, spike.sides.shorter);
         if (join(piece, b, spike.within) && moved) {
-            topology_.joined.pop_back();  // the shape has the narrow corner: it only moves
+            topology_.joined.pop_back();  // the shape has this narrow corner already: it only moves
         }
         return true;
     }

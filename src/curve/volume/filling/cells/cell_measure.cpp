@@ -77,7 +77,7 @@ double CellMeasure::value(const std::array<int, 4>& v, const Corners& p) const {
 }
 
 double CellMeasure::corner_sine(const std::array<int, 4>& v, const Corners& p, int corner) const {
-    // Seen from the corner its face is turned the other way round.
+    // Seen from the corner, its opposite face has the reverse orientation.
     const std::array<int, 3> others{kFaceOf[corner][0], kFaceOf[corner][2], kFaceOf[corner][1]};
     std::array<Vec3, 3> edges;
     bool any = false;

@@ -25,7 +25,7 @@ struct FlipRule {
     int chord_b = -1;
 };
 
-/// Flips that find their scratch memory again.
+/// Flips whose scratch memory is used again.
 class Flipper {
   public:
     explicit Flipper(Tetrahedralisation& mesh) : mesh_(mesh) {}
