@@ -241,8 +241,8 @@ class Session final : public Oracle {
     Engine& engine_;
     std::shared_ptr<Model> model_;
     const Progress* progress_;
-    CountingAnswerer* answerers_ =
-        nullptr;  // Those of `in_place` and `run_apart`, one a thread; null: the engine answers.
+    // By thread, in sessions of `in_place` and `run_apart`; null: the engine answers.
+    CountingAnswerer* answerers_ = nullptr;
     int count_ = 0;
     EngineGate* gate_ = nullptr;
     bool apart_ = false;  // whether others ask meanwhile

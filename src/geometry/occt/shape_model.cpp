@@ -114,7 +114,7 @@ class ShapeModel final : public Model {
     std::vector<std::unique_ptr<ShapeAnswerer>> further_;
 };
 
-/// The item of a list at an index, which the list is made to reach.
+/// The item at an index of a list, which is extended up to the index if it is shorter.
 template <typename Item>
 Item& reached(std::vector<Item>& list, int index) {
     const auto i = static_cast<std::size_t>(index);

@@ -9,9 +9,9 @@ namespace mq::mesh {
 
 /// Coordinates in which the boxes of a mesh's long, thin triangles are thin.
 ///
-/// Tessellated CAD models have needles in two or three directions at right angles. Where the model was turned, the
-/// boxes of n of them along the axes meet about n^2 times, though they do not; along their own directions they meet
-/// about n times. A mesh with few needles keeps its coordinates.
+/// Tessellated CAD models have needles in two or three directions at right angles. If the model was turned, the
+/// axis-parallel boxes of n needles meet in about n^2 pairs, although the needles do not; boxes along the needles' own
+/// directions meet in about n pairs. A mesh with few needles keeps its coordinates.
 class NeedleFrame {
   public:
     /// The vertices are referred to: they must outlive the frame. 10 us, and 10 ns a vertex where the frame is turned.

@@ -205,7 +205,7 @@ std::vector<ContactPair> SelfIntersectionSearch::pairs(std::size_t limit) {
     for (std::size_t first = 0; first < tasks.size() && all.size() < limit;) {
         std::vector<std::vector<ContactPair>> found(std::min(turn, tasks.size() - first));
         parallel_for(static_cast<int>(found.size()), [&](int k) {
-            check_cancelled(progress_);  // a collector looks only after many pairs
+            check_cancelled(progress_);  // a collector checks for a cancellation only after many pairs
             Collector collector(vertices_, triangles_, patch_, embedded, limit, progress_);
             tree_->for_each_own_pair(tasks[first + static_cast<std::size_t>(k)], collector);
             found[static_cast<std::size_t>(k)] = collector.take();
