@@ -50,7 +50,7 @@ struct Piece {
     }
     Vec3 centre() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
     Vec3 normal() const { return (corners[1] - corners[0]).cross(corners[2] - corners[0]); }
-    /// Both halves of it, cut across the longest side.
+    /// The two halves of the piece, divided at the middle of its longest side.
     std::array<Piece, 2> halves() const {
         std::size_t side = 0;
         for (std::size_t k = 1; k < 3; ++k) {

@@ -135,7 +135,8 @@ class KeptThreads::Impl {
     void after_fork_in_child() {
         waiting_.clear();
         for (std::unique_ptr<KeptThread>& thread : all_) {
-            static_cast<void>(thread.release());  // The parent has the thread: nobody can end it here.
+            static_cast<void>(
+                thread.release());  // The thread exists in the parent process only: the child cannot end it.
         }
         all_.clear();
         mutex_.unlock();
