@@ -47,8 +47,7 @@ class QualityScene {
     /// Processor seconds of the last drawing of triangles and edges; 0: they were not drawn. Long without a graphics
     /// card.
     double drawing_seconds() const { return seconds_; }
-    /// Lines as runs of point indices, each ended by -1; points as three coordinates each. Without lines nothing is
-    /// drawn.
+    /// Lines as runs of point indices, each ended by -1; points as three coordinates each. No lines: none are drawn.
     void draw_edges(const float* points, std::size_t count, const std::vector<std::int32_t>& lines);
     /// Highlights these triangles and no others: they are drawn over the others with thick outlines, so that the
     /// smallest one is visible from afar.

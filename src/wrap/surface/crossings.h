@@ -7,9 +7,8 @@
 
 namespace mq::wrap {
 
-/// All tetrahedra that the wrap crosses, with the crossings of their edges. On an edge that meets the input the
-/// crossing is the first common point, seen from outside; at a sheet it is half a side before that; on an edge that
-/// closes a gap it is on the ball that covers the outer end.
+/// All tetrahedra that the wrap crosses, and where. An edge that meets the input is crossed where it does first, seen
+/// from outside; at a sheet half a side before it; and where a gap is closed on the ball that covers its outer end.
 /// @throws Cancelled
 contour::CrossedCells find_crossings(const NodeStates& states, Progress& progress);
 
