@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""docs/papers.md has what its commands give: counts, angles and qualities, never times.
+"""docs/papers has what its commands give: counts, angles and qualities, never times.
 
 Each command that takes at most some ten seconds runs whole, and two that take longer run for their cheapest rows. Not held are the
 commands that need programs built with MESHQUALITY_BENCHMARKS (aftosmis-predicates, aftosmis-engine, dey-operations) and those that
@@ -12,6 +12,7 @@ import re
 import subprocess
 import tempfile
 import unittest
+from pathlib import Path
 
 import helpers
 
@@ -32,8 +33,8 @@ def numbers(cell):
 
 def tables(name):
     """The tables of a command's sections, as lists of rows of cells without their heads."""
-    with open(os.path.join(helpers.ROOT, "docs", "papers.md"), encoding="utf-8") as stream:
-        sections = re.split(r"\n##", stream.read())
+    sections = [section for page in Path(helpers.ROOT, "docs", "papers").glob("*.md")
+                for section in re.split(r"\n##", page.read_text(encoding="utf-8"))]
     own = "\n".join(section for section in sections if f"benchmarks/papers {name}\n" in section)
     blocks = re.findall(r"(?:^\|.*\n)+", own, re.M)
     return [[[cell.strip() for cell in line.strip().strip("|").split("|")] for line in block.splitlines()[2:]] for block in blocks]
