@@ -2,8 +2,8 @@
 """docs/papers has what its commands give: counts, angles and qualities, never times.
 
 Each command that takes at most some ten seconds runs whole, and two that take longer run for their cheapest rows. Not held are the
-commands that need programs built with MESHQUALITY_BENCHMARKS (aftosmis-predicates, aftosmis-engine, dey-operations) and those that
-need scans (wang-*).
+commands that need programs built with MESHQUALITY_BENCHMARKS (aftosmis-predicates, aftosmis-engine, dey-operations) and the
+examples of wang-* that need scans or take long.
 """
 
 import json
@@ -181,3 +181,16 @@ class Dey(Page):
         self.hold(solids, [[None, row["elements"], row["low"], row["mean_low"], row["third_sampled"], row["fourth"], row["mean_fourth"]]
                            for row in found["solids"].values()])
         self.hold(random, [[float(offset), row["folded"], *row["missed"].values()] for offset, row in found["random"].items()])
+
+
+class Wang(Page):
+    def test_table1_of_the_rings(self):
+        name = "ring U ring"
+        found = self.run_command("wang-table1", "--rows", name)[name]
+        runs, exact = list(found["runs"].values()), found["exact"]
+        of_all = lambda key: [run[key] for run in runs]  # noqa: E731
+        kept = [100 * run["retained"] / run["triangles"] for run in runs]
+        sizes = tables("wang-table1")[1]
+        self.hold([row for row in sizes if row[0] == name], [
+            [None, None, None, None, runs[-1]["triangles"], exact["triangles"], kept, of_all("crossings"),
+             [*of_all("components"), exact["components"]], [*of_all("euler"), exact["euler"]], of_all("degenerate"), sum(of_all("open"))]])
