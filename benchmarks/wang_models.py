@@ -91,7 +91,7 @@ def exact(a, b, operation):
 def _path(folder, name):
     path = data_folder() / folder / name
     if not path.exists():
-        raise FileNotFoundError(f"{path} is not there: name the folder of the models in MESHQUALITY_DATA (docs/papers.md says where "
+        raise FileNotFoundError(f"{path} is not there: name the folder of the models in MESHQUALITY_DATA (docs/papers/wang.md says where "
                                 "they come from)")
     return path
 

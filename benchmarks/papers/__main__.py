@@ -3,7 +3,7 @@
 
     /usr/bin/python3 benchmarks/papers [NAME [options]]
 
-Each is a module of this folder, with its options under --help. docs/papers.md has what came out.
+Each is a module of this folder, with its options under --help. docs/papers has what came out.
 """
 
 import ast

@@ -11,6 +11,7 @@ writes files, as benchmarks/boolean_peers.py asks for: it is not in the reposito
 """
 
 import argparse
+import json
 import tempfile
 from pathlib import Path
 
@@ -26,9 +27,13 @@ def main():
     parser.add_argument("--rows", nargs="+", default=[], help="only examples whose names contain one of these words")
     parser.add_argument("--rays", type=int, nargs="+", default=[129, 257, 513, 1025])
     parser.add_argument("--peer", action="append", metavar="PROGRAM", default=[])
+    parser.add_argument("--out", metavar="FILE", help="figures of all rows as JSON")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         rows = [measure(example, arguments, folder) for example in wang_models.named(arguments.rows)]
+    if arguments.out:
+        figures = {row["example"].name: {name: row[name] for name in ("counts", "runs", "exact")} for row in rows}
+        Path(arguments.out).write_text(json.dumps(figures), encoding="utf-8")
     peers = [boolean_peers.Peer(path, ".").name for path in arguments.peer]
     times(rows, arguments.rays, peers)
     sizes(rows, arguments.rays)

@@ -26,7 +26,7 @@ inline double squared_sine_of_smallest_angle(const Vec3& area, double a, double 
     return product > 0.0 ? area.squaredNorm() * std::min({a, b, c}) / product : 0.0;
 }
 
-/// The same of the triangle with corners `a`, `b`, `c`.
+/// The squared sine of the smallest angle of the triangle with corners `a`, `b`, `c`.
 inline double squared_sine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 u = b - a;
     const Vec3 v = c - b;

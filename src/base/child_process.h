@@ -23,10 +23,10 @@ class ChildProcess {
     /// Sends the input and returns the whole output; checks for cancellation every few milliseconds.
     /// @throws Cancelled.
     std::string exchange(const std::string& input, const Progress& progress);
-    /// How the program ended, after `exchange`.
+    /// The way in which the program ended; valid after `exchange`.
     struct End {
         std::string fault;      ///< "" when it ended well
-        bool too_long = false;  ///< it exceeded its time limit
+        bool too_long = false;  ///< the program exceeded its time limit
     };
     End end();
 

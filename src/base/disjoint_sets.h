@@ -31,7 +31,7 @@ class DisjointSets {
         up(std::max(a, b)) = std::min(a, b);
     }
 
-    /// Makes i a set of its own again. The members of its former set must all be reset.
+    /// Makes i a set of its own again. All members of its former set must be reset as well.
     void reset(Index i) { up(i) = i; }
 
     /// Numbers the sets 0, 1, ... in the order of their lowest members.

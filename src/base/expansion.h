@@ -37,7 +37,7 @@ class Expansion {
     int sign() const;
 
     Expansion scaled(double factor) const;
-    /// The same value with few terms: the last alone is within one unit in its last place.
+    /// The same value with few terms: the last term alone differs from the value by at most one unit in its last place.
     Expansion compressed() const;
 
     Expansion operator-() const;
@@ -45,7 +45,8 @@ class Expansion {
     friend Expansion operator-(const Expansion& a, const Expansion& b) { return a + (-b); }
     /// Compressed, so that polynomials of high degree stay small.
     friend Expansion operator*(const Expansion& a, const Expansion& b);
-    /// The same terms. A value may have two forms: true implies equal values, false does not imply different ones.
+    /// Whether both have the same terms. A value may have two forms: true implies equal values, false does not imply
+    /// different ones.
     friend bool same_terms(const Expansion& a, const Expansion& b);
 
   private:

@@ -116,7 +116,7 @@ void for_chunks(int count, const Work& work) {
     });
 }
 
-/// The same for calls that take less than a microsecond: on as many threads as have `worth` calls each.
+/// parallel_for for calls that take less than a microsecond: on so few threads that each has at least `worth` calls.
 /// @throws as parallel_for
 template <typename Work>
 void for_chunks(int count, int worth, const Work& work) {

@@ -84,7 +84,7 @@ constexpr int kDotOperations = 5;
 /// as rounding is monotone. With the quotient that makes 12, relative to sin^2 <= 3/4 for the smallest angle: 9 units
 /// more. Together below 23.5 units; 24 covers the terms in u^2.
 constexpr double kSineError = 24.0 * kUnit;
-/// The error of the difference of two such values, and one unit for the rounding of the difference.
+/// Bound of the error of the difference of two such values, and one unit for the rounding of the difference.
 constexpr double kSineBound = 2.0 * kSineError + kUnit;
 
 enum Side { kPQ, kPR, kPS, kQR, kQS, kRS, kSideCount };
@@ -103,7 +103,7 @@ double smallest_sine(const Vec3& a, const Vec3& b, double a2, double b2, double 
     return longest > 0.0 ? (x * x + y * y + z * z) / longest : 0.0;
 }
 
-/// 4 sin^2 of the smallest angle as a fraction.
+/// The value 4 sin^2 of the smallest angle, as a fraction.
 struct ExactSine {
     Expansion numerator;
     Expansion denominator;
@@ -203,7 +203,7 @@ bool locally_maxmin(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) 
     const Corner qps{{kPQ, kPS, kQS}, smallest_sine(pq, ps, pq2, ps2, qs2)};
     const Corner rsq{{kRS, kQR, kQS}, smallest_sine(rs, qr, rs2, qr2, qs2)};
     const double now = std::min(pqr.sine, qps.sine);
-    if (now - rsq.sine >= kSineBound) {  // most edges: the other new triangle can only make the swap worse
+    if (now - rsq.sine >= kSineBound) {  // most edges: the second new triangle could only make the swap worse
         return settled(true);
     }
     const Corner srp{{kRS, kPR, kPS}, smallest_sine(rs, pr, rs2, pr2, ps2)};
@@ -390,7 +390,7 @@ int in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 
 namespace {
 
-/// The minors of the rows of x and y, and what in_sphere adds up of them.
+/// The minors of the rows of x and y, from which in_sphere computes its determinant.
 struct SphereMinors {
     double ab, bc, cd, da, ac, bd;
 };

@@ -42,7 +42,7 @@ bool locally_maxmin(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s);
 /// Sign of the area of (a, b, c) in the plane: positive when counter-clockwise. Exact.
 int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 
-/// The same in the plane of the axes (axis + 1, axis + 2), modulo 3: space seen against the axis. Exact.
+/// The orientation in the plane of the axes (axis + 1, axis + 2), modulo 3: space seen against the axis. Exact.
 int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, int axis);
 
 /// a, b and c lie on one line, or some of them coincide: the triangle has no area. Exact.

@@ -15,7 +15,7 @@ namespace mq {
 class Progress {
   public:
     Progress() = default;
-    /// A piece of the work of another operation, which ends with it; its stages do not show there.
+    /// The progress of a piece of another operation: it is cancelled with that operation, and its stages are not shown.
     explicit Progress(const Progress* whole) : whole_(whole) {}
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

@@ -40,17 +40,18 @@ inline void add_time(StageTimes& times, const std::string& stage, double seconds
     }
 }
 
-/// Records how long consecutive stages take. The first begins with the clock.
+/// Records how long consecutive stages take. The first stage begins when the clock is made.
 class StageClock {
   public:
     explicit StageClock(StageTimes& times) : times_(times) {}
 
-    /// Ends the running stage and names it. A stage that runs again adds to its time.
+    /// Ends the running stage and gives it its name. A stage that runs again adds to its time.
     void end(const std::string& stage) {
         add_time(times_, stage, since_last());
         ScheduleTrace::name_work(stage);
     }
-    /// Ends the running stage, in which stages ran side by side that took these times. Each gets its share.
+    /// Ends the running stage, in which several stages ran in parallel for these times. Each of them gets its share of
+    /// the time.
     void end_together(const StageTimes& stages) {
         const double seconds = since_last();
         ScheduleTrace::name_work("stages of bodies");

@@ -29,7 +29,7 @@ class Waits {
     static std::vector<std::pair<std::string, Message>> all_lasting(std::chrono::steady_clock::duration least);
     /// The title of an operation; empty for one without a watcher, and for none.
     static std::string title_of(const Progress* progress);
-    /// Worker: waits for `what` from now on, or continues to; empty: it works. No effect without a watcher.
+    /// Worker: from now on the operation waits for `what`; empty: it works. No effect without a watcher.
     static void set(const Progress* progress, Message what);
 
   private:

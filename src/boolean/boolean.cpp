@@ -65,8 +65,8 @@ class BooleanPipeline {
         oriented_ = options.oriented;
     }
 
-    /// Runs all stages; nothing for a symmetric difference with common faces that do not coincide, which takes several
-    /// runs.
+    /// Runs all stages. Returns nothing for a symmetric difference with common faces that do not coincide, which takes
+    /// several runs.
     std::optional<BooleanResult> run() {
         prepare();
         make_soup();
@@ -185,11 +185,11 @@ class BooleanPipeline {
         const FacingSearch search(soup_, crossings->tree(), 2.0 * tolerance_, progress_);
         const std::vector<ContactFace> faces = contact_faces(soup_, search, twins_, tolerance_, clearance(), progress_);
         if (std::any_of(faces.begin(), faces.end(), differs)) {
-            // In a symmetric difference faces that go to either side would be wrong.
+            // In a symmetric difference moving faces to either side would be wrong.
             if (symmetric_) {
                 return false;
             }
-            make_soup();  // operands that share no vertices
+            make_soup();  // now operands share no vertices
             const std::vector<Vec3> before = soup_.vertices;
             const NearCoincidence done =
                 overlap_contacts(soup_, search, expression_, faces, {tolerance_, clearance()}, progress_);
@@ -290,8 +290,8 @@ class BooleanPipeline {
         return measure_error(enclosed, expression_, result_.mesh, {}, limits, progress_, &moved).largest();
     }
 
-    /// The triangles of the soup of which pieces are at edges or vertices where the surface is no manifold: what is
-    /// given out is what was verified. Contacts have been searched while it was rounded.
+    /// The triangles of the soup with pieces at edges or vertices at which the surface is no manifold: the returned
+    /// result is the one that was verified. Contacts were searched while it was rounded.
     std::set<std::int32_t> nonmanifold(const ResultMesh& draft) {
         const std::vector<std::int32_t> no_contacts;
         constexpr std::size_t kAllFaults = std::numeric_limits<std::size_t>::max();
@@ -318,11 +318,11 @@ class BooleanPipeline {
     double tolerance_ = 0.0;
     double moved_ = 0.0;
     std::vector<char> in_contact_;             ///< for each triangle of the soup, where common faces were moved
-    std::vector<std::int32_t> result_source_;  ///< for each triangle of the result that of the soup
+    std::vector<std::int32_t> result_source_;  ///< for each triangle of the result the triangle of the soup
     double joined_ = 0.0;                      ///< how far operands were moved where cracks were closed, mm
     std::vector<Operand> prepared_;
     Soup soup_;
-    std::vector<Box> boxes_;  ///< that contain the operands
+    std::vector<Box> boxes_;  ///< boxes that contain the operands
     std::vector<CoincidentTriangle> twins_;
     std::vector<std::array<std::int32_t, 2>> crossing_;
     StageWatch stages_{progress_, result_.seconds};
@@ -379,7 +379,7 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
     sum.retained = static_cast<std::size_t>(std::count_if(sum.triangle_source.begin(), sum.triangle_source.end(),
                                                           [](const auto& source) { return source[0] >= 0; }));
     sum.reconstructed = sum.mesh.triangles.size() - sum.retained;
-    sum.operand_topology.clear();  // they are of parts
+    sum.operand_topology.clear();  // the counts are those of partial results
     return sum;
 }
 

@@ -30,8 +30,8 @@ struct BooleanOptions {
     /// Whether the method "uniform" reconstructs the whole surface from its samples (Wang 2010, Table III); other
     /// methods have no samples.
     bool full = false;
-    /// Whether the operands are turned as they are meant, and closed but for faults of repair: components that wind
-    /// around nothing stay so. Otherwise those that bound a volume inside out are turned.
+    /// Whether the operands have the intended orientation and are closed up to faults of repair: components around
+    /// which nothing winds stay so. If false, components that bound a volume inside out are reversed.
     bool oriented = false;
 
     /// The tolerance in mm: as it was requested, else that of the resolution for `length`, or for operands whose box
@@ -50,15 +50,15 @@ struct BooleanResult {
     /// Operand and triangle index there of which each triangle is a piece, also where it was moved; {-1, -1} for
     /// triangles that fill holes of operands.
     std::vector<std::array<std::int32_t, 2>> triangle_origin;
-    /// mm. The surface of the result and that of the exact Boolean are nowhere farther from each other, in both
-    /// directions, but for slivers and gaps thinner than 1.75 closed_gaps, or than half the spacing of single-precision
-    /// numbers, which may be gone. Rounding and the closing of cracks are counted by how far they move points; what the
-    /// moves of common faces come to is measured (measure_error), as most of what moves is not in the result.
+    /// mm. Bound for the distance between the surface of the result and that of the exact Boolean, in both directions.
+    /// Excepted are slivers and gaps thinner than 1.75 closed_gaps, or than half the spacing of single-precision
+    /// numbers, which may have vanished. Rounding and the closing of cracks count by how far they move points. The
+    /// effect of moved common faces is measured (measure_error), as most of the moved surface is not in the result.
     double error_bound = 0.0;
     /// mm, the widest gap or sliver between common faces of operands that was closed; 0: none was.
     double closed_gaps = 0.0;
-    std::size_t retained = 0;       ///< triangles that are an operand's own
-    std::size_t reconstructed = 0;  ///< all others
+    std::size_t retained = 0;       ///< triangles that an operand has unchanged
+    std::size_t reconstructed = 0;  ///< all other triangles
     std::size_t crossing_pairs = 0;
     std::size_t curve_edges = 0;         ///< on the intersection curves
     std::size_t separated_contacts = 0;  ///< points in which regions of the result touched
@@ -66,7 +66,7 @@ struct BooleanResult {
     /// Triangles of the operands at which the result touches or crosses itself or is not manifold: 0, or an error is
     /// raised.
     std::size_t faults_left = 0;
-    /// That of each operand; with 0 components where it had to be repaired.
+    /// Components and Euler number of each operand; with 0 components if it had to be repaired.
     std::vector<mesh::SurfaceTopology> operand_topology;
     std::vector<std::string> repaired;  ///< a sentence for each operand, empty when there was nothing to do
     std::vector<std::string> notes;
@@ -88,7 +88,7 @@ struct BooleanResult {
 BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, Operation operation,
                       const BooleanOptions& options, Progress* progress = nullptr);
 
-/// The same for any expression of the operands, by one arrangement: nothing is rounded between its operations.
+/// The same for any expression of the operands, in one arrangement: nothing is rounded between its operations.
 BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, const Expression& expression,
                       const BooleanOptions& options, Progress* progress = nullptr);
 

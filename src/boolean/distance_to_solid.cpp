@@ -17,7 +17,7 @@ using Corners = std::array<Vec3, 3>;
 double DistanceToSolid::bound(double enough) {
     const mesh::ClosestPoint near = solid_.tree().nearest(p_);
     if (near.triangle < 0) {
-        return 0.0;  // no operand has a triangle: nothing is to be compared
+        return 0.0;  // no operand has a triangle, so that there is nothing to compare
     }
     const double least = 8.0 * solid_.beside();  // the points looked at are not farther away
     if (near.distance <= 2.0 * solid_.beside() && lies_on()) {

@@ -20,48 +20,51 @@ class DistanceToSolid {
     double bound(double enough);
 
   private:
-    /// Factor by which the ball grows in which triangles are sought.
+    /// Factor by which the ball grows in which triangles are searched.
     static constexpr double kWider = 2.0;
-    /// By how much steps are longer than the way to a surface, and again where that is not enough, as on curved ones.
+    /// Factors by which steps are longer than the way to a surface; the next one is used if a step is too short, as on
+    /// curved surfaces.
     static constexpr std::array<double, 4> kBeyond{1.0, 1.01, 1.1, 1.5};
-    /// Steps whose ends are nearer to each other than this, by their length, are taken as one.
+    /// Steps count as equal if the distance of their ends is less than this fraction of their length.
     static constexpr double kSame = 0.05;
-    /// Steps shorter than this, by the radius of the ball, are not taken in pairs: they were in smaller balls.
+    /// Steps shorter than this, as a fraction of the ball's radius, are not combined in pairs: they were tried in
+    /// smaller balls.
     static constexpr double kNear = 0.125;
-    /// Steps that are taken singly, looked around at their ends, taken in pairs, and in threes.
+    /// Most steps that are tried singly, with the surroundings of their ends, in pairs, and in threes.
     static constexpr std::size_t kMost = 256;
     static constexpr std::size_t kMostAround = 8;
     static constexpr std::size_t kMostInPairs = 16;
     static constexpr std::size_t kMostInThrees = 6;
 
-    /// Whether a triangle at p bounds the solid there, or a little nearer to one of its corners: at an edge, a vertex
-    /// or a curve of intersection the solid may be on one side of it on a part only.
+    /// Whether a triangle at p bounds the solid at p, or slightly nearer to one of its corners: at an edge, a vertex or
+    /// a curve of intersection the solid may be on one side of a fraction of the triangle only.
     bool lies_on() const;
 
     /// Whether the point a step away, and a little farther, is on another side than p.
     bool try_step(const Vec3& step);
 
-    /// The same a little beside the end of a step, to four sides: where the step leads along a face to an edge, the
+    /// Tries points slightly beside the end of a step, in four directions: if the step leads along a face to an edge,
     /// points beyond its end are on a border of the solid themselves.
     bool try_around(const Vec3& step);
 
-    /// Tries what triangles of which the nearest points are in a ball lead to; those nearer than `searched` singly no
-    /// more.
+    /// Tries the steps to the nearest points of the triangles in a ball; triangles nearer than `searched` were tried
+    /// singly before.
     void search(double searched, double reach);
 
     /// Whether a point on another side than p is found at this distance.
     bool is_any_beyond(double distance) const;
 
-    /// Tries points all around p: where no plane tells the way, as at edges and vertices.
+    /// Tries points in all directions around p, for places without a plane that gives the direction, as at edges and
+    /// vertices.
     void probe(double radius);
 
-    /// Takes a step to the other side, as far as the surface is on its way.
+    /// Accepts a step to the other side, up to the surface on its way.
     void shorten(const Vec3& step);
 
     /// The ways to the nearest points of triangles around p, the shortest first.
     std::vector<Vec3> steps_within(double reach) const;
 
-    /// The first of some steps, none shorter than `least`, whose ends are not near to each other.
+    /// The first of those steps, none shorter than `least`, whose ends are not near to each other.
     static std::vector<Vec3> steps_apart(const std::vector<Vec3>& steps, double least);
 
     /// The shortest step to the line, or point, in which the planes at the ends of steps meet, where it crosses all.

@@ -20,7 +20,7 @@ namespace {
 using mesh::Triangle;
 using Corners = std::array<Vec3, 3>;
 
-/// Samples on large triangles, all together, about.
+/// Approximate number of samples on all large triangles together.
 constexpr double kLargeSamples = 100'000.0;
 /// Triangles whose samples are measured between two looks at a cancellation.
 constexpr std::size_t kBlock = 64;
@@ -42,7 +42,7 @@ class Largest {
 /// A triangle of the result or of an operand, or a piece of one.
 struct Piece {
     Corners corners;
-    std::int32_t triangle = -1;  ///< on which it was before moves, in one list of all operands; -1: not known
+    std::int32_t triangle = -1;  ///< the triangle before moves, in one list of all operands; -1: not known
 
     double longest_side() const {
         return std::max(
@@ -50,7 +50,7 @@ struct Piece {
     }
     Vec3 centre() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
     Vec3 normal() const { return (corners[1] - corners[0]).cross(corners[2] - corners[0]); }
-    /// Both halves of it, cut across the longest side.
+    /// The two halves of the piece, divided at the middle of its longest side.
     std::array<Piece, 2> halves() const {
         std::size_t side = 0;
         for (std::size_t k = 1; k < 3; ++k) {
@@ -66,7 +66,8 @@ struct Piece {
     }
 };
 
-/// visit(piece) for the pieces of a triangle that is halved until no side is longer; not for those that are settled.
+/// Calls visit(piece) for the pieces of a triangle, which is halved until no side is longer than the length; settled
+/// pieces are skipped.
 template <typename IsSettled, typename Visit>
 void for_each_piece(const Piece& triangle, double longest, const IsSettled& is_settled, const Visit& visit) {
     std::vector<Piece> pieces{triangle};
@@ -114,8 +115,8 @@ void in_blocks(std::size_t count, const Progress& progress, const Work& work) {
     });
 }
 
-/// What is left of triangles when settled pieces are taken out, in pieces with sides up to a length; for each the
-/// triangle that it is of, in the order of these.
+/// The pieces of triangles without the settled ones, with sides up to a length; for each piece its triangle, in the
+/// order of the triangles.
 template <typename IsSettled>
 std::vector<std::pair<std::size_t, Piece>> unsettled_pieces(const std::vector<Piece>& triangles, double longest,
                                                             const Progress& progress, const IsSettled& is_settled) {
@@ -228,8 +229,8 @@ class Measurement {
     }
 
   private:
-    /// The longest side of the pieces of these triangles that are held in memory: a multiple of the finest spacing, or
-    /// what keeps their number to that of the samples.
+    /// The longest side of the pieces of these triangles that are stored: a multiple of the finest spacing, or larger
+    /// if the number of pieces would exceed that of the samples.
     double held(const std::vector<Piece>& triangles) const {
         constexpr double kLarge = 8.0;
         return std::max(kLarge * limits_.finest, spacing_on(triangles, limits_.finest));
@@ -254,13 +255,13 @@ class Measurement {
         return alone;
     }
 
-    /// How far the points of a piece of an operand, alone, are from the result.
+    /// The largest distance of the points of a piece of an operand from the result, if no other operand is near.
     double distance_where_alone(const Piece& piece) const {
         const Corners& moved = moved_->triangles[static_cast<std::size_t>(piece.triangle)];
         if (moved == solid_.corners(piece.triangle) || !solid_.is_bounded_at(piece.centre(), piece.normal())) {
             return 0.0;
         }
-        // Where a sheet was moved through another one of the same operand the moved triangle is not in the result.
+        // If a sheet was moved through another sheet of the same operand, the moved triangle is not in the result.
         const double at_centre = tree_.size() > 0 ? tree_.nearest(piece.centre()).distance : size();
         return std::max(at_centre, distance_to_triangle(piece.corners, moved));
     }

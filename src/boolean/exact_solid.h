@@ -18,10 +18,10 @@ namespace mq::boolean {
 struct EnclosedOperand {
     const std::vector<Vec3>* vertices = nullptr;
     const std::vector<mesh::Triangle>* triangles = nullptr;
-    /// Null: the triangles close, and inside is what they wind around at least once. Else inside is where this is at
-    /// least 0.5.
+    /// Null: the triangles are closed, and points with a winding number of at least 1 are inside. Else points at which
+    /// this is at least 0.5 are inside.
     const mesh::WindingNumber* winding = nullptr;
-    std::vector<char> retained;  ///< for each triangle whether the result has it bit for bit; empty: for none
+    std::vector<char> retained;  ///< for each triangle whether the result has it bit for bit; empty: it has none
 };
 
 /// Calls visit for the 26 steps to neighbours in a grid, of one length, until it returns false.
@@ -46,7 +46,7 @@ class ExactSolid {
     }
 
     const mesh::NearestTree& tree() const { return tree_; }
-    /// Half the distance between the two points by which a side of a surface is told from the other, mm.
+    /// mm: half the distance between the two points by which the sides of a surface are told apart.
     double beside() const { return beside_; }
     std::array<Vec3, 3> corners(std::int32_t triangle) const {
         const mesh::Triangle& t = triangles_[static_cast<std::size_t>(triangle)];
@@ -63,16 +63,16 @@ class ExactSolid {
 
     /// Whether the solid is on one side only of a point of a triangle.
     bool is_bounded_at(const Vec3& p, const Vec3& normal) const { return is_bounded_at(p, normal, beside_); }
-    /// The same of points at this distance on both sides.
+    /// The same for points at this distance on both sides of the surface.
     bool is_bounded_at(const Vec3& p, const Vec3& normal, double beside) const;
 
-    /// Whether there is a ball of this diameter near a point of the surface in the solid, and one outside of it: in a
-    /// film or a gap that is thinner, or at its rim, there is none. Near are centers up to a diameter away, so that
-    /// edges of 60 degrees are not taken for films. Balls are tested by 26 points.
+    /// Whether there are balls of this diameter near a point of the surface, one inside of the solid and one outside:
+    /// at a film or a gap that is thinner, or at its rim, one of them does not exist. Centres up to a diameter away
+    /// count as near, so that edges of 60 degrees do not count as films. A ball is tested by 26 points.
     bool is_thick_at(const Vec3& p, double diameter) const;
 
-    /// The steps by which the winding numbers of open operands would come to 0.5, where they have a gradient, and those
-    /// to the sides of the boxes in which these operands lie.
+    /// Adds the steps by which the winding numbers of open operands would reach 0.5, if these have a gradient, and the
+    /// steps to the sides of the operands' boxes.
     void add_steps_to_guess(const Vec3& p, std::vector<Vec3>& steps) const;
 
   private:

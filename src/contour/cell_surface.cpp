@@ -15,7 +15,7 @@ namespace {
 using Corners = std::array<Vec3, 4>;
 using Face = std::array<Vec3, 3>;
 
-/// Whether the surface is bent between two crossings more than a fan can follow.
+/// Whether the surface bends between two crossings more than a fan can follow.
 bool is_bent(const Crossing& a, const Crossing& b) {
     return a.source >= 0 && b.source >= 0 && a.normal.dot(b.normal) < ContourTuning::kSharpCosine;
 }
@@ -34,7 +34,7 @@ std::array<double, 4> barycentric(const Vec3& p, const Corners& c) {
             volume(c[0], c[1], p, c[3]) / whole, volume(c[0], c[1], c[2], p) / whole};
 }
 
-/// The point itself where it is inside of the cell; else the last one on the way to it from `middle`, which is.
+/// The point itself if it is inside of the cell; else the last point inside on the segment from `middle` to it.
 Vec3 kept_inside(const Vec3& point, const Vec3& middle, const Corners& corners) {
     const std::array<double, 4> there = barycentric(point, corners);
     const std::array<double, 4> here = barycentric(middle, corners);
@@ -48,7 +48,8 @@ Vec3 kept_inside(const Vec3& point, const Vec3& middle, const Corners& corners) 
     return middle + share * (point - middle);
 }
 
-/// Moves a point to where a level set is 0, as long as that comes nearer. step(point, level) gives the next one.
+/// Moves a point towards the zero set of a level set as long as its value gets smaller. step(point, level) gives the
+/// next point.
 template <typename Step>
 Vec3 projected(Vec3 point, const LevelSet& level_set, std::int32_t guess, const Step& step) {
     constexpr int kSteps = 3;
@@ -103,9 +104,9 @@ class CellBuilder {
 
   private:
     int count() const { return cell_.polygon.count; }
-    /// Whether there is an edge between two crossings: normals turn more than on a ball of the least radius.
+    /// Whether an edge lies between two crossings: their normals differ more than on a ball of the least radius.
     bool is_sharp(const Crossing& a, const Crossing& b) const {
-        constexpr double kMore = 1.05;  // for rounding errors, and chords instead of arcs
+        constexpr double kMore = 1.05;  // margin for rounding errors, and for chords instead of arcs
         return is_bent(a, b) && (level_set_ == nullptr || level_set_->least_radius() * (a.normal - b.normal).norm() >
                                                               kMore * (a.point - b.point).norm());
     }
@@ -127,7 +128,7 @@ class CellBuilder {
         }
         return kept_inside(planes.least(middle(), ContourTuning::kFlatShare), middle(), cell_.corners);
     }
-    /// The middle of the points on faces, as where the border between patches enters and leaves.
+    /// The middle of the points on faces, at which the border between patches enters and leaves the cell.
     Vec3 middle_of_face_points(const CellSurface& surface) const {
         Vec3 sum = Vec3::Zero();
         double points = 0.0;
@@ -140,7 +141,8 @@ class CellBuilder {
         return points > 0.0 ? kept_inside(sum / points, middle(), cell_.corners) : middle();
     }
 
-    /// The same from both cells of the face: crossings come in the order of their numbers.
+    /// The point on the face between crossing k and the next one. Both cells of the face compute the same point:
+    /// crossings are taken in the order of their indices.
     Vec3 face_point(int k) const {
         const std::array<std::size_t, 3> corners = face_between(cell_.polygon, k);
         const Face face{cell_.corners[corners[0]], cell_.corners[corners[1]], cell_.corners[corners[2]]};
@@ -166,7 +168,8 @@ class CellBuilder {
             return is_on(next, face, normal) ? next : p;
         });
     }
-    /// Where the planes of two crossings and that of a face meet; the middle where they do not.
+    /// The intersection of the planes of two crossings with that of a face; the middle of the crossings if there is
+    /// none.
     static Vec3 meeting(const Crossing& a, const Crossing& b, const Vec3& normal) {
         const Vec3 along = normal.cross(a.normal);
         const double turn = along.dot(b.normal);
@@ -175,7 +178,7 @@ class CellBuilder {
         }
         return a.point + along * ((b.point - a.point).dot(b.normal) / turn);
     }
-    /// Where the patch changes between two crossings.
+    /// The point between two crossings at which the patch changes.
     Vec3 border(const Crossing& a, const Crossing& b) const {
         constexpr int kHalvings = 10;
         Vec3 from = a.point;

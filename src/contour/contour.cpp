@@ -76,7 +76,7 @@ class ContourBuilder {
         }
     }
 
-    /// The point on a face, which both of its cells share.
+    /// The vertex on a face, which both cells of the face share.
     std::int32_t on_face(std::int32_t from, std::int32_t to, const Vec3& point) {
         const auto [at, is_new] =
             on_face_.insert({pair_key(from, to), static_cast<std::int32_t>(result_.points.size())});

@@ -11,20 +11,20 @@
 
 namespace mq::contour {
 
-/// A surface between nodes outside and others.
+/// A triangulated surface between the lattice nodes outside and all others.
 struct Contour {
     std::vector<Vec3> points;               ///< single-precision numbers
     std::vector<mesh::Triangle> triangles;  ///< counter-clockwise seen from outside
-    std::vector<std::int32_t> source;       ///< the input's triangle to which each one belongs; -1: it closes a gap
-    std::vector<std::int32_t> patch;        ///< those of the crossings, until others are given
-    /// The crossing whose plane each triangle stands for; -1: its own, where it closes a gap, and where a level set has
-    /// no edge: there it is nearer to it than the planes at its corners are.
+    std::vector<std::int32_t> source;  ///< by triangle: the input's triangle that it belongs to; -1: it closes a gap
+    std::vector<std::int32_t> patch;   ///< by triangle: the patch of its crossing, until others are set
+    /// By triangle: the crossing whose plane it stands for; -1: its own plane, if it closes a gap or lies where a level
+    /// set has no edge: there the triangle is nearer to the level set than the planes at its corners are.
     std::vector<std::int32_t> plane;
 };
 
 /// The contour of all cells (cell_surface). Cells share points on their faces, so all of it is closed, 2-manifold and
 /// free of self-intersections, before its points are rounded to single precision.
-/// @param level_set  as of cell_surface
+/// @param level_set  as in cell_surface()
 /// @throws Cancelled
 Contour contour(const CrossedCells& cells, const LevelSet* level_set, const Progress& progress);
 

@@ -10,7 +10,7 @@ namespace {
 
 using Edges = std::array<std::array<std::int8_t, 2>, 4>;
 
-/// The edges between both sides, around the cell.
+/// The edges between nodes outside and others, in their order around the cell.
 CellPolygon edges_around(const std::array<bool, 4>& is_outside) {
     std::array<std::int8_t, 4> outer{};
     std::array<std::int8_t, 4> inner{};

@@ -30,7 +30,7 @@ double longest_side(const std::array<Vec3, 3>& c) {
 /// Tangent of the smallest angle.
 double smallest_tangent(const std::array<Vec3, 3>& c) {
     const double area = (c[1] - c[0]).cross(c[2] - c[0]).norm();
-    double cosine = 0.0;  // the largest one times the lengths of its two sides
+    double cosine = 0.0;  // the largest cosine of an angle, times the lengths of its two sides
     for (std::size_t k = 0; k < 3; ++k) {
         cosine = std::max(cosine, (c[(k + 1) % 3] - c[k]).dot(c[(k + 2) % 3] - c[k]));
     }
@@ -41,25 +41,25 @@ bool has(const Triangle& t, std::int32_t v) {
     return t[0] == v || t[1] == v || t[2] == v;
 }
 
-/// An edge that may be collapsed.
+/// An edge in the queue of candidates.
 struct Queued {
     double cost = 0.0;
     std::int32_t a = -1;
     std::int32_t b = -1;
-    std::int32_t age_a = 0;  ///< how often the ends had moved when it was assessed
+    std::int32_t age_a = 0;  ///< number of moves of each end when the edge was assessed
     std::int32_t age_b = 0;
 
     bool operator<(const Queued& o) const { return std::tie(o.cost, o.a, o.b) < std::tie(cost, a, b); }
 };
 
-/// An edge, and where its ends would go.
+/// An edge, and the place to which both of its ends would move.
 struct Candidate {
     std::int32_t a = -1;
     std::int32_t b = -1;
     Vec3 place = Vec3::Zero();
 
     bool is_end(std::int32_t v) const { return v == a || v == b; }
-    /// Whether a triangle vanishes with the edge.
+    /// Whether a triangle vanishes with the edge: it has both ends.
     bool takes(const Triangle& t) const { return has(t, a) && has(t, b); }
 };
 
@@ -93,7 +93,8 @@ class EdgeCollapse {
         const auto first = static_cast<double>(queue_.size());
         while (!queue_.empty()) {
             pace_.step();
-            // Collapses add candidates: the fraction of those at first that is left is all that is known.
+            // Collapses add candidates, so that the work left is unknown: the progress is the fraction of the first
+            // queue that is done.
             advance(1.0 - 0.5 * static_cast<double>(queue_.size()) / first);
             const Queued next = queue_.top();
             queue_.pop();
@@ -164,7 +165,8 @@ class EdgeCollapse {
         return std::any_of(stars_[v].begin(), stars_[v].end(),
                            [&](std::int32_t t) { return surface_.patch[t] != surface_.patch[stars_[v][0]]; });
     }
-    /// Planes through a border that stand on the surface, so that it does not wander along it.
+    /// Adds planes along a border edge that are perpendicular to the surface, so that the border does not shift across
+    /// it.
     void keep_border(std::int32_t a, std::int32_t b) {
         const double weight = std::pow(limits_.distance / limits_.border, 2.0);
         const std::array<std::int32_t, 2> two = sides(a, b);
@@ -196,11 +198,11 @@ class EdgeCollapse {
         queue_ = std::priority_queue<Queued>(std::less<Queued>(), std::move(all));
     }
 
-    /// Adds the edge to the candidates where its ends may go to one place.
+    /// Adds the edge to the candidates if its ends may be merged in one place.
     template <typename Add>
     void assess(std::int32_t a, std::int32_t b, const Add& add) const {
         if (stays_[b] != 0) {
-            std::swap(a, b);  // what is left of the edge has the name of its first end
+            std::swap(a, b);  // after the collapse the vertex has the index of the first end
         }
         const int hold_a = hold(a);
         const int hold_b = hold(b);
@@ -210,15 +212,15 @@ class EdgeCollapse {
         Quadric both = quadrics_[a];
         both.add(quadrics_[b]);
         const double cost = std::max(0.0, both.at(best_place(a, b, {hold_a, hold_b}, both)));
-        // On a plane all costs are nearly 0: short edges go first there.
+        // In a plane all costs are nearly 0: there short edges come first.
         constexpr double kByLength = 1e-2;
         if (cost <= most_) {
             const double length = (surface_.points[b] - surface_.points[a]).squaredNorm();
             add({cost + kByLength * length, a, b, ages_[a], ages_[b]});
         }
     }
-    /// Where the ends of an edge would best go.
-    /// @param held  what holds them
+    /// The best place for both ends of an edge.
+    /// @param held  see hold(), by end
     /// @param both  the sum of their quadrics
     Vec3 best_place(std::int32_t a, std::int32_t b, const std::array<int, 2>& held, const Quadric& both) const {
         const Vec3& p = surface_.points[a];
@@ -231,10 +233,10 @@ class EdgeCollapse {
         // The least point of a nearly singular quadric may be anywhere.
         return (best - place).squaredNorm() <= (q - p).squaredNorm() ? best : to_single(place);
     }
-    /// How much holds a vertex: 2 a fixed triangle, 1 a border between patches, 0 nothing.
+    /// What holds a vertex in its place: 2 a fixed triangle, 1 a border between patches, 0 nothing.
     int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border(v) ? 1 : 0; }
 
-    /// The vertices around one.
+    /// The vertices that have an edge with v.
     void find_ring(std::int32_t v, std::vector<std::int32_t>& found) const {
         found.clear();
         for (const std::int32_t t : stars_[v]) {
@@ -259,7 +261,7 @@ class EdgeCollapse {
         return common_.size() == 2 && ring_.size() + other_ring_.size() > kOfTetrahedron;
     }
 
-    /// Takes the first of the best place and those of both ends at which the surface stays sound.
+    /// Tries the best place and the places of both ends, and takes the first at which the surface stays sound.
     bool finds_place(Candidate& edge) {
         Quadric both = quadrics_[edge.a];
         both.add(quadrics_[edge.b]);
@@ -267,7 +269,7 @@ class EdgeCollapse {
         const std::array<Vec3, 3> places{best_place(edge.a, edge.b, held, both), surface_.points[edge.a],
                                          surface_.points[edge.b]};
         for (std::size_t k = 0; k < 3; ++k) {
-            // An end that is held less than the other one is no place for both, nor is the best place where one is
+            // The place of an end is not tried if the other end is held more; the best place is not tried if an end is
             // fixed.
             const bool leaves = k == 0 ? held[0] == 2 && places[0] != places[1] : held[k - 1] < held[2 - k];
             edge.place = places[k];
@@ -279,7 +281,7 @@ class EdgeCollapse {
         return false;
     }
 
-    /// The triangles at one end or both, each once.
+    /// Visits the triangles at one end or both, each once.
     template <typename Visit>
     bool all_at(const Candidate& edge, const Visit& visit) const {
         const auto is_new = [&](std::int32_t t) { return !has(surface_.triangles[t], edge.a); };
@@ -287,7 +289,7 @@ class EdgeCollapse {
                std::all_of(stars_[edge.b].begin(), stars_[edge.b].end(),
                            [&](std::int32_t t) { return !is_new(t) || visit(t); });
     }
-    /// The triangles that stay, with both ends at the new place: visit(triangle, its corners then).
+    /// Visits the triangles that stay, with both ends at the new place: visit(triangle, its new corners).
     template <typename Visit>
     bool all_of_moved(const Candidate& edge, const Visit& visit) const {
         return all_at(edge, [&](std::int32_t t) {
@@ -296,7 +298,8 @@ class EdgeCollapse {
         });
     }
 
-    /// Whether no triangle turns away from its plane, becomes thinner than all at the edge are, or too long.
+    /// Whether no triangle turns away from its plane, becomes thinner than all triangles at the edge are, or gets a
+    /// side that is too long.
     bool keeps_shape(const Candidate& edge) const {
         double thinnest = ContourTuning::kThinTangent;
         all_at(edge, [&](std::int32_t t) {
@@ -313,7 +316,7 @@ class EdgeCollapse {
         });
     }
 
-    /// Whether all moved triangles are where they may be.
+    /// Whether all moved triangles are in the box of the limits.
     bool keeps_within(const Candidate& edge) const {
         return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
             const bool is_fixed = !limits_.fixed.empty() && limits_.fixed[t] != 0;
@@ -324,7 +327,7 @@ class EdgeCollapse {
 
     /// Whether no moved triangle meets another one.
     bool keeps_apart(const Candidate& edge) {
-        // The grid has the triangles that are moved, too, at their places of before: here they come first.
+        // The grid contains the moved triangles, too, at their old places: their new boxes come first in the list.
         near_.clear();
         ++round_;
         all_at(edge, [&](std::int32_t t) {
@@ -356,8 +359,8 @@ class EdgeCollapse {
         }
         return true;
     }
-    /// Finds the vertices of the moved triangles whose stars are embedded once the ends are at the new place: no two
-    /// triangles at one of them meet then.
+    /// Finds the vertices of the moved triangles whose stars are embedded with both ends at the new place: two
+    /// triangles at such a vertex do not meet.
     void find_embedded(const Candidate& edge, std::size_t moved) {
         embedded_.clear();
         for (std::size_t i = 0; i < moved; ++i) {
@@ -388,7 +391,7 @@ class EdgeCollapse {
         }
         return mesh::embedded_star(star_.data(), star_.size());
     }
-    /// Whether all moved triangles may be there.
+    /// Whether the limits accept all moved triangles.
     bool is_accepted(const Candidate& edge) const {
         return !limits_.accepts || all_of_moved(edge, [&](std::int32_t, const std::array<Vec3, 3>& moved) {
             return limits_.accepts(moved);
@@ -409,7 +412,7 @@ class EdgeCollapse {
         }
         return box;
     }
-    /// Whether two triangles do not meet once the ends are at the new place.
+    /// Whether two triangles are apart with both ends of the edge at the new place.
     bool apart(std::int32_t t, std::int32_t other, const Candidate& edge) {
         const Triangle first = renamed(surface_.triangles[t], edge, edge.a);
         const Triangle second = renamed(surface_.triangles[other], edge, edge.a);
@@ -451,7 +454,7 @@ class EdgeCollapse {
         return t;
     }
 
-    /// Moves both ends of the edge to the new place, and makes one of them.
+    /// Moves both ends of the edge to the new place, and merges them.
     void apply(const Candidate& edge) {
         std::vector<std::int32_t> star;
         all_at(edge, [&](std::int32_t t) {
@@ -490,7 +493,7 @@ class EdgeCollapse {
             assess(std::min(edge.a, v), std::max(edge.a, v), [&](const Queued& one) { queue_.push(one); });
         }
     }
-    /// Takes a triangle of the edge out of the stars of the vertices beside it.
+    /// Removes a vanished triangle of the edge from the stars of the vertices beside the edge.
     void drop(std::int32_t t, const Candidate& edge) {
         for (const std::int32_t v : surface_.triangles[t]) {
             if (!edge.is_end(v)) {
@@ -500,7 +503,7 @@ class EdgeCollapse {
         surface_.triangles[t] = {-1, -1, -1};
     }
 
-    /// Leaves out what is gone.
+    /// Removes vertices and triangles that are gone.
     void finish() {
         std::vector<std::int32_t> index(surface_.points.size(), -1);
         std::size_t count = 0;
@@ -530,23 +533,23 @@ class EdgeCollapse {
     Contour& surface_;
     const std::vector<Crossing>& crossings_;
     const CollapseLimits& limits_;
-    double most_;  ///< square of the distance
+    double most_;  ///< largest squared distance
     Progress& progress_;
     double from_;
     CancelPace pace_;
     std::vector<std::vector<std::int32_t>> stars_;
     std::vector<std::int32_t> ages_;
-    std::vector<char> stays_;  ///< whether a vertex is one of a fixed triangle
+    std::vector<char> stays_;  ///< by vertex: whether a fixed triangle has it
     std::vector<Quadric> quadrics_;
     std::vector<Vec3> planes_;  ///< normal of the plane that each triangle stands for
     TriangleGrid grid_{1.0};
     std::priority_queue<Queued> queue_;
-    // What the tests of one collapse use.
-    std::vector<std::pair<std::int32_t, Box>> near_;  ///< triangles that are moved, and those near them, with boxes
+    // Buffers for the tests of one collapse.
+    std::vector<std::pair<std::int32_t, Box>> near_;  ///< moved triangles, then those near them, with their boxes
     std::vector<std::uint32_t> seen_;                 ///< by triangle: the round in which it came into near_
     std::uint32_t round_ = 0;
     std::vector<std::pair<std::int32_t, bool>> embedded_;  ///< vertices of moved triangles, whether their star is
-    std::vector<mesh::StarSector> star_;                   ///< that is tested
+    std::vector<mesh::StarSector> star_;                   ///< the star under test
     std::vector<Vec3> of_pair_;                            ///< points of two triangles that are tested
     std::vector<std::int32_t> ring_;                       ///< vertices around an end of an edge
     std::vector<std::int32_t> other_ring_;                 ///< those around the other end

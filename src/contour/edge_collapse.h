@@ -11,31 +11,32 @@
 
 namespace mq::contour {
 
-/// Whether a triangle may be where its corners are.
+/// Whether a triangle with these corners is accepted.
 using TriangleFilter = std::function<bool(const std::array<Vec3, 3>&)>;
 
 /// What a collapse of edges must keep.
 struct CollapseLimits {
-    double distance = 0.0;  ///< from vertices to the planes that their triangles stand for, mm
-    double border = std::numeric_limits<double>::infinity();   ///< from vertices to borders between patches, mm
-    double longest = std::numeric_limits<double>::infinity();  ///< length of edges of triangles that are moved, mm
-    /// Triangles that stay as they are, with their vertices; empty: there are none.
+    double distance = 0.0;  ///< mm: of vertices from the planes that their triangles stand for
+    double border = std::numeric_limits<double>::infinity();   ///< mm: of vertices from borders between patches
+    double longest = std::numeric_limits<double>::infinity();  ///< mm: of the edges of triangles that are moved
+    /// By triangle whether it stays as it is, with its vertices; empty: none does.
     std::vector<char> fixed;
-    /// Asked of triangles that are moved; empty: all may. Called by several threads.
+    /// Asked for each moved triangle whether its new place is accepted; empty: all are. Called by several threads.
     TriangleFilter accepts;
-    /// Whether each collapse is tested for triangles that meet then. Otherwise the caller looks for those in the end:
-    /// of a surface that is not folded nearly no collapse makes any.
+    /// Whether each collapse is tested for triangles that meet after it. If not, the caller searches the result for
+    /// them: on a surface that is not folded nearly no collapse makes any.
     bool keeps_apart = true;
-    /// Where all others are, before and after.
+    /// Box in which all triangles that are not fixed are, before and after.
     Box within{Vec3::Constant(-1e300), Vec3::Constant(1e300)};
 };
 
-/// Collapses edges of a surface, those first that cost least (Garland and Heckbert 1997). Its points are
-/// single-precision numbers, and stay that. Of the vertices of fixed triangles those that come first keep their order.
+/// Collapses edges of a surface in the order of their costs (Garland and Heckbert 1997). The points are
+/// single-precision numbers, before and after. If the vertices of fixed triangles come first in the list, they keep
+/// their order.
 ///
-/// A collapse is made only where the surface stays 2-manifold (link condition), no triangle turns away from its plane,
-/// and, where the limits say so, no triangle that is moved meets another one (exact).
-/// @param from  fraction of the stage that was done before; this is the rest
+/// A collapse is made only if the surface stays 2-manifold (link condition), no triangle turns away from its plane and,
+/// if `keeps_apart` is set, no moved triangle meets another one (an exact test).
+/// @param from  fraction of the stage that was done before; this call advances it to the end
 /// @throws Cancelled
 void collapse_edges(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits,
                     Progress& progress, double from = 0.0);

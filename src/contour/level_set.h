@@ -7,15 +7,15 @@
 
 namespace mq::contour {
 
-/// What a level set is at a point.
+/// The value of a level set at a point, and the triangle that it comes from.
 struct LevelSample {
-    double value = 0.0;            ///< mm: below 0 within, above it outside
+    double value = 0.0;            ///< mm: negative inside, positive outside
     Vec3 gradient = Vec3::Zero();  ///< its length is 1
-    std::int32_t source = -1;      ///< the input's triangle that decides
+    std::int32_t source = -1;      ///< the input's triangle that the value comes from
 };
 
-/// A function of space of which a surface is where it is 0. Its values at two points differ by at most
-/// the distance of these.
+/// A function of space whose zero set is a surface. Its values at two points differ by at most the distance between the
+/// points.
 class LevelSet {
   public:
     LevelSet() = default;
@@ -23,13 +23,13 @@ class LevelSet {
     LevelSet& operator=(const LevelSet&) = delete;
     virtual ~LevelSet() = default;
 
-    /// @param guess  a triangle near the one that decides makes it faster; -1: none is known
+    /// @param guess  a triangle near the one that the value comes from makes the search faster; -1: none is known
     virtual LevelSample at(const Vec3& point, std::int32_t guess) const = 0;
-    /// The patch of a source.
+    /// The patch of a source triangle.
     virtual std::int32_t patch(std::int32_t source) const = 0;
     /// mm: the zero set is nowhere bent outward more than a ball of this radius.
     virtual double least_radius() const = 0;
-    /// mm: values as small count as 0.
+    /// mm: values up to this size count as 0.
     virtual double resolution() const = 0;
 };
 

@@ -25,8 +25,8 @@ class Quadric {
         constant_ += other.constant_;
     }
     double at(const Vec3& p) const { return p.dot(matrix_ * p) - 2.0 * vector_.dot(p) + constant_; }
-    /// The point with the least value that is nearest to `start`. Principal values below a fraction of the largest are
-    /// no direction of their own.
+    /// The point with the least value that is nearest to `start`. Principal values below `flat_share` of the largest
+    /// one count as 0, so that the point does not move along their directions.
     Vec3 least(const Vec3& start, double flat_share) const {
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix_);
         const Vec3 right = vector_ - matrix_ * start;

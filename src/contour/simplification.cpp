@@ -23,12 +23,12 @@ using BlockKey = std::array<std::int32_t, 3>;
 /// The shift of the blocks the first time, as a fraction of their side.
 constexpr double kShift = 0.309;
 
-/// A block of space, and a surface of its triangles and of those that reach into it.
+/// A block of space: the surface of the triangles in it and of those that reach into it.
 struct Block {
     CollapseLimits limits;
     Contour surface;
     std::vector<std::int32_t> triangles;  ///< those that reach into it, by their index in the whole surface
-    std::vector<char> fixed;              ///< whether these are in other blocks, too
+    std::vector<char> fixed;              ///< by triangle: whether it is in other blocks, too
     std::vector<std::int32_t> vertices;   ///< the vertices of fixed triangles, by their index in the whole surface
 };
 
@@ -42,7 +42,7 @@ class Blocks {
     }
 
     void simplify(const std::vector<Crossing>& crossings, const CollapseLimits& limits, Progress& progress) {
-        // Nine tenths of the stage: blocks that are not shifted, then the others.
+        // Blocks take nine tenths of the stage: those that are not shifted, then the shifted ones.
         std::atomic<int> done{0};
         const auto count = static_cast<double>(blocks_.size());
         parallel_for(static_cast<int>(blocks_.size()), [&](int k) {
@@ -59,8 +59,8 @@ class Blocks {
     }
 
   private:
-    /// Collapses the edges of a block without a test of each collapse; where triangles of what is left meet, once more
-    /// with it.
+    /// Collapses the edges of a block without a test of each collapse. If triangles of the result meet, the block is
+    /// done again with the test.
     static void collapse(Block& block, const std::vector<Crossing>& crossings, Progress& progress) {
         const Contour before = block.surface;
         block.limits.keeps_apart = false;
@@ -81,7 +81,7 @@ class Blocks {
     Block& block_at(const BlockKey& key) {
         const auto [at, is_new] = numbers_.insert({key, blocks_.size()});
         if (is_new) {
-            // A little inside, so that triangles of two blocks do not touch on the plane between them.
+            // Slightly inside of the block, so that triangles of two blocks do not touch on the plane between them.
             constexpr double kInside = 1e-6;
             Block block;
             block.limits.within.low = side_ * (Vec3(key[0], key[1], key[2]) + Vec3::Constant(shift_ + kInside));
@@ -90,7 +90,7 @@ class Blocks {
         }
         return blocks_[at->second];
     }
-    /// Gives a triangle to all blocks that its box reaches into.
+    /// Adds a triangle to all blocks into which its box reaches.
     void distribute(std::int32_t t) {
         Box box;
         for (const std::int32_t v : surface_.triangles[t]) {
@@ -110,7 +110,7 @@ class Blocks {
             }
         }
     }
-    /// Copies the triangles of a block, those that are fixed first, with their vertices.
+    /// Copies the triangles of a block with their vertices, the fixed ones first.
     void fill(Block& block) const {
         KeyMap<std::int32_t> numbers;
         for (const char fixed : {1, 0}) {
@@ -143,7 +143,7 @@ class Blocks {
         block.surface.patch.push_back(surface_.patch[t]);
         block.surface.plane.push_back(surface_.plane[t]);
     }
-    /// Makes the whole surface of what is left of the blocks, and of the triangles between them.
+    /// Joins the blocks' results and the triangles between blocks to the whole surface.
     void join() {
         Contour all;
         all.points = surface_.points;
@@ -193,8 +193,8 @@ class Blocks {
 
 void simplify(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits, double block,
               Progress& progress) {
-    // The second time most of what was between blocks is in one. Faces of parts often lie on whole multiples of
-    // lengths, where the planes between blocks are not.
+    // In the second round most triangles that lay between blocks are inside of one. The shifts avoid whole multiples of
+    // lengths, in which faces of models often lie.
     for (const double shift : {kShift, kShift + 0.5}) {
         Blocks(surface, block, shift).simplify(crossings, limits, progress);
     }

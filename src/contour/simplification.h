@@ -9,15 +9,15 @@
 
 namespace mq::contour {
 
-/// Collapses edges of a contour as long as the planes that its triangles stand for are within a distance
-/// (collapse_edges). Where these are the input's, edges that the lattice has cut off become sharp again. Borders
-/// between patches stay within a distance of their own, and do not vanish.
+/// Collapses edges of a contour as long as its vertices stay within a distance of the planes that the triangles stand
+/// for (collapse_edges). If these planes are those of the input, edges that the lattice has cut off become sharp again.
+/// Borders between patches stay within a distance of the original borders, and do not vanish.
 ///
-/// First in blocks of space at once: each holds the triangles that are in it with all of their corners, and changes
-/// nothing outside of itself, so that blocks do not meet. Triangles between blocks are fixed meanwhile. Then all that
-/// is left together. The result is the same for any number of threads.
-/// @param limits  without fixed triangles and `within`
-/// @param block  side of the blocks, mm: far more than triangles are long
+/// First, blocks of space are simplified in parallel: each holds the triangles whose corners are all in it, and changes
+/// nothing outside of itself, so that blocks do not meet. Triangles between blocks are fixed meanwhile. Then the rest
+/// is simplified together. The result is the same for any number of threads.
+/// @param limits  whose fields `fixed` and `within` are empty
+/// @param block  mm: side of the blocks, which should be far longer than the edges of triangles
 /// @throws Cancelled
 void simplify(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits, double block,
               Progress& progress);

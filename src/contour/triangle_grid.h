@@ -33,8 +33,8 @@ class TriangleGrid {
             return true;
         });
     }
-    /// Whether visit(triangle) holds for all triangles in the cells that a triangle with these corners may meet. One
-    /// that is in several cells may be visited several times.
+    /// Whether visit(triangle) returns true for all triangles in the cells that a triangle with these corners may meet.
+    /// A triangle in several cells may be visited several times.
     template <typename Visit>
     bool all_near(const std::array<Vec3, 3>& corners, const Visit& visit) const {
         return for_each_cell(corners, [&](std::uint64_t cell) {

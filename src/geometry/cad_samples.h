@@ -13,8 +13,8 @@
 namespace mq::geometry {
 
 /// Sample points of the model, some in every span of its curves and surfaces (geometry::KnotSpans), by which the
-/// backward distance is measured, from the model to the mesh. The mesh is measured at few points of a piece: an
-/// undulation of the surface that is zero at all of them is found at these.
+/// backward distance is measured, from the model to the mesh. The other direction is measured at few points of a piece
+/// of the mesh: the samples find undulations of the surface that vanish at these points.
 ///
 /// The points of an edge or a face are computed once, when they are first needed. They are in the mesh's frame. Several
 /// threads may read points that were computed before.

@@ -128,7 +128,8 @@ class Engine::Impl {
     /// Counts the cancellations: a batch is answered only while the count is the one it was submitted under.
     std::atomic<std::uint64_t> generation_{0};
     std::atomic<std::uint64_t> queries_{0};
-    KeptThreads threads_;  ///< the main one is a member; last, so that they end before what they use
+    KeptThreads
+        threads_;  ///< the main thread is one of them; last member, so that they end before the members that they use
 };
 
 Engine::Impl::~Impl() {
@@ -259,7 +260,7 @@ Engine::Answers Engine::Impl::answer(const std::shared_ptr<Model>& model, const 
             answers.back().status = Status::BadQuery;
         }
     }
-    answers.resize(batch.size());  // queries without an answer were stopped; that is an answer's default
+    answers.resize(batch.size());  // queries that were stopped keep the default answer
     count_answered(count);
     return answers;
 }

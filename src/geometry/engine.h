@@ -38,7 +38,7 @@ class Engine {
 
     /// Submits a batch and returns at once; the answers come in the batch's order.
     std::future<Answers> submit(const std::shared_ptr<Model>& model, Batch batch);
-    /// The same, waiting for the answers. A batch whose turn has not come yet is withdrawn once `progress` is
+    /// Submits a batch and waits for its answers. A batch whose turn has not come is withdrawn once `progress` is
     /// cancelled.
     /// @throws Cancelled
     Answers ask(const std::shared_ptr<Model>& model, Batch batch, const Progress* progress = nullptr);
@@ -60,9 +60,9 @@ class Engine {
     /// @throws std::logic_error on a thread that the engine does not own; never in Mode::Direct
     void check_own_thread() const;
 
-    /// Drops all batches in the queue; they and the rest of the running one are answered with Status::Stopped.
+    /// Cancels all batches in the queue; they and the rest of the running one are answered with Status::Stopped.
     void cancel();
-    /// As cancel, and the main thread ends; those of jobs end with the object. Idempotent.
+    /// Cancels all batches as cancel() does, and ends the main thread; threads of jobs end with the object. Idempotent.
     void shut_down();
 
     /// The number of queries answered since the start.

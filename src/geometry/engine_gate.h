@@ -14,7 +14,7 @@ namespace mq::geometry {
 /// question.
 class EngineGate {
   public:
-    /// Keeps the engine's main thread waiting while the object lives. A thread has one at a time.
+    /// Keeps the engine's main thread waiting while the object lives. A thread may have only one at a time.
     class Entry {
       public:
         /// @throws Cancelled when the engine's main thread does not come any more
@@ -27,12 +27,11 @@ class EngineGate {
         EngineGate& gate_;
     };
 
-    /// Time for which the gate stays open though somebody waits: enough for a question, and much less than users
-    /// notice.
+    /// Time for which the gate stays open although somebody waits: enough for a query, and much less than users notice.
     static constexpr std::chrono::milliseconds kOpenAtLeast{2};
 
-    /// On the engine's main thread: lets the others in until somebody waits, or until `close`, and waits until all have
-    /// left.
+    /// On the engine's main thread: opens the gate to the other threads until somebody waits, or until `close`, and
+    /// waits until all of them have left.
     void open() {
         std::unique_lock<std::mutex> lock(mutex_);
         open_ = true;
@@ -43,13 +42,13 @@ class EngineGate {
         somebody_waits_ = false;
         changed_.wait(lock, [this] { return inside_ == 0; });
     }
-    /// Somebody else needs the engine.
+    /// Called by a thread that needs the engine.
     void let_through() {
         const std::lock_guard<std::mutex> lock(mutex_);
         somebody_waits_ = true;
         changed_.notify_all();
     }
-    /// For good: nobody comes any more.
+    /// Closes the gate for good.
     void close() {
         const std::lock_guard<std::mutex> lock(mutex_);
         closed_ = true;

@@ -3,10 +3,10 @@
 
 namespace mq::geometry {
 
-/// By whose code the curves and surfaces of a shape are evaluated and points are projected onto them.
+/// Which code evaluates the curves and surfaces of a shape and projects points onto them.
 enum class Evaluation {
     Fast,    ///< elementary surfaces by formula, B-splines by their polynomial pieces; all else as Native
-    Native,  ///< by OpenCASCADE, as Aftosmis 1999 asks; by ours where it has no such function or finds nothing
+    Native,  ///< by OpenCASCADE, as in Aftosmis 1999; by our code if it has no such function or finds nothing
 };
 
 }  // namespace mq::geometry

@@ -28,9 +28,9 @@ class Answerer {
 class Model : public Answerer {
   public:
     const Topology& topology() const { return topology_; }
-    /// What answers in one of several threads that work while the engine's main thread waits for them; 0 is the model
-    /// itself. All give the same answers. Made at the first call, on the engine's main thread; null where there is no
-    /// further one.
+    /// The object that answers queries in one of several threads that work while the engine's main thread waits for
+    /// them; 0 is the model itself. All give the same answers. Made at the first call, on the engine's main thread;
+    /// null if there is no further one.
     virtual Answerer* answerer(int thread) { return thread == 0 ? this : nullptr; }
 
     /// The surface of a face by formula, in the frame of the answers; empty where it has none. Plain data, which any

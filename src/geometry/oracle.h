@@ -10,7 +10,7 @@
 
 namespace mq::geometry {
 
-/// What answers the queries of an algorithm that works in one thread: a Session, or one of several answerers.
+/// The object that answers the queries of an algorithm in one thread: a Session, or one of several answerers.
 class Oracle {
   public:
     virtual ~Oracle() = default;

@@ -191,7 +191,8 @@ class Session final : public Oracle {
         return EngineGate::Entry(*gate_);
     }
 
-    /// Counts what another answers. Each has cache lines of its own, since each counts in its own thread.
+    /// Counts the queries that another object answers. Each has cache lines of its own, since each counts in its own
+    /// thread.
     class alignas(64) CountingAnswerer final : public Answerer {
       public:
         explicit CountingAnswerer(Answerer& other) : other_(other) {}
@@ -240,8 +241,8 @@ class Session final : public Oracle {
     Engine& engine_;
     std::shared_ptr<Model> model_;
     const Progress* progress_;
-    CountingAnswerer* answerers_ =
-        nullptr;  // Those of `in_place` and `run_apart`, one a thread; null: the engine answers.
+    // By thread, in sessions of `in_place` and `run_apart`; null: the engine answers.
+    CountingAnswerer* answerers_ = nullptr;
     int count_ = 0;
     EngineGate* gate_ = nullptr;
     bool apart_ = false;  // whether others ask meanwhile

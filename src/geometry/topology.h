@@ -91,7 +91,7 @@ struct Volume {
 struct Joined {
     std::array<Entity, 2> entities;
     double distance = 0.0;  ///< mm, at most
-    bool by_shape = false;  ///< whether the shape's own tolerances do not tell them apart
+    bool by_shape = false;  ///< whether the shape's own tolerances make them one
 };
 
 struct Topology {
@@ -128,7 +128,7 @@ struct Topology {
     std::vector<int> pieces_of(Entity entity) const;
     /// The edges around and inside a face.
     std::set<int> edges_of(int face) const;
-    /// The same as mq::geometry::name_of, by the shape's own entities.
+    /// The same as mq::geometry::name_of, with the names of the shape's own entities.
     std::string name_of(Entity entity) const;
 };
 

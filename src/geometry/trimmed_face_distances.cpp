@@ -10,7 +10,7 @@
 namespace mq::geometry {
 
 void TrimmedFaceDistances::divide_edges_of(int face) {
-    // Pieces of an edge, and of each of its polynomials: the arcs of one are nearly straight.
+    // Pieces of an edge and of each of its polynomials: the arc over one piece is nearly straight.
     constexpr int kPieces = 16;
     constexpr int kPiecesOfSpan = 4;
     std::vector<Piece>& pieces = pieces_[face];

@@ -18,13 +18,13 @@ class TrimmedFaceDistances {
     struct Place {
         int face = -1;
         Vec3 point = Vec3::Zero();
-        std::optional<Vec2> guess{};  ///< (u, v) near the nearest point; none: it is looked for on the whole face
+        std::optional<Vec2> guess{};  ///< (u, v) near the nearest point; none: the whole face is searched
     };
 
     /// @param session  outlives it
     explicit TrimmedFaceDistances(Session& session) : session_(session) {}
 
-    /// By place the distance, mm; less than 0 where the surface has no nearest point and the face no edges.
+    /// Returns the distance of each place, mm; negative if the surface has no nearest point and the face no edges.
     /// @throws Cancelled
     std::vector<double> measure(const std::vector<Place>& places);
 

@@ -12,7 +12,7 @@ namespace mq::improve {
 
 namespace {
 
-/// The normals of all triangles. A thin one gets that of its neighbour at its longest edge.
+/// The normals of all triangles. A thin triangle gets the normal of its neighbour at its longest edge.
 std::vector<Vec3> sound_normals(const EditableMesh& mesh, const mesh::EdgeTable& edges) {
     std::vector<Vec3> normals;
     std::vector<int> next;

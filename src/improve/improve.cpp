@@ -46,22 +46,24 @@ mesh::TriangleMesh checked(const mesh::TriangleMesh& given) {
     return mesh;
 }
 
-/// What must not become worse: faults by kind, and the smallest angle; and the surface, which stays where it was.
+/// The state that must not become worse: faults by kind, the smallest angle, and the place of the surface.
 class Condition {
   public:
     /// @param mesh  is referred to
     Condition(const mesh::TriangleMesh& mesh, Progress& progress)
         : count_(verified(mesh, progress).count), least_(least_angle(mesh)), surface_(mesh.vertices, mesh.triangles) {}
 
-    /// The triangles of an improved mesh at faults of a kind of which it has more, those with smaller angles, and those
-    /// of which a corner, the middle of a side or the centre is farther than the tolerance, mm, from the given mesh:
-    /// halves of triangles have other ones than these, which were looked at when they were made.
+    /// The triangles of an improved mesh that are worse than in the given one: those at faults of a kind of which it
+    /// has more, those with smaller angles, and those with a corner, a middle of a side or a centre farther than the
+    /// tolerance (mm) from the given mesh. Halves of triangles have other such points than the triangles that were
+    /// tested when they were made.
     std::vector<std::int32_t> worse_in(const mesh::TriangleMesh& mesh, double tolerance, Progress& progress) const {
         const mesh::Verification after = verified(mesh, progress);
         std::vector<std::int32_t> found;
         for (const mesh::Fault& fault : after.faults) {
             const auto kind = static_cast<std::size_t>(fault.kind);
-            // Open and non-manifold edges are of the connections, which are kept; halves of them are no more faults.
+            // Open and non-manifold edges belong to the connections, which are kept; halves of such an edge are no
+            // further faults.
             if (fault.kind == mesh::FaultKind::OpenEdge || fault.kind == mesh::FaultKind::NonmanifoldEdge ||
                 after.count[kind] <= count_[kind]) {
                 continue;
@@ -81,7 +83,7 @@ class Condition {
 
   private:
     static mesh::Verification verified(const mesh::TriangleMesh& mesh, Progress& progress) {
-        constexpr std::size_t kMost = 1000000;  // faults of a kind that are told apart
+        constexpr std::size_t kMost = 1000000;  // faults of one kind that are counted at most
         return mesh::verify(mesh.vertices, mesh.triangles, nullptr, kMost, &progress);
     }
     static double angle(const mesh::TriangleMesh& mesh, const mesh::Triangle& t) {
@@ -145,7 +147,7 @@ Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, P
     StageTimes seconds;
     StageClock clock(seconds);
     watched.stage("improving", 0.0, 1.0);
-    // Vertices are rounded to single precision after they are looked at.
+    // Vertices are rounded to single precision after they were tested.
     double rounding = 0.0;
     for (const Vec3& p : start.vertices) {
         rounding = std::max(rounding, std::numeric_limits<float>::epsilon() * p.cwiseAbs().maxCoeff());

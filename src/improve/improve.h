@@ -29,8 +29,8 @@ struct Result {
     std::size_t collapses = 0;
     std::size_t splits = 0;
     std::size_t moves = 0;
-    /// Triangles around which the given mesh was kept: improved, they would cross, or have a smaller angle than any
-    /// given.
+    /// Triangles around which the given mesh was kept, as the improved triangles would cross or have an angle smaller
+    /// than any given one.
     std::size_t kept = 0;
     /// Triangle, and the reason why its smallest angle is below `min_angle`.
     std::vector<std::pair<std::int32_t, mesh::ExemptReason>> exempt;

@@ -305,7 +305,7 @@ bool Improver::split(int a, int b) {
         return false;
     }
     const Vec3 p = mesh_.is_sharp(a, b) ? surface_.project_to_sharp_edges(middle) : surface_.project(middle);
-    // Where the surface is at the limit of the tolerance, the new vertex leaves it as it is.
+    // If the surface is at the limit of the tolerance, the new vertex is put so that it does not change the surface.
     for (const auto& [place, rule] : {std::pair(p, Rule::Any), std::pair(in_single(middle), Rule::Same)}) {
         const int v = add_vertex(place, halvings);
         if (attempt(split_edge(mesh_, a, b, v), rule)) {

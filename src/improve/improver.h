@@ -32,7 +32,7 @@ class Improver {
     /// Conditions for a change: the worst angle becomes better; the tolerance is kept; the surface stays as it is.
     enum class Rule { Better, Any, Same };
 
-    /// Saves the present mesh if it has the fewest bad triangles since the start.
+    /// Saves the present mesh if it has fewer bad triangles than all meshes since the start.
     bool keep_if_best(std::size_t bad);
     bool bad(int t) const;
     /// Whether the smallest angle lies between two sharp edges, which no change can open.

@@ -62,7 +62,8 @@ std::optional<LocalOperation> collapse_edge(const EditableMesh& mesh, int from, 
             change.added.push_back(with(mesh.triangle(t), from, to));
         }
     }
-    // ... and no two triangles that differ in the ends of the edge alone, as of a tetrahedron, may fall together.
+    // ... and no two triangles that differ in the ends of the edge alone, as two faces of a tetrahedron do, may
+    // coincide afterwards.
     const auto is_there = [&](const mesh::Triangle& t) {
         const std::vector<int>& around = mesh.star(to);
         return std::any_of(around.begin(), around.end(), [&](int other_triangle) {

@@ -20,7 +20,7 @@ using mesh::Corners;
 
 namespace {
 
-/// Triangles or vertices that a thread works on at a time.
+/// Triangles or vertices that a thread takes at a time.
 constexpr int kChunk = 256;
 
 using FacePair = std::pair<std::int32_t, std::int32_t>;
@@ -29,7 +29,7 @@ using NearestByFaces = std::map<FacePair, NearestPlaces>;
 struct Body {
     const mesh::TriangleMesh* mesh = nullptr;
     std::unique_ptr<mesh::NearestTree> tree;
-    std::vector<Vec3> starts;  ///< a vertex of each component
+    std::vector<Vec3> starts;  ///< one vertex of each component
 
     Corners corners(std::int32_t triangle) const {
         const mesh::Triangle& t = mesh->triangles[triangle];
@@ -85,10 +85,11 @@ double distance_of_vertices(const Body& a, const Body& b, double bound, const Pr
 
 struct Found {
     NearestByFaces faces;
-    std::array<std::set<std::int32_t>, 2> crossing;  ///< triangles with an edge through one of the other, and those
+    std::array<std::set<std::int32_t>, 2> crossing;  ///< by body: triangles that cross the other one
 };
 
-/// The nearest places, by pairs of faces, of the triangles of a chunk of one body that are within `reach` of another.
+/// For pairs of faces the nearest places of a chunk of triangles of body a and of body b, as far as they are within
+/// `reach`.
 Found nearest_in_chunk(const Body& a, const Body& b, double reach, int chunk, const Progress* progress) {
     Found found;
     const auto count = static_cast<std::int32_t>(a.mesh->triangles.size());
@@ -124,7 +125,7 @@ Found nearest_in_chunk(const Body& a, const Body& b, double reach, int chunk, co
 }
 
 bool contains(const Body& body, const Vec3& p) {
-    // Any direction does.
+    // The direction of the ray is arbitrary.
     const Vec3 direction(0.36, 0.48, 0.8);
     return body.tree->box().contains(p) &&
            winding_at_start(crossings_of(*body.tree, body.mesh->vertices, body.mesh->triangles, p, direction, -1)) > 0;
@@ -152,7 +153,8 @@ double depth_of_vertices(const Body& a, const Body& b, const Progress* progress)
     return chunks > 0 ? *std::max_element(most.begin(), most.end()) : 0.0;
 }
 
-/// The same of the middles of the pieces that lie in the second body of edges of these triangles of the first.
+/// The largest distance from the surface of b of the middles of edge pieces inside of it; edges of the given triangles
+/// of a.
 double depth_of_edges(const Body& a, const std::set<std::int32_t>& triangles, const Body& b, const Progress* progress) {
     const std::vector<std::int32_t> list(triangles.begin(), triangles.end());
     std::vector<double> most(list.size(), 0.0);
@@ -181,11 +183,11 @@ double depth_of_edges(const Body& a, const std::set<std::int32_t>& triangles, co
     return list.empty() ? 0.0 : *std::max_element(most.begin(), most.end());
 }
 
-/// All of it but the numbers of the bodies.
+/// The clearance of two bodies, without the numbers of the bodies.
 Clearance clearance_of(const Body& a, const Body& b, double slack, double within, const Progress* progress) {
     double bound = distance_of_vertices(a, b, within, progress);
     bound = distance_of_vertices(b, a, bound, progress);
-    // Within single precision of boxes all that is as near is found.
+    // Slightly larger than the bound, so that rounding of boxes does not lose places that are as near.
     const double reach = bound * (1.0 + 1e-12) + slack;
     const int chunks = (static_cast<int>(a.mesh->triangles.size()) + kChunk - 1) / kChunk;
     std::vector<Found> found(static_cast<std::size_t>(chunks));

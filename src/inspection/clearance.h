@@ -22,27 +22,29 @@ struct NearestPlaces {
 /// How near two bodies are to each other.
 struct Clearance {
     std::array<std::int32_t, 2> bodies{};
-    NearestPlaces nearest;  ///< at distance 0 where their surfaces meet
-    /// Where their surfaces meet, the largest distance from the surface of the other body of vertices that lie in it,
-    /// and of the middles of what lies in it of edges that go through it, mm.
+    NearestPlaces nearest;  ///< at distance 0 if the surfaces meet
+    /// mm, if the surfaces meet: how deep one body is in the other, by two kinds of points. These are vertices of the
+    /// one inside of the other, and middles of the pieces of edges inside. The depth is their largest distance from the
+    /// surface of the other body.
     double depth = 0.0;
-    /// What bodies whose surfaces meet have in common, mm^3, and its surface, mm^2; -1: not known. 0 of others.
+    /// Volume (mm^3) and surface (mm^2) of the intersection of bodies whose surfaces meet; -1: not known. 0 for all
+    /// others.
     double common_volume = 0.0;
     double common_area = 0.0;
-    /// The body that lies in the other one without meeting its surface: 0 the first, 1 the second, -1: none does.
+    /// Which body lies in the other one without meeting its surface: 0 the first, 1 the second, -1 neither.
     int inside = -1;
-    /// The nearest places of the pairs of CAD faces that are at most `slack` farther than the nearest ones.
+    /// The nearest places of each pair of CAD faces that is at most `slack` farther apart than the nearest pair.
     std::vector<NearestPlaces> faces;
 };
 
 struct ClearanceOptions {
-    /// Pairs of bodies farther from each other than this are left out, mm.
+    /// mm: pairs of bodies farther apart than this are left out.
     double within = std::numeric_limits<double>::infinity();
 };
 
 /// The distances of all pairs of bodies: closed, oriented surfaces in one frame; pairs in ascending order. Exact for
-/// the triangles but for rounding; the same bytes for any number of threads.
-/// @param slack  mm, by body; that of a pair is the sum. See Clearance::faces.
+/// triangles but for rounding; the same bytes for any number of threads.
+/// @param slack  mm, by body; the slack of a pair is the sum of both. See Clearance::faces.
 /// @throws Cancelled
 std::vector<Clearance> clearances(const std::vector<const mesh::TriangleMesh*>& bodies,
                                   const std::vector<double>& slack, const ClearanceOptions& options,

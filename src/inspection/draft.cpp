@@ -14,11 +14,11 @@ namespace mq::inspection {
 
 namespace {
 
-/// Degrees of draft up to which a wall is along the pull: either half of the mould may form it.
+/// Degrees of draft up to which a wall counts as parallel to the pull: either half of the mould may form it.
 constexpr double kAlongPull = 0.01;
-/// Distance from the surface at which rays begin, as a fraction of the largest side.
+/// Distance from the surface at which rays start, as a fraction of the largest side of the model.
 constexpr double kOffset = 1e-5;
-/// Triangles that a thread works on at a time.
+/// Triangles that a thread takes at a time.
 constexpr std::size_t kChunk = 256;
 
 }  // namespace

@@ -12,24 +12,24 @@ namespace mq::inspection {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-/// Relative change of the radius below which it has been found.
+/// The radius is found when it changes by less than this fraction.
 constexpr double kSettled = 1e-10;
-/// Rounds at most; a handful is enough.
+/// Rounds at most; fewer than ten are usual.
 constexpr int kMaxRounds = 100;
 
-/// Largest share of its radius by which a ball may cut into the surface around the point where it starts, seen from its
-/// centre within 60 degrees. On a solid bar of 12 facets it is 0.14.
+/// How deep a ball may cut into the surface near the point where it starts (within 60 degrees of it, seen from the
+/// centre), as a fraction of the radius. On a solid bar of 12 facets this depth is 0.14.
 constexpr double kLargestCutNearby = 0.2;
-/// The same elsewhere.
+/// How deep a ball may cut into the surface elsewhere, as a fraction of the radius.
 constexpr double kLargestCut = 0.02;
 
-/// Largest distance from a ball, as a share of its radius, of what it touches. Next to a touching plane such points lie
-/// up to 11 degrees off the contact, seen from the centre.
+/// A point counts as touched if its distance from the ball is at most this fraction of the radius. Beside a tangent
+/// plane such points lie up to 11 degrees off the contact, seen from the centre.
 constexpr double kLargestGap = 0.02;
-/// The same of a contact that makes the search for nearer ones needless.
+/// If the distance of a contact is at most this fraction of the radius, no nearer one is searched.
 constexpr double kSmallGap = 0.002;
 
-/// The greatest value along an axis of the unit vectors within `angle` of a direction that has the value `cosine`.
+/// The greatest component along an axis of the unit vectors within `angle` of a direction whose component is `cosine`.
 double most_along(double cosine, double angle) {
     const double between = std::acos(std::clamp(cosine, -1.0, 1.0));
     return between <= angle ? 1.0 : std::cos(between - angle);
@@ -69,7 +69,7 @@ LargestBall largest_ball(const mesh::NearestTree& tree, const Vec3& point, const
         if (nearest.distance >= (is_nearby ? least_nearby : least) * (1.0 - kSettled)) {
             break;
         }
-        // The ball that touches the surface there, too.
+        // The ball that touches the surface at the nearest point as well.
         const Vec3 to = nearest.point - point;
         const double depth = to.dot(direction);
         const double radius = depth > 0.0 ? 0.5 * to.squaredNorm() / depth : 0.0;

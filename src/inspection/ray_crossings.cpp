@@ -10,15 +10,15 @@ namespace mq::inspection {
 
 namespace {
 
-/// Fraction of the ray's length within which a crossing lies at its origin: the origin is a point of a triangle,
-/// rounded.
+/// A crossing within this fraction of the ray's length from its origin counts as at the origin: the origin is a rounded
+/// point of a triangle.
 constexpr double kAtOrigin = 1e-13;
 
 /// The side on which the edge from v to w passes the ray from `origin` to `far`: positive where it runs
 /// counter-clockwise around it. Zero only where the origin lies on the line of the edge.
 int side_of_edge(const Vec3& origin, const Vec3& far, const Vec3& v, const Vec3& w) {
     int side = orient3d(origin, far, v, w);
-    // The far point moved by (e, e^2, e^3): the determinant is linear in it.
+    // The far point is moved by (e, e^2, e^3): the determinant is linear in the move.
     for (int axis = 0; side == 0 && axis < 3; ++axis) {
         side = orient2d(origin, v, w, axis);
     }

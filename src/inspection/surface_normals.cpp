@@ -10,9 +10,10 @@ namespace mq::inspection {
 
 namespace {
 
-/// Cosine of the angle up to which neighbours without a CAD face continue each other: 30 degrees.
+/// Cosine of the largest angle between neighbours without a CAD face that continue each other: 30 degrees.
 const double kSmooth = std::cos(M_PI / 6.0);
-/// Cosine of the angle up to which neighbours of one CAD face do: 75 degrees. Tiny roundings have few triangles.
+/// Cosine of the largest angle between neighbours of one CAD face that continue each other: 75 degrees, as tiny
+/// roundings have few triangles.
 const double kSmoothOnFace = std::cos(75.0 * M_PI / 180.0);
 
 double angle_between(const Vec3& a, const Vec3& b) {
@@ -24,7 +25,8 @@ double angle_between(const Vec3& a, const Vec3& b) {
 SurfaceNormals::SurfaceNormals(const mesh::TriangleMesh& mesh, const Progress* progress)
     : plane_(mesh.triangles.size(), Vec3::Zero()), corner_(mesh.triangles.size()), allowance_(mesh.triangles.size()) {
     const auto vertex = [&](std::size_t k, int i) -> const Vec3& { return mesh.vertices[mesh.triangles[k][i]]; };
-    // Shares of the triangles in the normals of vertices, which are exact on spheres with them (Max 1999).
+    // Weights of the triangles in the normals of vertices; the normals are exact on spheres with these weights (Max
+    // 1999).
     std::vector<double> share(3 * plane_.size());
     CancelPace pace(progress);
     for (std::size_t k = 0; k < plane_.size(); ++k) {

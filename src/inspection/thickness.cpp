@@ -20,11 +20,11 @@ namespace mq::inspection {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-/// Sample points along a side of the largest box, where no spacing is given.
+/// Sample points along the largest side of the model's box, if no spacing is given.
 constexpr double kPointsAcross = 50.0;
 /// Rows of sample points in one triangle at most.
 constexpr int kMostRows = 32;
-/// Triangles that a thread works on at a time.
+/// Triangles that a thread takes at a time.
 constexpr std::size_t kChunk = 256;
 
 struct Measured {
@@ -34,7 +34,9 @@ struct Measured {
     bool is_wall = false;
 };
 
-/// Puts a sample into its triangle's place if it is the first, or tells more than those before.
+/// Replaces `least` by a sample that is the first one of its triangle or ranks before it: samples on walls rank first,
+/// then smaller values, then
+/// numbers.
 void keep_least(const Measured& sample, bool first, Measured& least) {
     const bool better = sample.is_wall != least.is_wall ? sample.is_wall : sample.value < least.value;
     if (first || better || (std::isnan(least.value) && !std::isnan(sample.value))) {
@@ -66,13 +68,13 @@ class Gauge {
         spacing_ = options.spacing > 0.0 ? options.spacing : all.largest_side() / kPointsAcross;
     }
 
-    /// @param known  free balls of the triangle's body
+    /// @param known  free balls of the body that the triangle belongs to
     void measure(std::int32_t triangle, Measured& by_ray, Measured& by_ball, FreeBalls& known) const {
         const mesh::Triangle& t = mesh_.triangles[triangle];
         const Vec3 &a = mesh_.vertices[t[0]], &b = mesh_.vertices[t[1]], &c = mesh_.vertices[t[2]];
         const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
         const int rows = spacing_ > 0.0 ? std::clamp(static_cast<int>(std::ceil(longest / spacing_)), 1, kMostRows) : 1;
-        // The centroids of the rows^2 triangles into which the sides divide it.
+        // The centroids of the rows^2 triangles into which the triangle is divided.
         bool first = true;
         for (int i = 0; i < rows; ++i) {
             for (int j = 0; i + j < rows; ++j) {

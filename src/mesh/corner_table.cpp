@@ -42,7 +42,8 @@ VertexFans fans(const std::vector<Triangle>& triangles, const std::vector<std::i
         }
         const auto fan = static_cast<std::int32_t>(result.vertex_of.size());
         result.vertex_of.push_back(triangles[start / 3][start % 3]);
-        // Once around, over the edges that arrive at the vertex; where that meets a border, back over those that leave.
+        // Walks once around the vertex over the edges that arrive at it; from a border it walks back over the edges
+        // that leave.
         auto h = static_cast<std::int32_t>(start);
         do {
             result.fan_of[h] = fan;

@@ -27,12 +27,12 @@ struct EdgeEntry {
 /// The corners (directed edges, 3 * triangle + i) of a triangle soup in buckets by the lower vertex of their edges,
 /// each sorted by the higher one, then by the corner. Triangles that name a vertex twice are left out.
 struct EdgeBuckets {
-    LargeVector<std::uint32_t> begin;  ///< first entry of each vertex; the number of entries at the end
+    LargeVector<std::uint32_t> begin;  ///< by vertex: its first entry; at the end the number of entries
     LargeVector<EdgeEntry> entries;
 };
 
 inline void sort_bucket(EdgeEntry* first, EdgeEntry* last) {
-    // Bucket size up to which insertion sort is faster than std::sort.
+    // Largest bucket for which insertion sort is faster than std::sort.
     constexpr std::ptrdiff_t kSmall = 24;
     if (last - first > kSmall) {
         std::sort(first, last);
@@ -53,9 +53,9 @@ inline void sort_bucket(EdgeEntry* first, EdgeEntry* last) {
 /// is its own. Every vertex index must be in range.
 template <typename Visit>
 EdgeBuckets edge_buckets(const std::vector<Triangle>& triangles, std::size_t vertex_count, const Visit& visit) {
-    // Triangles for each thread from which its start is worth its time.
+    // Number of triangles per thread above which starting the thread pays.
     constexpr std::size_t kWorthAThread = 32768;
-    // Beyond this number of blocks, reading all triangles takes longer than what is left of the rest.
+    // With more blocks, reading all triangles for each of them takes longer than the rest of the work.
     constexpr int kMostBlocks = 8;
     const auto blocks = static_cast<std::size_t>(std::min(threads_for(triangles.size(), kWorthAThread), kMostBlocks));
     const auto in_blocks = [&](const auto& work) {

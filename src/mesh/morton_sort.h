@@ -21,7 +21,7 @@ struct MortonKey {
     std::uint32_t item;
 };
 
-/// Sorts by code, and keeps the order of those with the same one. O(n).
+/// Sorts by code; items with equal codes keep their order. O(n).
 void sort_by_code(LargeVector<MortonKey>& keys);
 
 }  // namespace mq::mesh

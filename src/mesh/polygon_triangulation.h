@@ -15,7 +15,7 @@ namespace mq::mesh {
 /// Whether a triangle of the filling, by its three positions in the loop, is to be avoided.
 using AvoidTriangle = std::function<bool(const Triangle&)>;
 
-/// Vertices of a loop that is triangulated at once; longer ones are divided first, as the time is cubic.
+/// Most vertices of a loop that is triangulated at once; longer loops are divided first, as the time is cubic.
 constexpr std::size_t kLongestWholeLoop = 300;
 
 /// The triangulation of least area of a closed polygon in space, by dynamic programming over its chords (Barequet and

@@ -20,7 +20,7 @@ Vec3 corner_of(const float* corners, std::size_t k) {
     return {corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]};
 }
 
-/// Whether all nine numbers of a triangle are finite; those of others have no cell.
+/// Whether all nine numbers of a triangle are finite; other triangles have no cell.
 bool is_finite(const float* corners, std::size_t t) {
     return std::all_of(corners + 9 * t, corners + 9 * (t + 1), [](float x) { return std::isfinite(x); });
 }
@@ -43,7 +43,7 @@ double cell_side(const float* corners, std::size_t triangles, std::size_t wanted
 
 /// The number of each corner's cluster, in the order of the first corners.
 struct Numbering {
-    std::vector<std::int32_t> cluster;  ///< -1: of a triangle with numbers that are not finite
+    std::vector<std::int32_t> cluster;  ///< -1: its triangle has numbers that are not finite
     std::vector<Vec3> centre;           ///< mean of the corners in each cluster
 };
 

@@ -13,7 +13,7 @@ BisectedLattice::BisectedLattice(const Box& box, double side, double finest) : f
     Vec3 origin;
     std::array<std::uint64_t, 3> cubes{};
     for (int i = 0; i < 3; ++i) {
-        // The lattice lies at no round place, so that faces of parts seldom lie in its planes.
+        // The lattice starts at no round coordinates, so that faces of models seldom lie in its planes.
         origin[i] = box.low[i] - ContouredOffsetTuning::kShift * (1.0 + 0.37 * i) * side;
         cubes[static_cast<std::size_t>(i)] = static_cast<std::uint64_t>(std::ceil((box.high[i] - origin[i]) / side));
     }
@@ -43,7 +43,7 @@ BisectedLattice::BisectedLattice(const Box& box, double side, double finest) : f
     }
 }
 
-/// Among edges as long the one with the lower nodes counts as longer.
+/// Among edges of equal length the one with the lower node numbers counts as longer.
 std::array<std::int32_t, 2> BisectedLattice::longest_edge(const Cell& cell) const {
     constexpr double kSame = 1e-9;  // relative difference of squared lengths that count as equal
     std::array<std::int32_t, 2> longest{-1, -1};
@@ -79,8 +79,9 @@ std::vector<std::size_t> BisectedLattice::cells_around(std::int32_t a, std::int3
 }
 
 void BisectedLattice::divide(std::size_t first) {
-    // A cell waits until its longest edge is that of all cells around it. Each one that waits for another one has a
-    // shorter edge than that, or as long a one within rounding errors, and none waits twice: so this ends.
+    // A cell waits until its longest edge is the longest one of all cells around that edge. A cell that waits for
+    // another one has a shorter longest edge than that one, or one equal within rounding errors, and no cell waits
+    // twice: so this terminates.
     std::vector<std::size_t> waiting{first};
     while (!waiting.empty()) {
         const std::size_t last = waiting.back();

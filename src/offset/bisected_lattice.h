@@ -10,23 +10,23 @@
 
 namespace mq::offset {
 
-/// Tetrahedra that fill a box and are divided where they are to be smaller, without hanging nodes: the Kuhn
-/// triangulation of cubes, bisected at longest edges (Rivara 1991, Local modification of meshes for adaptive and/or
-/// multigrid finite-element methods), which for these is Maubach's bisection with three shapes of cells. An edge can
-/// also be divided anywhere, after which there are other shapes.
+/// Tetrahedra that fill a box and are divided locally, without hanging nodes: the Kuhn triangulation of cubes, bisected
+/// at longest edges (Rivara 1991, Local modification of meshes for adaptive and/or multigrid finite-element methods),
+/// which for this triangulation is Maubach's bisection with three shapes of cells. An edge can also be divided at any
+/// other point, which makes other shapes.
 class BisectedLattice {
   public:
     struct Cell {
         std::array<std::int32_t, 4> nodes;
     };
 
-    /// @param box  what is filled at least
-    /// @param side  of the cubes, mm
-    /// @param finest  edges up to that length are not divided, mm
+    /// @param box  the box that the lattice fills at least
+    /// @param side  mm: side of the cubes
+    /// @param finest  mm: edges up to this length are not divided
     BisectedLattice(const Box& box, double side, double finest);
 
     std::size_t node_count() const { return nodes_.size(); }
-    /// Cells that there are and that there were.
+    /// Number of all cells, including those that were divided.
     std::size_t cell_count() const { return cells_.size(); }
     bool is_divided(std::size_t cell) const { return divided_[cell] != 0; }
     const Cell& cell(std::size_t index) const { return cells_[index]; }
@@ -34,12 +34,13 @@ class BisectedLattice {
     std::array<Vec3, 4> corners(const Cell& cell) const {
         return {at(cell.nodes[0]), at(cell.nodes[1]), at(cell.nodes[2]), at(cell.nodes[3])};
     }
-    /// Whether a cell can still be divided.
+    /// Whether a cell has an edge that may be divided.
     bool is_divisible(const Cell& cell) const;
-    /// Divides a cell at its longest edge, unless it is already divided, and before it those around that edge that have
-    /// a longer one.
+    /// Divides a cell at its longest edge, unless it is divided already. Cells around that edge that have a longer edge
+    /// are divided first.
     void divide(std::size_t cell);
-    /// Divides all cells around an edge at a point of it, which becomes a node; nothing where there is no such edge.
+    /// Divides all cells around an edge at one of its points, which becomes a node. Does nothing if there is no such
+    /// edge.
     void divide_edge(std::int32_t a, std::int32_t b, const Vec3& point);
 
   private:
@@ -51,7 +52,7 @@ class BisectedLattice {
 
     double finest_;
     std::vector<Vec3> nodes_;
-    std::vector<std::vector<std::int32_t>> cells_at_;  ///< by node: those that are not divided
+    std::vector<std::vector<std::int32_t>> cells_at_;  ///< by node: the undivided cells that have it
     std::vector<Cell> cells_;
     std::vector<char> divided_;
 };

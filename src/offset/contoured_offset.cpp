@@ -23,7 +23,7 @@ namespace mq::offset {
 
 namespace {
 
-/// Some triangles of a mesh, by their numbers there, with their patches.
+/// Some triangles of a mesh, given by their indices, with their patches.
 OffsetSurface surface_of(const mesh::TriangleMesh& mesh, const std::vector<std::int32_t>& chosen) {
     OffsetSurface result{mesh.vertices, {}, {}, true};
     for (const std::int32_t t : chosen) {
@@ -36,8 +36,8 @@ OffsetSurface surface_of(const mesh::TriangleMesh& mesh, const std::vector<std::
 /// One offset: it holds the state that the stages share.
 class ContouredOffset {
   public:
-    /// @param chosen  the triangles of the surface, by their numbers in the mesh
-    /// @param inward  what is left of the space before the surface is wanted
+    /// @param chosen  indices in the mesh of the triangles of the surface
+    /// @param inward  whether the result is the solid without the points near its surface
     ContouredOffset(OffsetSurface surface, std::vector<std::int32_t> chosen, bool inward,
                     const boolean::OffsetOptions& options, Progress& progress)
         : surface_(std::move(surface)),
@@ -70,8 +70,8 @@ class ContouredOffset {
         return result;
     }
 
-    /// Simplifies the contour. Where that leaves the tolerance, the contour stays as it is the next time, and
-    /// everywhere in the last round.
+    /// Simplifies the contour. Regions in which the result left the tolerance are not simplified in the next round; in
+    /// the last round nothing is.
     void simplify(const contour::Contour& whole, const RefinedCells& cells) {
         contour::CollapseLimits limits;
         limits.distance = ContouredOffsetTuning::kSimplification * tolerance_;
@@ -98,7 +98,7 @@ class ContouredOffset {
             result_.error_bound = std::max(result_.error_bound, distance);
         }
     }
-    /// Whether a triangle is apart from all places where the contour stays as it is.
+    /// Whether a triangle is outside of all regions in which the contour is not simplified.
     bool is_free(const std::array<Vec3, 3>& c) const {
         Box box;
         for (const Vec3& p : c) {
@@ -106,8 +106,8 @@ class ContouredOffset {
         }
         return std::none_of(kept_.begin(), kept_.end(), [&](const Box& kept) { return kept.meets(box); });
     }
-    /// Whether points of a triangle are at the distance within a fraction of the tolerance. In triangles of up to 16
-    /// times that, they are as near to each other as the chord of a ball of this distance whose arc is one tolerance
+    /// Whether sample points of a triangle have the asked distance within a fraction of the tolerance. Samples are one
+    /// chord apart in triangles up to 16 chords long: the chord of a ball of this distance whose arc is one tolerance
     /// high.
     bool is_near(const std::array<Vec3, 3>& c) const {
         constexpr double kMost = 16.0;
@@ -143,8 +143,8 @@ class ContouredOffset {
                                                 progress_)
             .bound;
     }
-    /// How far from the offset the nodes are that lie on the wrong side of the contour, by their numbers; 0: on
-    /// the right side.
+    /// By node: how far from the offset it is if it lies on the wrong side of the contour; 0 if it lies on the right
+    /// side.
     std::vector<double> misclassified(const std::vector<LatticeNode>& nodes) const {
         std::vector<double> result(nodes.size());
         if (contour_.triangles.empty()) {
@@ -159,8 +159,8 @@ class ContouredOffset {
         });
         return result;
     }
-    /// Boxes around triangles and nodes that are not within the tolerance.
-    /// @param wrong  as misclassified gives it
+    /// Boxes around the triangles and nodes that are outside of the tolerance.
+    /// @param wrong  the result of misclassified()
     std::vector<Box> faults_of(const std::vector<LatticeNode>& nodes, const std::vector<double>& wrong) const {
         std::vector<Box> result;
         const std::vector<boolean::Corners> triangles = triangles_found();
@@ -199,7 +199,7 @@ class ContouredOffset {
         result_.mesh.origin = origin;
         result_.mesh.vertices = std::move(contour_.points);
         result_.mesh.triangles = std::move(contour_.triangles);
-        // Simplification may have moved borders between faces across the middle of a triangle.
+        // Simplification may have moved borders between faces across the middles of triangles.
         result_.triangle_source.resize(result_.mesh.triangles.size());
         for_chunks(static_cast<int>(result_.mesh.triangles.size()), [&](int t) {
             const auto slot = static_cast<std::size_t>(t);
@@ -224,7 +224,7 @@ class ContouredOffset {
     const double tolerance_;
     const DistanceLevelSet level_set_;
     Progress& progress_;
-    std::vector<Box> kept_;  ///< where the contour is not simplified
+    std::vector<Box> kept_;  ///< regions in which the contour is not simplified
     contour::Contour contour_;
     boolean::OffsetResult result_;
     StageWatch stages_{progress_, result_.seconds};

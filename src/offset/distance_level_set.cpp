@@ -36,8 +36,9 @@ DistanceLevelSet::DistanceLevelSet(const OffsetSurface& surface, double distance
     }
 }
 
-/// The triangle of the lowest patch stands for a feature, so that what is offset from it is not divided by rounding
-/// errors.
+/// Among the triangles at a feature the one with the lowest patch represents it, so that rounding errors do not divide
+/// its
+/// offset.
 void DistanceLevelSet::add(Feature& feature, std::int32_t triangle, double weight) const {
     feature.normal += weight * faces_[static_cast<std::size_t>(triangle)].normal;
     if (feature.triangle < 0 ||
@@ -53,7 +54,7 @@ Vec3 DistanceLevelSet::nearest(const Vec3& point, std::int32_t triangle) const {
                                      surface_.points[static_cast<std::size_t>(c[2])]);
 }
 
-/// The face, edge or vertex of a triangle on which a point of it lies.
+/// The face, edge or vertex of a triangle that contains a point of it.
 const DistanceLevelSet::Feature& DistanceLevelSet::feature_at(std::int32_t triangle, const Vec3& point) const {
     constexpr double kOnEdge = 1e-9;  // barycentric coordinate
     const mesh::Triangle& c = surface_.triangles[static_cast<std::size_t>(triangle)];

@@ -13,20 +13,20 @@
 
 namespace mq::offset {
 
-/// The surface from which an offset is made. It must outlive what uses it.
+/// The surface from which an offset is made. It must outlive the objects that use it.
 struct OffsetSurface {
     std::vector<Vec3> points;
-    std::vector<mesh::Triangle> triangles;  ///< closed and oriented outward where it is a solid
+    std::vector<mesh::Triangle> triangles;  ///< closed and oriented outward if it is a solid
     std::vector<std::int32_t> patch;        ///< by triangle
-    bool is_solid = true;                   ///< otherwise both sides count
+    bool is_solid = true;                   ///< false: a distance counts on both sides of the surface
 };
 
-/// The distance from a surface less a given one: the level set of an offset. Within a solid distances count as
+/// The distance from a surface less a given distance: the level set of an offset. Distances inside of a solid are
 /// negative.
 ///
-/// The side of a point is that of the pseudonormal of what is nearest to it: of a face its normal, of an edge the sum
-/// of both, of a vertex the sum weighted by angles (Baerentzen and Aanaes 2005, Signed distance computation using the
-/// angle weighted pseudonormal, section 3).
+/// The sign of a point's distance is that of its height over the pseudonormal of the nearest feature. The pseudonormal
+/// of a face is its normal, that of an edge the sum of both normals, that of a vertex the sum weighted by angles
+/// (Baerentzen and Aanaes 2005, Signed distance computation using the angle weighted pseudonormal, section 3).
 class DistanceLevelSet : public contour::LevelSet {
   public:
     /// @param resolution  see LevelSet
@@ -44,7 +44,7 @@ class DistanceLevelSet : public contour::LevelSet {
     Vec3 nearest(const Vec3& point, std::int32_t triangle) const;
 
   private:
-    /// An edge or a vertex: its pseudonormal, and the triangle that stands for all that it has.
+    /// An edge or a vertex: its pseudonormal, and the triangle that represents it.
     struct Feature {
         Vec3 normal = Vec3::Zero();
         std::int32_t triangle = -1;

@@ -64,7 +64,7 @@ class Refinement {
   private:
     using Cell = BisectedLattice::Cell;
 
-    /// Cells that have come since the last call and are not divided.
+    /// The undivided cells that were made since the last call.
     std::vector<std::size_t> next_cells() {
         std::vector<std::size_t> fresh;
         for (; known_cells_ < lattice_.cell_count(); ++known_cells_) {
@@ -74,7 +74,7 @@ class Refinement {
         }
         return fresh;
     }
-    /// What is to be done with a cell: nothing, or to divide it, at an edge where that is known.
+    /// The decision on a cell: whether to divide it, and at which edge if one is known.
     struct Verdict {
         bool is_within_slack = true;
         std::array<std::int32_t, 2> edge{-1, -1};
@@ -90,8 +90,8 @@ class Refinement {
         }
         return result;
     }
-    /// Whether the other side reaches across an edge between two nodes on one side, where the planes at both ends meet.
-    /// A node there makes an edge of the offset pass through faces once.
+    /// Finds where the other side reaches across an edge between two nodes on one side: at the intersection of the
+    /// planes at both ends. A node there makes an edge of the offset cross each face of a cell once.
     void find_feature(std::int32_t a, std::int32_t b, Verdict& result) const {
         const LevelSample& from = levels_[static_cast<std::size_t>(a)];
         const LevelSample& to = levels_[static_cast<std::size_t>(b)];
@@ -124,7 +124,7 @@ class Refinement {
             lattice_.divide(cell);
             return;
         }
-        // Any point of the cell may lie on its contour: each node bounds how far that is from the offset.
+        // The contour may pass any point of the cell: each node bounds the distance of such points from the offset.
         const Tetrahedron corners = lattice_.corners(lattice_.cell(cell));
         double least = std::numeric_limits<double>::infinity();
         for (const std::int32_t node : lattice_.cell(cell).nodes) {
@@ -173,7 +173,7 @@ class Refinement {
         });
     }
 
-    /// Where the level set is 0 on an edge: regula falsi with the Illinois rule, then halving.
+    /// The point of an edge at which the level set is 0: regula falsi with the Illinois rule, then bisection.
     Crossing crossing(const std::array<std::int32_t, 2>& edge) const {
         constexpr int kMostSteps = 40;
         constexpr int kFalsi = 6;
@@ -240,7 +240,7 @@ class Refinement {
     const Crossing& at(const CrossedCell& cell, int k) const {
         return crossings_[static_cast<std::size_t>(cell.crossings[static_cast<std::size_t>(k % cell.polygon.count)])];
     }
-    /// Whether some points of the surface are within the slack: most cells that are too large fail here.
+    /// Whether some sample points of the surface are within the slack: most cells that are too large fail here.
     bool is_near(const CrossedCell& cell, const CellSurface& surface) const {
         const auto near = [&](const Vec3& p) { return std::abs(level_set_.at(p, at(cell, 0).source).value) <= slack_; };
         if (!near(surface.apex)) {
@@ -260,8 +260,8 @@ class Refinement {
         return true;
     }
 
-    /// Whether the proof holds for all of the cell: for the cones from the vertex of its surface over what the polygon
-    /// leaves of its faces on both sides.
+    /// Whether the proof holds for the whole cell: for the cones from the vertex of its surface over the faces of the
+    /// cell, on both sides of the polygon.
     bool are_sides_proven(const Cell& cell, const CrossedCell& here, const CellSurface& surface) const {
         for (std::size_t opposite = 0; opposite < 4; ++opposite) {
             const std::array<std::size_t, 3> face{(opposite + 1) % 4, (opposite + 2) % 4, (opposite + 3) % 4};
@@ -277,7 +277,7 @@ class Refinement {
                 }
                 continue;
             }
-            std::size_t lone = 0;  // the corner that is alone on its side
+            std::size_t lone = 0;  // the only corner on its side
             while (outside[lone] != (count == 1)) {
                 ++lone;
             }
@@ -289,7 +289,8 @@ class Refinement {
         return true;
     }
     bool cone_holds(const Vec3& apex, const std::array<Vec3, 3>& base, bool outside, std::int32_t guess) const {
-        // A fan has its tip on some of the faces; what is flatter than this is near enough to tetrahedra beside it.
+        // The tip of a fan lies on some of the faces; a tetrahedron that is flatter than this is covered by those
+        // beside it.
         const double flat = 1e-6 * slack_;
         const double height = (base[0] - apex).cross(base[1] - apex).dot(base[2] - apex);
         double longest = 0.0;
@@ -299,7 +300,7 @@ class Refinement {
         return std::abs(height) <= flat * longest * longest ||
                proof_.proves({apex, base[0], base[1], base[2]}, outside, guess);
     }
-    /// @param face  its corners, first the one that is alone on its side
+    /// @param face  its corners; the first one is alone on its side
     bool divided_face_holds(const Cell& cell, const CrossedCell& here, const CellSurface& surface,
                             const std::array<std::size_t, 3>& face, bool lone_outside) const {
         const auto crossing_to = [&](std::size_t corner) {
@@ -354,8 +355,8 @@ class Refinement {
         keep_used_crossings(result.crossed);
         return result;
     }
-    /// Edges that were divided have crossings that no cell uses any more. The others keep their order, on which points
-    /// on faces depend.
+    /// Removes crossings of divided edges, which no cell uses any more. The others keep their order, on which points on
+    /// faces depend.
     void keep_used_crossings(contour::CrossedCells& result) const {
         std::vector<std::int32_t> number(crossings_.size(), -1);
         for (const CrossedCell& cell : result.cells) {
@@ -385,7 +386,7 @@ class Refinement {
     std::size_t known_cells_ = 0;
     double bound_ = 0.0;
     std::vector<LevelSample> levels_;  ///< by node
-    KeyMap<std::int32_t> numbers_;     ///< numbers of crossings, by edge
+    KeyMap<std::int32_t> numbers_;     ///< indices of crossings, by edge
     std::vector<Crossing> crossings_;
 };
 

@@ -9,29 +9,30 @@
 
 namespace mq::offset {
 
-/// A point of the lattice beside the contour.
+/// A node of the lattice beside the contour.
 struct LatticeNode {
     Vec3 place = Vec3::Zero();
-    double value = 0.0;  ///< what the level set is there, mm
+    double value = 0.0;  ///< mm: value of the level set at the node
 };
 
-/// The cells whose contour is an offset, and how near it is to that.
+/// The cells whose contour is an offset, and a bound of its error.
 struct RefinedCells {
     contour::CrossedCells crossed;
-    /// mm, proven: no point nearer to the surface than the distance less this is outside of the contour, and none
-    /// farther than the distance and this is within it.
+    /// mm, proven: no point outside of the contour is nearer to the surface than the distance less this bound, and no
+    /// point inside is farther than the distance plus this bound.
     double bound = 0.0;
-    std::vector<LatticeNode> nodes;  ///< corners of the crossed cells
+    std::vector<LatticeNode> nodes;  ///< corners of the cells that the contour crosses
 };
 
-/// Divides cells around the zero set of a distance until the contour of each is proven within a slack of it: both sides
-/// of the contour are tetrahedra with its vertex, and SideProof shows on which side they are. It also shows that
-/// nothing is missed in cells without a contour. A cell of which no edge is longer than `finest` is not divided; its
-/// contour is within |value| and its diameter of the offset, which is in the bound.
+/// Divides cells around the zero set of a distance until the contour of each cell is proven within a slack: the regions
+/// of the cell on both sides of the contour are tetrahedra with its vertex, and SideProof shows on which side of the
+/// offset they are. SideProof also shows that nothing is missed in cells without a contour. A cell without edges longer
+/// than `finest` is not divided; its contour differs from the offset by at most |value| plus its diameter, which is
+/// included in the bound.
 /// @param slack  mm
 /// @param finest  length of the edges of the finest cells, mm
-/// @param box  in which the contour lies
-/// @throws InvalidInput where there would be more cells than fit into memory
+/// @param box  contains the contour
+/// @throws InvalidInput if the cells would not fit into memory
 /// @throws Cancelled
 RefinedCells refine(const DistanceLevelSet& level_set, const Box& box, double slack, double finest,
                     const Progress& progress);

@@ -23,11 +23,11 @@ bool SideProof::is_outside(const Tetrahedron& cell, const Ball& ball, const cont
     if (level.value - ball.radius >= -slack_) {
         return true;
     }
-    // Within a solid distances are less than 0: no tangent bounds them.
+    // Distances inside of a solid are negative: no tangent bounds them.
     return level.value + level_set_.distance() > 0.0 && is_farther_from_all(cell, ball, level_set_.distance() - slack_);
 }
 
-/// Whether the tangents of all distances from triangles show that the cell is at least that far from each.
+/// Whether the tangents of the distances from all triangles show that the cell is at least that far from each.
 bool SideProof::is_farther_from_all(const Tetrahedron& cell, const Ball& ball, double least) const {
     const double most = least + ball.radius;
     bool holds = true;
@@ -51,7 +51,7 @@ bool SideProof::is_farther_from_all(const Tetrahedron& cell, const Ball& ball, d
             for (const Vec3& corner : cell) {
                 lowest = std::min(lowest, away.dot(corner - ball.middle));
             }
-            // A division is cheaper than asking all triangles that are near to a large cell.
+            // Dividing is cheaper than evaluating all triangles that are near to a large cell.
             holds =
                 distance > 0.0 && distance + lowest / distance >= least && ++asked <= ContouredOffsetTuning::kMostAsked;
         });

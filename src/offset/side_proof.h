@@ -11,18 +11,18 @@ namespace mq::offset {
 
 using Tetrahedron = std::array<Vec3, 4>;
 
-/// Whether all of a tetrahedron lies within an offset or outside of it, but for some slack.
+/// Proves that a tetrahedron lies inside of an offset, or outside of it, up to a slack.
 ///
-/// The distance from one triangle is a convex function. So the largest distance of a tetrahedron's corners from one of
-/// the triangles bounds that of all of its points from the surface from above; from below each triangle's tangent at
-/// the middle bounds it. Where neither tells, nor that distances change by no more than points are apart, the
-/// tetrahedron is divided.
+/// The distance from one triangle is a convex function of the point. So the largest distance of a tetrahedron's corners
+/// from a triangle is an upper bound for the distance of all its points from the surface; each triangle's tangent at
+/// the middle gives a lower bound. If neither these bounds decide, nor the fact that distances change by no more than
+/// the points' distance, the tetrahedron is divided.
 class SideProof {
   public:
     /// @param slack  mm
     SideProof(const DistanceLevelSet& level_set, double slack) : level_set_(level_set), slack_(slack) {}
 
-    /// Whether it is proven that no point is farther out than the slack (outside: farther in).
+    /// Whether it is proven that no point is farther out than the slack; with `outside`, farther in.
     bool proves(const Tetrahedron& cell, bool outside, std::int32_t guess) const;
 
   private:

@@ -100,7 +100,7 @@ std::vector<int> faces_of(const ClassifiedMesh& mesh, const MeshBody& body) {
     return {faces.begin(), faces.end()};
 }
 
-/// What else than geometry decides how an entity is refined: local sizes, and whether it is in the mesh at all.
+/// Conditions besides geometry that decide how an entity is refined: local sizes, and whether it is in the mesh at all.
 class EntityDemands {
   public:
     EntityDemands(const ClassifiedMesh& mesh, const std::vector<LocalSize>& sizes) {
@@ -197,7 +197,8 @@ class BodyRefinement {
         return result;
     }
 
-    // Samples are drawn for each body. Those with triangles from an earlier run are nearly done, and keep these.
+    // Samples are drawn for each body, and bodies with triangles from an earlier run are nearly done: both are no
+    // copies.
     bool is_copy(std::size_t b) const {
         const std::vector<int>& triangles = bodies_[b].triangles;
         return equal_.original[b] >= 0 && whole_.options().method == Method::Refine &&
@@ -313,7 +314,7 @@ class BodyRefinement {
     std::vector<Group> originals_;
     std::vector<Group> copies_;
     std::set<int> has_copies_;          // bodies
-    std::vector<RefinedBody> refined_;  // by body: those that have copies
+    std::vector<RefinedBody> refined_;  // by body: those with copies
     std::atomic<std::size_t> done_{0};  // triangles before refinement
 };
 

@@ -12,7 +12,7 @@ namespace mq::triangulate {
 
 namespace {
 
-// Measured distances have single precision.
+// Measured distances are stored in single precision.
 constexpr double kSinglePrecision = 1.0 - 1e-6;
 
 }  // namespace
@@ -66,12 +66,12 @@ void ComponentWork::start(Refinement& whole, int first_vertex) {
                         [this](const char* stage) { clock_.end(stage); });
 }
 
-// Frees what was known for refinement only: `give` passes the rest on.
+// Frees data that only refinement needs: `give` passes the rest on.
 void ComponentWork::run() {
     refinement_->run();
     refinement_.reset();
     if (placed_) {
-        work_.settled.clear();  // as those of its original are not
+        work_.settled.clear();  // as those of its original are not settled
     }
 }
 
@@ -112,8 +112,8 @@ void ComponentWork::take(const PlacedBodies& placed) {
     }
 }
 
-// A piece of a copy is as far from the CAD model as that of its original, but for what rounding has moved its ends. So
-// what may exceed the tolerance by that is measured again.
+// A piece of a copy is as far from the CAD model as the piece of the original, up to the distance by which rounding has
+// moved its ends. So pieces that may exceed the tolerance by that distance are measured again.
 void ComponentWork::take_measured(const PlacedBodies::Copy& copy, const geometry::RigidMotion& motion) {
     const ClassifiedMesh& original = copy.original.mesh;
     std::vector<double> moved(static_cast<std::size_t>(original.vertex_count()));  // by rounding, mm
@@ -135,7 +135,7 @@ void ComponentWork::take_measured(const PlacedBodies::Copy& copy, const geometry
     }
 }
 
-// Marks what refinement of the original has finished.
+// Marks triangles whose refinement was finished in the original.
 void ComponentWork::settle(double bound) {
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         if (work_.exemption_of(t) != nullptr || smallest_angle(work_.mesh, t).angle >= bound) {

@@ -16,7 +16,7 @@
 
 namespace mq::triangulate {
 
-/// The mesh of one body after its refinement, with what is known of it: its copies are made of this.
+/// The mesh of one body after its refinement, with the measurements on it: its copies are made of this.
 struct RefinedBody {
     ClassifiedMesh mesh;                              ///< without unused indices
     std::map<int, Exemption> exempt;                  ///< by triangle
@@ -27,7 +27,7 @@ struct RefinedBody {
 /// Copies of refined bodies at their places, as one component.
 class PlacedBodies {
   public:
-    /// One of the copies; indices in the component.
+    /// A copy, with indices in the component.
     struct Copy {
         const RefinedBody& original;
         int body;
@@ -58,12 +58,12 @@ class PlacedBodies {
 /// A component of a mesh and all that refines it.
 class ComponentWork {
   public:
-    /// What the components have in common.
+    /// Data that the components share.
     struct Common {
         Refinement& whole;
         const ChordErrorCache& measured;  ///< measurements of the whole mesh
         const geometry::Session& session;
-        const Progress& progress;  ///< that of the component, used by its constructor, `run` and `body` only
+        const Progress& progress;  ///< progress of the component, used by its constructor, `run` and `body` only
         std::size_t budget;        ///< largest number of its triangles
     };
 
@@ -72,7 +72,7 @@ class ComponentWork {
     /// Placed bodies. Their vertices stay, and triangles are changed only where rounding has broken a bound.
     ComponentWork(PlacedBodies& placed, const Common& common);
 
-    /// Refines it.
+    /// Refines the component.
     /// @throws Cancelled
     void run();
 
@@ -82,8 +82,8 @@ class ComponentWork {
 
     /// Cuts out a body by its faces, ascending. @throws Cancelled
     RefinedBody body(const std::vector<int>& faces) const;
-    /// Passes what is known of triangles, edges and vertices on to the whole mesh, where the component's first triangle
-    /// is `first` and its vertices are `vertices`.
+    /// Passes measurements of triangles, edges and vertices on to the whole mesh, in which the component's first
+    /// triangle is `first` and its vertices are `vertices`.
     void give(Workspace& whole, ChordErrorCache& measured, int first, const std::vector<int>& vertices);
 
   private:

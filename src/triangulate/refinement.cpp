@@ -26,7 +26,8 @@ constexpr double kRefined = 0.8;
 // Growth in the number of triangles after which they are ordered in space again: half of them then lie in the order of
 // their creation.
 constexpr double kGrown = 2.0;
-// Triangles from which on their order counts: fewer, at about 200 bytes each, lie in the caches of a processor.
+// Number of triangles above which their order counts: fewer, at about 200 bytes each, fit into the caches of a
+// processor.
 constexpr int kInCaches = 8192;
 
 // Whether vertices may be removed. The samples and the paper's mesh are kept as they are; where smooth edges are
@@ -89,7 +90,7 @@ void Refinement::run() {
         work_.progress.stage("taking out vertices", kRefined, 0.82);
         order_in_space();
         VertexRemoval(work_, findings_.chords, options_.min_angle, sizing_, first_vertex_).run();
-        order_in_space();  // the vertices that are gone take memory
+        order_in_space();  // vertices that are gone take memory
         refine_chords();   // vertex removal measures fewer places
         end_stage_("taking out vertices");
     }
@@ -103,7 +104,7 @@ void Refinement::run() {
         work_.progress.stage("mending", 0.85, 0.9);
         mend(work_, options_.min_angle, sizing_);
         end_stage_("mending");
-        separate_crossings();  // those of triangles that were changed for better angles
+        separate_crossings();  // crossings of triangles that were changed for better angles
         end_stage_("crossings");
     }
 }

@@ -15,7 +15,7 @@ namespace mq::triangulate {
 /// The fraction of the whole work that is done when refinement begins.
 double share_before_refinement(const TriangulateOptions& options);
 
-/// From a coarse mesh to one that keeps all bounds: angles, chord height, removal of vertices, crossings, mending.
+/// Refines a coarse mesh until it keeps all bounds: angles, chord height, removal of vertices, crossings, optimisation.
 class Refinement {
   public:
     /// Ends the running stage and names it.
@@ -68,10 +68,10 @@ class Refinement {
     ChordRefinement chords_;
     IntersectionRefinement crossings_;
     std::vector<int> touched_;
-    // Those of the mesh to begin with keep their indices.
+    // Vertices of the initial mesh keep their indices; this is their number.
     int vertices_before_;
     int sites_before_;
-    int ordered_;  // triangles when they were ordered in space
+    int ordered_;  // number of triangles when they were ordered in space
 };
 
 }  // namespace mq::triangulate

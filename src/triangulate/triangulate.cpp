@@ -249,7 +249,7 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
         recall->settle(first.faces.chains, work, findings.chords, options.min_angle);
     }
     separate_doubled_edges(work, touched);
-    work.budget = options.budget();  // from here on: the mesh to begin with takes what it takes
+    work.budget = options.budget();  // from here on, so that the first mesh may have any number of triangles
     if (options.keeps_bounds()) {
         maxmin.sweep(touched, work.settled);
         released = refine(work, findings, options, task.chord, stages);
@@ -259,7 +259,7 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     task.progress.check();
     const MaxChordError farthest = measure_against_part(work, findings, task.chord);
     if (left == nullptr) {
-        findings.chords.clear();  // before there is the mesh once more
+        findings.chords.clear();  // released before the mesh is copied
     }
     Output out = write_out(surface, topology, task.grid.origin(), task.progress);
     task.progress.check();

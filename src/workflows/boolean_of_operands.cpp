@@ -54,7 +54,7 @@ double guessed_share(const UniformResult& result) {
            static_cast<double>(std::max<std::size_t>(1, result.result_samples));
 }
 
-/// Which operands are open, and how much of the result is a guess.
+/// A sentence on the open operands, and on how much of the result is a guess.
 std::string guess(const UniformResult& result) {
     std::string names;
     for (std::size_t k = 0; k < result.open.size(); ++k) {
@@ -69,7 +69,7 @@ std::string guess(const UniformResult& result) {
            " of the result's surface";
 }
 
-/// What the rays found on the faces of shapes.
+/// A sentence on the samples that the rays found on the faces of shapes.
 std::string samples_of_faces(const UniformResult& result) {
     const boolean::FaceSampleCounts& cad = result.cad;
     std::string text = "sampled on CAD faces: " + mesh::counted(cad.on_faces, "sample");

@@ -31,12 +31,12 @@ struct BooleanOperand {
     const TopoDS_Shape* shape = nullptr;  ///< null: the operand is nothing but a mesh
 };
 
-/// What was done before: stages, notes and processor time of reading and meshing the operands.
+/// The work before the Boolean: stages, notes and processor time of reading and meshing the operands.
 struct WorkBefore {
     StageTimes seconds;
     std::vector<std::string> notes;
     double cpu_seconds = 0.0;
-    /// mm: how far what was done before may have moved surfaces; the bound that is reported includes it.
+    /// mm: how far that work may have moved surfaces; the reported bound includes it.
     double error_bound = 0.0;
     double tolerance = 0.0;  ///< mm: the tolerance for all of the work, where it is not that of the last step
     std::vector<std::string> repaired{};  ///< a sentence for each operand that was repaired before
@@ -53,7 +53,8 @@ struct BooleanSurface : triangulate::Result {
     std::vector<Vec3> corner_normals;
 };
 
-/// Fills what every report of a closed result has: measured fields, notes, times and what the work before adds.
+/// Fills the fields that every report of a closed result has: measurements, notes, times, and what the work before
+/// adds.
 /// @param empty  the sentence for a result without triangles
 void complete_report(BooleanSurface& surface, const WorkBefore& before, const std::string& empty, Progress& progress);
 

@@ -17,8 +17,8 @@ struct BooleanReport : mesh::MeshReport {
     /// (boolean/error_measure.h).
     double error_bound = 0.0;
     double tolerance_asked = 0.0;   ///< the tolerance that was requested, or that of the resolution, mm
-    std::size_t retained = 0;       ///< triangles that are an operand's own
-    std::size_t reconstructed = 0;  ///< all others
+    std::size_t retained = 0;       ///< triangles that an operand has unchanged
+    std::size_t reconstructed = 0;  ///< all other triangles
     std::size_t faults_left = 0;    ///< faults of the result that no repair removed; notes name them
     /// Pairs of triangles of the operands that cross; of the method Uniform those of its surface that did, until this
     /// was divided along the crossings.
@@ -31,11 +31,11 @@ struct BooleanReport : mesh::MeshReport {
     std::size_t unfitted_vertices = 0;   ///< vertices left on the meshes of these shapes
     std::size_t holes_filled = 0;        ///< holes that stitching left in the reconstructed surface (method Uniform)
     std::size_t samples = 0;             ///< samples of the operands along rays (method Uniform)
-    std::size_t face_samples = 0;        ///< those with depth and normal of a CAD face
+    std::size_t face_samples = 0;        ///< samples with depth and normal of a CAD face
     /// Share of the result's surface where an open operand has no triangle: it is a guess by the winding number, to
     /// which the error bound does not apply (method Uniform). 0 to 1.
     double guessed_share = 0.0;
-    /// How each operand hangs together as it was given, beside `components` and `euler` of the result.
+    /// Components and Euler number of each given operand, to be compared with `components` and `euler` of the result.
     std::vector<mesh::SurfaceTopology> operands;
     std::vector<std::string> repaired;  ///< a sentence for each operand that was repaired
 };

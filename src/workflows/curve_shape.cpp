@@ -121,7 +121,7 @@ void measure_volume(Mesh& mesh, geometry::Engine& engine, const TopoDS_Shape& sh
     mesh.report.cad_volume_error = content.error;
 }
 
-/// How many pairs of triangles that cross are of different bodies, which no node connects.
+/// Number of crossing pairs of triangles that belong to different bodies, which share no node.
 std::int64_t count_of_bodies(const CurvedMesh& mesh, const std::vector<curve::CurvedCrossings::Crossing>& crossing) {
     const std::size_t count = mesh.triangle_face.size();
     const std::size_t of_each = count > 0 ? mesh.triangles.size() / count : 0;
@@ -136,7 +136,7 @@ std::int64_t count_of_bodies(const CurvedMesh& mesh, const std::vector<curve::Cu
                          [&](const auto& pair) { return body(pair.a) != body(pair.b); });
 }
 
-/// Counts the curved triangles that cross, and says where the first pair does.
+/// Counts the curved triangles that cross, and names the place of the first pair.
 void find_crossings(CurvedMesh& mesh, Progress& progress) {
     progress.stage("comparing curved triangles", 1.0, 1.0);
     StageClock clock(mesh.report.seconds);
@@ -164,7 +164,7 @@ void find_crossings(CurvedMesh& mesh, Progress& progress) {
     }
 }
 
-/// What is measured of the mesh that is kept.
+/// Measures the mesh that is kept.
 void measure_result(CurvedMesh& mesh, geometry::Engine& engine, const TopoDS_Shape& shape, Progress& progress) {
     measure_volume(mesh, engine, shape, progress);
     find_crossings(mesh, progress);
@@ -258,7 +258,7 @@ auto on_shape_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, boo
         if (loose) {
             try {
                 return work(read({[&](const Box& box) { return near * box.largest_side(); }, true, imprint}));
-            } catch (const TopologyError&) {  // wider gaps may do; the first refusal says what is wrong
+            } catch (const TopologyError&) {  // a wider tolerance of gaps may do; the first refusal says what is wrong
             } catch (const GeometryError&) {
             }
         }

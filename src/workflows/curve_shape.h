@@ -34,7 +34,7 @@ curve::CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& sh
 curve::CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
                                    const curve::CurveOptions& options, bool imprint, Progress& progress);
 
-/// Likewise of a mesh with prisms, pyramids, hexahedra or quadrilaterals, see curve::curve_mixed.
+/// Curves a mesh with prisms, pyramids, hexahedra or quadrilaterals likewise, see curve::curve_mixed.
 curve::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
                                         const curve::MixedMesh& given, const curve::CurveOptions& options, bool imprint,
                                         Progress& progress);
@@ -44,7 +44,7 @@ curve::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, cons
                                                   const std::vector<Vec3>& nodes, int order,
                                                   const std::vector<std::int32_t>& triangles, Progress& progress);
 
-/// The other direction: sampled points of the CAD faces against the surface of a mesh.
+/// Distances in the other direction: of sampled points of the CAD faces from the surface of a mesh.
 /// @throws as curve::cad_distances.
 curve::CadDistances cad_distances(geometry::Engine& engine, const TopoDS_Shape& shape, const std::vector<Vec3>& nodes,
                                   int order, const std::vector<std::int32_t>& triangles, Progress& progress);

@@ -24,7 +24,8 @@ bool have_room_in_common(const mesh::TriangleMesh& a, const mesh::TriangleMesh& 
     return (boxes[0].low.cwiseMax(boxes[1].low).array() < boxes[0].high.cwiseMin(boxes[1].high).array()).all();
 }
 
-/// What two bodies have in common by an exact Boolean. Nothing is moved for it: the tolerance is that of rounding.
+/// Sets the volume and surface of the intersection of two bodies, by an exact Boolean whose tolerance is that of
+/// rounding.
 void measure_common(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, inspection::Clearance& clearance,
                     const Progress& progress) {
     constexpr double kTolerance = 1e-6;  // fraction of the size of the larger one

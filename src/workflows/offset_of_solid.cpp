@@ -49,7 +49,7 @@ BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& sol
     return result;
 }
 
-/// The options with the normals of the solid's corners, and none for triangles that were added behind its own.
+/// The options with the normals of the solid's corners; triangles that were appended to the solid's own have none.
 boolean::OffsetOptions by_normals_of(const BooleanSurface& solid, boolean::OffsetOptions options) {
     options.corner_normals = solid.corner_normals;
     if (!options.corner_normals.empty()) {
@@ -58,9 +58,9 @@ boolean::OffsetOptions by_normals_of(const BooleanSurface& solid, boolean::Offse
     return options;
 }
 
-/// The raw offset, trimmed, where few of its triangles cross. Else the contour of the distance, which takes longer in
-/// general, but not for features smaller than the distance. Where both miss the tolerance, or the contour fails, the
-/// one with the smaller bound.
+/// Takes the trimmed raw offset if few of its triangles cross. Else it makes the contour of the distance, which takes
+/// longer in general, but not for features smaller than the distance. If both miss the tolerance, or the contour fails,
+/// the one with the smaller bound is taken.
 template <typename Trimmed, typename Contoured>
 boolean::OffsetResult first_within(const boolean::OffsetOptions& options, const Trimmed& trimmed,
                                    const Contoured& contoured) {
@@ -72,7 +72,7 @@ boolean::OffsetResult first_within(const boolean::OffsetOptions& options, const 
             return std::move(*first);
         }
     } catch (const TopologyError&) {
-        // What the contour says of the same surface counts.
+        // The contour's answer on the same surface counts.
     }
     StageTimes seconds = first ? first->seconds : StageTimes{{"trimming the raw offset", watch.wall()}};
     boolean::OffsetResult second;

@@ -18,7 +18,7 @@ namespace {
 /// Several meshes in one list, each CAD face of each with a number of its own.
 struct Joined {
     mesh::TriangleMesh mesh;
-    std::vector<std::array<std::int32_t, 2>> source;  ///< object and triangle there
+    std::vector<std::array<std::int32_t, 2>> source;  ///< by triangle: its object, and its index in that
 };
 
 Joined joined(const std::vector<const mesh::TriangleMesh*>& meshes, const std::vector<BooleanOperand>& objects,
@@ -61,7 +61,7 @@ void measure_gaps(WrapSurface& surface, const std::vector<std::int32_t>& source)
     }
 }
 
-/// As meshers give them, so that a document has few numbers to keep.
+/// Sorts triangles by face, as meshers do, so that a document has few numbers to store.
 void sort_by_face(wrap::WrapResult& wrapped, const std::vector<std::int32_t>& faces) {
     const std::vector<std::int32_t> source = wrapped.triangle_source;
     const std::vector<mesh::Triangle> triangles = wrapped.mesh.triangles;

@@ -63,7 +63,7 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
 
     watch.start("classifying nodes", 0.0, 0.25);
     const InputSurface surface(input.vertices, input.triangles);
-    // Points of an edge are at most half a side nearer to the input than its ends.
+    // Points of an edge are at most half a side nearer to the input than the ends of the edge.
     const double radius = 0.5 * options.gap + 0.5 * options.spacing;
     const Lattice lattice(surface.tree.box(), radius + 2.0 * options.spacing, options.spacing);
     NodeStates states(lattice, surface, radius, progress);

@@ -17,29 +17,29 @@ namespace mq::wrap {
 struct WrapOptions {
     double gap = 0.0;       ///< mm: openings narrower than this are closed
     double spacing = 0.0;   ///< mm: side of the lattice's cubes, at most half of the gap
-    std::vector<Vec3> dry;  ///< places that are to stay inside, in the frame of the input
-    int threads = 0;        ///< that work at a time; 0: one for each core
+    std::vector<Vec3> dry;  ///< places that shall stay inside, in the frame of the input
+    int threads = 0;        ///< number of threads; 0: one for each core
 
     /// @throws InvalidInput naming the option
     void validate() const;
 };
 
-/// A closed surface around everything that is given.
+/// A closed surface around the whole input.
 struct WrapResult {
     mesh::TriangleMesh mesh;
-    /// The triangle of the input on which each triangle lies; -1 where it closes a gap.
+    /// The triangle of the input on which each triangle lies; -1: it closes a gap.
     std::vector<std::int32_t> triangle_source;
     WrapDistance distance;
-    std::vector<Leak> leaks;      ///< to the places that are to stay dry and do not
-    std::size_t sheet_nodes = 0;  ///< nodes of the lattice beside material that is thinner than it resolves
+    std::vector<Leak> leaks;      ///< paths to the places that shall stay dry and do not
+    std::size_t sheet_nodes = 0;  ///< nodes of the lattice beside material thinner than its resolution
     StageTimes seconds;
 };
 
-/// The outer surface of any triangles, however they cross, miss each other or are oriented.
+/// The outer surface of any triangles, also if they cross, leave openings or are oriented differently.
 ///
-/// A ball as wide as the gap rolls over the input from outside (mark_outside). The surface between what it covers and
-/// the rest lies on the input where the ball touches that, with its edges (contour), and closes what the ball cannot
-/// enter. It is closed, 2-manifold and free of self-intersections by construction.
+/// A ball as wide as the gap rolls over the input from outside (mark_outside). The surface between the region that it
+/// covers and the rest lies on the input, with its edges, where the ball touches the input (contour), and closes the
+/// openings that the ball cannot enter. It is closed, 2-manifold and free of self-intersections by construction.
 ///
 /// Openings narrower than the gap are closed; those wider than the gap and three spacings are entered.
 /// @throws InvalidInput for an option out of range, no triangles, or a lattice that takes too much memory

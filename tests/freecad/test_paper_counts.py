@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""docs/papers.md has what its commands give: counts, angles and qualities, never times.
+"""docs/papers has what its commands give: counts, angles and qualities, never times.
 
 Each command that takes at most some ten seconds runs whole, and two that take longer run for their cheapest rows. Not held are the
-commands that need programs built with MESHQUALITY_BENCHMARKS (aftosmis-predicates, aftosmis-engine, dey-operations) and those that
-need scans (wang-*).
+commands that need programs built with MESHQUALITY_BENCHMARKS (aftosmis-predicates, aftosmis-engine, dey-operations) and the
+examples of wang-* that need scans or take long.
 """
 
 import json
@@ -12,6 +12,7 @@ import re
 import subprocess
 import tempfile
 import unittest
+from pathlib import Path
 
 import helpers
 
@@ -32,8 +33,8 @@ def numbers(cell):
 
 def tables(name):
     """The tables of a command's sections, as lists of rows of cells without their heads."""
-    with open(os.path.join(helpers.ROOT, "docs", "papers.md"), encoding="utf-8") as stream:
-        sections = re.split(r"\n##", stream.read())
+    sections = [section for page in Path(helpers.ROOT, "docs", "papers").glob("*.md")
+                for section in re.split(r"\n##", page.read_text(encoding="utf-8"))]
     own = "\n".join(section for section in sections if f"benchmarks/papers {name}\n" in section)
     blocks = re.findall(r"(?:^\|.*\n)+", own, re.M)
     return [[[cell.strip() for cell in line.strip().strip("|").split("|")] for line in block.splitlines()[2:]] for block in blocks]
@@ -180,3 +181,16 @@ class Dey(Page):
         self.hold(solids, [[None, row["elements"], row["low"], row["mean_low"], row["third_sampled"], row["fourth"], row["mean_fourth"]]
                            for row in found["solids"].values()])
         self.hold(random, [[float(offset), row["folded"], *row["missed"].values()] for offset, row in found["random"].items()])
+
+
+class Wang(Page):
+    def test_table1_of_the_rings(self):
+        name = "ring U ring"
+        found = self.run_command("wang-table1", "--rows", name)[name]
+        runs, exact = list(found["runs"].values()), found["exact"]
+        of_all = lambda key: [run[key] for run in runs]  # noqa: E731
+        kept = [100 * run["retained"] / run["triangles"] for run in runs]
+        sizes = tables("wang-table1")[1]
+        self.hold([row for row in sizes if row[0] == name], [
+            [None, None, None, None, runs[-1]["triangles"], exact["triangles"], kept, of_all("crossings"),
+             [*of_all("components"), exact["components"]], [*of_all("euler"), exact["euler"]], of_all("degenerate"), sum(of_all("open"))]])

@@ -17,7 +17,7 @@ MOST_WORDS_OF_SENTENCE = 45
 # Made from docstrings by tools/reference; its paragraphs are descriptions of arguments.
 GENERATED = {"docs/reference.md"}
 PICTURES = (".png", ".svg")
-KINDS = ("use", "method", "measurements")
+KINDS = ("use", "method", "measurements", "papers")
 
 _LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")
 _FENCE = re.compile(r"^ *```.*?^ *```", re.MULTILINE | re.DOTALL)

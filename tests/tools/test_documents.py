@@ -12,7 +12,7 @@ class Documents(unittest.TestCase):
     def test_keep_the_rules(self):
         self.assertEqual(documents.complaints(), [])
 
-    def test_are_of_three_kinds(self):
+    def test_are_of_four_kinds(self):
         for kind in documents.KINDS:
             self.assertTrue(list((documents.ROOT / "docs" / kind).glob("*.md")), kind)
 
@@ -61,7 +61,7 @@ class Check(unittest.TestCase):
             self.write(f"docs/{folder}/page.md", "As fast as `tools/`.")
         self.write("README.md", "[A](docs/method/page.md), [b](docs/measurements/page.md), [c](docs/notes/page.md)")
         self.assertEqual(self.complaints(), ["docs/measurements/page.md names no benchmark or tool",
-                                             "docs/notes/page.md is of no kind: use, method, measurements"])
+                                             "docs/notes/page.md is of no kind: use, method, measurements, papers"])
 
     def test_finds_walks_that_lead_nowhere(self):
         self.write("src/mesh.cpp", "int join() { return 0; }")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""docs/papers.md and benchmarks/papers agree: no figure without its command, no command, option or file that is gone."""
+"""docs/papers and benchmarks/papers agree: no figure without its command, no command, option or file that is gone."""
 
 import importlib.util
 import re
@@ -74,8 +74,8 @@ def complaints(text, names, root=ROOT):
 
 
 class Papers(unittest.TestCase):
-    def test_page_and_commands_agree(self):
-        text = (ROOT / "docs" / "papers.md").read_text(encoding="utf-8")
+    def test_pages_and_commands_agree(self):
+        text = "\n".join(page.read_text(encoding="utf-8") for page in sorted((ROOT / "docs" / "papers").glob("*.md")))
         self.assertEqual(complaints(text, known()), [])
 
     def test_every_command_says_how_it_is_called(self):

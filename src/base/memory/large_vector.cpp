@@ -13,14 +13,14 @@ namespace mq {
 #ifdef __linux__
 
 void* take_block(std::size_t bytes) {
-    // Smaller blocks would waste too much of their last large page, of 2 MB.
+    // Smaller blocks would waste a large fraction of their last page, as large pages have 2 MB.
     constexpr std::size_t kWorthLargePages = std::size_t{1} << 24;
     void* block = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (block == MAP_FAILED) {
         throw std::bad_alloc();
     }
     if (bytes >= kWorthLargePages) {
-        madvise(block, bytes, MADV_HUGEPAGE);  // advice: where it fails pages are small
+        madvise(block, bytes, MADV_HUGEPAGE);  // advice only: if it fails, pages are small
     }
     return block;
 }

@@ -13,11 +13,11 @@ namespace mq {
 void* take_block(std::size_t bytes);
 /// Gives a block back; `bytes` as when it was taken.
 void free_block(void* block, std::size_t bytes) noexcept;
-/// Gives back what the allocator keeps of freed memory, for the work after that has a use for it.
+/// Returns freed memory that the allocator keeps to the system, so that the following work can use it.
 void release_freed_memory();
 
-/// An allocator that takes blocks for arrays of 1 MB and more. Smaller ones come and go: the system would clear their
-/// pages each time.
+/// An allocator that uses take_block for arrays of 1 MB and more. Smaller arrays are allocated and freed often: the
+/// system would clear their pages each time.
 template <typename Value>
 struct BlockAllocator {
     using value_type = Value;

@@ -31,7 +31,7 @@ class Calls {
     void end_one() {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (--running_ == 0) {
-            ended_.notify_one();  // with the mutex held: the waiting caller destroys this object
+            ended_.notify_one();  // while the mutex is locked, as the waiting caller destroys this object
         }
     }
     void wait() {
@@ -61,7 +61,7 @@ class KeptThread {
         }
         given_.notify_one();
     }
-    /// @return whether it had not begun, and does not begin any more
+    /// @return true if the call was still queued; it will not run then
     bool take_back(const Calls& calls) {
         const std::lock_guard<std::mutex> lock(mutex_);
         const bool waits = calls_ == &calls;
@@ -88,7 +88,7 @@ class KeptThread {
     std::thread thread_;
     std::mutex mutex_;
     std::condition_variable given_;
-    Calls* calls_ = nullptr;  // null: none, or it has begun
+    Calls* calls_ = nullptr;  // null: no call waits to begin
     int number_ = 0;
     bool ended_ = false;
 };
@@ -129,13 +129,14 @@ class KeptThreads::Impl {
         waiting_.push_back(&thread);
     }
 
-    // No other thread has the mutex while the process is copied, and threads do not survive that.
+    // The mutex is locked while the process is copied, so that no other thread has it: threads do not survive the copy.
     void before_fork() { mutex_.lock(); }
     void after_fork() { mutex_.unlock(); }
     void after_fork_in_child() {
         waiting_.clear();
         for (std::unique_ptr<KeptThread>& thread : all_) {
-            static_cast<void>(thread.release());  // The parent has the thread: nobody can end it here.
+            static_cast<void>(
+                thread.release());  // The thread exists in the parent process only: the child cannot end it.
         }
         all_.clear();
         mutex_.unlock();
@@ -147,14 +148,15 @@ class KeptThreads::Impl {
         int number = 0;
         while (Calls* const calls = own.begin(number)) {
             calls->call(number);
-            keep(own);  // before its caller knows, whose next call finds it waiting
+            keep(own);  // before its caller is told, whose next call then finds it waiting
             calls->end_one();
         }
     }
 
     KeptThreads& owner_;
     std::mutex mutex_;
-    std::vector<KeptThread*> waiting_;  // without a call; the last one ended last, and its memory is in caches
+    std::vector<KeptThread*>
+        waiting_;  // threads without a call; the last one in the list ended last, and its memory is in caches
     std::vector<std::unique_ptr<KeptThread>> all_;
 };
 
@@ -191,7 +193,7 @@ void run_with_others(int others, const std::function<void(int)>& work) {
         try {
             given.push_back(&threads.take_one());
         } catch (const std::system_error&) {
-            break;  // those that there are do the work
+            break;  // the threads that could be started do the work
         } catch (const std::bad_alloc&) {
             break;
         }

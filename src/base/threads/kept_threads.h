@@ -23,7 +23,7 @@ class KeptThreads {
     /// Whether the calling thread is one of these.
     bool own_this_thread() const { return present() == this; }
 
-    /// Makes the calling thread, which others started, one of these while the object lives.
+    /// Makes the calling thread, which this object did not start, one of its threads while the Member lives.
     class Member {
       public:
         explicit Member(KeptThreads& threads) : before_(present()) { present() = &threads; }
@@ -39,7 +39,7 @@ class KeptThreads {
     class Impl;
     friend void run_with_others(int others, const std::function<void(int)>& work);
     static KeptThreads& of_process();
-    /// Those to which the calling thread belongs; null: none.
+    /// The kept threads to which the calling thread belongs; null: it belongs to none.
     static KeptThreads*& present() {
         thread_local KeptThreads* threads = nullptr;
         return threads;

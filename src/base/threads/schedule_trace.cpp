@@ -9,7 +9,7 @@ namespace {
 
 struct Recorder {
     ScheduleRecord record;
-    int task = 0;       // that runs
+    int task = 0;       // the task that runs
     double last = 0.0;  // processor time up to which work has been added to its task
 };
 

@@ -8,17 +8,17 @@
 
 namespace mq {
 
-/// What an operation did, as tasks that several threads could share.
+/// The work of an operation, as tasks that several threads could share.
 struct ScheduleRecord {
     /// A stage of the operation, or a call of the work of parallel_for.
     struct Task {
-        int section;     ///< that it belongs to; -1: a stage
+        int section;     ///< the section that the task belongs to; -1: a stage
         double seconds;  ///< processor time, without the sections within it
     };
     /// A call of parallel_for on more than one thread.
     struct Section {
-        int task;     ///< that called it
-        int threads;  ///< that would share its tasks
+        int task;     ///< the task that called it
+        int threads;  ///< number of threads that would share its tasks
     };
     std::vector<Task> tasks;                          ///< in the order in which they began
     std::vector<Section> sections;                    ///< likewise

@@ -180,7 +180,8 @@ int ExactConstrainedTriangulation::insert(int point) {
     return placed;
 }
 
-/// Divides the triangle or the edge where the point lies; returns the point, or the one that was in its place.
+/// Divides the triangle or the edge that contains the point. Returns the point, or the point that was in its place
+/// before.
 int ExactConstrainedTriangulation::place(int point) {
     const auto triangles = static_cast<int>(corner_.size() / 3);
     int t = triangles - 1;
@@ -331,7 +332,7 @@ int ExactConstrainedTriangulation::split_at_crossing(int h, int at) {
     return added;
 }
 
-/// One piece of the segment, up to the next point on it; returns that point.
+/// Inserts one piece of the segment, up to the next point on it. Returns that point.
 int ExactConstrainedTriangulation::step(const Segment& segment) {
     check_cancelled(progress_);
     const Crossing first = leave(segment);
@@ -392,7 +393,8 @@ bool ExactConstrainedTriangulation::better_flipped(int h) const {
            kClearly * std::min(squared_sine_of_smallest_angle(a, b, c), squared_sine_of_smallest_angle(b, a, d));
 }
 
-/// Swaps the edges opposite the point, and those that come to lie there, as long as that enlarges angles (Lawson 1977).
+/// Swaps the edges opposite to the point, and the new edges opposite to it, as long as that enlarges angles (Lawson
+/// 1977).
 void ExactConstrainedTriangulation::improve_around(int point) {
     std::vector<int> opposite;
     around(point, [&](int h) {

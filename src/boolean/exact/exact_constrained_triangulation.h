@@ -54,7 +54,7 @@ class ExactConstrainedTriangulation {
   private:
     /// A place on the way of a segment: half-edge h = 3 t + k runs from corner k of triangle t.
     struct Crossing {
-        int half_edge = -1;  ///< crossed; -1: the segment passes through `vertex`
+        int half_edge = -1;  ///< the half-edge that is crossed; -1: the segment passes through `vertex`
         int vertex = -1;
     };
 

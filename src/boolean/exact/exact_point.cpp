@@ -42,7 +42,7 @@ Expansion offset(const ExactVec& normal, const Vec3& point) {
     return normal[0].scaled(point.x()) + normal[1].scaled(point.y()) + normal[2].scaled(point.z());
 }
 
-/// The nearest double, within one unit in the last place.
+/// The double nearest to the value, within one unit in the last place.
 double nearest(const Expansion& value) {
     const Expansion compressed = value.compressed();
     return compressed.size() == 0 ? 0.0 : compressed[compressed.size() - 1];
@@ -64,13 +64,13 @@ bool on_line_through(const Vec3& point, const Vec3& p, const Vec3& q) {
 struct Approximation {
     Vec3 place = Vec3::Zero();
     double error = 0.0;  ///< bound for the error of each coordinate
-    /// Whether the coordinates may be doubles: what was rounded off is within the error of the arithmetic.
+    /// Whether the coordinates may be doubles: the rounding error is within the error of the arithmetic.
     bool may_be_exact = false;
 };
 
 }  // namespace
 
-/// How a point is constructed, and its coordinates as they are needed.
+/// The construction of a point, and its coordinates as far as they were needed.
 class ExactPoint::Construction {
   public:
     Construction(const Vec3& p, const Vec3& q, const PlanePoints& plane) : line_{p, q}, planes_{plane} {}
@@ -82,12 +82,12 @@ class ExactPoint::Construction {
         return *exact_;
     }
 
-    /// Nothing when double-double arithmetic does not give the nearest doubles.
+    /// Nothing if double-double arithmetic does not determine the nearest doubles.
     std::optional<Approximation> approximate() const {
         return on_line_ ? approximate_on_line() : approximate_on_planes();
     }
 
-    /// Whether the point is this one. Exact.
+    /// Whether the point has exactly these coordinates.
     bool is(const Vec3& point) const {
         return on_line_ ? on_line_through(point, line_[0], line_[1]) && on_plane(point, planes_[0])
                         : on_plane(point, planes_[0]) && on_plane(point, planes_[1]) && on_plane(point, planes_[2]);
@@ -260,7 +260,7 @@ bool ExactPoint::is_same_intersection(const ExactPoint& other) const {
 
 namespace {
 
-/// Sign of p - q along a coordinate axis where the approximations tell.
+/// Sign of p - q along a coordinate axis if the approximations decide it.
 std::optional<int> compare_approximations(const ExactPoint& p, const ExactPoint& q, int axis) {
     const double gap = p.approx()[axis] - q.approx()[axis];
     if (std::abs(gap) > 2.0 * (p.error() + q.error()) || (p.given() && q.given())) {
@@ -333,7 +333,8 @@ int side_of(const PlanePoints& plane, const ExactPoint& p) {
     const Vec3 w = p.approx() - plane[0];
     const double volume = u.cross(v).dot(w);
     const double face = u.cwiseAbs().maxCoeff() * v.cwiseAbs().maxCoeff();
-    // Six products of three differences, each with a rounding; the last one has the point's error, too.
+    // Error bound: 6 products of 3 differences with one rounding each, plus the error of the approximated point in the
+    // third difference.
     if (std::abs(volume) > 8.0 * face * p.error() + 32.0 * kEpsilon * face * w.cwiseAbs().maxCoeff()) {
         return volume > 0.0 ? 1 : -1;
     }

@@ -53,7 +53,7 @@ class FanOpener {
     }
 
   private:
-    /// Three slots in a row hold the corners of a triangle with a suspicious point.
+    /// Gathers the corners of triangles with a suspicious point, three slots for each triangle.
     void gather(const std::vector<char>& suspicious) {
         for (std::size_t t = 0; t < triangles_.size(); ++t) {
             const Triangle& c = triangles_[t];
@@ -87,7 +87,7 @@ class FanOpener {
         }
     }
 
-    /// The triangles that start an edge at slots a and b are neighbours there.
+    /// The triangles with the directed edges at slots a and b are neighbours at that edge.
     void join_sides(std::size_t a, std::size_t b, const EdgeKey& edge) {
         const bool a_up = point_[a] == edge[0];
         const bool b_up = point_[b] == edge[0];
@@ -232,7 +232,7 @@ std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrange
     return result;
 }
 
-/// Vertices in the order of their first use, without those that are not used.
+/// Takes the vertices in the order of their first use, and leaves unused ones out.
 void take_vertices(const Soup& soup, const PointTable& points,
                    const std::map<std::int32_t, std::vector<std::int32_t>>& copies, Extraction& result) {
     std::int32_t all = points.size();

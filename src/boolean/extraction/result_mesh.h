@@ -23,11 +23,12 @@ struct ResultMesh {
     std::vector<char> made;  ///< origin of each vertex: kFromOperand, kConstructed or kRounded
     std::vector<Triangle> triangles;
     std::vector<Source> source;  ///< operand's triangle for each triangle; operand -1 where it was made or changed here
-    std::vector<std::int32_t> from;    ///< for each triangle the soup's triangle of which it is or was a piece
-    std::vector<double> displacement;  ///< for each triangle how far at most its points are from their exact places, mm
+    std::vector<std::int32_t> from;  ///< for each triangle the soup's triangle of which it is or was a piece
+    std::vector<double>
+        displacement;  ///< mm, by triangle: bound for the distance of its points from their exact places
 };
 
-/// Adds to the displacement of each triangle the largest of those of its vertices.
+/// Adds to the displacement of each triangle the largest displacement of its vertices.
 /// @param of_vertices  how far each vertex was moved, mm
 void add_displacements(ResultMesh& draft, const std::vector<double>& of_vertices);
 

@@ -131,7 +131,8 @@ std::vector<double> volumes(const OperandMesh& draft, const mesh::Components& co
     return volume;
 }
 
-/// Decides for each component, from the largest to the smallest, whether it is reversed, given what encloses it.
+/// Decides for each component, from the largest to the smallest, whether it is reversed, by the components that enclose
+/// it.
 std::vector<char> components_to_turn(const OperandMesh& draft, const mesh::Components& components,
                                      const std::vector<double>& volume) {
     std::vector<std::vector<std::int32_t>> triangles(components.count);

@@ -123,7 +123,8 @@ class CrackClosing {
         return std::any_of(own.begin(), own.end(), [&](std::int32_t h) { return face_each_other(h, corner); });
     }
 
-    /// How far a vertex of the border may be from what it is joined to: a crack is narrower than its edges are long.
+    /// The largest distance of a border vertex from the vertex or edge that it is joined with: a crack is narrower than
+    /// its edges are long.
     double reach_of(std::int32_t v) const {
         return std::min(reach_, InputTuning::kCrackWidth * vertices_.at(v).shortest);
     }
@@ -178,7 +179,7 @@ class CrackClosing {
         return move_to_places(places);
     }
 
-    /// Whether vertices may go to a place: they are near enough, and no triangle has two corners there then.
+    /// Whether vertices may be moved to a place: it is near enough, and no triangle would have two corners in it.
     bool can_join(const mesh::VertexStars& stars, DisjointSets<std::int32_t>& places, std::int32_t place,
                   const std::vector<std::int32_t>& joining) const {
         return std::all_of(joining.begin(), joining.end(), [&](std::int32_t v) {
@@ -227,7 +228,7 @@ class CrackClosing {
             return std::tie(a.corner, a.along, a.vertex) < std::tie(b.corner, b.along, b.vertex);
         });
         for (std::size_t i = 0; i < all.size();) {
-            // One edge of a triangle only: the division gives others other indices.
+            // Divides at one edge of a triangle only, as the division gives the others new indices.
             std::size_t end = i;
             std::vector<std::int32_t> chain;
             for (; end < all.size() && all[end].corner / 3 == all[i].corner / 3; ++end) {
@@ -278,8 +279,8 @@ class CrackClosing {
     const Progress* progress_;
     std::vector<std::int32_t> component_of_;                   ///< by triangle of the input
     std::vector<std::int32_t> borders_;                        ///< corners on the border
-    std::vector<mesh::Triangle> edges_;                        ///< their edges, as triangles for the tree
-    std::unordered_map<std::int32_t, BorderVertex> vertices_;  ///< those of the border
+    std::vector<mesh::Triangle> edges_;                        ///< border edges, as triangles for the tree
+    std::unordered_map<std::int32_t, BorderVertex> vertices_;  ///< vertices on the border
     std::vector<std::int32_t> joined_;                         ///< vertices that were joined to something
 };
 

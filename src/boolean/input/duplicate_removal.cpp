@@ -93,8 +93,8 @@ class DuplicateRemoval {
         }
     }
 
-    /// Decides where as many triangles run one way as the other: the neighbours tell which one is needed, if any. One
-    /// is kept where all of the surface around is drawn from both sides.
+    /// Decides for sets with as many triangles in one direction as in the other: the neighbours tell which triangle is
+    /// needed, if any. One triangle is kept if the whole surface around is drawn from both sides.
     void decide(const std::vector<std::array<std::size_t, 2>>& balanced) {
         const mesh::VertexStars stars(draft_.triangles, draft_.vertices.size());
         std::vector<char> asked(draft_.triangles.size(), 0);
@@ -116,9 +116,9 @@ class DuplicateRemoval {
         }
     }
 
-    /// Which sets of triangles in balance belong to a surface that is drawn from both sides: nothing else is beside it,
-    /// and it is closed, or its border is so short that it can be. A border of length L can be filled with an area of
-    /// L^2 / (4 pi) at most (isoperimetric inequality).
+    /// Which sets of triangles in balance belong to a surface that is drawn from both sides. Such a surface has no
+    /// other surface beside it, and it is closed, or its border is short enough that it may be filled. A border of
+    /// length L can be filled with an area of at most L^2 / (4 pi) (isoperimetric inequality).
     std::vector<char> find_two_sided(const std::vector<std::array<std::size_t, 2>>& balanced,
                                      const mesh::VertexStars& stars, const std::vector<char>& asked) const {
         std::unordered_map<std::uint64_t, std::size_t> first_at;  // by edge, the first set that has it
@@ -160,7 +160,7 @@ class DuplicateRemoval {
         return result;
     }
 
-    /// Directed edges from the star's vertex to `head` of triangles that are not in question themselves.
+    /// Number of directed edges from the star's vertex to `head` in triangles that are not candidates themselves.
     int count_edges(mesh::VertexStars::Star star, std::int32_t head, const std::vector<char>& asked) const {
         return static_cast<int>(std::count_if(star.begin(), star.end(), [&](std::uint32_t corner) {
             return asked[corner / 3] == 0 && draft_.head(static_cast<std::int32_t>(corner)) == head;

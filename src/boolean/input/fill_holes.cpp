@@ -108,7 +108,7 @@ class HoleClosing {
         return hole.border[hole.border.size() - 1 - i];
     }
 
-    /// Records the edges between vertices of the hole that the surface has already.
+    /// Records which pairs of the hole's vertices the surface joins by edges already.
     void note_edges(const Hole& hole, const mesh::VertexStars& stars) {
         std::unordered_set<std::int32_t> rim;
         for (const std::int32_t h : hole.border) {
@@ -158,7 +158,7 @@ class HoleClosing {
             hole.fan = true;
             filling = fan_filling(hole);
         } else if (taken) {
-            return;  // the filling that is there is better
+            return;  // the present filling is better
         }
         put(hole, filling);
     }
@@ -339,7 +339,7 @@ class HoleClosing {
             attached[components.component_of[t]] = 1;
         }
         std::vector<char> open(components.count, 0);
-        double scrap = 0.0;  // area of open components of which it cannot be told whether they bound something
+        double scrap = 0.0;  // area of open components that may or may not bound a volume
         double removed = 0.0;
         for (std::int32_t c = 0; c < components.count; ++c) {
             open[c] = static_cast<char>(added[c] > InputTuning::kLargestFilledShare * own[c]);

@@ -39,12 +39,13 @@ std::vector<EdgeGroup> irregular_edges(const OperandMesh& draft) {
     return groups;
 }
 
-/// Reverses the triangles of each patch (connected over mates) so that they agree, the majority staying as it is.
+/// Reverses the triangles of each patch (connected over mates) so that they agree; the majority stays unchanged.
 class PatchOrientation {
   public:
     explicit PatchOrientation(OperandMesh& draft) : draft_(draft), turn_(draft.triangles.size(), kUnknown) {}
 
-    /// @return corners whose mates cannot agree with them, as the surface is one-sided there; one of each pair.
+    /// @return corners whose orientation contradicts that of their mates, as the surface is one-sided; one corner of
+    /// each pair.
     std::vector<std::int32_t> run() {
         std::vector<std::int32_t> conflicts;
         for (std::size_t t = 0; t < turn_.size(); ++t) {
@@ -140,15 +141,16 @@ std::vector<Leaf> leaves_around(const OperandMesh& draft, const EdgeGroup& group
         }
         leaves.push_back({std::atan2(axis.cross(x).dot(out), x.dot(out)), draft.tail(h) == low, h, ragged[h / 3]});
     }
-    // At equal angles what ends a solid comes first, so that no sheet without thickness arises.
+    // At equal angles triangles that end a solid come first, so that no sheet without thickness arises.
     std::sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
         return a.angle != b.angle ? a.angle < b.angle : a.upward != b.upward ? a.upward : a.corner < b.corner;
     });
     return leaves;
 }
 
-/// The surplus leaf among those that run `way`: that of a fin, by far the most ragged; else, where two consecutive ones
-/// both begin a solid, or both end one, that which lies inside, as an inner wall does.
+/// The surplus leaf among those that run `way`: the leaf of a fin, whose border is by far the most ragged; if there is
+/// none, and two consecutive leaves both begin a solid or both end one, the inner leaf of the two, for example an inner
+/// wall.
 std::size_t surplus_leaf(const std::vector<Leaf>& leaves, bool way) {
     std::size_t inside = leaves.size();
     std::size_t most = leaves.size();
@@ -171,7 +173,7 @@ std::size_t surplus_leaf(const std::vector<Leaf>& leaves, bool way) {
     return leaves[most].raggedness > 2.0 * second ? most : inside;
 }
 
-/// Takes out leaves until as many run one way as the other.
+/// Removes leaves until as many run in one direction as in the other.
 std::vector<Leaf> take_out_surplus(std::vector<Leaf>& leaves) {
     std::vector<Leaf> surplus;
     const auto upward = std::count_if(leaves.begin(), leaves.end(), [](const Leaf& leaf) { return leaf.upward; });
@@ -203,7 +205,7 @@ void pair_brackets(OperandMesh& draft, const std::vector<Leaf>& leaves) {
     }
 }
 
-/// Two triangles that are left over are paired, too, whichever way they run; three or more are on the border.
+/// Two remaining triangles are paired, too, whatever their directions; three or more are on the border.
 void pair_leaves(OperandMesh& draft, std::vector<Leaf> leaves) {
     const std::vector<Leaf> surplus = take_out_surplus(leaves);
     pair_brackets(draft, leaves);

@@ -38,7 +38,7 @@ struct OperandMesh {
     void remove(const std::vector<char>& marked);
     /// Reverses the triangles marked, and their mates with them.
     void turn(const std::vector<char>& marked);
-    /// The corner that has the edge of this one once its triangle is reversed: (a, b, c) becomes (a, c, b).
+    /// The corner that has the edge of this corner after its triangle was reversed: (a, b, c) becomes (a, c, b).
     static std::int32_t turned(std::int32_t corner) { return corner / 3 * 3 + 2 - corner % 3; }
     double area(std::int32_t triangle) const;
     /// Formats a position in the model's frame: "(1.5, 0, -2) mm".
@@ -47,16 +47,16 @@ struct OperandMesh {
 
 // ---- the steps, in their order --------------------------------------------------------------------------------------
 
-/// Leaves one triangle for each set of three vertices. Where as many run one way as the other, the one that fits the
-/// neighbours is left, or none where they are in balance without it, as at a wall between two solids. Of a surface that
-/// is drawn from both sides, with nothing beside it, one side is left if it is nearly closed.
+/// Keeps one triangle for each set of three vertices. If as many run in one direction as in the other, the triangle
+/// that fits the neighbours is kept, or none if the neighbours are in balance without it, as at a wall between two
+/// solids. A surface that is drawn from both sides, with no other surface beside it, keeps one side if it is nearly
+/// closed.
 void remove_duplicates(OperandMesh& draft);
 
 /// Joins borders of different components that run along each other: vertices that lie together, then edges and the
 /// vertices along them (by distance, as Barequet and Sharir 1995 match borders). Needs twins, and keeps them valid.
-/// @param reach  how far at most what is joined may be apart, mm, and never farther than InputTuning::kCrackWidth of
-/// the
-///     border edges there; 0: nothing is joined
+/// @param reach  mm: largest distance of two points that are joined, which is also limited to InputTuning::kCrackWidth
+/// of the border edges there; 0: nothing is joined
 void close_cracks(OperandMesh& draft, double reach, const Progress* progress);
 
 /// Removes triangles whose corners lie on one line: the neighbour along the long edge is divided at the corner that
@@ -75,11 +75,11 @@ void pair_and_orient(OperandMesh& draft);
 /// @throws InvalidInput for an open surface.
 void close_holes(OperandMesh& draft, const Progress* progress);
 
-/// Gives each fan of a vertex a vertex of its own, so that indices alone tell the neighbours.
+/// Gives each fan of triangles at a vertex a vertex of its own, so that indices alone tell the neighbours.
 void split_fans(OperandMesh& draft);
 
-/// Reverses components whose orientation contradicts what is around them. A component with negative volume is reversed
-/// where it does not lie in another one, together with all that lies in it; in another one it is a cavity.
+/// Reverses components whose orientation contradicts the components around them. A component with negative volume that
+/// lies in no other one is reversed together with all that lies in it; in another one it is a cavity.
 /// @return the number of components
 std::size_t orient_to_bound_volume(OperandMesh& draft);
 

@@ -58,7 +58,7 @@ OperandMesh draft_of(const mesh::TriangleMesh& mesh, const std::string& name) {
     return draft;
 }
 
-/// Gives equal vertices one index, and removes triangles that name one twice.
+/// Gives equal vertices one index, and removes triangles that name a vertex twice.
 void weld(OperandMesh& draft) {
     const std::vector<std::int32_t> equal = mesh::equal_vertices(draft.vertices);
     for (std::size_t v = 0; v < equal.size(); ++v) {
@@ -180,9 +180,9 @@ void split_edge(OperandMesh& draft, std::int32_t h) {
     draft.pair(sides[1], halves[0]);
 }
 
-/// Edges that two pairs of triangles still share, as their ends are one fan each, get a vertex in their middle: one for
-/// each pair but the first. Every corner has a mate afterwards. Ends, as there are no folds: all edges of the new
-/// vertex have two triangles, so that each division leaves one pair less.
+/// Edges that two pairs of triangles still share, as the triangles at each of their ends form one fan, get a vertex in
+/// their middle: one for each pair but the first. Every corner has a mate afterwards. This terminates, as there are no
+/// folds: all edges of the new vertex have two triangles, so that each division leaves one pair less.
 void part_edges(OperandMesh& draft) {
     bool again = true;
     while (again) {
@@ -262,7 +262,7 @@ void repair(OperandMesh& draft, const Progress* progress) {
     part_edges(draft);
 }
 
-/// Closes cracks and repairs. Where what was joined makes no solid, it is left apart.
+/// Closes cracks and repairs. Joined borders that do not make a solid are separated again.
 void repair_with_cracks(OperandMesh& draft, double reach, const Progress* progress) {
     OperandMesh apart = draft;
     if (reach > 0.0) {
@@ -353,7 +353,7 @@ Operand operand_of(OperandMesh& draft, const mesh::TriangleMesh& mesh) {
             draft.largest_move,        {}};
 }
 
-/// That of a closed manifold surface: an edge has two triangles.
+/// Components and Euler number of a closed manifold surface: each edge has two triangles.
 mesh::SurfaceTopology topology_of(const OperandMesh& draft, std::size_t components) {
     std::vector<char> used(draft.vertices.size(), 0);
     for (const mesh::Triangle& t : draft.triangles) {
@@ -401,9 +401,9 @@ Operand prepare_open_operand(const mesh::TriangleMesh& mesh, const std::string& 
         orient_to_bound_volume(turned);
         orient_open_sheets(turned, progress);
         draft = std::move(turned);
-        draft.repairs.nonmanifold_edges = 0;  // nothing is separated there
+        draft.repairs.nonmanifold_edges = 0;  // no edges are separated there
     } catch (const OpenOperand&) {
-        check_cancelled(progress);  // one side only: its triangles stay as they are turned
+        check_cancelled(progress);  // a one-sided surface: its triangles keep their orientation
     }
     return operand_of(draft, mesh);
 }

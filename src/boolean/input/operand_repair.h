@@ -37,18 +37,19 @@ struct Repairs {
 struct Operand {
     std::vector<Vec3> vertices;  ///< the input's vertices in their places, in its frame; then added ones
     std::vector<mesh::Triangle> triangles;
-    /// The input's triangle that each one is, or is a piece of; -1 for hole fillings.
+    /// By triangle: the input's triangle that it is, or is a piece of; -1 for fillings of holes.
     std::vector<std::int32_t> source;
     Repairs repairs;
     double largest_move = 0.0;  ///< how far at most points of the surface were moved to close cracks, mm
-    /// That of the input, where there was nothing to repair and its components were told apart; else with 0 components.
+    /// Components and Euler number of the input, if nothing was repaired and its components were separated; else with 0
+    /// components.
     mesh::SurfaceTopology topology;
 };
 
 /// Whether a triangle of a prepared operand has the corners of the input's triangle from which it comes, in any order.
 bool has_corners_of(const Operand& operand, std::size_t triangle, const mesh::TriangleMesh& input);
 
-/// An operand that no repair makes closed and oriented: what it encloses can only be guessed.
+/// An operand that no repair makes closed and oriented: which points it encloses can only be guessed.
 class OpenOperand : public InvalidInput {
     using InvalidInput::InvalidInput;
 };

@@ -163,7 +163,7 @@ Pairing Expression::pairing(int first, int second) const {
     if (from[0] < 0 || from[1] < 0) {
         return Pairing::None;
     }
-    // Parents come later than their children: the one that comes first goes up, until both meet.
+    // Parents have higher indices than their children: the lower of the two nodes goes up, until both meet.
     int at[2] = {from[0], from[1]};
     bool complemented[2] = {false, false};
     while (at[0] != at[1]) {

@@ -42,9 +42,9 @@ class Expression {
     /// The operation, if the expression is a chain of it.
     std::optional<Operation> chained() const { return chained_; }
     /// Whether a point of space belongs to the result.
-    /// @param winding  how often each operand winds around the point: it lies in those with more than 0
+    /// @param winding  winding number of each operand at the point: it is inside of operands with more than 0
     bool contains(const std::int32_t* winding) const;
-    /// What the operations make of the values of the operands: leaf(operand), join(operation, first, second).
+    /// Evaluates the expression with any kind of values: leaf(operand), join(operation, first, second).
     template <typename Value, typename Leaf, typename Join>
     Value fold(const Leaf& leaf, const Join& join) const {
         std::vector<Value> stack;
@@ -59,7 +59,7 @@ class Expression {
         }
         return stack.back();
     }
-    /// How two operands are joined; None by a symmetric difference, and where one of them occurs several times.
+    /// How two operands are joined; None for a symmetric difference, and if one of them occurs several times.
     Pairing pairing(int first, int second) const;
 
   private:
@@ -75,7 +75,7 @@ class Expression {
 
     std::vector<Node> nodes_;  ///< in postfix order
     std::vector<int> open_;    ///< nodes without a parent
-    std::vector<int> leaf_;    ///< node of each operand; -1 where there are several
+    std::vector<int> leaf_;    ///< by operand: its node; -1: it has several
     std::optional<Operation> chained_;
 };
 
@@ -92,7 +92,7 @@ class Membership {
   private:
     const Expression& expression_;
     std::vector<std::vector<int>> leaves_;   ///< nodes of each operand
-    std::vector<std::array<int, 2>> below_;  ///< what each operation joins
+    std::vector<std::array<int, 2>> below_;  ///< by operation: the two values that it joins
     std::vector<char> holds_;                ///< by node
 };
 

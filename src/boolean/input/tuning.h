@@ -10,8 +10,8 @@ namespace mq::boolean {
 /// The constants that tune the repair of operands. docs/measurements/tuning.md says what each does at half and at
 /// double its value.
 struct InputTuning {
-    /// Width of a crack at most, as a fraction of the border edges at a vertex: at one half, what is joined to a vertex
-    /// is nearer than its neighbours on the border are to each other.
+    /// Largest width of a crack, as a fraction of the border edges at a vertex: with one half, the point to which a
+    /// vertex is joined is nearer than the vertex's neighbours on the border are to each other.
     MESHQUALITY_TUNED(double, kCrackWidth, 0.5);
     /// Width of a crack at most, as a fraction of the tolerance.
     MESHQUALITY_TUNED(double, kCrackShare, 0.25);
@@ -22,22 +22,23 @@ struct InputTuning {
     /// its lid (0.2) and most of a sphere are, half a sphere (0.5) and a sheet (1) are not. Of a dome as open as this,
     /// the winding number (Jacobson 2013) inside is 0.78 in the mean.
     MESHQUALITY_TUNED(double, kLargestFilledShare, 1.0 / 3.0);
-    /// From this fraction on it is a sheet, and bounds nothing: the winding number of such a dome is 0.6 in the mean,
-    /// that of a plane one 0.5. Sheets are left out if together they have at most half of the operand's area.
-    /// Layered depth images take the area that is a guess.
+    /// A component is a sheet, which bounds nothing, if the area that would close it is at least this fraction of its
+    /// own
+    /// area: the winding number of such a dome is 0.6 in the mean, that of a plane sheet 0.5. Sheets are left out if
+    /// together they have at most half of the operand's area. For layered depth images it is the guessed area.
     MESHQUALITY_TUNED(double, kLeastSheetShare, 0.8);
-    /// Other components that cannot be closed are left out if together they have at most this fraction of the
-    /// operand's area; those that are attached to the rest along edges of three or more triangles (inner walls,
-    /// fins) as if they were sheets.
+    /// Other components that cannot be closed are left out if together they have at most this fraction of the operand's
+    /// area; components attached to the rest along edges of three or more triangles (inner walls, fins) are treated as
+    /// sheets.
     MESHQUALITY_TUNED(double, kLargestScrapShare, 0.05);
-    /// Corners up to which every possible triangle of a loop is tested against the surface; the test is cubic in
-    /// them.
+    /// Most corners of a loop for which every possible triangle is tested against the surface; the time grows with the
+    /// third power.
     MESHQUALITY_TUNED(std::size_t, kTestedLoop, 80);
     /// Rounds of filling holes anew at most.
     MESHQUALITY_TUNED(int, kFillingRounds, 4);
     /// Vertices of a component tried as starts of a ray.
     MESHQUALITY_TUNED(std::size_t, kRayStarts, 8);
-    /// Triangles of an open sheet that vote on which side of it is out, about.
+    /// Approximate number of triangles of an open sheet that vote on which side of it is outside.
     MESHQUALITY_TUNED(std::size_t, kVotes, 32);
 };
 

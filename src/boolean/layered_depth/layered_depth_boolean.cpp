@@ -30,9 +30,9 @@ namespace {
 
 /// The paper's error bound in units of r: the diagonal of a cell (section IV-A).
 const double kBound = std::sqrt(3.0);
-/// The least rays along a side: 2^3 cells, fewer show no shape.
+/// Least number of rays along a side: with fewer than 2^3 cells no shape is recognisable.
 constexpr int kLowestResolution = 9;
-/// The most rays along a side, as the rasteriser's levels allow.
+/// Largest number of rays along a side, limited by the rasteriser's levels.
 constexpr int kHighestResolution = (1 << kMaxLevels) + 1;
 
 void require_options(const UniformOptions& options) {
@@ -56,7 +56,7 @@ Box box_of(const mesh::TriangleMesh& mesh) {
     return box;
 }
 
-/// The box in which the result can lie; empty where there can be none.
+/// The box in which the result can lie; empty if the result is.
 Box working_box(const std::vector<UniformOperand>& operands, const Expression& expression) {
     return expression.fold<Box>([&](int operand) { return box_of(operands[static_cast<std::size_t>(operand)].mesh()); },
                                 [](Operation operation, Box box, const Box& other) {
@@ -72,17 +72,17 @@ Box working_box(const std::vector<UniformOperand>& operands, const Expression& e
 
 /// The memory of a sample of meshes, in bytes: 12 in the result, 4 for the octree's copies of a layer.
 constexpr double kBytesPerSample = 16.0;
-/// The largest memory of a sample where rays must agree before they are combined: 24 bytes, and 16 more for copies of
-/// one direction while its rays are put in order.
+/// Bytes: the largest memory of a sample if rays must agree before they are combined: 24 bytes, and 16 more for copies
+/// of one direction while its rays are sorted.
 constexpr double kBytesPerFaceSample = 40.0;
-/// The memory of a ray, in bytes: offsets into the samples of three directions, for the result, and for each operand
-/// whose rays must agree.
+/// Bytes of a ray: offsets into the samples of three directions, for the result and for each operand whose rays must
+/// agree.
 constexpr double kBytesPerRay = 3.0 * sizeof(std::uint32_t);
 /// The most memory for samples, in bytes: 2 GB.
 constexpr double kMostBytes = 2.0 * (1 << 30);
 
-/// Estimates the number of samples on the rays of the grid: for each triangle in each direction its projected area, and
-/// no more than the area of its box within the grid.
+/// Estimates the number of samples on the rays of the grid: for each triangle in each direction its projected area, but
+/// at most the area of its box within the grid.
 double count_samples_about(const OperandSet& pair, const SampleGrid& grid) {
     double count = 0.0;
     for (const mesh::Triangle& t : pair.triangles) {
@@ -145,7 +145,7 @@ std::vector<std::vector<mesh::Triangle>> borders_of(const std::vector<UniformOpe
     return borders;
 }
 
-/// One run of the method; the stages in their order.
+/// One run of the method, with its stages in their order.
 class LayeredDepthBoolean {
   public:
     LayeredDepthBoolean(const std::vector<UniformOperand>& prepared, const Expression& expression,
@@ -199,7 +199,7 @@ class LayeredDepthBoolean {
     Progress* progress_;
     OperandSet pair_;
     SampleGrid grid_;
-    std::vector<CadShape> sampled_shapes_;         // by operand, without a model where its mesh is sampled
+    std::vector<CadShape> sampled_shapes_;         // by operand; without a model if its mesh is sampled
     std::deque<std::vector<std::int32_t>> faces_;  // the CAD faces of their triangles
     bool has_shapes_ = false, open_ = false;
     std::vector<LayeredDepthSet> operands_;
@@ -207,7 +207,7 @@ class LayeredDepthBoolean {
     std::vector<std::int32_t> region_;
     CombinedSet combined_;
     std::vector<Retention> fate_;
-    RetainedSurface surface_;  // holds all triangles at the end
+    RetainedSurface surface_;  // contains all triangles of the result at the end
     Octree octree_;
     std::vector<std::int32_t> sheet_vertex_;
     std::vector<mesh::Triangle> reconstructed_;
@@ -290,7 +290,7 @@ CombineOptions LayeredDepthBoolean::combine_options() const {
     return options;
 }
 
-/// Samples and combines in one, where all operands are closed meshes.
+/// Samples and combines in one pass if all operands are closed meshes.
 void LayeredDepthBoolean::combine_closed_meshes() {
     SampleCounts counts(pair_.triangles.size());
     combined_ = combine_meshes(pair_, grid_, combine_options(), counts, progress_);
@@ -319,7 +319,7 @@ void LayeredDepthBoolean::contour_cells() {
     result_.reconstructed = reconstructed_.size();
 }
 
-/// Fills one hole; where all triangulations of its corners would reuse an edge, with a fan around a new point.
+/// Fills one hole. If all triangulations of its corners would use an edge twice, with a fan around a new point.
 void LayeredDepthBoolean::fill(const std::vector<std::int32_t>& hole, EdgeSet& edges) {
     std::vector<Vec3> loop;
     loop.reserve(hole.size());
@@ -360,7 +360,7 @@ void LayeredDepthBoolean::fill(const std::vector<std::int32_t>& hole, EdgeSet& e
     result_.largest_hole = std::max(result_.largest_hole, hole.size());
 }
 
-/// Node-Open, then the holes (section III-C). Only triangles around the border and new ones can need it.
+/// Applies Node-Open, then fills the holes (section III-C). Only triangles around the border and new ones can need it.
 void LayeredDepthBoolean::make_manifold() {
     std::vector<std::uint8_t> candidate = surface_.on_border;
     for (const mesh::Triangle& t : reconstructed_) {
@@ -403,7 +403,7 @@ void LayeredDepthBoolean::make_manifold() {
     }
     candidate.resize(surface_.points.size(), 1);
     for (const std::size_t k : drop_opposite_duplicates(surface_.triangles, surface_.source, candidate)) {
-        if (k >= first_filling) {  // the back of a triangle without a neighbour, around which the hole was
+        if (k >= first_filling) {  // the reverse of a triangle without neighbours, which had the hole around it
             --result_.hole_triangles;
             --result_.holes_filled;
         } else if (k >= first_reconstructed) {
@@ -431,7 +431,7 @@ void LayeredDepthBoolean::assemble() {
     }
     mesh.triangles.reserve(surface_.triangles.size());
     result_.triangle_source.reserve(surface_.triangles.size());
-    std::size_t repaired = 0;  // triangles that the repair of an operand made or changed
+    std::size_t repaired = 0;  // number of triangles that the repair of an operand made or changed
     for (std::size_t k = 0; k < surface_.triangles.size(); ++k) {
         const mesh::Triangle& t = surface_.triangles[k];
         mesh.triangles.push_back({index[t[0]], index[t[1]], index[t[2]]});
@@ -466,7 +466,7 @@ void LayeredDepthBoolean::cluster_triangles() {
     }
 }
 
-/// The samples of the result; those of the operands stay in memory no longer than they are needed.
+/// Computes the samples of the result. Samples of the operands are released as soon as they are combined.
 void LayeredDepthBoolean::sample_result() {
     if (!has_shapes_ && !open_) {
         stage("sampling", 0.0, 0.45, [&] { combine_closed_meshes(); });
@@ -482,7 +482,7 @@ void LayeredDepthBoolean::sample_result() {
         sample_count_ = count_samples(pair_, operands_);
         cluster_triangles();
     });
-    if (open_) {  // after the samples of triangles were counted: where some do not stay, the triangle does not
+    if (open_) {  // after the samples of triangles were counted: a triangle that loses some of them is not retained
         stage("winding numbers", 0.35, 0.4, [&] { sample_open(); });
     }
     stage("Boolean of samples", open_ ? 0.4 : 0.35, 0.5, [&] { combine_samples(); });

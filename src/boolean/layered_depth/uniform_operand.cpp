@@ -23,10 +23,10 @@ void require_valid(const mesh::TriangleMesh& mesh, const std::string& name) {
     }
 }
 
-/// Rays along the longest side of an operand whose guess is estimated.
+/// Rays along the longest side of an open operand by which the guessed fraction of its surface is estimated.
 constexpr int kEstimate = 65;
 
-/// A sheet bounds nothing: as in repair, where what would have to be added is about as large as what there is.
+/// Refuses a sheet, which bounds no volume: the surface that closes it would be about as large as the sheet itself.
 void require_volume(const mesh::TriangleMesh& mesh, const mesh::WindingNumber& winding, const std::string& name,
                     const Progress* progress) {
     const OperandSet alone({&mesh}, {winding.border()});

@@ -13,35 +13,35 @@
 
 namespace mq::boolean {
 
-/// An operand of the uniform scheme, fit for its rays: as it was given where there is nothing to repair; else repaired;
-/// where no repair closes it, with the winding number that tells what is inside.
+/// An operand of the uniform scheme that its rays can sample: unchanged if it has no faults, else repaired. If no
+/// repair closes it, it has the winding number that tells which points are inside.
 class UniformOperand {
   public:
     UniformOperand() = default;
-    /// @param given is referred to
+    /// @param given must outlive this object
     /// @param name for messages, such as "operand A"
-    /// @param reach the width up to which cracks are closed, mm
-    /// @throws InvalidInput naming the operand: as prepare_operand, but for open surfaces. An operand without
-    ///     triangles is an empty solid.
-    /// @throws OpenOperand for an open sheet, around which a guess would be most of the surface
+    /// @param reach mm: the width up to which cracks are closed
+    /// @throws InvalidInput naming the operand: as prepare_operand(), except for open surfaces. An operand without
+    /// triangles is an empty solid.
+    /// @throws OpenOperand for an open sheet: most of a surface that closes it would be a guess
     /// @throws Cancelled
     UniformOperand(const mesh::TriangleMesh& given, const std::string& name, double reach, const Progress* progress);
 
     const mesh::TriangleMesh& mesh() const { return made_ ? *made_ : *given_; }
     bool as_given() const { return made_ == nullptr; }
-    /// Whether no repair has closed it.
+    /// Whether it is still open after repair.
     bool open() const { return winding_ != nullptr; }
     const mesh::WindingNumber& winding() const { return *winding_; }
-    /// The triangle that was given, of one of mesh() that has its corners; -1: made or changed by the repair.
+    /// For a triangle of mesh() the given triangle with the same corners; -1: made or changed by the repair.
     std::int32_t source(std::int32_t triangle) const {
         return as_given() ? triangle : source_[static_cast<std::size_t>(triangle)];
     }
-    /// The CAD face of each triangle of mesh(), from those of the triangles given; none where the repair made triangles
-    /// that are on no face, or has not closed the operand.
+    /// The CAD face of each triangle of mesh(), from the faces of the given triangles; empty if the repair made
+    /// triangles that are on no face, or did not close the operand.
     std::vector<std::int32_t> faces(const std::vector<std::int32_t>& given) const;
-    /// A sentence on what was repaired; empty: nothing.
+    /// A sentence on the repair; empty: nothing was repaired.
     const std::string& repaired() const { return repaired_; }
-    double largest_move() const { return largest_move_; }  ///< by closing cracks, mm
+    double largest_move() const { return largest_move_; }  ///< mm: by closing cracks
 
   private:
     void take(Operand&& operand, const std::string& name);
@@ -50,7 +50,7 @@ class UniformOperand {
     std::unique_ptr<mesh::TriangleMesh> made_;
     std::unique_ptr<mesh::WindingNumber> winding_;
     std::vector<std::int32_t> source_;
-    std::vector<std::int32_t> origin_;  ///< the triangle given that each is, or is a piece of; -1: none
+    std::vector<std::int32_t> origin_;  ///< by triangle: the given triangle that it is, or is a piece of; -1: none
     std::string repaired_;
     double largest_move_ = 0.0;
 };

@@ -65,7 +65,7 @@ std::vector<FacingPair> facing_pairs(const Soup& soup, const FacingSearch& searc
     return result;
 }
 
-/// Leaves out the pairs between which another sheet of one of the two operands lies: the far sides of thin walls.
+/// Removes pairs with another sheet of one of the two operands between them: the far sides of thin walls.
 class FarSides {
   public:
     FarSides(const Soup& soup, double reach) : soup_(soup), reach_(reach) {}
@@ -135,7 +135,7 @@ class FarSides {
     double reach_;
 };
 
-/// Pairs of the same two operands and the same side that hang together.
+/// A connected set of pairs of the same two operands, on the same side.
 struct Region {
     std::vector<const FacingPair*> pairs;
 
@@ -166,7 +166,7 @@ struct Region {
         return std::accumulate(pairs.begin(), pairs.end(), 0.0,
                                [](double sum, const FacingPair* pair) { return sum + pair->overlap.area; });
     }
-    /// At least how long it is, mm.
+    /// A lower bound of its length, mm.
     double length() const {
         Box box;
         for (const FacingPair* pair : pairs) {

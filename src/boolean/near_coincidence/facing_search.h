@@ -28,15 +28,15 @@ Box swept(const std::array<Vec3, 3>& q, double reach, double margin = 0.0);
 /// A circle in the plane of a triangle, around it.
 struct BoundingCircle {
     explicit BoundingCircle(const std::array<Vec3, 3>& q);
-    /// False only if a triangle and one in another circle, enlarged by a margin, do not face each other: their planes
-    /// differ by more than 45 degrees, or seen along the axis one is beside the other.
+    /// False only if a triangle in this circle and one in another circle, enlarged by a margin, do not face each other:
+    /// their planes differ by more than 45 degrees, or they lie side by side, seen along the axis.
     bool may_face(const BoundingCircle& other, double margin) const {
         // Normals have rounding errors; overlap_of decides.
         constexpr double kRounding = 1e-9;
         const Vec3 way = other.middle - middle;
         const double along = way.dot(axis);
-        // An edge that is shifted by the margin shifts corners of the enlarged triangle farther; what is left out there
-        // lies beside a corner.
+        // Shifting an edge by the margin shifts the corners of the enlarged triangle farther; the neglected area lies
+        // beside a corner.
         const double reach = radius + other.radius + 2.0 * margin;
         return std::abs(axis.dot(other.axis)) > NearCoincidenceTuning::kParallelPlanes - kRounding &&
                way.squaredNorm() - along * along <= reach * reach;

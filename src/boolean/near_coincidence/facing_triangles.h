@@ -7,7 +7,7 @@
 
 namespace mq::boolean {
 
-/// How a triangle lies over the plane of another one, where the two overlap seen along its own normal.
+/// Heights of a triangle over the plane of another one, over the area in which they overlap along the plane's normal.
 struct Overlap {
     double area = 0.0;   ///< mm2, where it is at most `reach` from the plane; 0: the triangles do not face each other
     double worst = 0.0;  ///< mm, the largest distance from the plane in that area

@@ -45,7 +45,7 @@ int offset_sign(const Expression& expression, std::int32_t earlier, std::int32_t
 struct HalfSpace {
     Vec3 direction = Vec3::Zero();
     double least = 0.0;
-    int rank = 0;  ///< where not all can be kept, those of lower ranks are
+    int rank = 0;  ///< if not all half-spaces can be kept, those with lower ranks are
 };
 
 /// The shortest displacement in some half-spaces. Of least length under linear constraints, it is the least solution of
@@ -58,7 +58,7 @@ class ShortestDisplacement {
     /// @return nothing if no displacement is in all of them
     static std::optional<Vec3> in(const std::vector<HalfSpace>& spaces) {
         ShortestDisplacement solver(spaces);
-        // Rounding could let the same sets come again.
+        // Because of rounding the same sets could come again without end.
         constexpr int kMostSteps = 100;
         for (int step = 0; step < kMostSteps; ++step) {
             const std::size_t worst = solver.farthest_from_kept();
@@ -154,7 +154,7 @@ class PlanesToLeave {
     PlanesToLeave(const Soup& soup, const Expression& expression, const OverlapOptions& options)
         : soup_(soup), expression_(expression), options_(options), displacement_(soup.vertices.size(), Vec3::Zero()) {}
 
-    /// Demands of the vertices of the later triangle that they are beyond the plane of the earlier one, which may have
+    /// Demands that the vertices of the later triangle lie beyond the plane of the earlier one, which may have been
     /// moved itself.
     void leave(std::int32_t earlier, std::int32_t later, const Overlap& overlap, bool beside) {
         const int way = offset_sign(expression_, operand_of(soup_, earlier), operand_of(soup_, later));
@@ -162,8 +162,9 @@ class PlanesToLeave {
             return;
         }
         const Vec3 direction = -way * unit_normal(soup_, earlier);
-        // A gap is left where bodies are joined, and a film where they are parted, by faces that look at each other in
-        // the first case and the same way in the other. Elsewhere a face within the other body only stays visible.
+        // A gap remains between bodies that should be joined if their faces look at each other, and a film between
+        // bodies that should be parted if their faces look the same way. In the other cases a face inside of the other
+        // body only stays visible.
         const bool tells = overlap.same_side == (way < 0);
         const int rank = (beside ? 2 : 0) + (tells ? 0 : 1);
         const double gap = options_.clearance + (way > 0 ? overlap.high : -overlap.low);
@@ -200,7 +201,8 @@ class PlanesToLeave {
     }
 
   private:
-    /// The shortest displacement in as many half-spaces as there is one for, taken one by one in the order of ranks.
+    /// The shortest displacement that keeps the half-spaces, which are added one by one in the order of their ranks as
+    /// long as there is one.
     std::optional<Vec3> by_rank(std::vector<HalfSpace> spaces) const {
         std::stable_sort(spaces.begin(), spaces.end(),
                          [](const HalfSpace& a, const HalfSpace& b) { return a.rank < b.rank; });
@@ -209,7 +211,7 @@ class PlanesToLeave {
         for (const HalfSpace& space : spaces) {
             kept.push_back(space);
             const std::optional<Vec3> way = ShortestDisplacement::in(kept);
-            // What joins or parts bodies may take twice the tolerance, where three faces meet in a corner.
+            // Displacements that join or part bodies may be twice the tolerance long, at corners of three faces.
             if (way && way->norm() <= (space.rank == 0 ? 2.0 : 1.0) * options_.tolerance) {
                 result = way;
             } else {
@@ -225,8 +227,8 @@ class PlanesToLeave {
     std::unordered_map<std::int32_t, std::vector<HalfSpace>> planes_;
 };
 
-/// The triangles of one operand that have contacts, or a vertex of a triangle that has, with the gap that counts as
-/// contact there.
+/// The triangles of one operand that have contacts, or share a vertex with a triangle that has contacts, each with the
+/// gap up to which contacts count.
 std::vector<std::pair<std::int32_t, double>> around(const Soup& soup, const std::vector<std::int32_t>& near,
                                                     const ContactFace* first, const ContactFace* last,
                                                     const PlanesToLeave& planes, double clearance) {
@@ -287,8 +289,8 @@ NearCoincidence overlap_contacts(Soup& soup, const FacingSearch& search, const E
             pace.step();
             const std::int32_t t = later;
             const double gap = most;
-            // What faces the triangle only where it has moved to counts, too, if it is of a common face, or in one
-            // plane with the triangle.
+            // A triangle that faces this one only at its moved place counts if it belongs to a common face, or is
+            // coplanar with this triangle.
             search.for_each_facing(t, gap, gap / NearCoincidenceTuning::kLargestGap,
                                    [&](std::int32_t earlier, const Overlap& overlap) {
                                        const bool common = common_faces.count({earlier, overlap.same_side}) > 0;

@@ -19,8 +19,8 @@ struct NearCoincidence {
 struct OverlapOptions {
     /// mm, the largest displacement; twice this where it joins or parts bodies, as in a corner of three faces
     double tolerance = 0.0;
-    /// mm, how far a common face of the later operand goes beyond that of the earlier one: more than what rounding
-    /// moves
+    /// mm: distance by which a common face of the later operand is moved beyond that of the earlier one; larger than
+    /// the moves of rounding
     double clearance = 0.0;
 };
 

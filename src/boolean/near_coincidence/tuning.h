@@ -10,8 +10,8 @@ namespace mq::boolean {
 struct NearCoincidenceTuning {
     /// Least cosine between the normals of triangles that face each other: 45 degrees.
     MESHQUALITY_TUNED(double, kParallelPlanes, 0.7);
-    /// The share of a region's area, of what lies within twice the tolerance, that is within the tolerance where the
-    /// region is a common face. Of surfaces that cross, it is a half.
+    /// Least fraction of a region's area within twice the tolerance that must be within the tolerance if the region is
+    /// a common face. For surfaces that cross the fraction is a half.
     MESHQUALITY_TUNED(double, kContactShare, 0.9);
     /// The least width of a common face, as a multiple of its gap. Places where surfaces happen to come near each other
     /// have 2.5 at most on the scans of the benchmarks, common faces 100 and more.

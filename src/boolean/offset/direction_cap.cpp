@@ -15,7 +15,7 @@ namespace mq::boolean {
 
 namespace {
 
-/// Angles up to this (radians) have no direction.
+/// Angles of at most this size (radians) define no direction.
 constexpr double kNoAngle = 1e-6;
 
 /// The signed area of a triangle on the unit sphere (Van Oosterom and Strackee 1983).
@@ -31,7 +31,7 @@ double fan_area(const std::vector<Vec3>& loop, const Vec3& apex) {
     return sum;
 }
 
-/// Refines a cap by dividing the sides within it that are too long, in all triangles that have them.
+/// Refines a cap: divides sides inside of it that are too long, in both of their triangles.
 class CapRefinement {
   public:
     CapRefinement(DirectionCap& cap, std::size_t border, double step, const Progress* progress)
@@ -41,7 +41,7 @@ class CapRefinement {
           pace_(progress) {}
 
     void run() {
-        // Half a circle is divided as often to the smallest angle that a tolerance leads to.
+        // The smallest angle that a tolerance leads to is half a circle halved this often.
         constexpr int kRounds = 16;
         bool again = true;
         for (int round = 0; again && round < kRounds; ++round) {
@@ -72,7 +72,7 @@ class CapRefinement {
         return high < border_ && (high - low == 1 || (low == 0 && high == border_ - 1));
     }
 
-    /// The longest side of a triangle that is too long and not on the border, -1: none.
+    /// The longest side of a triangle that is too long and not on the border; -1 if there is none.
     int longest(const mesh::Triangle& t) const {
         int result = -1;
         double least = least_cosine_;
@@ -95,7 +95,7 @@ class CapRefinement {
         }
     }
 
-    /// Divides a triangle at the middles of its sides, one after the other.
+    /// Divides a triangle at the middles of its sides, one side after the other.
     bool divide(const mesh::Triangle& t, std::vector<mesh::Triangle>& done) const {
         for (int k = 0; k < 3; ++k) {
             const std::int32_t a = t[static_cast<std::size_t>(k)];
@@ -118,8 +118,8 @@ class CapRefinement {
                            [&](const mesh::Triangle& t) { return at(t[0]).dot(at(t[1]).cross(at(t[2]))) > kFlat; });
     }
 
-    /// Exchanges sides for shorter ones while that leaves emptier circles, as Lawson (1977) does in a plane: a
-    /// direction in a circle lies above its plane.
+    /// Flips sides to shorter ones if that leaves emptier circles, as Lawson (1977) does in a plane: a direction inside
+    /// a circle lies above the plane of the circle.
     void flip() {
         for (bool again = true; again;) {
             again = false;
@@ -137,7 +137,7 @@ class CapRefinement {
                 const std::int32_t b = one[(c + 1) % 3];
                 const std::int32_t left = one[(c + 2) % 3];
                 const std::int32_t right = two[(d + 2) % 3];
-                // A longer side would be divided, and exchanged again.
+                // A flip to a longer side is refused: refinement would divide that side and flip it back.
                 const bool shorter = at(left).dot(at(right)) > at(a).dot(at(b));
                 const bool whole = changed[c / 3] == 0 && changed[d / 3] == 0;
                 if (shorter && whole && height(a, b, left, right) > kFlat && height(left, right, b, a) < -kFlat &&
@@ -151,12 +151,12 @@ class CapRefinement {
         }
     }
 
-    /// How far d lies above the plane of a, b and c, times twice their area, on the unit sphere.
+    /// The height of d above the plane of a, b and c, times twice the area of their triangle, on the unit sphere.
     double height(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) const {
         return (at(b) - at(a)).cross(at(c) - at(a)).dot(at(d) - at(a));
     }
 
-    /// Heights up to this are rounding errors.
+    /// Heights up to this size are rounding errors.
     static constexpr double kFlat = 1e-12;
 
     DirectionCap& cap_;
@@ -183,7 +183,7 @@ Vec3 on_arc(const Vec3& from, const Vec3& to, double fraction) {
 
 DirectionCap cap_over(const std::vector<Vec3>& loop, const Vec3& mean, double curvature, double step,
                       const Progress* progress) {
-    Vec3 area = Vec3::Zero();  // the vector area of the loop, which points amid it
+    Vec3 area = Vec3::Zero();  // the vector area of the loop, which points to its middle
     for (std::size_t i = 0; i < loop.size(); ++i) {
         area += loop[i].cross(loop[(i + 1) % loop.size()]);
     }
@@ -195,8 +195,8 @@ DirectionCap cap_over(const std::vector<Vec3>& loop, const Vec3& mean, double cu
         }
     }
     candidates.insert(candidates.end(), loop.begin(), loop.end());
-    // Areas differ by 4 pi, the sphere; less is the loop's own deviation from the normals. Among those that fit, the
-    // apex is best that has all of the loop before it.
+    // The area of a loop is known up to 4 pi, the area of the sphere; smaller differences come from the loop's own
+    // deviation from the normals. Among the apexes that fit, the best one has all of the loop in front of it.
     const auto quality = [&](const Vec3& apex) {
         check_cancelled(progress);
         double least = 1.0;

@@ -30,7 +30,7 @@ namespace mq::boolean {
 
 namespace {
 
-/// The surface of a solid, turned around where it is to be offset inward.
+/// The surface of a solid; reversed for an offset inward.
 ClosedSurface one_side(const mesh::TriangleMesh& solid, const std::vector<Vec3>& normals, bool inward) {
     ClosedSurface result{solid.vertices, solid.triangles, {}, {}, normals};
     for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
@@ -49,7 +49,8 @@ ClosedSurface one_side(const mesh::TriangleMesh& solid, const std::vector<Vec3>&
     return result;
 }
 
-/// The triangles that are not left out, and once more turned around: neighbours along the border between both sides.
+/// Two copies of the triangles that are not left out, the second one reversed; the copies are neighbours along the
+/// border.
 ClosedSurface both_sides(const mesh::TriangleMesh& surface, const std::vector<Vec3>& normals,
                          const std::vector<char>& left_out) {
     ClosedSurface result{surface.vertices, {}, {}, {}, {}};
@@ -88,7 +89,7 @@ ClosedSurface both_sides(const mesh::TriangleMesh& surface, const std::vector<Ve
     return result;
 }
 
-/// The raw offset has more crossings than are to be divided.
+/// The raw offset has more crossings than may be divided.
 struct TooManyCrossings : TopologyError {
     using TopologyError::TopologyError;
 };
@@ -123,7 +124,7 @@ class OffsetPipeline {
                 if (std::isfinite(best.error_bound)) {
                     break;
                 }
-                throw;  // a finer one has about as many for each triangle
+                throw;  // a finer raw offset has about as many crossings for each triangle
             } catch (const TopologyError& error) {
                 failure = error.what();  // a finer raw offset has fewer sheets that nearly coincide
             }
@@ -160,7 +161,8 @@ class OffsetPipeline {
         stages_.end();
     }
 
-    /// Starts a stage of the round at hand: the first has half of the progress, each further one half of what is left.
+    /// Starts a stage of the current round. The first round has half of the progress, each further one half of the
+    /// rest.
     void stage(const char* name, double from, double to) {
         const double left = std::exp2(-round_);
         stages_.start(name, 1.0 - left + 0.5 * left * from, 1.0 - left + 0.5 * left * to);
@@ -197,8 +199,8 @@ class OffsetPipeline {
         soup_.source.resize(kept);
     }
 
-    /// Moves the corners of triangles without area by a few steps of single precision, until none is left. The surface
-    /// stays closed, as it would not if they were removed.
+    /// Moves the corners of triangles without area by a few steps of single precision, until none is left. Removing
+    /// these triangles would open the surface.
     void spread_flat_triangles() {
         constexpr int kRounds = 30;
         constexpr double kMove = 8.0 * 6e-8;  // fraction of the coordinate
@@ -227,7 +229,8 @@ class OffsetPipeline {
     Vec3& vertex(std::int32_t v) { return soup_.vertices[static_cast<std::size_t>(v)]; }
 
     using Pairs = std::vector<std::array<std::int32_t, 2>>;
-    /// Triangles that meet, and those that lie on the same three vertices as another one, of which pairs are left out.
+    /// The pairs of triangles that meet, and the triangles that have the same three vertices as another one; such pairs
+    /// are not among the pairs that meet.
     std::pair<Pairs, std::vector<CoincidentTriangle>> contacts() const {
         std::vector<std::int32_t> all(soup_.triangles.size());
         for (std::size_t t = 0; t < all.size(); ++t) {
@@ -238,7 +241,7 @@ class OffsetPipeline {
         for (const CoincidentTriangle& t : twins) {
             twin[static_cast<std::size_t>(t.triangle)] = 1;
         }
-        // The sum of squares is least where all triangles cross equally many.
+        // The sum of squares has its smallest value if all triangles cross equally many others.
         const double count = static_cast<double>(all.size());
         const double most = std::max(OffsetTuning::kLeastDivisions, OffsetTuning::kDivisions * count);
         const auto most_pairs = static_cast<std::size_t>(0.5 * std::sqrt(count * most)) + 1;
@@ -259,7 +262,8 @@ class OffsetPipeline {
         return {std::move(crossing), std::move(twins)};
     }
 
-    /// Sum of the squares of how many others each triangle crosses: what dividing them takes grows as that.
+    /// Sum over all triangles of the squared number of triangles that each one crosses. The time to divide them grows
+    /// as this sum.
     static double divisions(const Pairs& crossing, std::size_t triangles) {
         std::vector<double> counts(triangles);
         for (const auto& [a, b] : crossing) {
@@ -301,8 +305,8 @@ class OffsetPipeline {
                                  v[static_cast<std::size_t>(t[2])]});
         }
         const ProvenBound there = deviation_from_distance(triangles, searched_, asked_, fineness, progress_);
-        // Every point of the exact offset has one of the raw offset within its error, which may be in a piece that was
-        // trimmed off.
+        // Every point of the exact offset has a point of the raw offset within the raw offset's error; that one may be
+        // in a piece that was trimmed off.
         triangles.clear();
         for (std::size_t f = 0; f < arrangement.faces.size(); ++f) {
             const auto front = static_cast<std::size_t>(cells.front[f]);
@@ -313,7 +317,7 @@ class OffsetPipeline {
                                      arrangement.points.approx(p[2])});
             }
         }
-        // The larger of both bounds counts: nothing is to be gained by one below the first.
+        // The result has the larger of both bounds, so the second one need not be refined below the first.
         const ProvenBound back = distance_of_outer_points(triangles, searched_, distance_ - raw_error, tolerance_,
                                                           result, std::max(raw_error, there.bound), progress_);
         result_.error_bound = std::max(there.bound, back.bound);
@@ -321,8 +325,8 @@ class OffsetPipeline {
 
     const ClosedSurface surface_;
     const SearchedSurface searched_;
-    const double distance_;  ///< distance of the raw offset, mm
-    const double asked_;     ///< the distance asked for, mm
+    const double distance_;  ///< mm: distance of the raw offset
+    const double asked_;     ///< mm: distance that the caller asked for
     const double tolerance_;
     Progress& progress_;
     OffsetResult result_;

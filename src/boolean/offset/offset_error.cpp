@@ -15,9 +15,9 @@ namespace mq::boolean {
 
 namespace {
 
-/// How often a triangle is divided in four at most.
+/// How often a triangle is divided into four at most.
 constexpr int kMostDivisions = 10;
-/// Triangles in one parallel task.
+/// Triangles that one parallel task takes.
 constexpr std::size_t kBlock = 64;
 
 Vec3 centre(const Corners& t) {
@@ -46,18 +46,20 @@ double distance(const Vec3& p, const Corners& t) {
     return (mesh::nearest_on_triangle(p, t[0], t[1], t[2]) - p).norm();
 }
 
-/// The least upper bound for the distances of a triangle's points from a surface that one of its triangles gives.
+/// The smallest of the upper bounds for the distance of a triangle's points from a surface that its single triangles
+/// give.
 double farthest(const Corners& t, const Vec3& middle, const SearchedSurface& surface) {
     const std::int32_t nearest_triangle = surface.tree.nearest(middle).triangle;
     if (nearest_triangle < 0) {
-        return std::numeric_limits<double>::infinity();  // it has no triangles
+        return std::numeric_limits<double>::infinity();  // the surface has no triangles
     }
     const Corners nearest = corners(surface, nearest_triangle);
     return std::max({distance(t[0], nearest), distance(t[1], nearest), distance(t[2], nearest)});
 }
 
-/// Whether a point lies on the inner side of a surface: of the triangles nearest to it the one decides that it is most
-/// nearly opposite to, as at the edges of a closed surface. No point is behind a sheet of which both sides are there.
+/// Whether a point lies on the inner side of a closed surface. At edges and vertices several triangles are equally
+/// near: the one from whose plane the point is farthest decides. A sheet that has both
+/// sides is never in front of a point.
 bool is_behind(const Vec3& p, const SearchedSurface& surface) {
     constexpr double kSame = 1e-9;  // relative difference of distances that count as equal
     const double reach = surface.tree.nearest(p).distance * (1.0 + kSame);
@@ -78,7 +80,7 @@ bool is_behind(const Vec3& p, const SearchedSurface& surface) {
     return back > front;
 }
 
-/// The distance of a triangle from a surface, where it is less than `bound`; else `bound`.
+/// The distance of a triangle from a surface if it is less than `bound`; else `bound`.
 double nearest_within(const Corners& t, const Vec3& middle, const SearchedSurface& surface, double bound) {
     const double reach = radius(t, middle);
     Box box;
@@ -97,7 +99,7 @@ double nearest_within(const Corners& t, const Vec3& middle, const SearchedSurfac
     return result;
 }
 
-/// Runs task(triangle, bound) over all triangles in parallel; each raises the bound of its block.
+/// Runs task(triangle, bound) over all triangles in parallel; each call may raise the bound of its block.
 template <typename Task>
 ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& progress, const Task& task) {
     std::vector<ProvenBound> blocks((triangles.size() + kBlock - 1) / kBlock);
@@ -121,11 +123,11 @@ struct Piece {
     int divisions;
 };
 
-/// Raises a bound to that of one triangle.
+/// Raises a bound to the bound for one triangle.
 void raise_bound(const Corners& whole, const SearchedSurface& surface, double wanted, double fineness,
                  ProvenBound& found) {
     const Vec3 middle = centre(whole);
-    // No piece is nearer than the whole triangle is.
+    // No piece is nearer to the surface than the whole triangle is.
     const double near = nearest_within(whole, middle, surface, wanted);
     if (wanted - near > found.bound) {
         found = {wanted - near, middle};
@@ -201,8 +203,8 @@ std::vector<std::int32_t> triangles_beyond(const std::vector<Corners>& triangles
 
 namespace {
 
-/// A bound without divisions where the result clearly lacks something: the centre of a triangle may lie on the exact
-/// offset, and is farther than `gap` from the result; else 0. See distance_of_outer_points.
+/// The bound of distance_of_outer_points without divisions, if the result clearly lacks a part: if the centre of a
+/// triangle may lie on the exact offset and is farther than `gap` from the result. Else 0.
 ProvenBound coarse_bound_of_missing(const std::vector<Corners>& triangles, const SearchedSurface& surface, double least,
                                     double gap, const SearchedSurface& result, const Progress& progress) {
     std::atomic<bool> missing{false};

@@ -11,7 +11,7 @@
 
 namespace mq::boolean {
 
-/// A surface with the tree of its triangles, for questions of distance. Both lists must outlive it.
+/// A surface with the tree of its triangles, for queries of distances. Both must outlive this object.
 struct SearchedSurface {
     SearchedSurface(const std::vector<Vec3>& its_points, const std::vector<mesh::Triangle>& its_triangles)
         : points(its_points), triangles(its_triangles), tree(its_points, its_triangles) {}
@@ -23,31 +23,31 @@ struct SearchedSurface {
 
 using mesh::Corners;
 
-/// A bound, mm, and where it was found.
+/// A bound, mm, and the place where it was found.
 struct ProvenBound {
     double bound = 0.0;
     Vec3 where = Vec3::Zero();
 };
 
-/// Whether all points of a triangle are nearer to a surface than a distance, as far as a proof of a few divisions
-/// shows.
+/// Whether all points of a triangle are nearer to a surface than a distance. False if a few divisions do not prove it.
 bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double distance);
 
 /// A bound for |d - distance| over all points of some triangles, where d is a point's distance from a surface.
 ///
-/// Over a triangle the distance from one triangle of the surface is convex, so that its corners bound it from above;
-/// from below it is bounded by the exact distances of edges and corners. Triangles are divided until both are within
-/// `fineness` (mm) of what is attained.
+/// The distance of a point from one triangle of the surface is a convex function of the point: its values at the
+/// corners of a triangle bound it from above. The exact distances of edges and corners bound it from below. Triangles
+/// are divided until the two bounds differ by at most `fineness` (mm).
 ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                     double distance, double fineness, const Progress& progress);
 
-/// The triangles, by their numbers, of which that bound is above `most` (mm).
+/// The indices of the triangles for which deviation_from_distance is above `most` (mm).
 std::vector<std::int32_t> triangles_beyond(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                            double distance, double most, double fineness, const Progress& progress);
 
-/// A bound for the distances from `result` of those points of some triangles that may lie on the exact offset: which
-/// are at least `least` (mm) in front of a surface, and do not come nearer to another side of it before they are moved
-/// on by `gap` (mm) along the triangle's normal. Distances up to `enough` are taken as that.
+/// A bound for the distances from `result` of the points of some triangles that may lie on the exact offset: those at
+/// least `least` (mm) in front of a surface that come no nearer to other triangles of it when they are moved by `gap`
+/// (mm)
+/// along the triangle's normal. Distances below `enough` (mm) are raised to `enough`.
 ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                      double least, double gap, const SearchedSurface& result, double enough,
                                      const Progress& progress);

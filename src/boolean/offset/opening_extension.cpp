@@ -21,40 +21,40 @@ namespace {
 using mesh::next_corner;
 using mesh::previous_corner;
 
-/// Length of the prisms, in thicknesses.
+/// Length of the prisms, in thicknesses of the wall.
 constexpr double kLength = 2.0;
-/// Least distance between the solid and what closes prisms, in thicknesses.
+/// Least distance between the solid and the faces that close the prisms, in thicknesses of the wall.
 constexpr double kLeastReach = 1.1;
-/// How far upright walls go on at most, in thicknesses.
+/// Largest height by which upright walls are extended, in thicknesses of the wall.
 constexpr double kMostLift = 1.5;
-/// Normals whose cosine differs from 1 by less are the same.
+/// Two normals are equal if their cosine differs from 1 by less than this.
 constexpr double kSameDirection = 1e-9;
-/// Rims whose directions differ by less are parallel: the square of that.
+/// Threshold of the solver for leans: rims whose directions differ by less count as parallel.
 constexpr double kParallel = 1e-8;
-/// How far a prism leans inward at most beside walls that rise, in gaps.
+/// Largest distance by which a prism leans inward beside walls that rise, in widths of the gap to the wall.
 constexpr double kMostLean = 4.0;
 /// Least gap between a prism and a wall that rises from its rim, as a fraction of what the prism leaves there.
 constexpr double kLeastGap = 0.25;
-/// The group of pieces between the prisms of several openings.
+/// Group number of the pieces between the prisms of several openings.
 constexpr std::int32_t kBetween = -1;
 
-/// Open triangles in one plane that hang together by edges.
+/// Open triangles in one plane that are connected by edges.
 struct Opening {
     std::vector<std::int32_t> triangles;
     std::int32_t direction = -1;
     Vec3 point = Vec3::Zero();
 };
 
-/// A convex piece of what is put on openings.
+/// A convex piece of the volume that is added on openings.
 struct Piece {
-    std::int32_t group = -1;  ///< the opening, whose prisms are apart from each other
-    Vec3 up = Vec3::Zero();   ///< what is below the base along it does not reach the piece
+    std::int32_t group = -1;  ///< the opening that it stands on; its pieces are not compared with each other
+    Vec3 up = Vec3::Zero();   ///< normal of the plane through `base` below which nothing reaches the piece
     Vec3 base = Vec3::Zero();
     std::vector<Vec3> points;
     Box box;
 };
 
-/// Whether the hulls of two sets of points are apart by a gap along some normal of a face or of two edges.
+/// Whether the convex hulls of two sets of points are apart by `gap` along the normal of a face or of two edges.
 bool are_apart(const std::vector<Vec3>& one, const std::vector<Vec3>& two, double gap) {
     std::vector<Vec3> edges;
     for (const std::vector<Vec3>& points : {one, two}) {
@@ -144,7 +144,7 @@ class OpeningExtension {
         return openings_[static_cast<std::size_t>(opening_of_[static_cast<std::size_t>(corner / 3)])].direction;
     }
 
-    /// Collects the opening that a triangle belongs to, by CAD faces; false where it is not plane.
+    /// Collects the opening of a triangle across its CAD faces. False if it is not plane.
     bool find_opening(std::int32_t first) {
         Opening opening;
         const auto number = static_cast<std::int32_t>(openings_.size());
@@ -186,8 +186,8 @@ class OpeningExtension {
     const Vec3& normal(const Opening& opening) const {
         return directions_[static_cast<std::size_t>(opening.direction)];
     }
-    /// What the prisms lean inward beside walls that rise from an opening, however far outward, so that a gap is left
-    /// between them and the wall; false where the prism would have to lean farther than the gap is wide.
+    /// Sets how far prisms lean inward beside walls that rise from an opening, however far outward, so that a gap is
+    /// left between prism and wall. False if a prism would have to lean farther than the gap is wide.
     bool lean_from_walls() {
         struct Rim {
             Vec3 inward;
@@ -231,7 +231,7 @@ class OpeningExtension {
     }
     const Vec3& point(std::int32_t vertex) const { return solid_.vertices[static_cast<std::size_t>(vertex)]; }
 
-    /// Notes a piece of what is put on openings: the hull of the points of the solid and those raised from them.
+    /// Records a piece on an opening: the convex hull of points of the solid and the points raised from them.
     void add_piece(std::int32_t group, const Vec3& up, const std::vector<std::array<std::int32_t, 2>>& lines) {
         Piece piece;
         piece.group = group;
@@ -248,7 +248,7 @@ class OpeningExtension {
         }
         pieces_.push_back(std::move(piece));
     }
-    /// Whether what is put on openings is apart from the solid, and its parts from each other.
+    /// Whether the pieces on the openings are apart from the solid and from each other.
     bool is_apart() const {
         Box whole;
         for (const Piece& piece : pieces_) {
@@ -279,7 +279,7 @@ class OpeningExtension {
     }
     bool reaches(const std::array<Vec3, 3>& triangle, const Piece& piece) const {
         const auto above = [&](std::size_t k) { return piece.up.dot(triangle[k] - piece.base) - options_.flatness; };
-        std::vector<Vec3> part;  // what is above the plane
+        std::vector<Vec3> part;  // the polygon that lies above the plane
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             const double here = above(k);
@@ -331,7 +331,8 @@ class OpeningExtension {
             }
         }
     }
-    /// The side of a prism at an edge of an opening, or what is between two prisms; false where that is too near.
+    /// Adds the side of a prism at an edge of an opening, or the piece between two prisms. False if it is too near to
+    /// the solid.
     bool add_side(std::int32_t corner) {
         const std::int32_t other = twin(corner);
         const std::int32_t from = raised(corner);
@@ -371,14 +372,14 @@ class OpeningExtension {
         return (middle - solid_.vertices[static_cast<std::size_t>(vertex)]).norm() >= kLeastReach * options_.thickness;
     }
 
-    /// Closes what is left around vertices where openings in several planes meet.
+    /// Closes the surface around vertices in which openings of several planes meet.
     bool close_vertices() {
         std::vector<char> seen(twins_.size(), 0);
         for (std::int32_t c = 0; c < static_cast<std::int32_t>(twins_.size()); ++c) {
             if (!is_open(c) || seen[static_cast<std::size_t>(c)] != 0) {
                 continue;
             }
-            // The first open triangle after a wall, where there is a wall; clockwise around the vertex.
+            // The first open triangle after a wall, clockwise around the vertex; any one if no wall is there.
             std::int32_t first = c;
             bool has_wall = false;
             for (std::int32_t before = next_corner(twin(first)); true; before = next_corner(twin(first))) {
@@ -430,7 +431,7 @@ class OpeningExtension {
         return above.size() < 3 || is_beyond_reach(base, above);
     }
 
-    /// Moves vertices of rims along the walls there, as far as the planes of these move by less than the flatness.
+    /// Moves the vertices of rims along their walls, as far as the planes of the walls move by less than the flatness.
     void lift_walls() {
         constexpr std::int32_t kNone = -1;
         constexpr std::int32_t kSeveral = -2;
@@ -495,7 +496,7 @@ class OpeningExtension {
     const std::vector<char>& open_;
     const ExtensionOptions options_;
     const double length_;  ///< mm, of the prisms
-    const double slope_;   ///< slope of a prism's side beside a wall that rises
+    const double slope_;   ///< rise per length of a prism's side beside a wall that rises
     const std::vector<std::int32_t> twins_;
     std::vector<std::int32_t> opening_of_;  ///< by triangle; -1: a wall
     std::vector<Opening> openings_;

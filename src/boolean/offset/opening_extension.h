@@ -9,22 +9,23 @@
 namespace mq::boolean {
 
 struct ExtensionOptions {
-    double thickness = 0.0;  ///< mm: of the wall, farther than which the ends of the prisms are from the solid
-    double flatness = 0.0;  ///< mm: how far from its plane an opening's vertices may be, and walls from where they were
+    double thickness = 0.0;  ///< mm: thickness of the wall; the ends of the prisms are farther from the solid
+    double flatness = 0.0;   ///< mm: most that an opening's vertices are off its plane, and that walls are moved
 };
 
-/// A solid with a prism on each of its openings, which are plane: its offset inward by the thickness is, within the
-/// solid, all that is deeper in it than that, from those of its triangles that are not open.
-///
-/// The prisms are apart from the solid and from each other. So the way from a point of the solid to a prism's side
-/// leaves the solid through a wall, or through the opening of that prism, from below its plane. Then the rim, which
-/// belongs to the walls, is as near. Openings that meet in a convex edge have a face between their prisms. Where a wall
-/// rises from a rim, the prism leans away from it by an angle, so that a gap is left; this makes an error of less than
-/// the flatness. Walls that stand upright on an opening go on above it, so that the offset has no vertices in its
-/// plane, where it is cut.
-/// @param solid  closed, oriented outward; its triangle_face, where there is one, goes on along the prisms
-/// @param open  for each of its triangles
-/// @return nothing where an opening is not plane, or a prism would meet the solid or another prism
+/// A solid with a prism on each of its plane openings. The offset of the result inward by the thickness, cut to the
+/// solid, consists of the points of the solid that are farther than the thickness from its walls (the triangles that
+/// are
+/// not open).
+/// The prisms are apart from the solid and from each other. So the shortest way from a point of the solid to the side
+/// of a prism leaves the solid through a wall, or through the opening below that prism; then the rim, which belongs to
+/// the walls, is as near. Openings that meet in a convex edge have a face between their prisms. If a wall rises from a
+/// rim, the prism leans away from the wall by an angle that leaves a gap; the error of this is less than the flatness.
+/// Walls that stand upright on an opening are extended above it, so that the offset has no vertices in the plane of the
+/// opening, where it is cut.
+/// @param solid  closed, oriented outward; its triangle_face, if it has one, is extended along the prisms
+/// @param open  for each triangle of the solid whether it belongs to an opening
+/// @return nothing if an opening is not plane, or a prism would meet the solid or another prism
 std::optional<mesh::TriangleMesh> extend_openings(const mesh::TriangleMesh& solid, const std::vector<char>& open,
                                                   const ExtensionOptions& options);
 

@@ -20,14 +20,14 @@ namespace {
 using mesh::next_corner;
 using mesh::previous_corner;
 
-/// An arc of more than this angle (radians) is led by a direction between its ends.
+/// An arc of more than this angle (radians) gets a direction between its ends that decides on which side it runs.
 constexpr double kHalfTurn = 2.9;
 /// The cosine of the largest angle between the direction at a vertex and a normal there, whatever the tolerance.
 const double kLeastCosine = std::cos(0.5);
 /// The largest angle of a step on an arc, whatever the tolerance, radians.
 constexpr double kLargestStep = 1.0;
 
-/// The triangles around a vertex, in their order: each by its corner there.
+/// The triangles around a vertex in their order, each given by its corner at the vertex.
 using Fan = std::vector<std::int32_t>;
 
 class RawOffsetBuilder {
@@ -37,7 +37,8 @@ class RawOffsetBuilder {
         const double share = options.tolerance / options.distance;
         least_cosine_ = std::max(1.0 - share, kLeastCosine);
         least_face_cosine_ = std::max(1.0 - options.face_tolerance / options.distance, kLeastCosine);
-        // A triangle on a sphere with sides of this angle has its centre within the tolerance of the sphere.
+        // A triangle inscribed in a sphere whose sides have this angle has its centre within the tolerance of the
+        // sphere.
         step_ = std::min(std::sqrt(3.0) * std::acos(std::max(1.0 - share, 0.0)), kLargestStep);
     }
 
@@ -110,7 +111,7 @@ class RawOffsetBuilder {
         return static_cast<std::int32_t>(result_.vertices.size()) - 1;
     }
 
-    /// Gives the corners of a fan their directions, joins these by arcs, and closes what is left between the arcs.
+    /// Gives the corners of a fan their directions, joins the directions by arcs, and closes the gap between the arcs.
     void round_off(const Fan& fan) {
         const Runs runs = runs_of(fan);
         const Vec3 place = tail(fan.front()) + options_.extension * conormal(fan);
@@ -126,8 +127,8 @@ class RawOffsetBuilder {
         }
     }
 
-    /// The direction in which the border of a sheet is extended at a vertex: the mean of those that lead out of the
-    /// sheet across its edges at the border, where both of its sides meet; zero elsewhere.
+    /// The direction in which the border of a sheet is extended at a vertex: the mean of the directions that lead out
+    /// of the sheet across its border edges, in which both of its sides meet. Zero at vertices inside.
     Vec3 conormal(const Fan& fan) const {
         Vec3 sum = Vec3::Zero();
         if (options_.extension > 0.0) {
@@ -141,19 +142,19 @@ class RawOffsetBuilder {
         return sum.isZero(1e-9) ? Vec3(Vec3::Zero()) : Vec3(sum.normalized());
     }
 
-    /// Whether both sides of a sheet meet in an edge.
+    /// Whether both sides of a sheet meet in the edge of half-edge h.
     bool is_border(std::int32_t h) const { return normal(h).dot(normal(twin(h))) < std::cos(kHalfTurn); }
 
-    /// Consecutive triangles of a fan that have one direction.
+    /// Groups of consecutive triangles of a fan; each group has one direction.
     struct Runs {
-        std::vector<std::int32_t> of;  ///< run for each triangle of the fan
+        std::vector<std::int32_t> of;  ///< the run of each triangle of the fan
         std::vector<Vec3> direction;
     };
 
-    /// Divides a fan at its sharpest edges until each run has a direction near enough to all of its normals.
+    /// Divides a fan at its sharpest edges until the direction of each run is near enough to all normals of the run.
     Runs runs_of(const Fan& fan) const {
         const auto count = fan.size();
-        std::vector<double> cosine(count);  // that of the angle at the edge before each triangle
+        std::vector<double> cosine(count);  // cosine of the dihedral angle at the edge before each triangle
         for (std::size_t i = 0; i < count; ++i) {
             cosine[i] = normal(fan[i]).dot(normal(fan[(i + count - 1) % count]));
         }
@@ -195,12 +196,12 @@ class RawOffsetBuilder {
         return runs;
     }
 
-    /// The mean of the normals of CAD faces at a run's corners, weighted by angle, or as near to that as the normals of
-    /// the run's triangles allow; nothing where their own mean is too far from one of several.
+    /// The mean of the normals of CAD faces at a run's corners, weighted by angle, or the direction nearest to that
+    /// which the normals of the run's triangles allow; nothing if the mean of these is too far from one of several.
     std::optional<Vec3> direction_of(const Fan& fan, std::size_t first, std::size_t count) const {
         Vec3 of_faces = Vec3::Zero();
         Vec3 of_triangles = Vec3::Zero();
-        double length = 0.0;  // mean of the edges there
+        double length = 0.0;  // mean length of the edges at the vertex
         for (std::size_t i = 0; i < count; ++i) {
             const std::int32_t c = fan[(first + i) % fan.size()];
             of_faces += angle(c) * face_normal(c);
@@ -232,7 +233,7 @@ class RawOffsetBuilder {
         struct Joint {
             std::int32_t from;
             std::int32_t to;
-            std::int32_t edge;  // half-edge towards the vertex, of the triangle before it
+            std::int32_t edge;  // half-edge towards the vertex, of the triangle before the joint
         };
         std::vector<Joint> joints;
         for (std::size_t i = 0; i < fan.size(); ++i) {
@@ -242,8 +243,8 @@ class RawOffsetBuilder {
                 joints.push_back({from, to, previous_corner(fan[i])});
             }
         }
-        // Two runs have one arc between them, which the strips at both edges share. Where all edges are concave, all
-        // that is added here lies within the offset: nobody sees how round it is.
+        // Two runs have one arc between them, which the strips at both edges share. If all edges are concave, all that
+        // is added at the vertex lies within the offset and is trimmed off: a coarse arc is enough.
         const bool one_arc = joints.size() == 2;
         const bool round =
             std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) { return is_convex(joint.edge); });
@@ -282,7 +283,7 @@ class RawOffsetBuilder {
         return along.dot(normal(h).cross(normal(twin(h)))) > 0.0 || is_border(h);
     }
 
-    /// Directions between two others, in steps as small as the tolerance asks for.
+    /// Directions between two others, in steps that keep the tolerance.
     std::vector<Vec3> arc_between(const Vec3& from, const Vec3& to, const std::vector<std::int32_t>& edges) const {
         Vec3 out = Vec3::Zero();
         for (const std::int32_t h : edges) {
@@ -331,7 +332,7 @@ class RawOffsetBuilder {
         }
     }
 
-    /// Closes the gap along an edge between the offsets of its triangles, from one arc to the other.
+    /// Adds the strip along an edge that closes the gap between the offsets of its two triangles.
     void add_strip(std::int32_t h) {
         const std::int32_t g = twin(h);
         const std::vector<std::int32_t> at_head = arc_at(h);
@@ -348,14 +349,15 @@ class RawOffsetBuilder {
         }
     }
 
-    /// The arc at the head of a half-edge, from its triangle to its twin's; one node where they have one direction.
+    /// The arc at the head of a half-edge, from the direction of its triangle to that of its twin's; one node if they
+    /// are equal.
     std::vector<std::int32_t> arc_at(std::int32_t h) const {
         const std::int32_t arc = arc_[static_cast<std::size_t>(h)];
         return arc < 0 ? std::vector<std::int32_t>{node(next_corner(h))} : arcs_[static_cast<std::size_t>(arc)];
     }
 
-    /// Draws vertices in onto the surface where all triangles around them lie within the offset, before and after: no
-    /// boundary is lost, and what is offset from small features and folds crosses nothing any more.
+    /// Moves vertices back to the surface if all triangles around them lie within the offset, before and after the
+    /// move: nothing of the boundary is lost, and the offsets of small features and folds no longer cross anything.
     void draw_in() {
         const double deep = options_.deep;
         const auto count = static_cast<int>(result_.triangles.size());
@@ -369,7 +371,7 @@ class RawOffsetBuilder {
         });
         const std::vector<Vec3> offset = result_.vertices;
         std::vector<char> drawn = near;
-        // Triangles with some vertices drawn in are tested again; in the first round all are, as they were.
+        // Triangles with some vertices moved back are tested again; in the first round all triangles are tested.
         std::vector<char> shallow(result_.triangles.size(), 0);
         for (bool first = true, again = true; again; first = false) {
             for_chunks(count, [&](int t) {
@@ -417,10 +419,10 @@ class RawOffsetBuilder {
     double least_face_cosine_ = 1.0;
     double step_ = 0.0;  ///< largest angle between neighbours on an arc, radians
     std::vector<Vec3> normals_;
-    std::vector<std::int32_t> node_;      ///< for each corner the vertex
-    std::vector<Vec3> base_;              ///< for each vertex its point on the surface
-    std::vector<std::int32_t> run_node_;  ///< for each run of the fan at hand the vertex
-    std::vector<std::int32_t> arc_;       ///< for each half-edge the arc at its head; -1: none
+    std::vector<std::int32_t> node_;      ///< by corner: its vertex
+    std::vector<Vec3> base_;              ///< by vertex: its point on the surface
+    std::vector<std::int32_t> run_node_;  ///< by run of the current fan: its vertex
+    std::vector<std::int32_t> arc_;       ///< by half-edge: the arc at its head; -1: none
     std::vector<std::vector<std::int32_t>> arcs_;
     RawOffset result_;
 };

@@ -5,36 +5,35 @@
 
 namespace mq::boolean {
 
-/// The constants that divide the tolerance of an offset. What each does at half and at double its value was not
-/// measured yet.
+/// The constants that divide the tolerance of an offset. Their sensitivity was not measured.
 struct OffsetTuning {
-    /// Error of the raw offset, as a fraction of the tolerance, at first ...
+    /// Error of the raw offset in the first round, as a fraction of the tolerance.
     MESHQUALITY_TUNED(double, kRawShare, 0.28);
-    /// ... which is multiplied by this where the result misses the tolerance, ...
+    /// Factor by which that error is reduced if the result misses the tolerance.
     MESHQUALITY_TUNED(double, kRefinement, 0.4);
-    /// ... in this many rounds at most.
+    /// Rounds at most.
     MESHQUALITY_TUNED(int, kRounds, 4);
-    /// Error of the raw offset, as a fraction of the tolerance, that normals of CAD faces may lead to: a point along
-    /// one is nearer to the triangles than to the face. Below kDeepShare.
+    /// Largest error of the raw offset through normals of CAD faces, as a fraction of the tolerance, below kDeepShare:
+    /// a point along the face's normal is nearer to the triangles than to the face.
     MESHQUALITY_TUNED(double, kFaceShare, 0.5);
-    /// The distance is larger by this fraction of the tolerance, so that gaps of just twice the distance close, where
-    /// their sides would else touch.
+    /// The distance is increased by this fraction of the tolerance, so that gaps of exactly twice the distance close;
+    /// otherwise the two offsets would touch.
     MESHQUALITY_TUNED(double, kOvershoot, 1.0 / 64.0);
-    /// Points that are nearer to the surface than the distance by more than this fraction of the tolerance are within
-    /// the offset.
+    /// Points whose distance from the surface is less than the asked one by more than this fraction of the tolerance
+    /// are inside the offset.
     MESHQUALITY_TUNED(double, kDeepShare, 0.6);
     /// Fraction of the tolerance that rounding to single precision may use.
     MESHQUALITY_TUNED(double, kRoundingShare, 0.2);
-    /// Fraction of the tolerance by which the offset of a sheet goes on beyond its border.
+    /// Fraction of the tolerance by which the offset of a sheet is extended beyond its border.
     MESHQUALITY_TUNED(double, kExtension, 0.25);
-    /// How far at most a vertex is moved sideways from where a triangle's normal leads, as a fraction of the edges
-    /// there: what is nearest to it is then in the ring of its triangles.
+    /// Largest sideways shift of an offset vertex from the point to which a triangle's normal leads, as a fraction of
+    /// the edges at the vertex: the triangle nearest to the offset vertex is then one of those around the vertex.
     MESHQUALITY_TUNED(double, kLargestShift, 1.0);
-    /// Squares of the numbers of crossings of each triangle, summed up, at most, for each triangle of a raw offset.
-    /// Dividing takes 0.5 to 3 us of the processor for each. So it takes at most a tenth of what a contour takes, about
-    /// 300 us for each triangle, as it may be in vain: trimming may still miss the tolerance.
+    /// Largest sum of the squared numbers of crossings of all triangles, per triangle of a raw offset. Dividing takes
+    /// 0.5 to 3 us of the processor per unit of the sum. So dividing takes at most a tenth of the time of a contour,
+    /// which is about 300 us per triangle, as it may be in vain: the trimmed offset may still miss the tolerance.
     MESHQUALITY_TUNED(double, kDivisions, 10.0);
-    /// As many take at most a few seconds and are divided in any case.
+    /// Sums up to this size take a few seconds at most and are divided in any case.
     MESHQUALITY_TUNED(double, kLeastDivisions, 1.5e6);
     /// Fraction of the tolerance to which distances are determined.
     MESHQUALITY_TUNED(double, kFineness, 0.02);

@@ -12,7 +12,7 @@ namespace mq::boolean {
 
 namespace {
 
-/// What the triangles around a copy tell about the ways into the material.
+/// The directions into the material that the triangles around a copy leave.
 struct Surroundings {
     Vec3 against_normals = Vec3::Zero();  ///< weighted by angles
     Vec3 along_edges = Vec3::Zero();

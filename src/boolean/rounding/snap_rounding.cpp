@@ -70,7 +70,7 @@ class SnapRounder {
     }
 
     Vec3 rounded(const Vec3& p) const { return options_.in_single ? to_single(p) : p; }
-    /// Double-precision coordinates have the spacing of single-precision ones where they must be told apart.
+    /// Double-precision coordinates get the spacing of single-precision ones at places that must be told apart.
     Vec3 on_grid(const Vec3& p) const {
         return options_.in_single ? to_single(p) : Vec3(unit_ * (p / unit_).array().round().matrix());
     }
@@ -89,9 +89,9 @@ class SnapRounder {
         add_displacements(draft, moved);
     }
 
-    /// Puts constructed vertices that single precision cannot part from a neighbour in its place, where they are merged
-    /// afterwards: near a plane through the origin single-precision numbers are so dense that edges of 1e-19 mm would
-    /// remain. Each vertex moves once at most, and none to which another one has moved.
+    /// Moves constructed vertices that single precision cannot separate from a neighbour to that neighbour, where they
+    /// are merged afterwards: near a plane through the origin single-precision numbers are so dense that edges of 1e-19
+    /// mm would remain. Each vertex moves at most once, and a vertex to which another one has moved stays.
     void close_short_edges() {
         ResultMesh& draft = extraction_.draft;
         std::vector<double> moved(draft.vertices.size(), 0.0);
@@ -114,8 +114,8 @@ class SnapRounder {
         add_displacements(draft, moved);
     }
 
-    /// The surface as one operand of a Boolean: vertices in one place are one, triangles without area are left out.
-    /// @param index  the triangle there of each one of the draft; -1: it is left out
+    /// The surface as one operand of a Boolean: vertices in one place are merged, triangles without area are left out.
+    /// @param index  by triangle of the draft: its index in the soup; -1: it is left out
     Soup soup_of(const ResultMesh& draft, const std::vector<std::int32_t>& flat, std::vector<std::int32_t>& index,
                  std::vector<CoincidentTriangle>& twins) const {
         Soup soup;
@@ -155,7 +155,7 @@ class SnapRounder {
             soup.source.push_back({0, static_cast<std::int32_t>(t)});
         }
         twins = find_twins(soup, touched);
-        // Where faces on top of each other cancel, the surface may be left with several fans.
+        // If coinciding faces cancel each other, a vertex may be left with several fans.
         for (const CoincidentTriangle& twin : twins) {
             for (const std::int32_t v : soup.triangles[static_cast<std::size_t>(twin.triangle)]) {
                 soup.moved[static_cast<std::size_t>(v)] = 1;
@@ -177,7 +177,7 @@ class SnapRounder {
         for (const auto& pair : faults.contacts) {
             const std::array<std::int32_t, 2> here{index[static_cast<std::size_t>(pair[0])],
                                                    index[static_cast<std::size_t>(pair[1])]};
-            // What a triangle without area touches is touched by its neighbours, too.
+            // A triangle that touches one without area also touches the neighbours of that.
             const bool flat = here[0] < 0 || here[1] < 0;
             if (!flat && twin[static_cast<std::size_t>(here[0])] == 0 && twin[static_cast<std::size_t>(here[1])] == 0) {
                 crossing.push_back(here);

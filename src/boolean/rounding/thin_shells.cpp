@@ -23,7 +23,7 @@ std::size_t remove_thin_shells(ResultMesh& draft, const Soup& soup, const std::v
         double area = 0.0;
         double volume = 0.0;
         bool in_contact = false;
-        std::int32_t operand = -1;  ///< that of a piece
+        std::int32_t operand = -1;  ///< operand of a piece
         bool of_several = false;
         bool made = false;  ///< a triangle is no operand's own
 

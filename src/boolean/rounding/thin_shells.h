@@ -9,13 +9,13 @@
 
 namespace mq::boolean {
 
-/// Mean thickness, mm, below which a shell is left out. A shell is a closed surface that hangs together by edges; its
-/// mean thickness is twice the volume by the area.
+/// Mean thickness, mm, below which a shell is removed. A shell is a closed surface that is connected by edges; its mean
+/// thickness is twice the volume divided by the area.
 struct ShellThickness {
-    /// Shells that are left of closed gaps and of films between common faces: they are made of pieces of several
-    /// operands, and one piece at least is of a common face.
+    /// For shells that closed gaps and films between common faces leave: they consist of pieces of several operands,
+    /// and at least one piece belongs to a common face.
     double of_gaps = 0.0;
-    /// Every shell with a triangle that no operand has: those that single precision flattens or turns, e.g. where an
+    /// For every shell with a triangle that no operand has: single precision flattens or reverses some, e.g. where an
     /// operand crosses itself by less than its rounding.
     double of_any = 0.0;
 };

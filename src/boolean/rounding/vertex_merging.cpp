@@ -52,7 +52,7 @@ class VertexMerging {
     Triangle merged_corners(const Triangle& c) const { return {place(c[0]), place(c[1]), place(c[2])}; }
     std::int32_t place(std::int32_t v) const { return place_[static_cast<std::size_t>(v)]; }
 
-    /// Takes merged vertices apart around those where the surface would be no manifold; false where there are none.
+    /// Separates merged vertices around places at which the surface would be no manifold. False if there are none.
     bool part_bad_places() {
         std::vector<char> touched(place_.size(), 0);
         for (const Triangle& c : draft_.triangles) {
@@ -98,7 +98,7 @@ class VertexMerging {
     }
 
     ResultMesh& draft_;
-    std::vector<std::int32_t> place_;  ///< for each vertex the one with which it is merged
+    std::vector<std::int32_t> place_;  ///< for each vertex the vertex with which it is merged
 };
 
 }  // namespace

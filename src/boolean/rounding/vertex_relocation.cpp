@@ -31,8 +31,8 @@ bool same_corners(Triangle a, Triangle b) {
     return a == b;
 }
 
-/// The triangles around a group of vertices, and the pairs of one of them and another triangle that may meet while the
-/// group moves, each once. Those that met last come first, so that bad places are soon found to be such.
+/// The triangles around a group of vertices, and the pairs of one of these and another triangle that may meet while the
+/// group moves, each once. Pairs that met last come first, so that bad places are soon found to be bad.
 struct Surroundings {
     std::vector<std::int32_t> star;
     std::vector<TrianglePair> pairs;
@@ -179,7 +179,7 @@ class VertexRelocation {
         });
     }
 
-    /// Tries to move something at each fault; returns the number of moves.
+    /// Tries to move vertices at each fault. Returns the number of moves.
     std::size_t sweep() {
         std::size_t moves = 0;
         const std::set<std::int32_t> flat = flat_;
@@ -196,7 +196,8 @@ class VertexRelocation {
         return moves;
     }
 
-    /// The groups to try: constructed vertices one by one, those of each triangle together, and the same for all.
+    /// The groups to try: single constructed vertices, those of each triangle together, and then the other vertices
+    /// likewise.
     std::vector<Group> groups_of(std::int32_t a, std::int32_t b) const {
         std::vector<Group> groups;
         const auto add = [&](const Group& group) {
@@ -295,8 +296,8 @@ class VertexRelocation {
         return true;
     }
 
-    /// Whether the group was tried in vain, and since then no triangle at its vertices has moved, nor one in contact
-    /// with those.
+    /// Whether the group was tried in vain, and no triangle at its vertices, nor one in contact with those, has moved
+    /// since then.
     bool stuck(const Group& group) const {
         const auto found = stuck_.find(group);
         return found != stuck_.end() && std::all_of(group.begin(), group.end(), [&](std::int32_t v) {
@@ -305,7 +306,8 @@ class VertexRelocation {
                });
     }
 
-    /// Puts a group at its places and a displacement; false where that is too far, or nothing moves.
+    /// Moves the vertices of a group from `from` by `displacement` and rounds them. False if one would leave its reach
+    /// or none moves.
     bool place(const Group& group, const std::vector<Vec3>& from, const Vec3& displacement) {
         bool moves = false;
         for (std::size_t i = 0; i < group.size(); ++i) {
@@ -333,7 +335,7 @@ class VertexRelocation {
             for (const std::int32_t v : triangle(t)) {
                 box.add(frame_->turned(at(v)));
             }
-            // The current and any later place of a vertex are within the reach of its first one.
+            // The present place of a vertex and all later ones are within the reach of its first place.
             box.low -= Vec3::Constant(2.0 * options_.reach + frame_->slack());
             box.high += Vec3::Constant(2.0 * options_.reach + frame_->slack());
             tree_->for_each_in_box(box, [&](std::int32_t other) {
@@ -404,7 +406,7 @@ class VertexRelocation {
     ResultMesh& draft_;
     const RelocationOptions& options_;
     const Progress& progress_;
-    std::map<std::int32_t, std::set<std::int32_t>> partners_;  ///< by triangle, those with which it is in contact
+    std::map<std::int32_t, std::set<std::int32_t>> partners_;  ///< by triangle: the triangles in contact with it
     std::size_t pairs_ = 0;
     std::set<std::int32_t> flat_;  ///< triangles without area
     bool rounded_ = false;         ///< whether a vertex at a fault was rounded
@@ -413,7 +415,7 @@ class VertexRelocation {
     std::unordered_map<std::int32_t, std::size_t> changed_;  ///< by vertex, the last move at which it was marked
     std::unordered_map<std::int32_t, Vec3> start_;           ///< first place of each vertex that was tried
     std::optional<mesh::NeedleFrame> frame_;
-    std::optional<mesh::AabbTree> tree_;  ///< over the places at the beginning, its boxes larger by the reach
+    std::optional<mesh::AabbTree> tree_;  ///< over the places at the start, with boxes enlarged by the reach
     std::optional<mesh::VertexStars> stars_;
 };
 

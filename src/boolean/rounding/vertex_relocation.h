@@ -18,7 +18,7 @@ struct RelocationOptions {
     std::function<Vec3(const Vec3&)> rounded;  ///< the nearest place of the grid
 };
 
-/// What keeps a surface from being embedded.
+/// The faults that keep a surface from being embedded.
 struct EmbeddingFaults {
     std::vector<std::array<std::int32_t, 2>> contacts;  ///< triangles that touch or cross, the lower first, ascending
     std::vector<std::int32_t> flat;                     ///< triangles without area, ascending

@@ -15,7 +15,7 @@ struct Blend {
     Eigen::MatrixXd weights;
 };
 
-/// Value at node `at` of the blended map whose edge (a, b) has the offset of Bernstein polynomial `point`.
+/// Value at node `at` of the blended map in which only edge (a, b) deviates, by Bernstein polynomial `point`.
 double carried(const Lattice& lattice, int point, std::size_t a, std::size_t b, const Barycentric& at) {
     const double product = at[a] * at[b];
     const double s = at[b] + 0.5 * (1.0 - at[a] - at[b]);

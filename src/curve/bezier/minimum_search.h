@@ -42,7 +42,7 @@ class MinimumSearch {
     }
 
     double low() const { return heap_.front().low; }
-    /// The least value found, as computed, and a bound of what it is without rounding.
+    /// The least value that was computed, plus a bound of its rounding error.
     double high() const { return high_; }
     double high_bound() const { return high_ + domain_.rounding() + halvings_ * domain_.halving_rounding(); }
     const Place& at() const { return at_; }
@@ -91,7 +91,7 @@ class MinimumSearch {
     const Domain& domain_;
     int serial_ = 0;
     double high_ = std::numeric_limits<double>::infinity();
-    int halvings_ = 0;  // that made the piece in which `high_` was found
+    int halvings_ = 0;  // halvings that led to the piece in which `high_` was found
     Place at_{};
     std::vector<Piece> heap_;  // the piece with the lowest bound is in front
 };

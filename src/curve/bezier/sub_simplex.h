@@ -8,7 +8,7 @@
 
 namespace mq::curve {
 
-/// A sub-simplex of the reference simplex by its corners; those past its dimension mean nothing.
+/// A sub-simplex of the reference simplex by its corners; entries beyond its dimension are unused.
 using SimplexPart = std::array<Barycentric, 4>;
 /// The whole reference simplex.
 constexpr SimplexPart kWholeSimplex{

@@ -49,7 +49,7 @@ Minimum result(const Search& search) {
     return {search.low(), search.high(), search.at(), search.pieces()};
 }
 
-/// Where all coefficients are within the accuracy there is nothing to halve; most elements of a mesh end here.
+/// If all coefficients are within the accuracy, no halving is needed; most elements of a mesh end here.
 bool at_once(const JacobianForm& form, double accuracy, Minimum& minimum) {
     const auto least = std::min_element(form.coefficients.begin(), form.coefficients.end());
     minimum.low = *least - form.rounding;

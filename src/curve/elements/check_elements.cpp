@@ -67,13 +67,13 @@ class ProductDomain {
 
 using Search = MinimumSearch<ProductDomain>;
 
-/// Pieces at most, for a bound and for a sign; the pieces of large polynomials must fit into memory, too.
+/// Most pieces for a bound and for a sign; the pieces of large polynomials must fit into memory, too.
 int most_pieces(const ProductForm& form, int otherwise) {
     constexpr std::size_t kMostNumbers = 16'000'000;
     return std::min(otherwise, static_cast<int>(kMostNumbers / form.coefficients.size()));
 }
 
-/// Narrows the bounds of the minimum to the accuracy, and where `sign` is wanted until that is known.
+/// Narrows the bounds of the minimum to the accuracy and, if `sign` is set, until the sign is known.
 void narrow(Search& search, const ProductForm& form, double scale, bool sign) {
     constexpr int kPieces = 4000;
     constexpr int kPiecesForSign = 40000;

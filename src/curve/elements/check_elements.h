@@ -14,7 +14,7 @@ namespace mq::curve {
 
 enum class Verdict : std::uint8_t {
     Valid = 0,     ///< proven: J is positive everywhere
-    Folded = 1,    ///< there is a point at which J is not positive, to the bound of rounding, and one where J >= 0
+    Folded = 1,    ///< J is not positive at some point, up to the bound of rounding, and at least 0 at another point
     Inverted = 2,  ///< proven: J is negative everywhere, the nodes are numbered the wrong way round
     NotProven = 3  ///< neither was proven, which happens where the minimum of J is nearly zero
 };

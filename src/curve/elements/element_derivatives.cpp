@@ -191,7 +191,7 @@ class PyramidLevels {
         return result;
     }
 
-    /// Derivative by z where u and v stay.
+    /// Derivative by z with u and v fixed.
     NodalPolynomial upwards() const {
         const int p = order_;
         NodalPolynomial result{ProductLattice({{1, p}, {1, p}, {1, p - 1}}), {}};

@@ -24,8 +24,9 @@ struct NodalPolynomial {
 /// and a line. Pyramids live on the cube of (u, v, z) with x = u (1 - z), y = v (1 - z), where the space of order p
 /// (Bergot, Cohen, Durufle 2010, which is Gmsh's) is spanned by
 ///     B(k, p, z) B(i, p - k, u) B(j, p - k, v),  0 <= k <= p,  0 <= i, j <= p - k,
-/// B(i, n, t) being Bernstein's polynomials. Derivatives by u and v have the factor 1 - z; divided by it, they and the
-/// derivative by z have the determinant of the map from the pyramid. So J is a polynomial in u, v and z of degrees
+/// B(i, n, t) being Bernstein's polynomials. Derivatives by u and v have the factor 1 - z; the determinant of these
+/// two, divided by 1 - z, and of the derivative by z is that of the map from the pyramid. So J is a polynomial in u, v
+/// and z of degrees
 /// 3 p - 1, 3 p - 1 and 3 p - 3, which at the apex has a value for each direction in which one leaves it.
 ///
 /// @param nodes  as many as an element has: all of them, or those of a serendipity element. Its space is the

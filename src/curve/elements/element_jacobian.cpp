@@ -102,8 +102,8 @@ ElementJacobian::Field ElementJacobian::derivative(const Derivative& derivative,
             }
         }
     }
-    // Beside the sums: the nodes' differences, the weights, which are the product of up to three that were rounded, and
-    // the multinomials.
+    // kOther counts the roundings besides those of the sums: 1 for node differences, up to 3 for each weight, the rest
+    // for multinomials.
     constexpr double kOther = 10.0;
     const auto sums = static_cast<double>(kTerms + local.size() / kTerms + 1);
     field.error = derivative.gain * size * kUnit * (sums + kOther);

@@ -15,14 +15,14 @@ struct ProductForm {
     const ProductLattice* lattice = nullptr;
     std::vector<double> coefficients;
     double rounding = 0.0;
-    int exponent = 0;  ///< J in the units of the nodes is 2 to this power times what the coefficients say
+    int exponent = 0;  ///< J in the units of the nodes is the value of the coefficients times 2 to this power
 };
 
-/// From the nodes of elements of one kind and order to their Jacobians.
+/// Computes Jacobians from the nodes of elements of one kind and order.
 class ElementJacobian {
   public:
-    /// @param nodes  as in `derivatives_of`, which says on what domain J is a polynomial
-    /// @throws InvalidInput where elements of this kind and order have another number of nodes
+    /// @param nodes  as in `derivatives_of`, which defines the domain on which J is a polynomial
+    /// @throws InvalidInput if elements of this kind and order have another number of nodes
     ElementJacobian(ElementKind kind, int order, int nodes);
 
     /// J of a solid element; of a surface element the component of the normal x_r x x_s along its mean in the element.
@@ -42,16 +42,16 @@ class ElementJacobian {
         std::vector<double> multinomials;
         double gain = 0.0;  // largest sum of the absolute weights of a coefficient
     };
-    /// Where the products of the coefficients of two polynomials add up.
+    /// Which coefficient of the product each pair of coefficients of two polynomials contributes to.
     struct Product {
         ProductLattice lattice;
         std::vector<int> targets;
         int terms = 0;  // in the longest sum
     };
-    /// Vectors times multinomials, a list a coordinate.
+    /// Vectors times multinomials, as one list for each coordinate.
     struct Field {
         std::array<std::vector<double>, 3> c;
-        double longest = 0.0;  // vector, without its multinomial, with its error
+        double longest = 0.0;  // largest length of a vector without its multinomial, plus its error
         double error = 0.0;
     };
 
@@ -64,7 +64,7 @@ class ElementJacobian {
 
     ElementKind kind_;
     std::vector<Derivative> derivatives_;
-    std::vector<Product> products_;  // the last two derivatives, then the first and that
+    std::vector<Product> products_;  // the product of the last two derivatives, then that of the first one and this
     std::vector<double> multinomials_;
 };
 

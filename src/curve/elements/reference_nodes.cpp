@@ -117,7 +117,7 @@ void append_within_prism(const Points& corners, int order, Points& out) {
     if (order < 3) {
         return;
     }
-    // Lines on the nodes within the triangle, each with its ends first.
+    // Lines over the nodes inside of the triangle; the ends of each line come first.
     Points base;
     append_within_face({corners[0], corners[1], corners[2]}, order, base);
     const GridPoint rise{0, 0, corners[3][2] - corners[0][2]};

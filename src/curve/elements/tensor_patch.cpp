@@ -24,7 +24,7 @@ std::size_t at(int order, int i, int j) {
 }
 
 /// The half between the corners (0, 0), (1, 0) and (1, 1): there u = b1 + b2, 1 - u = b0, v = b2 and 1 - v = b0 + b1.
-/// @param turned  whether it is the other half, with u and v exchanged and so corners 1 and 2
+/// @param turned  whether to return the other half, which has u and v, and so corners 1 and 2, exchanged
 std::vector<Vec3> half(int order, const std::vector<Vec3>& control, bool turned) {
     const Lattice& lattice = Lattice::of(2, 2 * order);
     std::vector<Vec3> found(static_cast<std::size_t>(lattice.size()), Vec3::Zero());

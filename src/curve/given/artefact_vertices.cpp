@@ -11,7 +11,7 @@ namespace {
 
 using geometry::Query;
 
-/// Cosine of the largest angle between tangents that are the same: one degree.
+/// Two tangents are equal up to the angle of this cosine: one degree.
 constexpr double kSameTangent = 0.99985;
 
 }  // namespace

@@ -24,7 +24,7 @@ using geometry::Answer;
 using geometry::Query;
 using geometry::Session;
 
-/// The curved triangles, and flat ones that they are cut into.
+/// The curved triangles, and the flat triangles into which they are cut.
 class CurvedTriangles {
   public:
     CurvedTriangles(const std::vector<Vec3>& nodes, int order, const std::vector<std::int32_t>& triangles)
@@ -43,8 +43,8 @@ class CurvedTriangles {
         tree_.emplace(points_, flat_);
     }
 
-    /// The distance from the nearest point. Beside an edge it may be on a neighbour of the triangle that is nearest
-    /// once all are cut flat: of those in reach kMostOwners are tried.
+    /// The distance from the nearest point of the curved triangles. Near an edge that point may be on a neighbour of
+    /// the triangle whose flat triangles are nearest: up to kMostOwners triangles within reach are tried.
     double distance(const Vec3& p) const {
         const std::int32_t nearest = tree_->nearest(p).triangle;
         double best = distance_from(nearest, p);
@@ -67,7 +67,7 @@ class CurvedTriangles {
 
     std::size_t owner(std::int32_t flat) const { return static_cast<std::size_t>(flat) / cells(); }
 
-    /// The distance from the curved triangle of a flat one, from whose nearest point it is looked for.
+    /// The distance from the curved triangle of a flat one. The search starts at the nearest point of the flat one.
     double distance_from(std::int32_t flat, const Vec3& p) const {
         const std::vector<Vec3>& control = control_[owner(flat)];
         const mesh::Triangle& t = flat_[static_cast<std::size_t>(flat)];
@@ -118,7 +118,7 @@ class CurvedTriangles {
         }
     }
 
-    /// The parameters of a point of a flat triangle.
+    /// The parameters, in the curved triangle, of a point of a flat triangle.
     std::array<double, 2> start(std::size_t flat, const Vec3& p) const {
         const mesh::Triangle& corners = flat_[flat];
         const auto corner = [&](std::size_t k) { return points_[static_cast<std::size_t>(corners[k])]; };
@@ -187,7 +187,8 @@ double between(const std::array<double, 2>& low_high, int i, int steps) {
     return low_high[0] + (low_high[1] - low_high[0]) * double(i) / steps;
 }
 
-/// The points of a grid of (columns + 1) x (rows + 1) parameters on the surface; a flag of each: whether it is there.
+/// The points of a grid of (columns + 1) x (rows + 1) parameters on the surface, each with a flag: whether it is inside
+/// of the face.
 struct Grid {
     int columns = 0;
     int rows = 0;
@@ -225,7 +226,7 @@ Grid grid_of(Session& session, int face, int columns, int rows, bool trimmed) {
     return grid;
 }
 
-/// The lengths, mm, of the longest lines of a coarse grid along u and along v.
+/// The lengths, mm, of the longest grid lines of a coarse grid along u and along v.
 std::array<double, 2> extent(const Grid& grid) {
     std::array<double, 2> longest{};
     for (int j = 0; j <= grid.rows; ++j) {
@@ -245,9 +246,9 @@ std::array<double, 2> extent(const Grid& grid) {
     return longest;
 }
 
-/// @param spacing  that is wanted, mm
+/// @param spacing  requested distance between neighbours, mm
 Samples samples_of_face(Session& session, int face, const std::array<double, 2>& extent, double spacing) {
-    // Steps of a grid along one parameter: faces much longer than wide are sampled coarser than wanted.
+    // Most steps of a grid along one parameter: faces much longer than wide are sampled coarser than requested.
     constexpr double kMostSteps = 400.0;
     const auto steps = [&](double length) {
         return static_cast<int>(std::clamp(std::ceil(length / spacing), 2.0, kMostSteps));
@@ -299,7 +300,7 @@ Samples samples_of_edge(Session& session, int edge, double spacing) {
     return found;
 }
 
-/// The largest distance of points, and which of them it is.
+/// The largest distance of the points from the surface, and the point that has it.
 std::pair<double, Vec3> farthest(const CurvedTriangles& surface, const std::vector<Vec3>& points, Progress& progress) {
     std::vector<double> distance(points.size());
     for_chunks(static_cast<int>(points.size()), [&](int k) {
@@ -312,7 +313,7 @@ std::pair<double, Vec3> farthest(const CurvedTriangles& surface, const std::vect
                                   : std::pair{*most, points[static_cast<std::size_t>(most - distance.begin())]};
 }
 
-/// By face the lengths of the longest lines of a coarse grid on it.
+/// By face: the lengths of the longest grid lines of a coarse grid on it.
 std::vector<std::array<double, 2>> extents_of_faces(Session& session) {
     constexpr int kCoarse = 6;
     const std::vector<geometry::Face>& faces = session.topology().faces;
@@ -325,7 +326,7 @@ std::vector<std::array<double, 2>> extents_of_faces(Session& session) {
     return found;
 }
 
-/// The spacing that is wanted on faces of these extents, mm.
+/// The requested spacing, mm, on faces with these extents.
 double spacing_for(const std::vector<std::array<double, 2>>& extents, double triangles, double size) {
     double area = 0.0;
     for (const std::array<double, 2>& sides : extents) {

@@ -22,7 +22,7 @@ namespace mq::curve {
 
 namespace {
 
-/// The given tetrahedra by vertices of the surface, which gets those inside.
+/// The given tetrahedra, by vertices of the surface; the surface gets the inner vertices.
 TetrahedraInside tetrahedra_of(const GivenMesh& given, MatchedMesh& matched) {
     TetrahedraInside inside;
     for (std::size_t t = 0; t < given.tetrahedra.size(); ++t) {
@@ -80,7 +80,7 @@ std::vector<std::int32_t> given_elements(const std::vector<std::array<int, N>>& 
     return result;
 }
 
-/// Says which elements and nodes of the result are the given ones.
+/// Records which elements and nodes of the result are given ones.
 void compare(const GivenMesh& given, CurvedMesh& mesh, CurveReport& report) {
     report.moved_vertices = 0;
     for (std::size_t v = 0; v < mesh.vertices; ++v) {
@@ -101,7 +101,7 @@ void compare(const GivenMesh& given, CurvedMesh& mesh, CurveReport& report) {
     report.repairs.emplace_back("elements in their place", static_cast<std::size_t>(fresh));
 }
 
-/// Nodes that bodies got of their own have the numbers of those that they are copies of.
+/// Nodes that were duplicated for a body get the numbers of the nodes that they are copies of.
 void name_given_nodes(const std::vector<int>& given_node, CurvedMesh& mesh) {
     for (std::int32_t& node : mesh.given_node) {
         node = node < 0 ? node : given_node[static_cast<std::size_t>(node)];
@@ -113,8 +113,8 @@ void name_given_nodes(const std::vector<int>& given_node, CurvedMesh& mesh) {
     mesh.moved_nodes.erase(std::unique(mesh.moved_nodes.begin(), mesh.moved_nodes.end()), mesh.moved_nodes.end());
 }
 
-/// The given tetrahedra in the repaired surface. Where the cavities at what was changed cannot be filled, the surface
-/// stays as it was placed.
+/// Puts the given tetrahedra into the repaired surface. If the cavities around changed triangles cannot be filled, the
+/// surface goes back to its state after placing.
 void take_over_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMesh& given, MatchedMesh& matched,
                           const MatchedMesh& placed, LocalRemeshing& done, Progress& progress, CurveReport& report) {
     const std::size_t triangles_before = placed.surface.triangles.size();
@@ -133,7 +133,7 @@ void take_over_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMes
     }
 }
 
-/// Says what was odd about the given tetrahedra.
+/// Notes faults of the given tetrahedra in the report.
 void note_faults(std::size_t turned, const MatchedMesh& matched, CurveReport& report) {
     const auto lost = std::count(matched.volume.begin(), matched.volume.end(), -1);
     if (lost > 0) {
@@ -208,8 +208,8 @@ std::unique_ptr<Curving> curved_at(geometry::Session& session, const GivenMesh& 
     return curving;
 }
 
-/// Elements of lower degree bend less. Where some stay invalid, takes the mesh that one degree less leaves fewer of,
-/// and puts on the CAD with the full degree what stays valid by it.
+/// Elements of lower degree bend less. If some stay invalid, and the mesh of one degree less has fewer invalid ones,
+/// takes that mesh and puts those edges and faces on the CAD with the full degree that stay valid.
 void use_lower_degree_where_needed(std::unique_ptr<Curving>& curving, geometry::Session& session,
                                    const GivenMesh& given, const CurveOptions& options, Progress& progress) {
     const int order = curving->matched.surface.shapes.order();

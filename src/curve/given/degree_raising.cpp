@@ -29,7 +29,7 @@ std::vector<Corners> faces_of(const CurvedSurface& surface, const std::vector<Te
     return faces;
 }
 
-/// The control points of the edge from corner 0 to 1, and those inside, of a triangle with one degree more.
+/// The control points of a triangle with one degree more: those of its edge from corner 0 to 1, and the inner ones.
 struct Raised {
     std::vector<Vec3> edge;
     std::vector<Vec3> inner;
@@ -86,8 +86,8 @@ class Placing {
     CurvedShapes& shapes() { return editor_.surface.shapes; }
     std::size_t count() const { return volume_->tetrahedra.size(); }
 
-    /// Gives the edges and faces on the surface of elements that became invalid their shapes of before.
-    /// @return whether there were any that had new ones.
+    /// Gives the edges and faces on the surface of elements that became invalid their former shapes.
+    /// @return whether there were elements with new shapes among these.
     bool take_back_invalid() {
         std::set<int> touched;
         std::set<std::pair<int, int>> edges;
@@ -144,7 +144,7 @@ class Placing {
         }
     }
 
-    /// Triangles beside edges that were taken back are fitted to these.
+    /// Fits triangles beside edges that got their former shapes back to these edges.
     void measure_again(const std::vector<int>& touched) {
         std::vector<int> fresh;
         std::set<int> tetrahedra;
@@ -161,7 +161,7 @@ class Placing {
             }
         }
         editor_.placement.place(fresh);
-        // Placing gives straight edges of curved faces shapes.
+        // Placing gives shapes to straight edges of curved faces.
         for (const auto& [a, b] : edges_) {
             restore_edge(a, b);
         }
@@ -187,10 +187,10 @@ class Placing {
     SurfaceEditor& editor_;
     TetrahedralMesh* volume_;
     CurvedShapes before_;
-    std::vector<char> valid_;              ///< by tetrahedron, before
-    std::set<int> valid_triangles_;        ///< before
-    std::set<int> faces_;                  ///< triangles that have their shapes of before
-    std::set<std::pair<int, int>> edges_;  ///< likewise
+    std::vector<char> valid_;              ///< by tetrahedron: whether it was valid before
+    std::set<int> valid_triangles_;        ///< triangles that were valid before
+    std::set<int> faces_;                  ///< triangles that got their former shapes back
+    std::set<std::pair<int, int>> edges_;  ///< edges that got their former shapes back
 };
 
 }  // namespace
@@ -213,7 +213,7 @@ CurvedSurface with_degree_raised(const CurvedSurface& surface, const std::vector
                 result.shapes.set_edge(turned[0], turned[1], raised(low, high, control).edge);
             }
         }
-        // Triangles that are blended from their edges reproduce quadratics.
+        // Blending a triangle from its edges reproduces quadratic triangles.
         if (bent && (shapes.order() > 2 || shapes.has_face(v))) {
             shapes.triangle(v, control);
             result.shapes.set_face(v, raised(low, high, control).inner);

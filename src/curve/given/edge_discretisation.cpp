@@ -20,10 +20,10 @@ namespace {
 using geometry::Answer;
 using geometry::Query;
 
-/// Points of a rim near which its mesh vertices are looked for.
+/// Number of points of a rim near which its mesh vertices are searched.
 constexpr int kRimPoints = 8;
 
-/// The largest distance as a fraction of the shortest mesh edge at a vertex.
+/// Largest distance of a mesh vertex from the CAD, as a fraction of the shortest mesh edge at the vertex.
 constexpr double kMostOfMeshEdge = 0.25;
 
 class Finder {
@@ -52,16 +52,17 @@ class Finder {
         double distance;
     };
 
-    /// What of the model is connected: bodies may touch, and have vertices and edges of their own in the same place.
+    /// The connected entities of the model: bodies may touch, and then have vertices and edges of their own in the same
+    /// place.
     struct Body {
         std::vector<int> nodes;
         std::vector<int> edges;
     };
 
-    /// By CAD vertex: the mesh vertices in its place, one at most of each connected mesh.
+    /// The mesh vertices at the place of a CAD vertex, by connected mesh: at most one of each.
     using Candidates = std::map<std::size_t, int>;
 
-    /// By connected mesh: vertices that may lie on a rim, each with a parameter near it.
+    /// The vertices that may lie on a rim, each with a parameter near it; by connected mesh.
     using Rim = std::map<std::size_t, std::map<int, double>>;
 
     std::vector<Body> bodies() const {
@@ -94,7 +95,7 @@ class Finder {
         return result;
     }
 
-    /// Shapes may hold edges of no face, such as annotations: no mesh follows these.
+    /// Shapes may contain edges of no face, such as annotations: no mesh follows these.
     std::vector<char> used_nodes() const {
         std::vector<char> used(topology_.nodes.size(), 0);
         for (const geometry::Edge& edge : topology_.edges) {
@@ -128,7 +129,7 @@ class Finder {
             }
             const geometry::Node& node = topology_.nodes[n];
             const double least = nearest_vertex(node.point);
-            // A vertex of an artefact is taken where the mesh has one, and not looked for beside it.
+            // If the mesh has a vertex exactly at an artefact vertex, it is used; otherwise none is searched nearby.
             if (!artefacts_[n] || least <= rounding + node.tolerance) {
                 for_vertices_near(node.point, least + rounding,
                                   [&](int v) { add_candidate(node, v, least + rounding); });
@@ -136,7 +137,7 @@ class Finder {
         }
     }
 
-    /// The least distance of a point from vertices of the triangle nearest to it.
+    /// The least distance of a point from the vertices of the triangle nearest to it.
     double nearest_vertex(const Vec3& point) const {
         double least = std::numeric_limits<double>::infinity();
         for (const int v : triangles_[static_cast<std::size_t>(tree_->nearest(point).triangle)]) {
@@ -159,7 +160,7 @@ class Finder {
         });
     }
 
-    /// Closed edges at whose CAD vertex the mesh needs none, and has none: vertices near points of them.
+    /// Finds mesh vertices near points of closed edges at whose CAD vertex the mesh needs no vertex and has none.
     void find_rims() {
         rims_.resize(topology_.edges.size());
         const double rounding = kNear[0] * topology_.box.largest_side();
@@ -193,8 +194,8 @@ class Finder {
         }
     }
 
-    /// Follows a body on the connected mesh that has most of its vertices and rims and, among those alike, most of its
-    /// edges. A mesh is taken a second time only where there is no other.
+    /// Follows a body on the connected mesh that has most of the body's vertices and rims and, among equal ones, most
+    /// of its edges. A mesh is used for a second body only if there is no other one.
     void follow(const Body& body) {
         std::map<std::size_t, std::size_t> met;
         std::size_t most = 0;
@@ -245,7 +246,7 @@ class Finder {
         for (const int n : body.nodes) {
             const Candidates& all = candidates_[static_cast<std::size_t>(n)];
             const auto own = all.find(part);
-            // A vertex that this mesh does not have may be one of another: bodies may be meshed in pieces.
+            // A vertex that this mesh does not have may be a vertex of another mesh: bodies may be meshed in pieces.
             const int v = own != all.end() ? own->second : all.empty() ? -1 : all.begin()->second;
             found.of_node.push_back(v);
             of_node.emplace(n, v);
@@ -260,7 +261,7 @@ class Finder {
         return found;
     }
 
-    /// The largest distance from the CAD at which a vertex of the mesh may be found.
+    /// The largest distance from the CAD at which a mesh vertex is searched.
     double reach(int vertex) const {
         return std::min(kNear.back() * topology_.box.largest_side(),
                         kMostOfMeshEdge * graph_.shortest[static_cast<std::size_t>(vertex)]);
@@ -290,15 +291,15 @@ class Finder {
         return {};
     }
 
-    /// The mesh edges around a closed edge: of the closed paths along it, which go up in the parameter but once at its
-    /// end, the one with the most vertices. It begins with the vertex of least parameter.
+    /// The mesh edges around a closed edge: among the closed paths along it whose parameters increase except at the
+    /// end, the one with the most vertices. It begins at the vertex with the smallest parameter.
     EdgePolyline cycle_along(int e, const std::map<int, double>& seeds) {
         const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
         for (const double near : kNear) {
             const double allowed = near * topology_.box.largest_side() + edge.tolerance;
             const std::vector<Near> around = near_edge(e, seeds, {-1, -1}, allowed);
             EdgePolyline best;
-            // A path without a vertex begins at another.
+            // If no path passes through a vertex, the search starts at the next one.
             for (std::size_t start = 0; start < around.size() && best.vertices.size() <= around.size(); ++start) {
                 std::vector<Near> inner(around.begin() + static_cast<std::ptrdiff_t>(start) + 1, around.end());
                 inner.insert(inner.end(), around.begin(), around.begin() + static_cast<std::ptrdiff_t>(start));
@@ -316,8 +317,8 @@ class Finder {
     }
 
     /// Walks over mesh edges as long as their vertices are near the CAD edge. Each search for a nearest point starts at
-    /// the parameter of the vertex before.
-    /// @param seeds  vertices that may be near, and parameters to search from
+    /// the parameter of the previous vertex.
+    /// @param seeds  vertices that may be near the edge, with parameters at which searches start
     /// @param ends  vertices to start from, at the ends of the edge, which are not in the result
     std::vector<Near> near_edge(int e, const std::map<int, double>& seeds, const std::array<int, 2>& ends,
                                 double allowed) {
@@ -358,9 +359,9 @@ class Finder {
         return result;
     }
 
-    /// The path from `first` to `last` with the most vertices, among `inner` with increasing parameters.
+    /// The path from `first` to `last` with the most vertices, through vertices of `inner` with increasing parameters.
     EdgePolyline longest_path(const std::vector<Near>& inner, int first, int last) const {
-        // Position 0 is the first vertex; the last one is handled after all others.
+        // The first vertex has position 0; the last one is handled after all others.
         std::map<int, std::size_t> position;
         for (std::size_t i = 0; i < inner.size(); ++i) {
             position.emplace(inner[i].vertex, i + 1);
@@ -384,7 +385,7 @@ class Finder {
         }
         const std::size_t end = inner.size() + 1;
         relax(last, end);
-        // A closed edge is a circle of three mesh edges at least.
+        // A closed edge needs at least three mesh edges.
         if (length[end] == kNone || (first == last && length[end] < 3)) {
             return {};
         }
@@ -403,13 +404,13 @@ class Finder {
     geometry::Session& session_;
     const geometry::Topology& topology_;
     const SurfaceGraph& graph_;
-    std::vector<std::size_t> part_of_;  // by mesh vertex: the connected mesh
+    std::vector<std::size_t> part_of_;  // by mesh vertex: its connected mesh
     std::vector<mesh::Triangle> triangles_;
     std::optional<mesh::NearestTree> tree_;
-    std::vector<char> artefacts_;         // by CAD vertex: whether the mesh needs none there
+    std::vector<char> artefacts_;         // by CAD vertex: whether the mesh needs no vertex there
     std::vector<Candidates> candidates_;  // by CAD vertex
     std::vector<Rim> rims_;               // by CAD edge
-    std::set<std::size_t> taken_;         // connected meshes that bodies were followed on
+    std::set<std::size_t> taken_;         // connected meshes on which bodies were followed
     EdgeDiscretisation result_;
 };
 

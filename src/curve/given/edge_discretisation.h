@@ -9,31 +9,31 @@
 
 namespace mq::curve {
 
-/// A surface mesh as a graph: its vertices, and the mesh edges at each.
+/// A surface mesh as a graph: its vertices, and the mesh edges at each of them.
 struct SurfaceGraph {
     const std::vector<Vec3>& points;
     std::vector<std::array<int, 3>> triangles;
-    std::vector<std::vector<int>> neighbours;  ///< by point, ascending; none of points inside
-    std::vector<double> shortest;              ///< by point: length of the shortest mesh edge there, mm
+    std::vector<std::vector<int>> neighbours;  ///< by point, ascending; empty for points inside
+    std::vector<double> shortest;              ///< mm, by point: length of its shortest mesh edge
 
     SurfaceGraph(const std::vector<Vec3>& points, std::vector<std::array<int, 3>> triangles);
 };
 
-/// The mesh edges that follow a CAD edge: its vertices in the order of the parameter. Closed ones begin and end with
-/// the same vertex. A CAD edge that is one vertex of the mesh has that vertex only.
+/// The mesh edges that follow a CAD edge: their vertices in the order of the parameter. The polyline of a closed edge
+/// begins and ends with the same vertex. A CAD edge that is one vertex of the mesh has that vertex only.
 struct EdgePolyline {
     std::vector<int> vertices;
-    double distance = 0.0;  ///< largest distance of its vertices from the CAD edge, mm
+    double distance = 0.0;  ///< mm: largest distance of the vertices from the CAD edge
 };
 
-/// Distances of mesh vertices from the CAD, as fractions of the model's size: numbers of single precision or eight
-/// digits in a file, then those of programs that place vertices less exactly.
+/// Distances of mesh vertices from the CAD, as fractions of the model's size. The first ones are those of numbers in
+/// single precision or with eight digits in a file, the others those of programs that place vertices less exactly.
 constexpr std::array<double, 4> kNear{1e-6, 1e-5, 1e-4, 1e-3};
 
-/// What of the model's vertices and edges the mesh has.
+/// The vertices and edges of the model that were found in the mesh.
 struct EdgeDiscretisation {
     std::vector<int> of_node;             ///< by CAD vertex: the vertex of the mesh, or -1
-    std::vector<EdgePolyline> polylines;  ///< by CAD edge; empty where the mesh does not follow it
+    std::vector<EdgePolyline> polylines;  ///< by CAD edge; empty if the mesh does not follow it
 };
 
 /// Finds the mesh vertex at each CAD vertex, and the mesh edges along each CAD edge.

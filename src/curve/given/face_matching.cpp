@@ -20,23 +20,23 @@ namespace {
 
 using geometry::Query;
 
-/// Points of a region whose face is looked for, at most.
+/// Most points of a region by which its face is found.
 constexpr std::size_t kSamples = 12;
 
-/// Edges named in an error, at most.
+/// Most edges named in an error.
 constexpr std::size_t kNamed = 3;
 
 std::string place_of(const Vec3& p) {
     return "(" + in_digits(p.x(), 4) + ", " + in_digits(p.y(), 4) + ", " + in_digits(p.z(), 4) + ") mm";
 }
 
-/// Triangles that are joined without crossing a CAD edge.
+/// Triangles that are connected without crossing a CAD edge.
 struct Region {
     std::vector<int> triangles;
-    std::set<int> edges;  ///< CAD edges around and inside
+    std::set<int> edges;  ///< CAD edges around the region and inside of it
 };
 
-/// A point of a region, and how far from it a face may be.
+/// A point of a region, and the largest distance at which a face still counts as its face.
 struct Sample {
     Vec3 point;
     double reach;
@@ -61,7 +61,7 @@ class Matcher {
     std::vector<int> run() {
         std::vector<int> face(graph_.triangles.size(), -1);
         const std::vector<Region> all = regions();
-        std::map<std::set<int>, int> alike;  // by the edges around a region: how many there are
+        std::map<std::set<int>, int> alike;  // number of regions with the same set of CAD edges around them
         for (const Region& region : all) {
             ++alike[region.edges];
         }
@@ -107,8 +107,8 @@ class Matcher {
         return result;
     }
 
-    /// @param alone  whether no other region has the same edges around it: then these tell its face, if only one has
-    /// them
+    /// @param alone  whether no other region has the same edges around it: then these edges determine its face, if only
+    /// one face has them
     int face_of(const Region& region, bool alone) {
         const std::vector<int> candidates = faces_with(region.edges);
         if (candidates.empty()) {
@@ -135,7 +135,7 @@ class Matcher {
         return best;
     }
 
-    /// Refuses a region without an edge of its face's border: the mesh does not have the hole, or the face beside it.
+    /// Refuses a region that lacks an edge of its face's border: the mesh lacks the hole there, or the face beside it.
     void require_edges_of(int face, const Region& region) const {
         for (const int e : edges_of_face_[static_cast<std::size_t>(face)]) {
             if (bounds(e, face) && edges_.polylines[static_cast<std::size_t>(e)].vertices.empty()) {
@@ -144,7 +144,7 @@ class Matcher {
         }
     }
 
-    /// Whether all mesh edges along the border of a face are around a region.
+    /// Whether all mesh edges along the border of a face lie around a region.
     bool has_all_edges(int face, const Region& region) const {
         const std::set<int>& all = edges_of_face_[static_cast<std::size_t>(face)];
         return !region.edges.empty() && std::all_of(all.begin(), all.end(), [&](int e) {
@@ -153,7 +153,8 @@ class Matcher {
         });
     }
 
-    /// Whether an edge is on the border of a face: no pole, no seam between its own sides, no slit.
+    /// Whether an edge is on the border of a face: neither a pole, nor a seam between two sides of the face, nor a
+    /// slit.
     bool bounds(int e, int face) const {
         const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
         std::size_t here = 0;
@@ -177,7 +178,7 @@ class Matcher {
         return result;
     }
 
-    /// Vertices inside the region where there are any, as these lie on the face; centroids otherwise.
+    /// Vertices inside of the region if there are any, as these lie on the face; else centroids.
     std::vector<Sample> samples_of(const Region& region) const {
         std::vector<Sample> inside;
         std::vector<Sample> centroids;
@@ -200,8 +201,8 @@ class Matcher {
         return inside.empty() ? centroids : inside;
     }
 
-    /// The number of samples that lie on no point inside the trimmed face, and the largest distance of the others from
-    /// the surface.
+    /// The number of samples whose nearest point is not inside of the trimmed face, and the largest distance of the
+    /// others from the surface.
     std::pair<int, double> off_face(int face, const std::vector<Sample>& samples) {
         geometry::Engine::Batch batch;
         for (const Sample& sample : samples) {
@@ -224,7 +225,7 @@ class Matcher {
         return off;
     }
 
-    /// Why a region has edges of more than one face around it: edges between those faces have no polyline.
+    /// The reason why edges of more than one face lie around a region: the edges between those faces have no polyline.
     std::string not_followed(const Region& region) const {
         std::set<int> faces;
         for (const int e : region.edges) {
@@ -261,7 +262,7 @@ class Matcher {
     const geometry::Topology& topology_;
     const SurfaceGraph& graph_;
     const EdgeDiscretisation& edges_;
-    KeyMap<int> border_;  ///< by mesh edge: the CAD edge under it
+    KeyMap<int> border_;  ///< by mesh edge: the CAD edge that it follows
     std::set<int> on_border_;
     std::vector<std::set<int>> edges_of_face_;
 };

@@ -35,7 +35,7 @@ void require_nodes(const std::vector<std::array<int, N>>& elements, const GivenM
     }
 }
 
-/// A face of tetrahedra, as it is seen from outside of the first.
+/// A face of two tetrahedra, with the corners in the order in which it is seen from outside of the first one.
 struct SharedFace {
     FaceKey key;
     std::size_t tetrahedron;
@@ -78,7 +78,7 @@ void require_sound(const GivenMesh& mesh) {
 std::size_t orient_tetrahedra(GivenMesh& mesh) {
     const std::vector<SharedFace> faces = sorted_faces(mesh);
     std::vector<std::vector<std::pair<std::size_t, bool>>> beside(
-        mesh.tetrahedra.size());  // and whether both see alike
+        mesh.tetrahedra.size());  // whether both neighbours see the face alike, too
     for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
         if (faces[i].key == faces[i + 1].key) {
             const bool alike = same_turn(faces[i].outward, faces[i + 1].outward);

@@ -21,14 +21,14 @@ namespace mq::curve {
 
 namespace {
 
-/// The largest distance by which boxes of a mesh and its model may differ, as a fraction of the larger one: coarse
-/// meshes of round parts are smaller than these.
+/// Largest relative difference between the boxes of a mesh and its model, as a fraction of the larger one: coarse
+/// meshes of round models have smaller boxes.
 constexpr double kOtherPlace = 0.15;
 
-/// Pieces of a CAD edge whose ends are looked at.
+/// Number of pieces of a CAD edge whose ends are examined.
 constexpr int kEdgePoints = 8;
 
-/// Factors between units that files of meshes and shapes are written in, with what may have been taken for mm.
+/// Factors between units of files of meshes and shapes, with the unit that may have been taken for mm.
 constexpr std::array<std::pair<double, const char*>, 6> kUnits{{{1000.0, "it were in metres"},
                                                                 {10.0, "it were in centimetres"},
                                                                 {25.4, "it were in inches"},
@@ -46,7 +46,7 @@ Box box_of(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>
     return box;
 }
 
-/// The box of what the model certainly has: points of the edges of its faces. The box of the model itself may be
+/// A box that the model certainly fills: that of points on the edges of its faces. The box of the model itself may be
 /// larger than the model.
 Box box_of_edges(geometry::Session& session) {
     const geometry::Topology& topology = session.topology();
@@ -74,8 +74,8 @@ bool holds(const Box& outer, const Box& inner) {
                                 .all();
 }
 
-/// Refuses a mesh that does not reach from the edges of the model to the model's box, as it may after other units or
-/// another place.
+/// Refuses a mesh whose box does not lie between the box of the model's edges and the box of the model: units or place
+/// differ.
 void require_same_place(const Box& mesh, const Box& edges, const Box& model) {
     const auto fits = [&](const Box& box) { return holds(box, edges) && holds(model, box); };
     if (fits(mesh)) {
@@ -139,7 +139,7 @@ class Matcher {
     CurvedSurface& surface() { return result_.surface; }
     int& vertex_of(int node) { return result_.vertex_of_node[static_cast<std::size_t>(node)]; }
 
-    /// Vertices in the order of the given nodes, each on the entity of lowest dimension that has it.
+    /// Adds vertices in the order of the given nodes, each on the entity of lowest dimension that contains it.
     void add_vertices(const SurfaceGraph& graph, const EdgeDiscretisation& edges, const std::vector<int>& face) {
         std::map<int, mesh::VertexEntity> entity;
         for (std::size_t t = 0; t < graph.triangles.size(); ++t) {
@@ -173,7 +173,7 @@ class Matcher {
         }
     }
 
-    /// Gives neighbours on a face the same orientation: interfaces are seen from either side.
+    /// Gives neighbours on a face the same orientation. Faces between two solids may be seen from either side.
     void turn_alike() {
         std::vector<char> done(surface().triangles.size(), 0);
         for (std::size_t start = 0; start < done.size(); ++start) {
@@ -199,7 +199,7 @@ class Matcher {
 
     SurfaceTriangle& triangle(int t) { return surface().triangles[static_cast<std::size_t>(t)]; }
 
-    /// The other triangle of the same face at side k, where there is one.
+    /// The other triangle of the same face at side k; -1 if there is none.
     int neighbour_on_face(int t, std::size_t k) {
         int found = -1;
         const auto& v = triangle(t).corners;
@@ -226,7 +226,7 @@ class Matcher {
         }
     }
 
-    /// Turns faces round that are seen from inside, and lists the faces of each volume.
+    /// Reverses faces that are seen from inside, and lists the faces of each volume.
     void turn_outward() {
         for (SurfaceTriangle& t : surface().triangles) {
             if (surface().face_sign[static_cast<std::size_t>(t.face)] < 0.0) {
@@ -254,7 +254,7 @@ class Matcher {
         }
     }
 
-    /// Given nodes within rounding of the CAD stay where they are, to the last bit.
+    /// Given nodes within rounding of the CAD keep their coordinates exactly.
     void keep_places() {
         const double rounding = kOnCurve * topology_.box.largest_side();
         for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
@@ -284,8 +284,8 @@ class Matcher {
                              ") mm: give the shape that the mesh was made from");
     }
 
-    /// Tetrahedra that are joined without crossing the surface are in one volume: the one that has most of the
-    /// triangles around them as its sides.
+    /// Tetrahedra that are connected without crossing the surface are in one volume: the volume that most of the
+    /// triangles around them belong to.
     void find_volumes() {
         if (mesh_.tetrahedra.empty()) {
             return;
@@ -296,7 +296,8 @@ class Matcher {
             on_surface.emplace(face_key(v[0], v[1], v[2]), static_cast<int>(t));
         }
         DisjointSets<std::size_t> joined(mesh_.tetrahedra.size());
-        std::map<std::size_t, std::map<std::pair<int, bool>, std::size_t>> sides;  // by tetrahedron; face, from behind
+        std::map<std::size_t, std::map<std::pair<int, bool>, std::size_t>>
+            sides;  // by connected tetrahedra: number of triangles by face and side
         std::map<FaceKey, std::size_t> inner;
         std::vector<std::pair<std::size_t, std::pair<int, bool>>> touching;
         for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
@@ -329,7 +330,8 @@ class Matcher {
         }
     }
 
-    /// Refuses tetrahedra in a volume of which a face has no triangles, as that of a void that the mesh does not have.
+    /// Refuses tetrahedra in a volume if one of its faces has no triangles, for example a void that the mesh does not
+    /// have.
     void require_whole_volumes(const std::map<std::size_t, int>& volumes) const {
         for (const auto& [root, volume] : volumes) {
             for (const auto& side : topology_.volumes[static_cast<std::size_t>(volume)].sides) {
@@ -378,10 +380,10 @@ class Matcher {
     const geometry::Topology& topology_;
     const GivenMesh& mesh_;
     MatchedMesh result_;
-    std::vector<int> at_node_;  // by CAD vertex
+    std::vector<int> at_node_;  // by CAD vertex: the vertex of the surface
 };
 
-/// By tetrahedron: the solid that has its centroid, or -1.
+/// By tetrahedron: the solid that contains its centroid, or -1.
 std::vector<int> solids_of(geometry::Session& session, const GivenMesh& mesh) {
     const geometry::Topology& topology = session.topology();
     std::vector<int> solid(mesh.tetrahedra.size(), -1);

@@ -13,7 +13,7 @@ namespace mq::curve {
 
 namespace {
 
-/// The corners of the triangles as a mesh.
+/// The corners of the curved triangles as a given mesh.
 GivenMesh corners_of(const std::vector<Vec3>& nodes, const std::vector<std::int32_t>& triangles, std::size_t width) {
     GivenMesh mesh;
     mesh.nodes = nodes;
@@ -23,7 +23,7 @@ GivenMesh corners_of(const std::vector<Vec3>& nodes, const std::vector<std::int3
     return mesh;
 }
 
-/// Gives mesh edges and triangles the shapes that the nodes of one triangle say.
+/// Gives the edges and the inside of a mesh triangle the shapes that the nodes of one given triangle define.
 /// @param corners  vertices of the surface
 void set_shapes(CurvedShapes& shapes, const std::array<int, 3>& corners, const std::vector<Vec3>& given) {
     const Lattice& lattice = Lattice::of(2, shapes.order());

@@ -10,16 +10,17 @@
 
 namespace mq::curve {
 
-/// The triangles of a given surface, as they are, against the CAD; by triangle.
+/// The triangles of a given surface, as they are, compared with the CAD; by triangle.
 struct GivenSurfaceMeasures {
     std::vector<std::int32_t> face;  ///< the CAD face of the shape
-    std::vector<double> quality;     ///< lower bound of min J / max J against the CAD normal; not positive: it folds
-    std::vector<double> deviation;   ///< largest distance of 33 points between the nodes from the CAD face, mm
+    std::vector<double>
+        quality;  ///< lower bound of min J / max J against the CAD normal; not positive: the triangle folds
+    std::vector<double> deviation;  ///< mm: largest distance from the CAD face of 33 points between the nodes
 };
 
 /// Classifies the triangles of a surface on the CAD and measures them with the nodes that they have.
 /// @param order      1 to 5
-/// @param triangles  the nodes of one after those of the other, in Gmsh's order
+/// @param triangles  the nodes of all triangles, one triangle after another, in Gmsh's order
 /// @throws as match().
 GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
                                            const std::vector<Vec3>& nodes, int order,

@@ -17,7 +17,7 @@ namespace mq::curve {
 
 namespace {
 
-/// Triangles that lie on each other differ in angle by rounding alone, radians.
+/// Angles (radians) of triangles that lie on each other differ by at most this, by rounding.
 constexpr double kSameAngle = 1e-6;
 
 constexpr double kTurn = 6.283185307179586;
@@ -25,9 +25,9 @@ constexpr double kTurn = 6.283185307179586;
 /// A triangle at an edge from node `low` to `high`.
 struct Wing {
     std::size_t triangle;
-    bool opens;  ///< whether the body lies beyond it, for who goes round the edge by the right-hand rule
+    bool opens;  ///< whether the body begins at it, going round the edge by the right-hand rule
     double angle;
-    int place;  ///< the same for triangles that lie on each other
+    int place;  ///< order around the edge; equal for triangles that lie on each other
 };
 
 class Bodies {
@@ -61,7 +61,7 @@ class Bodies {
             }
             return;
         }
-        // The first round only finds which bodies are open where it began.
+        // The first round only finds the bodies that are open at the start of the turn.
         std::deque<std::size_t> open;
         for (int round = 0; round < 2; ++round) {
             for (const Wing& wing : wings) {
@@ -77,7 +77,8 @@ class Bodies {
         }
     }
 
-    /// In the order in which they come around the edge; of those that lie on each other, those that close first.
+    /// The triangles in their order around the edge; of triangles that lie on each other those come first that close a
+    /// body.
     std::vector<Wing> wings_of(int low, int high, const std::uint32_t* first, const std::uint32_t* last) const {
         const Vec3 along = (at(high) - at(low)).normalized();
         Vec3 right = Vec3::Zero();
@@ -117,7 +118,7 @@ std::vector<int> separate_touching_bodies(GivenMesh& mesh) {
         return original;
     }
     Bodies bodies(mesh);
-    std::vector<std::map<std::size_t, int>> of_body(mesh.nodes.size());  // by node and body: the body's own node
+    std::vector<std::map<std::size_t, int>> of_body(mesh.nodes.size());  // by node and body: the node of that body
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const std::size_t body = bodies.of(t);
         for (int& v : mesh.triangles[t]) {

@@ -8,13 +8,13 @@
 
 namespace mq::curve {
 
-/// Gives each body of a mesh of triangles nodes of its own, where bodies touch in nodes and edges.
+/// Gives each body of a mesh of triangles its own nodes if bodies touch in nodes and edges.
 ///
-/// Two triangles at an edge belong together. Where an edge has more, each body is the wedge between a triangle that is
-/// seen from its front and one that is seen from its back, going round the edge; a wedge that begins first ends first,
-/// as bodies that touch do not overlap. Edges whose triangles have no such order keep them together. Meshes with
+/// If an edge has two triangles, these belong to one body. If it has more, each body is the wedge between a triangle
+/// seen from its front and one seen from its back, going round the edge; a wedge that begins first ends first, as
+/// bodies that touch do not overlap. Bodies at an edge whose triangles have no such order stay joined. Meshes with
 /// tetrahedra stay as they are.
-/// @return by node: the one that it is a copy of, or itself. The copies come after all nodes of before.
+/// @return by node: the node that it is a copy of, or itself. The copies come after all given nodes.
 std::vector<int> separate_touching_bodies(GivenMesh& mesh);
 
 }  // namespace mq::curve

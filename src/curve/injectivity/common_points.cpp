@@ -21,7 +21,7 @@ namespace mq::curve {
 
 namespace {
 
-/// A plane whose normal has length 1: points before it have normal . p <= offset.
+/// A plane with a normal of length 1: points behind it have normal . p <= offset.
 struct Plane {
     Vec3 normal;
     double offset;
@@ -29,7 +29,7 @@ struct Plane {
     double before(const Vec3& p) const { return offset - normal.dot(p); }
 };
 
-/// The planes of the faces of a tetrahedron, which is before all of them; none where it has no volume.
+/// The planes of the faces of a tetrahedron, which lies behind all of them; none if it has no volume.
 std::vector<Plane> planes_of(const std::array<Vec3, 4>& corners) {
     std::vector<Plane> planes;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -45,7 +45,7 @@ std::vector<Plane> planes_of(const std::array<Vec3, 4>& corners) {
     return planes;
 }
 
-/// The mean of the corners of what two tetrahedra have in common, if it is farther than `depth` from all of their
+/// The mean of the vertices of the intersection of two tetrahedra, if it is farther than `depth` from all of their
 /// faces.
 std::optional<Vec3> middle_in_common(const std::array<Vec3, 4>& first, const std::array<Vec3, 4>& second,
                                      double depth) {
@@ -110,7 +110,7 @@ class Elements {
     const std::vector<Vec3>& ends() const { return ends_; }
     const std::vector<mesh::Triangle>& boxes() const { return boxes_; }
 
-    /// A point that is proven to be inside of both.
+    /// A point that is proven to be inside of two elements.
     std::optional<Vec3> common_point(std::int32_t a, std::int32_t b) const {
         const std::vector<Cell> others = cells(b, box(a));
         for (const Cell& first : cells(a, box(b))) {
@@ -149,7 +149,8 @@ class Elements {
         const auto number = static_cast<std::int32_t>(ends_.size());
         ends_.push_back(box.low);
         ends_.push_back(box.high);
-        boxes_.push_back({number, number + 1, number});  // stands for the box between two points
+        boxes_.push_back(
+            {number, number + 1, number});  // a triangle of three corners that has the box between two points
     }
     const SolidBlock& block(std::int32_t e) const { return blocks_[place_[static_cast<std::size_t>(e)].first]; }
     Vec3 node(std::int32_t e, std::int32_t i) const {
@@ -163,11 +164,11 @@ class Elements {
         }
         return found;
     }
-    /// Whether boxes have more in common than what touches.
+    /// Whether the intersection of two boxes is thicker than `depth_` along each axis.
     bool overlap(const Box& a, const Box& b) const {
         return (a.high.cwiseMin(b.high) - a.low.cwiseMax(b.low)).minCoeff() > depth_;
     }
-    /// The tetrahedra of an element that are partly in a box. Sides of elements of order 1 may be curved, too.
+    /// The tetrahedra of an element that reach into a box. Sides of elements of order 1 may be curved, too.
     std::vector<Cell> cells(std::int32_t e, const Box& within) const {
         const SolidBlock& of = block(e);
         std::vector<Vec3> own;
@@ -193,7 +194,7 @@ class Elements {
         }
         return found;
     }
-    /// The nodes of order 2 of an element of order 1: each the mean of the corners that lie symmetrically about it.
+    /// The nodes of order 2 of an element of order 1: each is the mean of the corners that lie symmetrically around it.
     static std::vector<Vec3> of_corners(ElementKind kind, const std::vector<Vec3>& corners) {
         const std::vector<GridPoint> places = gmsh_nodes(kind, 2);
         const auto end = places.begin() + static_cast<std::ptrdiff_t>(corners.size());
@@ -234,7 +235,7 @@ class Elements {
 
     const std::vector<Vec3>& nodes_;
     const std::vector<SolidBlock>& blocks_;
-    std::vector<std::pair<std::size_t, std::size_t>> place_;  // block, and the first node in it
+    std::vector<std::pair<std::size_t, std::size_t>> place_;  // block, and the index of its first node
     std::vector<Vec3> ends_;
     std::vector<mesh::Triangle> boxes_;
     Box all_;

@@ -27,20 +27,20 @@ struct SolidBlock {
     std::vector<Face> faces;
 };
 
-/// A point that is inside of two elements.
+/// A point inside of two elements.
 struct CommonPoint {
     std::array<std::int32_t, 2> elements;  ///< numbered from block to block
     Vec3 point;                            ///< mm
 };
 
-/// Bodies of a mesh that overlap: for two of them one point at most, which is proven to be inside of an element of
-/// each.
+/// Bodies of a mesh that overlap: for each pair of bodies at most one point, which is proven to be inside of an element
+/// of each.
 ///
-/// Elements whose boxes meet are divided into tetrahedra between their nodes; where two of these have more than a
-/// point, an edge or a face in common, the middle of what they have in common is tried. The proof is the winding number
-/// of the faces of each element. What is in one another by less than `kTouching` of the mesh's size does not count.
+/// Elements whose boxes meet are divided into tetrahedra between their nodes. If two of these have more than a point,
+/// an edge or a face in common, the middle of their intersection is tried. The proof is the winding number of the faces
+/// of each element around that point. Overlaps less deep than `kTouching` of the mesh's size do not count.
 /// @param body  by element, numbered from block to block
-/// @throws InvalidInput where the numbers do not fit together; Cancelled
+/// @throws InvalidInput if the sizes of the lists do not agree; Cancelled
 std::vector<CommonPoint> common_points(const std::vector<Vec3>& nodes, const std::vector<SolidBlock>& blocks,
                                        const std::vector<std::int32_t>& body, Progress* progress = nullptr);
 

@@ -15,12 +15,12 @@ namespace {
 
 using Pair = std::array<std::int32_t, 2>;
 
-/// All pairs whose bounding boxes meet and that do not lie on each other, and each triangle with itself.
+/// All pairs whose bounding boxes meet and that do not lie on each other, and the pair of each patch with itself.
 std::vector<Pair> candidates(const SurfacePatches& patches, const Progress* progress) {
     // Tasks of the traversal: several for each thread, so that all threads end at about the same time.
     constexpr std::size_t kTasks = 64;
     std::vector<Vec3> ends;
-    std::vector<mesh::Triangle> boxes;  // each stands for the box between two points
+    std::vector<mesh::Triangle> boxes;  // triangles whose boxes are those between two points
     std::vector<Pair> pairs;
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(patches.size()); ++t) {
         Box box;
@@ -51,7 +51,7 @@ std::vector<Pair> candidates(const SurfacePatches& patches, const Progress* prog
     return pairs;
 }
 
-/// Compares pairs, several at once. @return their verdicts, in their order
+/// Compares pairs in parallel. @return their verdicts, in their order
 std::vector<PatchVerdict> verdicts(const SurfacePatches& patches, const Pair* pairs, std::size_t count, int most_pairs,
                                    std::size_t at_once, Progress* progress) {
     std::vector<PatchVerdict> found(count);
@@ -65,7 +65,7 @@ std::vector<PatchVerdict> verdicts(const SurfacePatches& patches, const Pair* pa
     return found;
 }
 
-/// What was found, by sides: where a side has two patches, pairs of these that differ are one.
+/// The verdicts by pairs of sides: all pairs of patches of the same two sides become one pair.
 class PairsOfSides {
   public:
     explicit PairsOfSides(const SurfacePatches& patches) : patches_(patches) {}
@@ -86,7 +86,7 @@ class PairsOfSides {
         }
     }
 
-    /// Each pair once: it crosses where something of it does, and touches only where nothing of it is open.
+    /// Each pair once. It crosses if one of its pairs of patches does, and touches only if none of these is undecided.
     CurvedCrossings result() {
         CurvedCrossings found;
         const auto pair_of = [](const CurvedCrossings::Crossing& c) { return Pair{c.a, c.b}; };
@@ -112,7 +112,7 @@ class PairsOfSides {
     }
 
   private:
-    /// The pairs in ascending order, each once, but for those of a sorted list.
+    /// The pairs in ascending order, each once, without those of a sorted list.
     static std::vector<Pair> without(std::vector<Pair> pairs, const std::vector<Pair>& others) {
         std::sort(pairs.begin(), pairs.end());
         pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -128,12 +128,12 @@ class PairsOfSides {
     std::vector<Pair> touching_;
 };
 
-/// Compares the pairs that a few comparisons of pieces decide. @return the others
+/// Compares the pairs that a few comparisons of pieces decide. @return the undecided pairs
 std::vector<Pair> compare_quickly(const SurfacePatches& patches, const std::vector<Pair>& pairs,
                                   PairsOfSides& pairs_of_sides, Progress* progress) {
-    // Pieces of a pair: nearly all pairs need fewer.
+    // Comparisons of pieces for one pair: nearly all pairs need fewer.
     constexpr int kFew = 48;
-    // Pairs of one task, a few hundred microseconds of work, and between two reports of the progress.
+    // Pairs of one task: a few hundred microseconds of work between two reports of the progress.
     constexpr std::size_t kAtOnce = 64;
     constexpr std::size_t kInRound = 256 * kAtOnce;
     std::vector<Pair> left;
@@ -160,7 +160,7 @@ CurvedCrossings curved_crossings(const SurfacePatches& patches, Progress* progre
     const std::vector<Pair> pairs = candidates(patches, progress);
     PairsOfSides pairs_of_sides(patches);
     const std::vector<Pair> left = compare_quickly(patches, pairs, pairs_of_sides, progress);
-    // What is left of the effort must not depend on the number of threads: it is looked at between rounds.
+    // The remaining effort must not depend on the number of threads: it is only read between rounds.
     constexpr std::size_t kInRound = 32;
     const std::size_t most = effort.base + effort.for_each_triangle * patches.size();
     std::size_t looked_at = 0;

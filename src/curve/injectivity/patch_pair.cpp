@@ -17,7 +17,7 @@ namespace mq::curve {
 
 namespace {
 
-/// The pieces' corners on a shared edge.
+/// The corners of a piece that lie on a shared edge.
 struct OnEdge {
     int count = 0;
     std::array<int, 2> corner{};
@@ -26,7 +26,7 @@ struct OnEdge {
     double length() const { return count == 2 ? at[1] - at[0] : 0.0; }
 };
 
-/// @param from, to  the corners of the patch between which the edge is
+/// @param from, to  the corners of the patch at the ends of the edge
 OnEdge on_edge(const PatchPiece& piece, int from, int to) {
     OnEdge found;
     const auto opposite = static_cast<std::size_t>(3 - from - to);
@@ -44,12 +44,12 @@ OnEdge on_edge(const PatchPiece& piece, int from, int to) {
     return found;
 }
 
-/// The way in which two pieces meet by what their patches share.
+/// The vertices and edges in which two pieces meet because their patches share them.
 struct Meeting {
-    std::vector<std::array<int, 2>> corners;  ///< a corner of each piece
+    std::vector<std::array<int, 2>> corners;  ///< pairs: a corner of each piece
     int edges = 0;
-    /// A piece shares an edge of which the other has a part only: that edge is to be halved first. 0 or 1: the first or
-    /// the second piece; -1: there is none.
+    /// If a piece has a whole shared edge of which the other piece has a fraction only, that edge is halved first. 0 or
+    /// 1: the first or the second piece is halved; -1: neither.
     int halve_first = -1;
     std::array<int, 2> halve_edge{};
 
@@ -88,7 +88,7 @@ struct Meeting {
     }
 };
 
-/// The corner of a piece that is one of its patch; -1: none.
+/// The corner of a piece that is the given corner of its patch; -1: it has none.
 int corner_at(const PatchPiece& piece, int patch_corner) {
     for (int k = 0; k < 3; ++k) {
         if (piece.part[static_cast<std::size_t>(k)][static_cast<std::size_t>(patch_corner)] == 1.0) {
@@ -187,8 +187,8 @@ class PairSearch {
                ((b.low - a.high).array() > limits_.rounding).any();
     }
 
-    /// The vectors from the vertex to all points of a patch are sums of those to its control points with positive
-    /// weights: a plane through the vertex separates the patches where one separates these.
+    /// Vectors from the vertex to points of a patch are sums of the vectors to its control points with positive
+    /// weights: a plane through the vertex that separates the control points separates the patches.
     bool meet_in_vertex(const PatchPiece& a, const PatchPiece& b, const std::array<int, 2>& corners) const {
         std::vector<Vec3> vectors;
         const auto add = [&](const PatchPiece& piece, int corner, double sign) {
@@ -205,9 +205,9 @@ class PairSearch {
         return in_open_half_space(vectors, limits_.rounding);
     }
 
-    /// Each point of a patch is one of the edge plus a sum v of transversals; the difference of two points of the edge
-    /// is a sum e of its tangents, or the opposite of one. At a common point v_a - v_b - e = 0, or v_a - v_b + e = 0:
-    /// impossible where all these vectors are on one side of a plane, unless v_a and v_b are zero.
+    /// Each point of a patch is a point of the edge plus a sum v of transversals. The difference of two points of the
+    /// edge is a sum e of its tangents, or the opposite of such a sum. At a common point v_a - v_b - e = 0, or v_a -
+    /// v_b + e = 0. If all these vectors are on one side of a plane, this is impossible unless v_a and v_b are zero.
     bool meet_in_edge(const PatchPiece& a, const PatchPiece& b, const Meeting& meeting) const {
         const std::array<int, 2>& from = meeting.corners[0];
         const std::array<int, 2>& to = meeting.corners[1];
@@ -225,8 +225,8 @@ class PairSearch {
         return true;
     }
 
-    /// Whether the pieces are on both sides of a plane, which both may touch; faces in one plane look away from each
-    /// other. Planes are those that tell flat triangles apart.
+    /// Whether the pieces lie on the two sides of a plane, which both may touch; coplanar faces have opposite normals
+    /// then. The planes that are tried are those that separate flat triangles.
     bool touch(const PatchPiece& a, const PatchPiece& b) const {
         const double slack = limits_.touching;
         const auto on_both_sides = [&](const Vec3& direction) {
@@ -274,9 +274,9 @@ class PairSearch {
         return found;
     }
 
-    /// Whether both pieces are in one plane and overlap there: no halving tells them apart.
+    /// Whether both pieces are in one plane and overlap there: halving does not separate them.
     bool overlap_in_plane(const PatchPiece& a, const PatchPiece& b) const {
-        // Relative to the pieces: small ones have other slopes, not only other heights.
+        // Tolerance relative to the pieces: small ones differ in slopes, not only in heights.
         constexpr double kFlat = 1e-3;
         const double slack = std::min(limits_.touching, kFlat * std::min(a.size, b.size));
         const PatchPiece& wide = a.size >= b.size ? a : b;
@@ -288,7 +288,8 @@ class PairSearch {
                overlap(a.corners, b.corners, normal, depth) && overlap(b.corners, a.corners, normal, depth);
     }
 
-    /// Whether no edge of the first triangle has the second one on its outer side, or less than `depth` of it within.
+    /// Whether the two triangles overlap by at least `depth`: the second one reaches farther than that behind each edge
+    /// of the first.
     static bool overlap(const std::array<Vec3, 3>& first, const std::array<Vec3, 3>& second, const Vec3& normal,
                         double depth) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -327,12 +328,12 @@ class PairSearch {
     PatchPieces b_;
     const SharedEntities& shared_;
     PatchLimits limits_;
-    /// In the order of their making, so that large pieces, which show most crossings, come first.
+    /// In the order of their creation, so that large pieces, which show most crossings, come first.
     std::deque<std::pair<std::int32_t, std::int32_t>> waiting_;
 };
 
-/// The difference of two points of a patch is, but for its sign, a sum of the transversals towards one corner: it is
-/// not zero where for each corner these are on one side of a plane.
+/// The difference of two points of a patch is, up to its sign, a sum of the transversals towards one corner. It is not
+/// zero if for each corner the transversals are on one side of a plane.
 bool is_monotone(const Lattice& lattice, const std::vector<Vec3>& control, double rounding) {
     std::vector<Vec3> vectors;
     for (int corner = 0; corner < 3; ++corner) {
@@ -364,7 +365,8 @@ PatchVerdict contact_with_itself(const PatchPiece& piece, const Lattice& lattice
             return verdict;
         }
     }
-    // The middle of the edge is corner b of the first half and corner a of the second; the third corner is common.
+    // The middle of the edge is corner b of the first half and corner a of the second one; the third corner is common
+    // to both.
     const int third = 3 - a - b;
     return contact_of_patches(lattice, pieces[first].control, pieces[first + 1].control,
                               {{{b, a}, {third, third}}, {{0, 1}}}, limits);
@@ -378,7 +380,7 @@ PatchVerdict contact_of_patches(const Lattice& lattice, const std::vector<Vec3>&
 }
 
 PatchVerdict contact_with_itself(const Lattice& lattice, const std::vector<Vec3>& control, const PatchLimits& limits) {
-    // Halvings one in another: the smallest pieces have a sixteenth of the length.
+    // Deepest nesting of halvings: the smallest pieces have a sixteenth of the patch's length.
     constexpr int kDeepest = 8;
     return contact_with_itself(PatchPiece(lattice, control, kWholeSimplex), lattice, limits, kDeepest);
 }

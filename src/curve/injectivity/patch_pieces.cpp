@@ -10,7 +10,7 @@ namespace mq::curve {
 
 namespace {
 
-/// The control point with one exponent more.
+/// The control point whose exponent of `corner` is larger by one.
 const Vec3& raised(const Lattice& lattice, const std::vector<Vec3>& control, Exponents e, int corner) {
     ++e[static_cast<std::size_t>(corner)];
     return control[static_cast<std::size_t>(lattice.index(e))];

@@ -12,7 +12,7 @@
 
 namespace mq::curve {
 
-/// A sub-triangle of a Bezier triangle that halving made: a Bezier triangle itself.
+/// A sub-triangle of a Bezier triangle that results from halving; it is a Bezier triangle itself.
 struct PatchPiece {
     PatchPiece(const Lattice& lattice, std::vector<Vec3> points, const SimplexPart& in_patch);
 
@@ -20,13 +20,14 @@ struct PatchPiece {
     std::array<Vec3, 3> corners;
     SimplexPart part;   ///< its corners in the whole patch; sums of powers of two, so that equal places are equal
     Box box;            ///< holds the control points
-    double bend = 0.0;  ///< largest distance, mm, between points of equal parameters of it and of its straight triangle
-    double size = 0.0;  ///< diagonal of the box, mm
-    /// By edge, which goes by the corner opposite: the first of the two pieces that its middle makes; -1: none yet.
+    double bend = 0.0;  ///< mm: largest distance between points of equal parameters of the piece and of the flat
+                        ///< triangle of its corners
+    double size = 0.0;  ///< mm: diagonal of the box
+    /// By edge, numbered by the opposite corner: the first of the two pieces that halving it gives; -1: not halved.
     std::array<std::int32_t, 3> halves{-1, -1, -1};
 };
 
-/// The pieces of one Bezier triangle, each made once; number 0 is the whole.
+/// The pieces of one Bezier triangle, each computed once; number 0 is the whole triangle.
 class PatchPieces {
   public:
     PatchPieces(const Lattice& lattice, const std::vector<Vec3>& control);
@@ -35,9 +36,9 @@ class PatchPieces {
     const PatchPiece& operator[](std::int32_t piece) const { return pieces_[static_cast<std::size_t>(piece)]; }
 
     /// Halves a piece at the middle of the edge between two of its corners. @return the number of the half that keeps
-    /// the lower of them; the next number is that of the other
+    /// the corner with the lower number; the other half has the next number
     std::int32_t halve(std::int32_t piece, int a, int b);
-    /// The same at the edge that is longest in the parameters, so that pieces keep their shapes.
+    /// Halves a piece at the edge that is longest in the parameters, so that pieces keep their shapes.
     std::int32_t halve(std::int32_t piece);
 
   private:
@@ -45,12 +46,12 @@ class PatchPieces {
     std::deque<PatchPiece> pieces_;
 };
 
-/// The differences of the control points along which the patch runs from the edge opposite to a corner towards that
-/// corner: each of its points is one of the edge plus a sum of them with positive weights.
+/// Adds the transversals: differences of control points that lead from the edge opposite to a corner towards that
+/// corner. Each point of the patch is a point of the edge plus a sum of transversals with positive weights.
 void add_transversals(const Lattice& lattice, const std::vector<Vec3>& control, int corner, double sign,
                       std::vector<Vec3>& vectors);
 
-/// The differences of the control points of the edge from corner a to corner b.
+/// Adds the differences of the control points of the edge from corner a to corner b.
 void add_tangents(const Lattice& lattice, const std::vector<Vec3>& control, int a, int b, double sign,
                   std::vector<Vec3>& vectors);
 

@@ -10,7 +10,7 @@ namespace mq::curve {
 
 namespace {
 
-/// Points of a convex set that span the one nearest to the origin: four at most.
+/// At most four points of a convex set whose hull contains the point nearest to the origin.
 class NearestSimplex {
   public:
     bool holds(const Vec3& p) const { return std::find(points_.begin(), points_.begin() + size_, p) != end(); }
@@ -32,7 +32,7 @@ class NearestSimplex {
 
     Points::const_iterator end() const { return points_.begin() + size_; }
 
-    /// Takes the point of the plane through some of the points that is nearest to the origin, if it is between them.
+    /// Takes the point nearest to the origin of the plane through some of the points, if it lies between them.
     void try_face(unsigned mask) {
         Points face;
         int count = 0;
@@ -62,7 +62,7 @@ class NearestSimplex {
         }
     }
 
-    /// The weights of the points after the first; false where these are not independent.
+    /// Computes the weights of all points but the first. False if the points are not independent.
     static bool weights(const Points& face, int count, std::array<double, 3>& t) {
         if (count == 1) {
             return true;
@@ -104,9 +104,9 @@ struct Support {
 /// @param support  (direction) -> Support
 template <typename Find>
 bool separable(Vec3 direction, const Find& support) {
-    // Rounds that are always enough unless the search is at the limit of rounding.
+    // Rounds at most; more would be needed only at the limit of rounding.
     constexpr int kMostRounds = 40;
-    // Relative gain below which the nearest point is found.
+    // Relative gain below which the nearest point counts as found.
     constexpr double kNoGain = 1e-12;
     NearestSimplex simplex;
     for (int round = 0; round < kMostRounds; ++round) {

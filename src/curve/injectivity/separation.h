@@ -9,12 +9,12 @@
 /// the origin, and ends as soon as the plane across the direction to it separates the two.
 namespace mq::curve {
 
-/// Whether a plane was found from which both hulls are away: together by more than `margin`, mm. False says nothing
-/// where they are nearer than that, or nearly so.
+/// Whether a plane between two convex hulls was found whose distances from both add up to more than `margin`, mm. False
+/// decides nothing if the hulls are nearer than that, or nearly so.
 bool hulls_apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double margin);
 
-/// Whether a direction was found along which each of the vectors has more than `margin` (mm): their cone is then
-/// pointed, and no sum of them with positive weights is zero.
+/// Whether a direction was found along which the component of each of the vectors is more than `margin` (mm). Their
+/// cone is pointed then, and no sum of them with positive weights is zero.
 bool in_open_half_space(const std::vector<Vec3>& vectors, double margin);
 
 }  // namespace mq::curve

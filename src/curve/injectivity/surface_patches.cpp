@@ -105,8 +105,8 @@ void SurfacePatches::add(const SideBlock& block, const std::vector<std::int32_t>
     std::sort(side_nodes_.back().begin(), side_nodes_.back().end());
 }
 
-/// Sides are of one body where edges of just two of them connect them. Where bodies lie on each other, edges in the
-/// same place have four.
+/// Sides belong to one body if edges of exactly two sides connect them. If bodies lie on each other, their common edges
+/// have four sides.
 void SurfacePatches::find_bodies(const std::vector<SideBlock>& blocks) {
     std::vector<std::array<std::int32_t, 3>> edges;  // two corners, and a side
     std::size_t t = 0;
@@ -179,8 +179,8 @@ SharedEntities SurfacePatches::shared(std::int32_t a, std::int32_t b) const {
     return found;
 }
 
-/// Whether the edges between two pairs of equal corners are the same curve, but for rounding: they have the same
-/// control points, of whatever order the sides are.
+/// Whether the edges between two pairs of equal corners are the same curve up to rounding: their control points are
+/// equal, whatever the orders of the sides are.
 bool SurfacePatches::share_edge(const Patch& a, const Patch& b, const std::array<int, 2>& from,
                                 const std::array<int, 2>& to) const {
     if (from[0] == to[0] || from[1] == to[1]) {

@@ -12,13 +12,13 @@
 
 namespace mq::curve {
 
-/// Pieces of curved triangles smaller than this share of the mesh's size are not halved any more.
+/// Smallest pieces of curved triangles that are halved, as a fraction of the mesh's size.
 constexpr double kLeastPiece = 1e-6;
-/// What is within this share of the mesh's size of a plane counts as on it.
+/// Points within this fraction of the mesh's size from a plane count as on it.
 constexpr double kTouching = 1e-9;
 
-/// Sides of elements: triangles or quadrilaterals of one order, with their nodes in Gmsh's order, one side after the
-/// other.
+/// Sides of elements: triangles or quadrilaterals of one order, with the nodes of one side after those of another, in
+/// Gmsh's order.
 struct SideBlock {
     ElementKind kind = ElementKind::Triangle;
     int order = 1;
@@ -26,29 +26,29 @@ struct SideBlock {
     std::vector<std::int32_t> nodes;
 };
 
-/// The Bezier triangles, of one degree, that curved sides of elements are made of: each triangle is one, raised to that
-/// degree; each quadrilateral is two of twice its order.
+/// The Bezier triangles, all of one degree, of which curved sides of elements consist. A triangle is one of them,
+/// raised to that degree; a quadrilateral is two of twice its order.
 ///
-/// Control points are about the middle of the mesh, where rounding errors are least. Nodes of equal coordinates are one
-/// node.
+/// Control points are relative to the middle of the mesh, which keeps rounding errors small. Nodes of equal coordinates
+/// count as one node.
 class SurfacePatches {
   public:
-    /// @throws InvalidInput where the numbers do not fit together, or a coordinate is not finite
+    /// @throws InvalidInput if the sizes of the lists do not agree, or a coordinate is not finite
     SurfacePatches(const std::vector<Vec3>& nodes, const std::vector<SideBlock>& blocks);
 
     std::size_t size() const { return patches_.size(); }
-    /// Sides, numbered from block to block.
+    /// Number of sides, which are numbered from block to block.
     std::size_t sides() const { return side_nodes_.size(); }
     const Lattice& lattice() const { return *lattice_; }
     const Vec3& middle() const { return middle_; }
     const std::vector<Vec3>& control(std::int32_t t) const { return patch(t).control; }
-    /// The side that a patch is of.
+    /// The side that a patch belongs to.
     std::int32_t side(std::int32_t t) const { return patch(t).side; }
     double rounding() const { return limits_.rounding; }
 
-    /// Whether two patches are of different sides with the same nodes.
+    /// Whether two patches belong to different sides with the same nodes.
     bool lie_on_each_other(std::int32_t a, std::int32_t b) const;
-    /// How two patches meet, or a patch itself.
+    /// How two patches meet; for a == b how the patch meets itself.
     PatchVerdict contact(std::int32_t a, std::int32_t b, int most_pairs) const;
 
   private:
@@ -68,7 +68,7 @@ class SurfacePatches {
     Vec3 middle_ = Vec3::Zero();
     PatchLimits limits_;
     std::vector<Patch> patches_;
-    std::vector<std::vector<std::int32_t>> side_nodes_;  ///< in ascending order
+    std::vector<std::vector<std::int32_t>> side_nodes_;  ///< by side, in ascending order
     std::vector<std::int32_t> body_;                     ///< by side
 };
 

@@ -20,7 +20,7 @@ std::array<Vec3, 3> corners_of(const Lattice& lattice, const std::vector<Vec3>& 
             control[static_cast<std::size_t>(lattice.corner(2))]};
 }
 
-/// The largest distance between points of equal parameters of a patch and of its flat triangle.
+/// The largest distance between points of equal parameters of a patch and of the flat triangle of its corners.
 double bend_of(const Lattice& lattice, const std::vector<Vec3>& control) {
     const std::array<Vec3, 3> corners = corners_of(lattice, control);
     double bend = 0.0;
@@ -32,7 +32,7 @@ double bend_of(const Lattice& lattice, const std::vector<Vec3>& control) {
     return bend;
 }
 
-/// The signed solid angle of a triangle; nothing where the point is so near to it that its sign is not certain.
+/// The signed solid angle of a triangle; nothing if the point is so near to the triangle that the sign is not certain.
 std::optional<double> solid_angle(const std::array<Vec3, 3>& corners, const Vec3& point) {
     constexpr double kNothing = 1e-12;
     const Vec3 a = (corners[0] - point).normalized();
@@ -46,7 +46,7 @@ std::optional<double> solid_angle(const std::array<Vec3, 3>& corners, const Vec3
     return 2.0 * std::atan2(volume, rest);
 }
 
-/// The corners between which the straight edge is longest.
+/// The two corners with the longest straight edge between them.
 std::pair<int, int> longest_edge_of(const std::array<Vec3, 3>& corners) {
     std::pair<int, int> longest{0, 1};
     double length = (corners[1] - corners[0]).squaredNorm();
@@ -62,11 +62,11 @@ std::pair<int, int> longest_edge_of(const std::array<Vec3, 3>& corners) {
     return longest;
 }
 
-/// The solid angle of a cone over the triangle between a halved edge and the middle of its curve, which a point of the
-/// edge's own decides, so that it is the opposite for the neighbour. Its tip is out of the plane of the triangle, which
-/// points between the edge and its curve often lie in.
+/// The solid angle of a cone over the triangle between a halved edge and the middle of its curve. The tip of the cone
+/// depends on the edge alone, so that the neighbour gets the opposite angle. The tip is outside of the plane of the
+/// triangle, as points between an edge and its curve often lie in that plane.
 std::optional<double> angle_of_gap(const Vec3& from, const Vec3& to, const Vec3& middle, const Vec3& point) {
-    constexpr double kOut = 0.1;  // share of the height, so that the tip is as near to the edge as the middle is
+    constexpr double kOut = 0.1;  // fraction of the height, so that the tip is as near to the edge as the middle is
     const Vec3 tip =
         (from + to + middle) / 3.0 + kOut * (middle - 0.5 * (from + to)).norm() * Vec3(0.61, 0.37, 0.7).normalized();
     double sum = 0.0;
@@ -85,9 +85,10 @@ std::optional<double> angle_of_gap(const Vec3& from, const Vec3& to, const Vec3&
 
 std::optional<int> winding_number(const Lattice& lattice, const std::vector<std::vector<Vec3>>& patches,
                                   const Vec3& point, double margin) {
-    // Pieces that are looked at: enough for a point at a thousandth of the size from patches that bend by all of it.
+    // Most pieces that are examined: enough for a point at a distance of a thousandth of the size from patches that
+    // bend by all of it.
     constexpr int kMostPieces = 20'000;
-    // How far the sum may be from a whole number of turns by rounding.
+    // Largest difference by rounding between the sum of angles and a whole number of turns.
     constexpr double kRounding = 1e-6;
     std::vector<std::vector<Vec3>> waiting = patches;
     double sum = 0.0;

@@ -9,16 +9,17 @@
 
 namespace mq::curve {
 
-/// How often a closed surface of Bezier triangles goes round a point: 1 where the point is inside, seen from which the
-/// triangles turn the right way round, 0 outside.
+/// The winding number of a closed surface of Bezier triangles around a point: 1 if the point is inside and the
+/// triangles are oriented outward, 0 outside.
 ///
-/// Each triangle is halved until the point is farther from the flat triangle between the corners of every piece than
-/// the piece bends. The surface then does not pass the point on its way to the flat one, whose solid angles
-/// (Van Oosterom and Strackee 1983) are summed. Where an edge is halved, the triangle between it and the middle of its
-/// curve is added: so flat pieces of neighbours end in the same chords, however they are divided.
-/// @param patches  control points
-/// @param margin   mm, by which the point must be off the surface
-/// @return nothing where the point is nearer than that, or the surface is not closed
+/// Each triangle is halved until, for every piece, the distance of the point from the flat triangle between the piece's
+/// corners is larger than the bend of the piece. The curved surface then does not pass the point while it is deformed
+/// into the flat one, whose solid angles (Van Oosterom and Strackee 1983) are summed. If an edge is halved, the
+/// triangle between the edge and the middle of its curve is added: so flat pieces of neighbours end in the same chords,
+/// whichever way they are divided.
+/// @param patches  their control points
+/// @param margin   mm: least distance of the point from the surface
+/// @return nothing if the point is nearer than that, or the surface is not closed
 std::optional<int> winding_number(const Lattice& lattice, const std::vector<std::vector<Vec3>>& patches,
                                   const Vec3& point, double margin);
 

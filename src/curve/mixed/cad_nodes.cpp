@@ -20,7 +20,7 @@ namespace {
 
 using geometry::Query;
 
-/// Displacements below this fraction of the model's size are rounding.
+/// Displacements below this fraction of the model's size count as rounding.
 constexpr double kNoDisplacement = 1e-9;
 
 std::size_t at(std::int64_t i) {
@@ -38,7 +38,7 @@ std::vector<double> lagrange(int order, double t) {
     return values;
 }
 
-/// Between all nodes of a quadrilateral: a point in each cell of its grid, (points, nodes).
+/// Weights of points between all nodes of a quadrilateral, one in each cell of its grid: (points, nodes).
 Eigen::MatrixXd between_nodes(int order) {
     const std::vector<GridPoint> grid = gmsh_nodes(ElementKind::Quadrilateral, order);
     const int cells = order + 1;
@@ -55,7 +55,7 @@ Eigen::MatrixXd between_nodes(int order) {
     return weights;
 }
 
-/// The triangles of the matched surface by their vertices, given as nodes of the mesh.
+/// The triangles of the matched surface, by the nodes of the mesh that are their corners.
 std::map<FaceKey, int> triangles_by_nodes(const MatchedMesh& matched) {
     std::vector<int> node_of_vertex(matched.surface.shapes.vertices.size(), -1);
     for (std::size_t n = 0; n < matched.vertex_of_node.size(); ++n) {
@@ -366,7 +366,7 @@ std::vector<Vec3> CadNodes::displacement_of_ends(int face, const std::vector<Sid
 bool CadNodes::follow_edges_of(int face, std::vector<Vec3>& nodes, std::size_t& changed) {
     std::vector<SideRow> rows = rows_on(face);
     const std::vector<Vec3> displacement = displacement_of_ends(face, rows, nodes);
-    // On bent faces nodes were spaced evenly, which is better than by rows where layers are thick.
+    // The nodes of bent faces are spaced evenly already, which is better than displacing rows if layers are thick.
     if (!placement_.planar(face)) {
         rows.erase(std::remove_if(rows.begin(), rows.end(),
                                   [&](const SideRow& row) { return !bends_much(row, displacement); }),

@@ -16,45 +16,46 @@ namespace mq::curve {
 /// A face of the given mesh that lies on a CAD face.
 struct CadFace {
     ElementKind kind = ElementKind::Triangle;
-    std::vector<std::int32_t> corners;  ///< outward of the element behind; on surfaces as they were given
-    int face = -1;                      ///< the CAD face
-    std::vector<int> triangles;         ///< in the matched surface: itself, or its two halves
-    std::int64_t element = -1;          ///< the element behind it, the first one of an interface
+    std::vector<std::int32_t>
+        corners;    ///< outward of the element behind the face; of surfaces without solids in the given order
+    int face = -1;  ///< the CAD face
+    std::vector<int> triangles;  ///< in the matched surface: the face itself, or its two halves
+    std::int64_t element = -1;   ///< the element behind the face; of an interface the first of its two elements
 };
 
-/// A mixed mesh on the model: its simplices were matched, and its faces are found on these.
+/// A mixed mesh on the model: its simplices were matched, and its faces are found by them.
 struct MatchedFaces {
     MatchedMesh matched;
     std::vector<CadFace> faces;
-    std::vector<int> volume;  ///< by element: that of the model; -1: none
+    std::vector<int> volume;  ///< by element: the volume of the model; -1: none
 };
 
-/// @throws as match(); GeometryError where the halves of a quadrilateral are on two CAD faces, naming the place.
+/// @throws as match(); GeometryError, naming the place, if the halves of a quadrilateral are on two CAD faces.
 MatchedFaces match_faces_of(geometry::Session& session, const MixedMesh& mesh, int order);
 
-/// Puts the nodes of edges and faces on the CAD. Those of quadrilaterals are blended from their edges and projected.
+/// Puts the nodes of edges and faces on the CAD. Nodes of quadrilaterals are blended from their edges and projected.
 class CadNodes {
   public:
     CadNodes(geometry::Session& session, MatchedFaces& found, NodeTable& table);
 
     /// Places all nodes, each edge and each face by itself.
     void place(std::vector<Vec3>& nodes);
-    /// Makes edges inside of CAD faces follow the edges of these across rows of quadrilaterals, as where a boundary
-    /// layer meets a face that stands on its wall; returns how many were changed.
+    /// Makes edges inside of CAD faces follow the CAD edges at the ends of rows of quadrilaterals, for example where a
+    /// boundary layer meets a face that is perpendicular to its wall. @return how many edges were changed.
     std::size_t follow_edges(std::vector<Vec3>& nodes);
 
-    /// Rows of edges across the quadrilaterals of each CAD face, from CAD edges on.
+    /// Rows of edges across the quadrilaterals of each CAD face, starting at CAD edges.
     std::vector<SideRow> rows() const;
 
-    /// Gives edges and triangles of the surface the shapes that nodes say, which were moved by others, and measures
-    /// them.
+    /// Takes nodes that others have moved: sets the shapes of edges and triangles of the surface from them, and
+    /// measures these.
     void take_back(const std::vector<Vec3>& nodes);
 
-    /// Whether corners are those of an edge or a face on the CAD.
+    /// Whether these are the corners of an edge or a face on the CAD.
     bool has(const std::vector<std::int32_t>& corners) const { return sides_.count(sorted(corners)) > 0; }
-    /// By face: the largest distance of points between the nodes from its CAD face, mm.
+    /// mm, by face: the largest distance of points between its nodes from its CAD face.
     std::vector<double> deviations(const std::vector<Vec3>& nodes);
-    /// By face on the CAD, triangles only: lower bound of min J / max J against the CAD normal; 1 of others.
+    /// By face on the CAD: lower bound of min J / max J against the CAD normal for triangles, 1 for quadrilaterals.
     std::vector<double> triangle_qualities();
 
   private:
@@ -66,9 +67,9 @@ class CadNodes {
     void place_quadrilaterals(std::vector<Vec3>& nodes);
     void put_edge(std::int32_t a, std::int32_t b, const std::vector<Vec3>& nodes);
     std::vector<Vec3> projected(int face, const std::vector<Vec3>& points);
-    /// By node: how edges of the CAD at the ends of rows differ from edges inside of the face.
+    /// By node: the difference between CAD edges at the ends of rows and edges inside of the face.
     std::vector<Vec3> displacement_of_ends(int face, const std::vector<SideRow>& rows, const std::vector<Vec3>& nodes);
-    /// Whether the ends of a row are displaced by a notable fraction of its thinnest layer at an end.
+    /// Whether the ends of a row are displaced by a notable fraction of the thinnest layer at an end of the row.
     bool bends_much(const SideRow& row, const std::vector<Vec3>& displacement);
     std::vector<SideRow> rows_on(int face) const;
     std::set<int> faces_with_quadrilaterals() const;

@@ -24,7 +24,7 @@ namespace mq::curve {
 
 namespace {
 
-/// Layers of elements around invalid ones that are relaxed with them, one attempt after the other.
+/// Layers of elements around invalid ones that are relaxed with them, in successive attempts.
 constexpr std::array<int, 3> kRelaxedLayers{1, 2, 3};
 
 std::size_t at(std::int64_t i) {
@@ -105,7 +105,7 @@ class MixedCurving {
         }
     }
 
-    /// The quadrilaterals inside of the mesh.
+    /// The quadrilaterals that are not on the CAD.
     std::vector<RowQuadrilateral> inner_quadrilaterals() const {
         std::map<std::vector<std::int32_t>, RowQuadrilateral> all;
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
@@ -138,8 +138,9 @@ class MixedCurving {
         return result;
     }
 
-    /// Sets the nodes of faces and elements inside of the mesh, but for those given, from what bounds them.
-    /// @param own  by node: what faces deviate from the blend of their edges
+    /// Sets the nodes inside of faces and elements that are not on the CAD, except those given in `own`, by blending
+    /// from their boundaries.
+    /// @param own  by node: its deviation from the blend of the face's edges
     void blend(const std::map<std::int32_t, Vec3>& own) {
         std::vector<Vec3> by = displacement();
         const auto fill = [&](ElementKind kind, const std::vector<std::int32_t>& numbers) {
@@ -224,7 +225,7 @@ class MixedCurving {
         return result;
     }
 
-    /// Each attempt is kept where fewer elements are invalid after it.
+    /// Relaxes invalid elements. An attempt is kept if fewer elements are invalid after it.
     void relax() {
         std::size_t patches = 0;
         for (const int layers : kRelaxedLayers) {
@@ -243,14 +244,14 @@ class MixedCurving {
                 nodes_ = nodes;
                 quality_ = quality;
                 if (layers > 1) {
-                    break;  // what more elements around do not change is in the corners
+                    break;  // more elements around do not help: the fault lies in the corners
                 }
             }
         }
         report_.repairs.emplace_back("patches of elements relaxed", patches);
     }
 
-    /// Edges that bend together: those of the thinnest row that an edge is in.
+    /// By edge the edges that bend together with it: those of the thinnest row that contains the edge.
     std::map<Edge, std::vector<Edge>> columns() {
         const auto on_cad = [&](const std::vector<std::int32_t>& side) { return cad_.has(side); };
         std::vector<SideRow> rows = rows_of_edges(inner_quadrilaterals(), mesh_.nodes, on_cad);
@@ -284,7 +285,7 @@ class MixedCurving {
         return result;
     }
 
-    /// Invalid elements that may be valid when they are straight.
+    /// Invalid elements whose straight element is valid.
     std::vector<std::size_t> curable() const {
         std::vector<std::size_t> result = invalid();
         const auto hopeless = [&](std::size_t e) { return !(straight_quality_[e] > 0.0); };
@@ -297,7 +298,8 @@ class MixedCurving {
         return std::any_of(own.begin(), own.end(), [&](const Edge& edge) { return edges.count(edge) > 0; });
     }
 
-    /// Bends the edges of invalid elements less and less, with all edges of their columns, until they are straight.
+    /// Bends the edges of invalid elements less and less, together with all edges of their columns, until they are
+    /// straight.
     void soften() {
         constexpr int kRounds = 8;
         constexpr int kHalvings = 4;
@@ -325,7 +327,7 @@ class MixedCurving {
         }
     }
 
-    /// Blends the nodes inside of faces and elements that have one of the edges, on the CAD, too.
+    /// Blends again the nodes inside of all faces and elements that have one of these edges, also on the CAD.
     void blend_at(const std::set<Edge>& edges) {
         const auto fill = [&](ElementKind kind, const std::vector<std::int32_t>& numbers) {
             std::vector<Vec3> by;
@@ -362,9 +364,9 @@ class MixedCurving {
         }
     }
 
-    /// Invalid elements bend less, with their columns; those that stay invalid lose the shapes of all their sides, and
-    /// so do neighbours that become invalid by it. Elements that are invalid when straight are left alone, and what
-    /// does not help is undone.
+    /// Bends invalid elements less, together with their columns. Elements that stay invalid get straight sides, and so
+    /// do neighbours that become invalid by it. Elements that are invalid when straight are left alone, and changes
+    /// that do not help are undone.
     void straighten() {
         const std::vector<Vec3> before = nodes_;
         const std::vector<double> quality_before = quality_;
@@ -399,7 +401,7 @@ class MixedCurving {
         report_.repairs.emplace_back("elements made straight or straighter", straightened.size());
     }
 
-    /// "prism 3 of Solid1": the number is that in the list of its kind.
+    /// "prism 3 of Solid1": 3 is the index in the list of prisms.
     std::string name_of_element(std::size_t e) const {
         const auto before = std::count_if(elements_.begin(), elements_.begin() + static_cast<std::ptrdiff_t>(e),
                                           [&](const ElementNodes& other) { return other.kind == elements_[e].kind; });
@@ -467,7 +469,7 @@ class MixedCurving {
         }
     }
 
-    /// Leaves out nodes that no element has.
+    /// Removes nodes that no element has, and numbers the others.
     void number_nodes(CurvedMixedMesh& mesh) {
         std::vector<std::int32_t> number(nodes_.size(), -1);
         for (const ElementBlock& block : mesh.blocks) {
@@ -563,7 +565,7 @@ class MixedCurving {
     std::vector<Vec3> nodes_;
     std::vector<char> fixed_;
     std::vector<double> quality_;
-    std::vector<double> straight_quality_;  // by element, where it was invalid
+    std::vector<double> straight_quality_;  // by element that was invalid
 };
 
 }  // namespace

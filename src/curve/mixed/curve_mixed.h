@@ -12,10 +12,10 @@ namespace mq::curve {
 /// Elements of one kind.
 struct ElementBlock {
     ElementKind kind = ElementKind::Triangle;
-    std::vector<std::int32_t> nodes;   ///< those of one element after those of the other, in Gmsh's order
-    std::vector<std::int32_t> entity;  ///< by element: its volume or its CAD face; -1: none
+    std::vector<std::int32_t> nodes;   ///< the nodes of one element after those of another, in Gmsh's order
+    std::vector<std::int32_t> entity;  ///< by element: its volume, or its CAD face; -1: none
     std::vector<double> quality;       ///< by element: lower bound of min J / max |J|; not positive: not proven valid
-    std::vector<std::int32_t> given;   ///< by element: its number in the given mesh; -1 of faces of solids
+    std::vector<std::int32_t> given;   ///< by element: its number in the given mesh; -1 for faces of solids
 };
 
 /// A curved mesh of elements of several kinds.
@@ -25,15 +25,16 @@ struct CurvedMixedMesh {
     std::vector<ElementBlock> blocks;
     std::vector<std::int32_t> edges;  ///< mesh edges on CAD edges, order + 1 nodes each
     std::vector<std::int32_t> edge_entity;
-    std::vector<std::int32_t> given_node;   ///< by corner
-    std::vector<std::int32_t> moved_nodes;  ///< given nodes that are not where they were
+    std::vector<std::int32_t> given_node;   ///< by corner: the given node
+    std::vector<std::int32_t> moved_nodes;  ///< given nodes that were moved
     CurveReport report;
 };
 
 /// Curves a mesh of any kinds of elements to the geometry of the model; elements and corners stay.
 ///
-/// Nodes on CAD edges and faces are put there; layers of prisms and hexahedra follow their walls (layers.h); what is
-/// not proven valid then is relaxed (node_relaxation.h), and made straight where `options.straighten` asks for it.
+/// Nodes on CAD edges and faces are put on the CAD, and layers of prisms and hexahedra follow their walls (layers.h).
+/// Elements that are not proven valid are then relaxed (node_relaxation.h), and straightened if `options.straighten` is
+/// set.
 /// @throws as match_faces_of(); InvalidInput.
 CurvedMixedMesh curve_mixed(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
                             const MixedMesh& given, const CurveOptions& options, Progress* progress = nullptr);

@@ -20,7 +20,7 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-/// Nodes inside of triangles and tetrahedra, by their control points.
+/// Sets the nodes inside of triangles and tetrahedra by their control points.
 void blend_simplex(int dimension, int order, std::vector<Vec3>& nodes) {
     const Lattice& lattice = Lattice::of(dimension, order);
     const std::vector<int> order_of_gmsh = gmsh_order(lattice);
@@ -40,7 +40,7 @@ void blend_simplex(int dimension, int order, std::vector<Vec3>& nodes) {
     }
 }
 
-/// A square of (n + 1)^2 values, of which the inner ones are set from those on its sides (Coons 1967).
+/// A square of (n + 1)^2 values whose inner values are blended from those on its sides (Coons 1967).
 class Square {
   public:
     explicit Square(int n) : n_(n), values_(at((n + 1) * (n + 1)), Vec3::Zero()) {}
@@ -63,7 +63,7 @@ class Square {
     std::vector<Vec3> values_;
 };
 
-/// By grid point the node in Gmsh's order.
+/// By point of the grid: the node in Gmsh's order.
 std::map<GridPoint, std::size_t> grid_of(ElementKind kind, int order) {
     std::map<GridPoint, std::size_t> grid;
     const std::vector<GridPoint> points = gmsh_nodes(kind, order);
@@ -85,7 +85,7 @@ void blend_quadrilateral(int order, std::vector<Vec3>& nodes) {
     }
 }
 
-/// Prisms and hexahedra.
+/// Sets the nodes inside of prisms and hexahedra.
 void blend_levels(ElementKind kind, int order, std::vector<Vec3>& nodes) {
     const auto grid = grid_of(kind, order);
     const ElementKind flat = kind == ElementKind::Prism ? ElementKind::Triangle : ElementKind::Quadrilateral;
@@ -152,7 +152,7 @@ void blend(ElementKind kind, int order, std::vector<Vec3>& nodes) {
     }
 }
 
-/// The nodes that lie on no side of the element.
+/// The nodes that lie on no edge or face of the element.
 std::vector<int> inner_of(ElementKind kind, int order) {
     const Eigen::MatrixXd& weights = corner_weights(kind, order);
     std::vector<int> inner;

@@ -9,19 +9,19 @@
 
 namespace mq::curve {
 
-/// The nodes inside of an element as sums of those on its boundary: of a triangle or quadrilateral on its edges, of a
-/// solid on its faces.
+/// The nodes inside of an element as weighted sums of those on its boundary: on the edges of a triangle or
+/// quadrilateral, on the faces of a solid.
 ///
-/// Quadrilaterals, prisms and hexahedra are blended transfinitely (Gordon and Hall 1973), level by level: linear
-/// between bottom and top, and what the sides deviate from that is blended within each level. So an element that is
-/// linear from bottom to top stays so, which layers rely on. Pyramids are blended within each level, simplices as in
-/// bezier/blending.h.
+/// Quadrilaterals, prisms and hexahedra are blended transfinitely (Gordon and Hall 1973), level by level. Between
+/// bottom and top the blend is linear; the deviation of the sides from that is blended within each level. So an element
+/// that is linear from bottom to top stays linear, which layers rely on. Pyramids are blended within each level,
+/// simplices as in bezier/blending.h.
 struct Blending {
     std::vector<int> inner;  ///< nodes in Gmsh's order
-    Eigen::MatrixXd from;    ///< (inner nodes, all nodes): zero for inner ones
+    Eigen::MatrixXd from;    ///< weights: (inner nodes, all nodes), zero for inner nodes
 
     static const Blending& of(ElementKind kind, int order);
-    /// Sets the inner nodes.
+    /// Sets the inner nodes from the others.
     void apply(std::vector<Vec3>& nodes) const;
 };
 

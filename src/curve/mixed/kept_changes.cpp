@@ -21,8 +21,9 @@ std::set<std::size_t> keep_what_helps(const std::vector<ElementNodes>& elements,
             }
         }
     }
-    std::vector<std::int64_t> gained(nodes.size(),
-                                     0);  // by group: elements that became valid, less those that became invalid
+    std::vector<std::int64_t> gained(
+        nodes.size(),
+        0);  // by group: number of elements that became valid less the number that became invalid
     for (std::size_t e = 0; e < elements.size(); ++e) {
         if (first_changed[e] >= 0) {
             gained[static_cast<std::size_t>(groups.find(first_changed[e]))] +=

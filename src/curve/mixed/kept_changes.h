@@ -10,10 +10,10 @@
 
 namespace mq::curve {
 
-/// Undoes changes of nodes that did not help. Elements with changed nodes that are connected by these belong together:
-/// where no fewer of them are invalid than before, all of their nodes go back.
-/// @param before          where the nodes were
-/// @param quality_before  by element, and `quality` after the changes: not positive is invalid
+/// Undoes changes of nodes that made no fewer elements invalid. Elements with changed nodes form groups that are
+/// connected by these nodes: if a group has no fewer invalid elements than before, all of its nodes go back.
+/// @param before          positions of the nodes before the changes
+/// @param quality_before  by element, and `quality` after the changes; not positive: invalid
 /// @return the elements whose nodes stay changed
 std::set<std::size_t> keep_what_helps(const std::vector<ElementNodes>& elements, const std::vector<Vec3>& before,
                                       const std::vector<double>& quality_before, const std::vector<double>& quality,

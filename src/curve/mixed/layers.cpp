@@ -10,10 +10,10 @@ namespace mq::curve {
 
 namespace {
 
-/// By which fraction of its height a row may be pressed together or drawn apart.
+/// Largest fraction of its height by which a row may be compressed or stretched.
 constexpr double kMostStrain = 1.0 / 3.0;
 
-/// The share of the displacement that is left at the end of a row that is not on the CAD.
+/// The fraction of the displacement that is kept at the end of a row that is not on the CAD.
 double kept(double height, const std::vector<Vec3>& displacement) {
     double most = 0.0;
     for (const Vec3& d : displacement) {

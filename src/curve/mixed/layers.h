@@ -8,24 +8,26 @@
 
 namespace mq::curve {
 
-/// Makes the sides of rows follow what bends their ends: the isoparametric way of Moxey, Green, Sherwin and Peiro
-/// (2015), for layers of any thickness.
+/// Bends the sides of rows with the displacements at the ends of the rows: the isoparametric method of Moxey, Green,
+/// Sherwin and Peiro (2015), for layers of any thickness.
 ///
-/// A whole row is one macro-element: its wall is curved, its top is straight or curved less, and it is linear from one
-/// to the other. Each side gets the share of the displacement that its own fractions say, so layers are pieces of the
-/// macro-element, and valid where it is. A row whose other end is inside of the mesh ends with the share `kept` of the
-/// displacement: none where the row is high enough, more where the wall bends by more than a third of its height.
+/// A whole row is one macro-element: its wall is curved, its top is straight or curved less, and it is linear from the
+/// wall to the top. Each side gets the fraction of the displacement that belongs to its own fractions of the height. So
+/// layers are pieces of the macro-element, and valid if it is. A row whose other end is inside of the mesh keeps the
+/// fraction `kept` of the displacement at that end: none if the row is high enough, more if the wall bends by more than
+/// a third of its height.
 class Layers {
   public:
-    /// @param displacement  by node: from where the side would be by itself
+    /// @param displacement  by node: from its position on the straight element
     Layers(NodeTable& table, const std::vector<Vec3>& displacement) : table_(table), displacement_(displacement) {}
 
-    /// Adds what a row of edges says of the nodes of the edges between its ends.
+    /// Adds the displacements that a row of edges gives to the nodes of the edges between its ends.
     void add_edges(const SideRow& row);
-    /// Adds what a row of faces says of the nodes inside of these, from what these deviate from their edges.
+    /// Adds the displacements that a row of faces gives to the nodes inside of these faces, relative to the blend of
+    /// their edges.
     void add_faces(const SideRow& row);
-    /// Nodes with their displacement: the mean of what the rows say, weighted by the inverse squares of their heights,
-    /// so that thin layers follow their walls.
+    /// Nodes with their displacements: the mean over all rows, weighted by the inverse squares of the rows' heights, so
+    /// that thin layers follow their walls.
     std::vector<std::pair<std::int32_t, Vec3>> result() const;
 
   private:

@@ -9,8 +9,8 @@
 
 namespace mq::curve {
 
-/// By element: the proven lower bound of min J / max |J|; not positive: not proven valid.
-/// @param only  which elements to look at; the others keep what `bounds` has
+/// Sets by element the proven lower bound of min J / max |J|; not positive: not proven valid.
+/// @param only  the elements to examine; all others keep their entries in `bounds`
 void prove(const std::vector<ElementNodes>& elements, int order, const std::vector<Vec3>& nodes,
            const std::vector<std::size_t>& only, std::vector<double>& bounds, Progress& progress);
 

@@ -15,7 +15,7 @@ namespace mq::curve {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// The least sample that ends the work, relative to the straight element.
+/// The work ends when the least sample, relative to the straight element, reaches this value.
 constexpr double kTarget = 0.15;
 constexpr int kBarrierMoves = 8;
 constexpr int kSteps = 25;
@@ -25,7 +25,7 @@ std::size_t at(std::int64_t i) {
     return static_cast<std::size_t>(i);
 }
 
-/// Elements that change together, and the nodes of theirs that may.
+/// Elements that change together, and those of their nodes that may move.
 class Patch {
   public:
     Patch(const std::vector<ElementNodes>& elements, int order, const std::vector<Vec3>& straight,
@@ -114,7 +114,7 @@ class Patch {
         return sampled;
     }
 
-    /// Straight elements that are folded themselves cannot be mended by nodes that are no corners: they are left out.
+    /// Straight elements that are folded cannot be repaired by nodes that are no corners: they are left out.
     void add(std::size_t e, const std::vector<Vec3>& straight) {
         own_.clear();
         for (const std::int32_t n : elements_[e].nodes) {
@@ -149,7 +149,7 @@ class Patch {
     std::vector<Vec3> by_nodes_;
 };
 
-/// Conjugate gradients with backtracking; returns whether x moved.
+/// Conjugate gradients with backtracking. @return whether x moved.
 bool minimise(Patch& patch, Eigen::VectorXd& x, const Progress& progress) {
     Eigen::VectorXd gradient;
     double value = patch(x, gradient);
@@ -208,7 +208,7 @@ void untangle(Patch& patch, const Progress& progress) {
     }
 }
 
-/// By node the elements that have it.
+/// By node: the elements that have it.
 std::vector<std::vector<std::size_t>> elements_of_nodes(const std::vector<ElementNodes>& elements, std::size_t count) {
     std::vector<std::vector<std::size_t>> result(count);
     for (std::size_t e = 0; e < elements.size(); ++e) {
@@ -219,7 +219,7 @@ std::vector<std::vector<std::size_t>> elements_of_nodes(const std::vector<Elemen
     return result;
 }
 
-/// By element whether it is a bad one, or within some layers around these.
+/// By element whether it is bad, or within some layers around bad ones.
 std::vector<char> around(const std::vector<ElementNodes>& elements, const std::vector<std::vector<std::size_t>>& beside,
                          const std::vector<std::size_t>& bad, int layers) {
     std::vector<char> within(elements.size(), 0);
@@ -251,7 +251,7 @@ std::size_t relax_nodes(const std::vector<ElementNodes>& elements, int order, co
                         std::vector<Vec3>& nodes, const Progress& progress) {
     const auto beside = elements_of_nodes(elements, nodes.size());
     const std::vector<char> within = around(elements, beside, bad, layers);
-    // Nodes are free where all of their elements are within; elements that share one change together.
+    // A node is free if all of its elements are in the patch; elements that share a free node change together.
     DisjointSets<std::size_t> joined(elements.size());
     std::vector<std::int32_t> free;
     for (std::size_t n = 0; n < nodes.size(); ++n) {

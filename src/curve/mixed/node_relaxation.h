@@ -17,15 +17,15 @@ struct ElementNodes {
     std::vector<std::int32_t> nodes;
 };
 
-/// Moves free nodes of elements around some bad ones until J at all samples of these is positive by a margin, or grows
-/// no more.
+/// Moves free nodes of elements around some bad ones until J at all samples of these elements is positive by a margin,
+/// or does not grow any more.
 ///
-/// The objective is that of untangle.h, on samples of J relative to those of the straight elements; it is minimised by
-/// conjugate gradients (Polak and Ribiere 1969) behind a barrier that moves up with the least sample.
-/// @param bad     indices of elements
-/// @param layers  of elements around them, joined by nodes, that may change, too
-/// @param fixed   by node: corners, and nodes on the CAD
-/// @return how many patches of elements were worked on
+/// The objective is that of untangle.h, on samples of J relative to the straight elements. It is minimised by conjugate
+/// gradients (Polak and Ribiere 1969) with a barrier that rises with the least sample.
+/// @param bad     indices of the bad elements
+/// @param layers  number of layers of elements around them, connected by nodes, that may change as well
+/// @param fixed   by node whether it must stay: corners, and nodes on the CAD
+/// @return number of patches of elements that were optimised
 std::size_t relax_nodes(const std::vector<ElementNodes>& elements, int order, const std::vector<Vec3>& straight,
                         const std::vector<char>& fixed, const std::vector<std::size_t>& bad, int layers,
                         std::vector<Vec3>& nodes, const Progress& progress);

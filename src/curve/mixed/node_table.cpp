@@ -14,7 +14,7 @@ namespace mq::curve {
 
 namespace {
 
-/// Values of a quadrilateral's corners at (u, v) of the unit square, times `share`.
+/// Adds the bilinear weights of a quadrilateral's corners at (u, v) of the unit square, times `share`.
 void put_square(Eigen::MatrixXd& weights, Eigen::Index row, Eigen::Index first, double u, double v, double share) {
     weights(row, first) = share * (1.0 - u) * (1.0 - v);
     weights(row, first + 1) = share * u * (1.0 - v);
@@ -106,7 +106,7 @@ std::int32_t NodeTable::node(const std::vector<std::array<std::int32_t, 2>>& wei
 
 std::vector<std::int32_t> NodeTable::nodes_of(ElementKind kind, const std::int32_t* corners) {
     const Eigen::MatrixXd& weights = corner_weights(kind, order_);
-    const double whole = std::pow(order_, 3);  // weights of nodes on faces are whole numbers of its parts
+    const double whole = std::pow(order_, 3);  // weights of nodes on faces are whole multiples of 1 / whole
     std::vector<std::int32_t> nodes;
     for (Eigen::Index i = 0; i < weights.rows(); ++i) {
         std::vector<std::array<std::int32_t, 2>> carriers;

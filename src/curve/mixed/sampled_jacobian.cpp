@@ -15,10 +15,10 @@ namespace mq::curve {
 
 namespace {
 
-/// Points along an edge of the domain are more than the order by this and one.
+/// Steps between sample points along an edge of the domain, less the order.
 constexpr int kMoreSteps = 2;
 
-/// Points of a product of simplices.
+/// Sample points of a product of simplices.
 std::vector<ProductPoint> points_of(const ProductLattice& lattice, int steps) {
     std::vector<ProductPoint> points(1);
     for (int f = 0; f < lattice.factors(); ++f) {

@@ -9,15 +9,15 @@
 
 namespace mq::curve {
 
-/// J of solid elements at points spread evenly over the element with its boundary, and its derivatives by the nodes:
-/// fast, and no proof.
+/// J of solid elements at points spread evenly over the element and its boundary, and its derivatives by the nodes.
+/// Fast, but no proof.
 class SampledJacobian {
   public:
     static const SampledJacobian& of(ElementKind kind, int order);
 
     Eigen::Index samples() const { return gradients_[0].rows(); }
     void evaluate(const std::vector<Vec3>& nodes, std::vector<double>& jacobians) const;
-    /// Adds the derivative of the sum of all J times `weights` by the nodes.
+    /// Adds the derivative by the nodes of the sum over all samples of J times `weights`.
     void differentiate(const std::vector<Vec3>& nodes, const std::vector<double>& weights,
                        std::vector<Vec3>& by_nodes) const;
 

@@ -23,7 +23,7 @@ Corners sorted(Corners corners) {
     return corners;
 }
 
-/// Sets how far along its column each corner of each side lies.
+/// Sets the position of each corner of each side along its column.
 void measure(SideRow& row, const std::vector<Vec3>& nodes) {
     const std::size_t count = row.sides.front().size();
     std::vector<double> length(count, 0.0);
@@ -44,7 +44,7 @@ void measure(SideRow& row, const std::vector<Vec3>& nodes) {
     }
 }
 
-/// Keeps a row that has sides between, once where both of its ends are on the CAD.
+/// Keeps a row that has sides between its ends; of a row with both ends on the CAD one of the two directions.
 void keep(SideRow row, const std::vector<Vec3>& nodes, const OnCad& on_cad, std::vector<SideRow>& rows) {
     row.ends_on_cad = on_cad(row.sides.back());
     const Corners first = sorted(row.sides.front());
@@ -114,8 +114,8 @@ class EdgeRows {
     std::unordered_map<std::uint64_t, std::vector<std::size_t>, KeyHash> at_edge_;
 };
 
-/// The face of a prism or a hexahedron that lies opposite to one with these corners, with its corners in the same
-/// columns; empty where it is a side of a prism, or the element has no such faces.
+/// The face of a prism or a hexahedron opposite to the face with these corners; corresponding corners are in the same
+/// columns. Empty if the given face is a side of a prism, or the element has no opposite faces.
 Corners opposite_face(const MixedElement& element, const Corners& face) {
     static const auto& prism = never_destroyed<std::vector<std::array<std::size_t, 2>>>({{0, 3}, {1, 4}, {2, 5}});
     static const auto& hexahedron = never_destroyed<std::array<std::vector<std::array<std::size_t, 2>>, 3>>({{

@@ -10,14 +10,14 @@
 
 namespace mq::curve {
 
-/// Sides that lie behind one another: edges across quadrilaterals, or faces across prisms and hexahedra. The first one
+/// Sides that lie behind one another: edges across quadrilaterals, or faces across prisms and hexahedra. The first side
 /// is on the CAD.
 ///
 /// Such rows are the columns of a boundary layer, from the wall to its top, and the lines of structured hexahedra from
-/// wall to wall. Their corners correspond: those of one column have the same place in each side.
+/// wall to wall. Corners of different sides correspond: corners of one column have the same index in each side.
 struct SideRow {
-    std::vector<std::vector<std::int32_t>> sides;  ///< corners
-    std::vector<std::vector<double>> fractions;    ///< by side and corner: of the length of the corner's own column
+    std::vector<std::vector<std::int32_t>> sides;  ///< the corners of each side
+    std::vector<std::vector<double>> fractions;    ///< by side and corner: position along the corner's column, 0 to 1
     double height = 0.0;                           ///< mean length of the columns, mm
     bool ends_on_cad = false;
 };
@@ -25,14 +25,14 @@ struct SideRow {
 /// Whether a side, given by its corners, is on the CAD.
 using OnCad = std::function<bool(const std::vector<std::int32_t>&)>;
 
-/// A quadrilateral and the elements that have it: none but itself on a surface.
+/// A quadrilateral and the elements that have it; a quadrilateral of a surface has no elements.
 struct RowQuadrilateral {
     std::array<std::int32_t, 4> corners;
     std::array<std::int64_t, 2> elements;  ///< -1: there is none
 };
 
-/// Rows of edges. A row goes on from a quadrilateral to the one beyond the edge that has no element in common with it,
-/// and ends on the CAD or where there is not exactly one.
+/// Rows of edges. A row continues from a quadrilateral to the one beyond the edge that has no element in common with
+/// it. It ends on the CAD, or if there is not exactly one such quadrilateral.
 std::vector<SideRow> rows_of_edges(const std::vector<RowQuadrilateral>& quadrilaterals, const std::vector<Vec3>& nodes,
                                    const OnCad& on_cad);
 

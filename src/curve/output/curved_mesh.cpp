@@ -99,7 +99,7 @@ class Assembler {
         return static_cast<int>(mesh_.nodes.size()) - 1;
     }
 
-    /// Inner nodes from a to b.
+    /// The inner nodes of the edge from a to b.
     std::vector<int> edge_nodes(int a, int b, mesh::VertexEntity entity) {
         auto [found, fresh] = edges_.try_emplace(pair_key(a, b));
         if (fresh) {
@@ -122,7 +122,7 @@ class Assembler {
         return nodes;
     }
 
-    /// Node at the point of the triangle's lattice; -1 unless it is an inner one.
+    /// The node at a point of the triangle's lattice; -1 unless the point is an inner one.
     int face_node(const std::array<int, 3>& corners, const Exponents& e, mesh::VertexEntity entity) {
         const Lattice& lattice = Lattice::of(2, mesh_.order);
         std::array<std::size_t, 3> order{0, 1, 2};
@@ -240,7 +240,8 @@ void require_count(std::size_t count, std::size_t expected, const std::string& w
 
 /// The number from 1 that files have is an int32, too.
 void require_entity(std::int32_t dimension, std::int32_t index, const char* owner) {
-    constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max() - 1;  // so that the number is one, too
+    constexpr std::int32_t kMost =
+        std::numeric_limits<std::int32_t>::max() - 1;  // so that the number of nodes fits into the type, too
     if (dimension < 0 || dimension > 3 || index < 0 || index > kMost) {
         throw InvalidInput(std::string(owner) + " lies on entity " + std::to_string(index) + " of dimension " +
                            std::to_string(dimension) + ": dimensions are 0 to 3, and entities are numbered from 0");

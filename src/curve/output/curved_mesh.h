@@ -17,7 +17,7 @@
 
 namespace mq::curve {
 
-/// What was measured on the curved mesh, and what was repaired.
+/// Measurements of the curved mesh, and counts of its repairs.
 struct CurveReport {
     std::size_t elements = 0;
     std::size_t vertices = 0;
@@ -40,7 +40,7 @@ struct CurveReport {
     /// (injectivity/curved_crossings.h); -1: not looked for.
     std::int64_t curved_intersections = -1;
     std::int64_t not_proven_apart = -1;
-    std::int64_t curved_overlaps = -1;  ///< those that cross and are of different bodies, which no node connects
+    std::int64_t curved_overlaps = -1;  ///< pairs that cross and belong to different bodies, which share no node
     mesh::MeshReport straight;          ///< report of the mesh that was curved
     std::vector<std::pair<std::string, std::size_t>> repairs;
     std::vector<std::string> notes;
@@ -71,9 +71,9 @@ struct CurvedMesh {
     std::vector<double> triangle_quality;
     /// By tetrahedron: lower bound of min J / J of the straight element; not positive: invalid.
     std::vector<double> tetrahedron_quality;
-    /// What is known of a mesh that another program made (given/curve_given.h), else empty: by corner, the given node;
-    /// by element (tetrahedra where there are any), the given one with the same corners; -1: none. The given nodes that
-    /// moved.
+    /// Data on a mesh that another program made (given/curve_given.h), else empty: by corner, the given node; by
+    /// element (by tetrahedron if there are any), the given element with the same corners; -1: none. The given nodes
+    /// that moved.
     std::vector<std::int32_t> given_node;
     std::vector<std::int32_t> given_element;
     std::vector<std::int32_t> moved_nodes;
@@ -98,9 +98,9 @@ CurvedMesh assemble(const CurvedSurface& surface, const std::vector<Tetrahedron>
 /// (Topology::of_shape). Creases are no elements then.
 void classify_on_original_entities(CurvedMesh& mesh, const geometry::Topology& topology);
 
-/// What everything below relies on, of a mesh that comes from elsewhere: an order that there is, finite nodes of
-/// a size that SinglePrecisionGrid takes, known entities, elements with whole rows of known nodes and one entity each,
-/// and one quality each or none.
+/// Checks the conditions on which the functions below rely, for a mesh of another program: a supported order, finite
+/// nodes of a size that SinglePrecisionGrid accepts, known entities, elements with complete rows of known nodes and one
+/// entity each, and one quality each or none.
 /// @throws InvalidInput naming the list that is wrong.
 void require_sound(const CurvedMesh& mesh);
 

@@ -29,9 +29,9 @@ double length_of(const Vec3& value) {
     return value.norm();
 }
 
-/// The measure that is divided by the sum of the squared edge derivatives to give 1 / eta; the constants are those of
-/// the regular simplex. It is taken from the area of a triangle's map from the reference simplex, or from the Jacobian
-/// of a tetrahedron's.
+/// The numerator of 1 / eta, whose denominator is the sum of the squared edge derivatives; the constants are those of
+/// the regular simplex. It is computed from the area of a triangle's map from the reference simplex, or from the
+/// Jacobian of a tetrahedron's map.
 double weighed(const Vec3&, double area) {
     return 2.0 * std::sqrt(3.0) * area;
 }
@@ -105,7 +105,7 @@ class ShapeSearch {
         lower_bounds(piece.volume, rounding_, bounds_);
         piece.low = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < bounds_.size(); ++i) {
-            // Where the coefficient is not positive, which the polynomial is, it bounds nothing.
+            // If the coefficient is not positive, although the polynomial is, it gives no bound.
             if (piece.stretch[i] > 0.0) {
                 piece.low = std::min(piece.low, bounds_[i] / piece.stretch[i]);
             }

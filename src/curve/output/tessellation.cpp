@@ -49,7 +49,7 @@ double bend(const std::vector<Vec3>& control) {
     return most * (1.0 - std::pow(0.5, static_cast<double>(control.size()) - 2.0));
 }
 
-/// The largest distance of a patch from its flat triangle, likewise.
+/// The largest distance of a patch from its flat triangle.
 double bend(const Lattice& lattice, const std::vector<Vec3>& control) {
     std::array<Vec3, 3> corners;
     for (int k = 0; k < 3; ++k) {
@@ -74,7 +74,7 @@ Vec3 polar(const Lattice& lattice, const std::vector<Vec3>& control, const Argum
     for (int degree = lattice.degree() - 1; degree >= 0; --degree) {
         const Lattice& here = Lattice::of(2, degree);
         const Barycentric& b = *at[static_cast<std::size_t>(degree)];
-        // Point i of the lower lattice comes from points i and later of the upper one: in place.
+        // Point i of the lower lattice needs only points i and later of the upper one: the computation is in place.
         for (int i = 0; i < here.size(); ++i) {
             const Exponents& e = here.exponents(i);
             points[static_cast<std::size_t>(i)] =
@@ -143,8 +143,9 @@ class Tessellator {
     }
 
   private:
-    /// Whether more triangles would result than may be, by estimates of all curved triangles before any is divided:
-    /// first too large ones, which suffice for most meshes, then those of sixteen pieces of each.
+    /// Whether there would be more triangles than allowed, by estimates for all curved triangles before any is divided:
+    /// first by estimates that are too large, which suffice for most meshes, then by those of sixteen pieces of each
+    /// triangle.
     bool too_many() {
         const auto most = static_cast<double>(max_triangles_);
         return estimate([&] { return most_pieces(); }) > most && estimate([&] { return likely_pieces(); }) > most;
@@ -162,12 +163,12 @@ class Tessellator {
         return sum;
     }
 
-    /// Halvings until a bend is at most the allowed one: each leaves a fourth of it.
+    /// Number of halvings until a bend is at most the allowed one: each halving leaves a fourth of the bend.
     static double halvings(double bend, double allowed) {
         return std::clamp(std::ceil(0.5 * std::log2(std::max(bend, 1e-300) / allowed)), 0.0, double{kDeepest});
     }
 
-    /// More than the triangle is divided into: four at a time, by what bends most.
+    /// An upper bound of the pieces of the triangle: it is divided into four at a time, by the piece that bends most.
     double most_pieces() {
         double most = halvings(bend(lattice_, control_), result_.deviation);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -176,7 +177,7 @@ class Tessellator {
         return std::exp2(2.0 * most);
     }
 
-    /// About as many as the triangle is divided into, from the bends of edges of sixteen pieces.
+    /// Estimate of the number of pieces of the triangle, from the bends of edges of sixteen pieces.
     double likely_pieces() {
         constexpr int kRows = 4;  // 16 pieces: an estimate for the limit of triangles needs no more
         const auto at = [](int i, int j) -> Barycentric {

@@ -131,7 +131,7 @@ class Snapping {
         return before;
     }
 
-    /// Edges at the vertices lose their shapes: they get new ones from the vertices' new places.
+    /// Edges at the vertices lose their shapes, and get new ones from the new places of the vertices.
     void move_vertices() {
         int from = a_;
         double t_from = surface_.t_of(a_, b_);

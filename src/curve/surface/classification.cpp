@@ -37,8 +37,8 @@ class Classifier {
     }
 
   private:
-    /// Refuses a mesh of another shape, or of this one before it was changed or moved: its vertices are not on the
-    /// vertices of the shape on which they should lie.
+    /// Refuses a mesh of another shape, or of this shape before it was changed or moved: vertices of the mesh are off
+    /// the vertices of the shape that they should lie on.
     void require_entities() const {
         const double near = SurfaceTuning::kNearVertex * topology_.box.largest_side();
         const std::array<std::size_t, 3> counts = {topology_.nodes.size(), topology_.edges.size(),
@@ -85,8 +85,8 @@ class Classifier {
                 const auto face = static_cast<std::size_t>(side.face);
                 const bool known = first_of_face[face] >= 0;
                 bool flipped = false;
-                // The side after this one may be of the same face, of another volume or of this one: a triangle that
-                // comes again belongs to it.
+                // The next side may belong to the same face, of another volume or of this one: a repeated triangle
+                // belongs to it.
                 std::set<FaceKey> run;
                 for (; next < mesh_.triangles.size() && triangle_face_[next] == side.face; ++next) {
                     const std::array<int, 3> corners = joined(mesh_.triangles[next]);

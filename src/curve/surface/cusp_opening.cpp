@@ -29,7 +29,7 @@ struct Warp {
 /// large. Moving a node away from the cusp makes its edge leave at a smaller angle to the chord; which is better
 /// depends on the sides to which the two edges bend.
 std::vector<Warp> warps(int order) {
-    // Directions of both edges' nodes along their edges.
+    // Combinations of directions in which the nodes of the two edges move along their edges.
     constexpr std::array<std::array<double, 2>, 4> kWays{{{1.0, 1.0}, {1.0, -1.0}, {-1.0, 1.0}, {-1.0, -1.0}}};
     std::vector<Warp> result;
     for (int degree = order; degree >= 2; --degree) {

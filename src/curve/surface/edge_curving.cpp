@@ -50,7 +50,8 @@ std::size_t invalid(const SurfaceEditor& editor, const std::vector<int>& triangl
         std::count_if(triangles.begin(), triangles.end(), [&](int t) { return !(editor.triangle(t).quality > 0.0); }));
 }
 
-/// Does for some triangles on a face together what follow_parameters does for one.
+/// Curves the edges of a group of triangles of one face along parameter lines; undoes it unless fewer of them are
+/// invalid.
 bool follow_together(SurfaceEditor& editor, const std::vector<int>& triangles, int face) {
     CurvedSurface& surface = editor.surface;
     std::map<std::pair<int, int>, std::vector<Vec3>> before;

@@ -165,7 +165,7 @@ void Placement::place_faces(const std::vector<int>& triangles, bool by_parameter
             }
         }
         if (!found) {
-            continue;  // the face is blended from its edges
+            continue;  // the shape of the face is blended from its edges
         }
         const std::vector<Vec3> control = nodes_to_bezier(lattice, all[k]);
         std::vector<Vec3> inner;
@@ -178,7 +178,7 @@ void Placement::place_faces(const std::vector<int>& triangles, bool by_parameter
     }
 }
 
-/// Places the inner nodes of poor triangles the other way, and keeps them where the quality is better.
+/// Places the inner nodes of poor triangles in the other of the two ways, and keeps this if the quality is better.
 void Placement::improve_faces(const std::vector<int>& triangles) {
     std::vector<int> poor;
     std::vector<double> before;
@@ -246,7 +246,7 @@ double Placement::quality_of(const SurfaceTriangle& triangle, geometry::Answerer
         normal *= sign;
         sum += normal;
     }
-    // At poles there is no normal, and in corners that are collapsed to within their tolerance it is noise.
+    // At poles there is no normal, and in corners that are collapsed to within their tolerance the normal is noise.
     const Vec3 mean = sum.normalized();
     for (Vec3& normal : normals) {
         if (normal.isZero()) {
@@ -291,7 +291,7 @@ std::vector<double> Placement::deviations(const std::vector<int>& triangles) {
                 add(samples.node(i));
             }
         }
-        // Chords are farthest in the middle, where curved edges may have a node.
+        // Chords are farthest from the CAD in the middle, at which curved edges may have a node.
         for (const Barycentric& b : {Barycentric{0.5, 0.5, 0.0, 0.0}, {0.0, 0.5, 0.5, 0.0}, {0.5, 0.0, 0.5, 0.0}}) {
             if (lattice.degree() == 1) {
                 add(b);

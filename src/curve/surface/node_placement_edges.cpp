@@ -39,7 +39,7 @@ void Placement::Gaps::close(std::vector<Vec3>& inner_nodes) const {
     }
 }
 
-/// One batch for all of them: each query by itself would cost a change of thread.
+/// One batch for all edges: each query by itself would cost a change of thread.
 std::vector<Placement::Gaps> Placement::gaps(const std::vector<Ends>& edges) {
     const auto off = [&](int v) { return surface_.off_cad.count(v) > 0; };
     std::vector<Query> batch;

@@ -11,7 +11,7 @@ namespace mq::curve {
 
 namespace {
 
-/// Corners of triangles that may deviate from the CAD, and count as on it.
+/// Corners of triangles that may deviate from the CAD, but are counted as on it.
 std::set<int> candidates(const SurfaceEditor& editor, const std::set<int>& triangles) {
     std::set<int> result;
     for (const int t : triangles) {

@@ -51,7 +51,7 @@ class Parameters {
                     ask_uv(use, edge.t0, vertex_at_end(edge, 0, at_node_));
                     ask_uv(use, edge.t1, vertex_at_end(edge, 0, at_node_));
                 }
-            } else if (!edge.uses.empty()) {  // others were joined with one that lies along them
+            } else if (!edge.uses.empty()) {  // other edges were joined with an edge that lies along them
                 follow_edge(static_cast<int>(e), sorted_along(static_cast<int>(e), on_edge[e]));
             }
         }
@@ -127,7 +127,7 @@ class Parameters {
             const int a = chain[i].second;
             const int b = chain[i + 1].second;
             if (a == b) {
-                continue;  // an edge that is a vertex of the mesh
+                continue;  // the edge is a single vertex of the mesh
             }
             if (surface_.has_edge(a, b)) {
                 surface_.set_segment(a, b, e, chain[i].first, chain[i + 1].first);

@@ -41,13 +41,13 @@ class Repair {
     }
 
   private:
-    /// Changes of a triangle that repairs leave invalid, made whether or not they help at once.
+    /// Changes of a triangle that repairs leave invalid; they are made whether or not they help at once.
     enum class Way { Snap, Collapse, Split };
 
-    /// Where coarse edges deviate by more than the height of the triangles at them, halving a triangle leaves two
-    /// invalid ones: only finer ones fit; and one vertex snapped to a border or collapsed into its neighbour may fold a
-    /// triangle that several such changes repair. Each face in turn is changed this way around its invalid triangles,
-    /// with repairs in between.
+    /// Some faces need several changes at once. If coarse edges deviate by more than the height of the triangles at
+    /// them, halving a triangle leaves two invalid ones: only finer triangles fit. And a single vertex that is snapped
+    /// to a border or collapsed into its neighbour may fold a triangle that several such changes repair. So each face
+    /// in turn is changed around its invalid triangles, with repairs in between.
     bool refine_faces() {
         bool any = false;
         std::set<int> faces;
@@ -116,7 +116,8 @@ class Repair {
 
     int invalid() const { return static_cast<int>(editor_.surface.invalid()); }
 
-    /// Runs before edges are split that bend only because they lead to a vertex off the CAD.
+    /// Lets nodes leave the CAD towards all vertices off the CAD, before edges are split that bend only because they
+    /// lead to such a vertex.
     void reach_all() {
         const std::size_t count = editor_.surface.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
@@ -149,7 +150,7 @@ class Repair {
         return any;
     }
 
-    /// Runs before other repairs, which would separate the rows of such vertices.
+    /// Snaps all vertices that lie on a border, before other repairs separate the rows of such vertices.
     bool snap_all() {
         int snapped = 0;
         const std::size_t count = editor_.surface.triangles.size();
@@ -239,7 +240,7 @@ class Repair {
         return false;
     }
 
-    /// Curves one of the two edges of a triangle that meet in a away from the other.
+    /// Curves one of the two edges of a triangle that meet in vertex a away from the other one.
     bool curve_beside(int a, int b, int c) {
         return curve_face_edge(editor_, a, b, c) || curve_face_edge(editor_, a, c, b);
     }
@@ -317,8 +318,8 @@ class Repair {
         return bulge.ratio > SurfaceTuning::kBulges ? bulge.edge : longest(v);
     }
 
-    /// The edge with the largest such deviation of the triangle or its neighbours: the edge that folds a triangle may
-    /// be that of the next one, behind which its vertices lie.
+    /// The edge with the largest such deviation of the triangle or of its neighbours: a triangle may be folded by an
+    /// edge of its neighbour behind which its vertices lie.
     std::pair<int, int> edge_to_split_around(int t) const {
         const SurfaceTriangle& bad = editor_.triangle(t);
         Bulge most = most_bulging(bad.corners);
@@ -356,7 +357,7 @@ SurfaceRepairs repair_surface(SurfaceEditor& editor, const Progress& progress, R
     if (reached.reached == 0 || reached.invalid_after == 0) {
         return reached;
     }
-    // Leaving the CAD repairs one place and may prevent repairs at another.
+    // Leaving the CAD repairs one place, and may prevent repairs at another one.
     const CurvedSurface kept = std::exchange(editor.surface, before);
     const SurfaceRepairs plain = Repair(editor, progress, scope, false).run();
     if (plain.invalid_after < reached.invalid_after) {

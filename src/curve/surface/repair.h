@@ -24,8 +24,8 @@ struct SurfaceRepairs {
     int splits = 0;
 };
 
-/// What is repaired: poor elements, too, as in meshes of our own, or only what is not valid, as in given meshes, which
-/// stay as they are unless they must change.
+/// The elements to be repaired: poor ones as well, as in meshes of our own, or invalid ones only, as in given meshes,
+/// which stay unchanged unless they must change.
 enum class RepairScope { Poor, Invalid };
 
 /// Splits edges whose deviation from the chord exceeds the allowable fraction of their length (section 5.5), then

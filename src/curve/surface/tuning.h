@@ -26,7 +26,7 @@ struct SurfaceTuning {
     MESHQUALITY_TUNED(int, kRepairRounds, 10);
     /// Rounds of refining one face at most, so that it ends.
     MESHQUALITY_TUNED(int, kRefineRounds, 16);
-    /// Refining a face around its invalid triangles ends when they are this many times as many.
+    /// Refining a face around its invalid triangles ends when their number has grown by this factor.
     MESHQUALITY_TUNED(int, kRunaway, 4);
     /// Passes over all faces at most.
     MESHQUALITY_TUNED(int, kRepairPasses, 3);
@@ -68,7 +68,7 @@ struct SurfaceTuning {
     MESHQUALITY_TUNED(int, kEdgeStarts, 8);
     /// Newton steps towards even arc lengths; each about squares the error.
     MESHQUALITY_TUNED(int, kArcRounds, 3);
-    /// Nodes between parameters this near to each other, as a fraction of the segment's, are at even arc lengths.
+    /// Nodes whose parameters are nearer than this, as a fraction of the segment's, count as at even arc lengths.
     MESHQUALITY_TUNED(double, kEvenEnough, 1e-3);
     /// Newton steps towards even distances inside faces; the nodes need not be exact.
     MESHQUALITY_TUNED(int, kEvenRounds, 2);

@@ -126,7 +126,7 @@ class Repair {
         }
         done_.patches += static_cast<int>(places.size());
         const int order = volume_.shapes().order();
-        // Quadratics come first; higher orders start from what they have reached.
+        // Quadratic shapes come first; higher orders start from their result.
         if (order > 2 && round != 1) {
             curve_patches(places, 2, round);
         }
@@ -254,7 +254,7 @@ class Repair {
         return any;
     }
 
-    /// Changes the topology around bad elements; not again where that failed and the neighbours are the same.
+    /// Changes the topology around bad elements, except where that failed before and the neighbours are still the same.
     void improve(const std::vector<int>& bad) {
         for (const int t : bad) {
             const auto k = static_cast<std::size_t>(t);

@@ -196,7 +196,7 @@ std::vector<int> TetrahedralMesh::living() const {
 
 namespace {
 
-/// Outward triangles of one volume on numbers of their own.
+/// Outward triangles of one volume, with their own numbering of vertices.
 struct Shell {
     std::vector<int> vertices;  // vertices of the surface
     std::vector<Vec3> points;
@@ -254,7 +254,7 @@ Shell shell_of(const CurvedSurface& surface, const CurvedShapes& edges, std::siz
     return shell;
 }
 
-/// What filling says of a solid, and where.
+/// The error of a filling with the solid and the place.
 Message in_solid(std::size_t solid, const Error& error, const std::string& place) {
     return {phrases::kFaultInSolid,
             {{"solid", Message::value("Solid" + std::to_string(solid + 1))},

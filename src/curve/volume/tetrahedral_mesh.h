@@ -60,7 +60,7 @@ class TetrahedralMesh {
     /// @throws Cancelled
     void measure(const std::vector<int>& tetrahedra, const Progress* progress = nullptr);
     std::vector<int> living() const;
-    /// How many living ones are not valid, by their qualities.
+    /// Number of tetrahedra that are not removed and not valid, by their qualities.
     std::size_t invalid() const;
 
   private:

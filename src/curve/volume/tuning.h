@@ -23,7 +23,7 @@ struct VolumeTuning {
     /// Layers of tetrahedra around bad ones in the first patches, and in those around what they leave.
     MESHQUALITY_TUNED(int, kFirstLayers, 2);
     MESHQUALITY_TUNED(int, kPatchLayers, 1);
-    /// Patches made for an element at most while its neighbours stay the same.
+    /// Most patches that are made for an element while its neighbours stay the same.
     MESHQUALITY_TUNED(int, kCurvingAttempts, 3);
     /// Sweeps that carry the bulges of the surface's edges inwards.
     MESHQUALITY_TUNED(int, kInwardSweeps, 15);
@@ -60,7 +60,7 @@ struct VolumeTuning {
     /// Fraction of a patch's elements below the target at which its optimisation ends: those that are still bad get
     /// smaller patches.
     MESHQUALITY_TUNED(double, kPatchShare, 0.02);
-    /// Steps of the minimisation for one position of the barrier at most.
+    /// Most steps of the minimisation for one position of the barrier.
     MESHQUALITY_TUNED(int, kMinimisationSteps, 30);
     /// Pairs of steps and gradient differences that BFGS keeps; the usual 5 to 10.
     MESHQUALITY_TUNED(int, kBfgsMemory, 8);

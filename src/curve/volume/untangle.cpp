@@ -85,7 +85,7 @@ class Objective {
                     unpack(work, batch, first);
                 }
             });
-            // In the order of the batches, so that rounding does not depend on the number of threads.
+            // Summed in the order of the batches, so that rounding does not depend on the number of threads.
             for (std::size_t batch = first; batch < std::min(first + at_once_, batches()); ++batch) {
                 evaluations_ += count(batch);
                 sum += sums_[batch - first];
@@ -102,10 +102,10 @@ class Objective {
     }
 
   private:
-    /// Batches for a thread, so that its start pays.
+    /// Least number of batches for a thread, so that starting it pays.
     static constexpr std::size_t kOfThread = 64;
 
-    /// What one thread works with.
+    /// The buffers of one thread.
     struct Workspace {
         explicit Workspace(const Lattice& lattice) : jacobian(lattice), weights(jacobian.coefficients.size()) {}
         JacobianBatch jacobian;
@@ -137,7 +137,7 @@ class Objective {
         return std::min<std::size_t>(kLanes, elements_.size() - batch * kLanes);
     }
 
-    /// Coefficient k relative to the J that the element is to have; 1 where nothing can change it.
+    /// Coefficient k relative to the J that the element shall have; 1 if no free point can change it.
     Lanes relative(const Workspace& work, std::size_t batch, std::size_t k) const {
         const unsigned char movable = movable_[batch][k];
         Lanes b = work.jacobian.coefficients[k] * inverse_[batch];
@@ -247,7 +247,7 @@ class Objective {
         return result;
     }
 
-    /// Some derivative that holds point `e` is a factor of coefficient `l`.
+    /// Whether coefficient `l` has a factor that is a derivative with point `e`.
     static bool depends(const Exponents& l, const Exponents& e) {
         for (std::size_t k = 0; k < 4; ++k) {
             if (e[k] == 0) {
@@ -266,16 +266,16 @@ class Objective {
 
     UntanglingPatch& patch_;
     const Progress& progress_;
-    std::size_t coefficients_;  // their number in the Jacobian of an element
+    std::size_t coefficients_;  // number of coefficients of an element's Jacobian
     std::size_t evaluations_ = 0;
-    std::vector<std::size_t> elements_;                // those of the patch that can change, four to a batch
-    std::vector<Lanes> inverse_;                       // 1 / J that the element is to have
+    std::vector<std::size_t> elements_;                // elements of the patch that can change, four to a batch
+    std::vector<Lanes> inverse_;                       // 1 / J that the element shall have
     std::vector<std::vector<unsigned char>> movable_;  // by batch and coefficient: a bit for each lane
     std::vector<Lanes> barrier_;
     std::vector<Lanes> least_;
     std::size_t at_once_ = 1;                    // batches
     std::vector<Workspace> workspaces_;          // by thread
-    std::vector<double> sums_;                   // by batch of those at once
+    std::vector<double> sums_;                   // by batch of those that are summed in parallel
     std::vector<std::vector<Vec3>> by_control_;  // likewise, by element
 };
 
@@ -303,7 +303,8 @@ class Minimiser {
             for (int i = 0; i < VolumeTuning::kLineHalvings && next_value == kInfinity; ++i, length *= 0.5) {
                 next = x + length * direction;
                 const double bound = value + 1e-4 * length * direction.dot(gradient);
-                // Full steps are mostly taken; of shorter ones only the value is found before they are.
+                // Full steps are mostly accepted; for shorter steps the gradient is computed only after they are
+                // accepted.
                 next_value = i == 0 ? objective_.value(next, bound, &next_gradient) : objective_.value(next, bound);
                 if (i > 0 && next_value < kInfinity) {
                     next_value = objective_.value(next, bound, &next_gradient);
@@ -369,7 +370,7 @@ class Minimiser {
 
 namespace {
 
-/// How far the elements are from the target; those that are turned inside out count alike.
+/// How far the elements are from the target; all inverted elements count alike.
 double shortfall(const std::vector<Lanes>& least, double target) {
     double sum = 0.0;
     for (const Lanes& l : least) {

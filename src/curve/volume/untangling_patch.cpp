@@ -206,7 +206,7 @@ void UntanglingPatch::propagate_curvature(int sweeps) {
     if (edges_.empty() || q < 2) {
         return;
     }
-    // Bulge of an edge: its middle less that of its ends.
+    // The bulge of an edge: its middle less the mean of its ends.
     std::unordered_map<EdgeKey, Vec3> bulge;
     const std::vector<double> middle = bernstein_values(Lattice::of(1, q), {0.5, 0.5, 0.0, 0.0});
     for (const auto& [key, points] : points_of_edge_) {

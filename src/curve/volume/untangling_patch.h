@@ -32,7 +32,7 @@ class UntanglingPatch {
     void scatter(std::size_t i, const std::vector<Vec3>& by_control, Eigen::VectorXd& gradient) const;
     /// Whether control point `p` of element i can move, by itself or because it is blended from the others.
     bool is_free(std::size_t i, int p) const;
-    /// J that element i is to have.
+    /// The J that element i shall have.
     double reference(std::size_t i) const { return reference_[i]; }
 
     /// Gives the free edges the average quadratic bulge of the edges around them, in several sweeps: the bulges of the

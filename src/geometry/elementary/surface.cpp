@@ -60,7 +60,7 @@ SurfacePoint revolved(const ElementarySurface& s, const Angle& u, const std::arr
     return r;
 }
 
-/// The same with a straight generator, `v` along it.
+/// The point of a surface with a straight generator, `v` along it.
 SurfacePoint ruled_at(const ElementarySurface& s, const Angle& u, double v) {
     if (s.kind == ElementarySurface::Kind::Cylinder) {
         return revolved(s, u, {s.radius, 0.0, 0.0}, {v, 1.0, 0.0});
@@ -70,7 +70,7 @@ SurfacePoint ruled_at(const ElementarySurface& s, const Angle& u, double v) {
     return revolved(s, u, {s.radius + v * sine, sine, 0.0}, {v * cosine, cosine, 0.0});
 }
 
-/// The same with a circle for a generator: a sphere or a torus.
+/// The point of a surface whose generator is a circle: a sphere or a torus.
 SurfacePoint round_at(const ElementarySurface& s, const Angle& u, const Angle& v) {
     const bool torus = s.kind == ElementarySurface::Kind::Torus;
     const double size = torus ? s.minor : s.radius;

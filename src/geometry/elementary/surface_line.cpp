@@ -73,7 +73,7 @@ struct DepressedQuartic {
 
     /// The root between two places of different sign where the quartic is monotone: Newton's method within brackets.
     double root_between(double low, double high) const {
-        // Enough for bisections alone to reach the rounding of doubles.
+        // Number of steps in which bisection alone reaches the rounding of doubles.
         constexpr int kSteps = 60;
         // A step this short, as a fraction of the major radius, is rounding.
         constexpr double kLastStep = 2e-15;
@@ -143,7 +143,8 @@ LineRoots line_roots(const ElementarySurface& surface, const Vec3& origin, const
             break;
         case Kind::Cylinder: {
             const double a = d.x() * d.x() + d.y() * d.y();
-            // From the point nearest to the axis on, where no digits are lost far from the surface.
+            // The parameter is measured from the point nearest to the axis, so that no digits are lost far from the
+            // surface.
             const double shift = a > 0.0 ? -(p.x() * d.x() + p.y() * d.y()) / a : 0.0;
             const double x = p.x() + shift * d.x(), y = p.y() + shift * d.y();
             if (a > 0.0) {
@@ -199,7 +200,7 @@ Vec3 normal_near(const ElementarySurface& surface, const Vec3& point) {
             break;
     }
     const double length = n.norm();
-    // Lengths that tell no direction, as a fraction of the radius.
+    // Lengths below this fraction of the radius define no direction.
     constexpr double kNone = 1e-12;
     if (!(length > kNone * std::max(std::abs(surface.radius), std::abs(surface.minor))) &&
         surface.kind != Kind::Plane) {

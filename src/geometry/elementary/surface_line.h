@@ -15,9 +15,9 @@ struct LineRoots {
     void add(double root) { t[static_cast<std::size_t>(count++)] = root; }
 };
 
-/// The points of the line `origin` + t `direction` on the surface without bounds (both nappes of a cone), by closed
-/// forms; for the torus the roots of a quartic between its extrema. A line that touches meets the surface twice in one
-/// place, or not at all where rounding has it pass beside; one that lies in the surface does not meet it.
+/// The points of the line `origin` + t `direction` on the unbounded surface (both nappes of a cone), in closed form;
+/// for the torus the roots of a quartic between its extrema. A tangent line has two equal points, or none if rounding
+/// moves it past the surface. A line that lies in the surface has none.
 /// @param direction a unit vector
 LineRoots line_roots(const ElementarySurface& surface, const Vec3& origin, const Vec3& direction);
 

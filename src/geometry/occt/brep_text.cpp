@@ -37,7 +37,7 @@ std::shared_ptr<const TopoDS_Shape> read_brep_text(const std::string& text) {
 
 namespace {
 
-/// With the digits that a FreeCAD document keeps: a fixed number of decimals, however small a number is.
+/// The BREP text with the digits that a FreeCAD document keeps: a fixed number of decimals, however small a number is.
 std::string text_of_document(const TopoDS_Shape& shape) {
     std::ostringstream stream;
     stream.setf(std::ios::fixed, std::ios::floatfield);
@@ -79,8 +79,9 @@ std::string with_rounded_numbers(const std::string& text) {
 }  // namespace
 
 std::string write_brep_text(const TopoDS_Shape& shape) {
-    // Copied, as FreeCAD does for undoing: what faces have in common is no longer so. Read once, as from a document:
-    // small numbers lose digits, and directions are computed anew.
+    // The shape is copied, as FreeCAD does for undoing, and read once, as from a document, so that copies and documents
+    // give the same text: a copy no longer shares what its faces have in common, and reading drops digits of small
+    // numbers and computes directions again.
     BRepBuilderAPI_Copy copy(shape, true, false);
     std::string text = with_rounded_numbers(text_of_document(*read_brep_text(text_of_document(copy.Shape()))));
     // Number of marks, on a line of their own: free, modified, checked, orientable, closed, infinite, convex.

@@ -37,7 +37,7 @@ class GeometryFingerprint {
 
     TopLoc_Location to_own_frame_;
     RigidMotion place_;
-    /// Faces share surfaces. The shape keeps these alive.
+    /// By surface or curve, which faces share; the shape keeps these objects alive.
     std::map<const Standard_Transient*, Fingerprint> known_;
     std::ostringstream text_;
 };

@@ -12,9 +12,10 @@ namespace mq::geometry {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kMostPoles = 26;  // in a row: OpenCASCADE's highest degree is 25
-// Where the squared distance is not convex, patches are cut until they are as small as this fraction of their distance
-// from the point, from where all of a patch looks the same, or of the whole, as at a pole, which the point lies on.
+constexpr std::size_t kMostPoles = 26;  // poles of a row: OpenCASCADE's highest degree is 25
+// If the squared distance is not convex, patches are halved down to this fraction of their distance from the point,
+// seen from which such a patch is nearly one point; at a pole, on which the point lies, down to this fraction of the
+// whole.
 constexpr double kSmallBesideDistance = 0.05;
 constexpr double kSmallBesideWhole = 1e-6;  // as a fraction of the whole
 
@@ -102,7 +103,7 @@ PatchTree::PatchTree(const Handle(Geom_BSplineCurve) & curve, double from, doubl
           1);
 }
 
-/// Between knots that are as often there as the degree, the poles are those of a Bézier patch.
+/// Between knots whose multiplicity is the degree, the poles are those of a Bézier patch.
 std::vector<PatchTree::Span> PatchTree::spans_in(const TColStd_Array1OfReal& knots,
                                                  const TColStd_Array1OfInteger& multiplicities, std::size_t degree,
                                                  const Turn& first, double from, double to) {
@@ -142,7 +143,7 @@ void PatchTree::build(const KnotSpans& spans, const Net& poles, std::size_t colu
     least_radius_ = kSmallBesideWhole * nodes_.front().radius;
 }
 
-/// Halves the block of spans until one is left.
+/// Halves the block of spans until it has one span.
 void PatchTree::group(std::size_t node, const KnotSpans& spans, const Block& block, const Net& poles,
                       std::size_t columns) {
     const std::size_t counts[2] = {block[1] - block[0], block[3] - block[2]};
@@ -212,7 +213,7 @@ std::array<PatchTree::Net, 2> PatchTree::cut(const Net& net, std::size_t along, 
     return parts;
 }
 
-/// Round the poles, in the direction of the patch.
+/// Sets a box around the poles, in the direction of the patch.
 void PatchTree::set_box(Node& node) const {
     const std::size_t row = degree_[1] + 1;
     const std::size_t step[2] = {row, 1};
@@ -414,7 +415,7 @@ Vec2 PatchTree::step_from(const Jet& j, const Vec3& r, const Projection& project
     return {free[0] ? -gradient[0] / curvature[0] : 0.0, free[1] ? -gradient[1] / curvature[1] : 0.0};
 }
 
-/// Within the patch.
+/// Newton's method within the patch.
 PatchTree::Projection PatchTree::newton(const Net& net, const Vec3& p) const {
     constexpr int kSteps = 50;            // bounds the search: the step need not converge
     constexpr int kHalvings = 20;         // the last trial is a millionth of the step

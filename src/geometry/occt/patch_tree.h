@@ -15,13 +15,12 @@
 
 namespace mq::geometry {
 
-/// The nearest point of a B-spline surface, or of a B-spline curve, without a guess: the spans as Bézier patches in
-/// boxes that hold their poles and hence the patches, cut in two where a question comes near and what is inside is not
-/// simple enough. The box that is nearest is looked into first, and none that is farther than the best point found.
-///
-/// Where the derivatives of a patch are bounded such that the squared distance is convex over it, Newton's method finds
-/// its one minimum. Where it is not, far from the surface compared with its radius of curvature and at poles, patches
-/// are cut until they are small.
+/// The nearest point of a B-spline surface, or of a B-spline curve, without a guess. The spans are Bézier patches in
+/// boxes around their poles, and hence around the patches; a patch is halved if its box is near to the query and its
+/// content is not simple enough. The nearest box is examined first, and no box that is farther than the best point
+/// found. If the derivatives of a patch are bounded such that the squared distance is convex over it, Newton's method
+/// finds its only minimum. If not, far from the surface compared with its radius of curvature and at poles, patches are
+/// halved until they are small.
 class PatchTree {
   public:
     using Counts = std::function<bool(double u, double v)>;
@@ -38,7 +37,7 @@ class PatchTree {
     // x, y, z times the weight, and the weight.
     using Homogeneous = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
     using Net = std::vector<Homogeneous>;  // the second parameter runs fastest
-    /// The piece between two knots, and what of it lies in the range.
+    /// The piece between two knots, and its intersection with the range.
     struct Span {
         std::array<double, 2> knots;
         std::array<double, 2> range;
@@ -60,9 +59,9 @@ class PatchTree {
         Vec3 most = Vec3::Zero();
         Vec3 middle = Vec3::Zero();  // centre of the box, in space
         double radius = 0.0;         // radius of the ball around the box
-        double reach = 0.0;          // as far from every point of the patch the squared distance is convex
+        double reach = 0.0;          // up to this distance from every point of the patch the squared distance is convex
         std::size_t longer = 0;      // the parameter to cut
-        std::size_t child = 0;       // the first of two, one after the other; 0: none
+        std::size_t child = 0;       // the first of two children, which are neighbours in the list; 0: none
 
         double square_distance(const Vec3& p) const;
     };

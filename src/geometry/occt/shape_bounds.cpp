@@ -131,7 +131,7 @@ Bnd_Box quick_bounds(const TopoDS_Shape& shape, QuickBoxes& boxes, const Progres
 }
 
 bool much_larger(const Box& box, const Box& inner) {
-    // Relative excess of the quick box from which the close one is computed.
+    // Relative excess of the quick box above which the close box is computed.
     constexpr double kMuch = 1e-3;
     return inner.empty() || ((box.high - box.low) - (inner.high - inner.low)).maxCoeff() > kMuch * inner.largest_side();
 }
@@ -147,8 +147,8 @@ bool may_reach_beyond(const Box& box, const Bnd_Box& quick) {
 
 }  // namespace
 
-/// The quick box is that of the poles and can be several times too large. Where it is loose, the close one is that of
-/// the edges and of those faces that may exceed the edges' box.
+/// The quick box contains the poles of curves and surfaces and can be several times too large. If it is, the close box
+/// is computed from the edges, and from the faces that may exceed the box of the edges.
 Box bounding_box(const TopoDS_Shape& shape, const ShapeMap& live, const Topology& topology,
                  const std::function<FaceEvaluator&(int)>& face, const Progress* progress) {
     // Margin of the close box, as a fraction of its size: it is not exact to the last digit.

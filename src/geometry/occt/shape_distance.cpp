@@ -85,7 +85,7 @@ class BoundingBox {
         (high_ - low_).maxCoeff(&axis);
         return axis;
     }
-    /// Never more than that of what is inside.
+    /// A lower bound for the squared distances of the contents.
     double square_distance(const Vec3& p) const { return (low_ - p).cwiseMax(p - high_).cwiseMax(0.0).squaredNorm(); }
 
   private:
@@ -93,7 +93,7 @@ class BoundingBox {
     Vec3 high_;
 };
 
-/// From `low` along one vector to `high` along the other; periodic as the curve.
+/// The surface from `low` along one vector to `high` along the other; periodic if the curve is.
 Handle(Geom_BSplineSurface)
     extruded(const Handle(Geom_BSplineCurve) & curve, const gp_Vec& along, double low, double high) {
     TColgp_Array2OfPnt poles(1, curve->NbPoles(), 1, 2);
@@ -112,7 +112,7 @@ Handle(Geom_BSplineSurface)
                                    curve->Degree(), 1, curve->IsPeriodic());
 }
 
-/// None for all other curves.
+/// The curve as a B-spline; null for other curves.
 Handle(Geom_BSplineCurve) spline_of(const Adaptor3d_Curve& curve) {
     switch (curve.GetType()) {
         case GeomAbs_BSplineCurve:
@@ -155,7 +155,8 @@ class EdgeDistance {
         }
     }
 
-    /// The smaller of the squared distance from the inside of the edge and of `square`, the smallest one known.
+    /// The smaller of `square`, the smallest known squared distance, and the squared distance from the inside of the
+    /// edge.
     double measure(const Vec3& point, double square) {
         if (box_.square_distance(point) >= square) {
             return square;
@@ -208,7 +209,7 @@ class FaceDistance {
     }
 
     const BoundingBox& box() const { return box_; }
-    /// The smaller of the squared distance and of what is known.
+    /// The smaller of the squared distance and the smallest known one.
     double measure(const Vec3& point, double square) {
         const gp_Pnt p(point.x(), point.y(), point.z());
         for (const gp_Pnt& corner : corners_) {
@@ -243,7 +244,7 @@ class FaceDistance {
         return square;
     }
 
-    // Not by BRepExtrema_ExtPF: its classifier takes points inside of large plane faces with holes for outside.
+    // Not BRepExtrema_ExtPF, whose classifier takes points inside of large plane faces with holes for outside.
     bool on_face(double u, double v) const {
         const TopAbs_State state = trimmed_.Perform(gp_Pnt2d(u, v));
         return state == TopAbs_IN || state == TopAbs_ON;
@@ -287,9 +288,9 @@ class ShapeDistance {
   private:
     struct Node {
         BoundingBox box;
-        std::size_t first;  // its faces, and their end
+        std::size_t first;  // first of its faces, and the end of these
         std::size_t last;
-        std::size_t second_child;  // the first follows upon its parent
+        std::size_t second_child;  // the first child is the next node in the list
     };
 
     std::size_t build(std::size_t first, std::size_t last) {

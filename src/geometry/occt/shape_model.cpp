@@ -114,7 +114,7 @@ class ShapeModel final : public Model {
     std::vector<std::unique_ptr<ShapeAnswerer>> further_;
 };
 
-/// The item of a list at an index, which the list is made to reach.
+/// The item at an index of a list, which is extended up to the index if it is shorter.
 template <typename Item>
 Item& reached(std::vector<Item>& list, int index) {
     const auto i = static_cast<std::size_t>(index);
@@ -170,12 +170,12 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     const OpenCascadeWait wait(progress, "reading the shape");
     sew_collapsed_pieces(entities, topology_, live_, progress);
     if (remove_spikes(topology_, live_, progress)) {
-        sew_collapsed_pieces(entities, topology_, live_, progress);  // what is left of a face can be thin, too
+        sew_collapsed_pieces(entities, topology_, live_, progress);  // what remains of a face can be thin, too
     }
     topology_.sewn = join.sew && topology_.detail > 0.0;
     if (topology_.sewn) {
         for (const int turned : join_loose_faces(topology_, live_, progress)) {
-            first_.forget_face(turned);  // it measured the size, and knows the side of before
+            first_.forget_face(turned);  // it measured the size, and knows the former side
         }
     }
     check_cancelled(progress);

@@ -14,11 +14,11 @@ namespace mq::geometry {
 
 /// The treatment of lines inside a face across which its normal jumps.
 enum class Creases {
-    Keep,  ///< they stay inside: all entities are the shape's own
-    Cut,   ///< they become edges, and the face is cut along them (Topology::parts_of)
+    Keep,  ///< creases stay inside of faces: all entities are the shape's own
+    Cut,   ///< creases become edges, and the face is cut along them (Topology::parts_of)
 };
 
-/// What is made one in the topology of a shape where its entities lie together. The shape itself stays as it is.
+/// Which entities of a shape count as one in its topology if they lie together. The shape itself does not change.
 struct VirtualTopology {
     /// Returns, for the box of a shape, the length below which its edges and faces are not told apart, mm; 0 or no
     /// function: all are.

@@ -81,7 +81,7 @@ Integral by_rule(const Function& f, double low, double high) {
     return found;
 }
 
-/// Halves the interval until the error is that fraction of the integral of the absolute value over the whole one.
+/// Halves the interval until the error is that fraction of the integral of the absolute value over the whole interval.
 template <typename Function>
 Integral adaptive(const Function& f, double low, double high, double allowed, int halvings) {
     const Integral whole = by_rule(f, low, high);
@@ -99,7 +99,7 @@ Integral adaptive(const Function& f, double low, double high, double allowed, in
 constexpr double kAccuracy = 1e-7;
 constexpr int kHalvings = 10;
 
-/// `breaks` between two numbers, with these.
+/// The numbers of `breaks` between two numbers, and these two.
 std::vector<double> pieces(const TColStd_Array1OfReal& breaks, double low, double high) {
     std::vector<double> found{low};
     for (int i = breaks.Lower(); i <= breaks.Upper(); ++i) {

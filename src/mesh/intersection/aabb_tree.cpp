@@ -9,7 +9,7 @@
 namespace mq::mesh {
 namespace {
 
-/// Triangles in a leaf at most; a leaf is tested triangle by triangle.
+/// Largest number of triangles in a leaf, which is tested triangle by triangle.
 constexpr std::size_t kLeafSize = 4;
 /// The next single-precision number toward minus infinity; std::nextafter, but inlined.
 float next_below(float x) {
@@ -105,7 +105,7 @@ void AabbTree::build(LargeVector<MortonKey> triangles) {
     build_node(0, 0, items_.size());
 }
 
-/// Morton order of the middles of the boxes, in cubic cells, ties by position in the input.
+/// Sorts by the Morton code of the boxes' middles, in cubic cells; ties by position in the input.
 void AabbTree::sort(LargeVector<MortonKey>& triangles) const {
     Box box;
     for (const MortonKey& key : triangles) {
@@ -120,12 +120,12 @@ void AabbTree::sort(LargeVector<MortonKey>& triangles) const {
     }
     const double scale = side > 0.0 ? 0.5 * (kMortonCells - 1) / side : 0.0;
     for (MortonKey& key : triangles) {
-        // Boxes are computed again for the items in their order: to move these there takes longer.
+        // Boxes are computed again in the order of the items, as moving them takes longer.
         const Bounds bounds = bounds_of(static_cast<std::int32_t>(key.item));
         std::array<double, 3> cell{};
         for (int i = 0; i < 3; ++i) {
             const double twice_middle = double(bounds.low[i]) + double(bounds.high[i]) - 2.0 * double(all.low[i]);
-            // No number where bounds are infinite, beyond single precision: then items need no order.
+            // Not a number if bounds are infinite or beyond single precision: then items need no order.
             cell[i] = twice_middle * scale;
         }
         key.code = morton_code(cell);

@@ -83,7 +83,7 @@ class AabbTree {
         for_each_on_ray(origin, direction, std::numeric_limits<double>::infinity(), visit);
     }
 
-    // ---- values of nodes, for sums over triangles of which far ones are taken together ----
+    // ---- values of nodes, for sums over triangles in which far triangles are summed as one ----
 
     std::size_t node_count() const { return nodes_.size(); }
     Box node_box(std::int32_t node) const;
@@ -91,8 +91,8 @@ class AabbTree {
     /// children of every other node.
     template <typename Take, typename Join>
     void sum_up(Take&& take, Join&& join) const;
-    /// From the root down: children of a node are visited where divide(node) is true; of such leaves visit(i) for each
-    /// triangle.
+    /// Visits nodes from the root downwards: the children of a node if divide(node) is true; visit(i) is called for
+    /// each triangle of the leaves that are reached.
     template <typename Divide, typename Visit>
     void for_each_divided(Divide&& divide, Visit&& visit) const;
 
@@ -106,7 +106,7 @@ class AabbTree {
         std::array<float, 3> high;
 
         bool meets(const Bounds& o) const {
-            // Without branches: half of the tested boxes meet, and no branch prediction knows which.
+            // Without branches, as half of the tested boxes meet and branch prediction would fail often.
             return bool(int(low[0] <= o.high[0]) & int(o.low[0] <= high[0]) & int(low[1] <= o.high[1]) &
                         int(o.low[1] <= high[1]) & int(low[2] <= o.high[2]) & int(o.low[2] <= high[2]));
         }
@@ -147,7 +147,7 @@ class AabbTree {
     std::size_t size_of(std::int32_t node) const;
     /// Appends the subtasks of a task, itself where it has none.
     void divide(Task task, std::vector<Task>& next) const;
-    /// Whether the first of two nodes that meet is the one to be divided.
+    /// Whether the first of two nodes whose boxes meet is divided, rather than the second one.
     static bool divide_first(const Node& a, const Node& b) {
         return b.count > 0 || (a.count == 0 && a.bounds.size() >= b.bounds.size());
     }

@@ -55,7 +55,7 @@ bool turns_once(const StarSector* sectors, std::size_t count, const Vec3& normal
     return turns == 1;
 }
 
-/// With rooms for as many vertices as there are triangles.
+/// The buffers have space for as many vertices as there are triangles.
 bool is_embedded(const StarSector* sectors, std::size_t count, std::int32_t* tails, std::int32_t* heads) {
     Vec3 normal = Vec3::Zero();
     for (const StarSector* s = sectors; s != sectors + count; ++s) {

@@ -10,7 +10,7 @@
 
 namespace mq::mesh {
 
-/// A triangle of a star: the vertices of its edge opposite the center, as seen from there.
+/// A triangle of a star, by the vertices of its edge opposite to the centre, relative to the centre.
 struct StarSector {
     std::int32_t from;
     std::int32_t to;
@@ -26,7 +26,7 @@ struct StarSector {
 /// undecided. About 0.1 us for six triangles; O(n log n).
 bool embedded_star(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, VertexStars::Star star);
 
-/// The same for the `count` triangles of a star that is held otherwise.
+/// The same for a star that is given by its `count` triangles.
 bool embedded_star(const StarSector* sectors, std::size_t count);
 
 }  // namespace mq::mesh

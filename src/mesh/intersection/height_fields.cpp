@@ -15,10 +15,11 @@
 namespace mq::mesh {
 namespace {
 
-/// No patch, trial or number yet.
+/// No patch, trial or number was assigned yet.
 constexpr std::int32_t kNone = -1;
-constexpr std::size_t kMost = 4096;  ///< triangles of a patch at most; larger ones overlap themselves more often
-constexpr double kSteepest = 0.5;    ///< least cosine between the axis and the normal of a triangle
+constexpr std::size_t kMost =
+    4096;  ///< largest number of triangles in a patch; larger patches overlap themselves more often
+constexpr double kSteepest = 0.5;  ///< least cosine between the axis and the normal of a triangle
 
 /// A coordinate axis, up or down, along which a patch is projected.
 struct View {
@@ -50,7 +51,7 @@ class Border {
         return view_.sign * orient2d(at(a), at(b), at(c), view_.axis);
     }
 
-    /// Whether one loop alone runs counter-clockwise seen along the view, by areas that are larger than their rounding.
+    /// Whether exactly one loop runs counter-clockwise seen along the view; its area must exceed its rounding error.
     bool one_runs_round() const {
         int positive = 0;
         std::vector<char> seen(edges_.size(), 0);
@@ -122,7 +123,7 @@ class Border {
         return !(convex ? left_of_a && right_of_b : left_of_a || right_of_b);
     }
 
-    /// Whether no two edges meet, but for the ends of successive ones.
+    /// Whether no two edges meet except in the common ends of successive edges.
     bool simple() const {
         const std::vector<std::pair<std::uint32_t, std::uint32_t>> entries = in_cells();
         if (entries.empty()) {
@@ -142,7 +143,7 @@ class Border {
     /// kMostEntries for each edge.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> in_cells() const {
         constexpr double kMostCells = 1000.0;  // cells along a side of the grid at most
-        // Cells for each edge on average at most: bounds the memory and time of the grid.
+        // Largest average number of cells per edge, which bounds the memory and time of the grid.
         constexpr std::size_t kMostEntries = 24;
         Box box;
         for (const Edge& edge : edges_) {
@@ -318,7 +319,8 @@ class PatchFinder {
 
     bool proven(const View& view, std::int32_t trial) {
         std::vector<std::int32_t> corners;
-        std::vector<std::array<std::int32_t, 2>> numbers;  // corners on the border, ascending, and their places
+        std::vector<std::array<std::int32_t, 2>>
+            numbers;  // corners on the border, ascending, with their positions in it
         for (const std::int32_t t : members_) {
             for (std::int32_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
                 if (!inside(twin(corner), trial)) {
@@ -345,7 +347,7 @@ class PatchFinder {
     std::size_t fewest_;
     std::vector<std::int32_t> twins_;  ///< twin of each corner
     std::vector<std::int32_t> patch_;
-    LargeVector<std::int32_t> tried_;  ///< for each triangle the trial in which it was tested
+    LargeVector<std::int32_t> tried_;  ///< by triangle: the trial in which it was tested
     std::vector<std::int32_t> members_;
 };
 

@@ -64,7 +64,7 @@ std::int32_t NearestTree::add(std::int32_t binary) {
         std::int32_t node;  // its index in the binary tree, or ~item
     };
     std::vector<Entry> entries{{&nodes_[binary].bounds, binary}};
-    // What an entry has below it: two nodes, or the items of a leaf.
+    // The children of an entry: two nodes, or the items of a leaf.
     const auto below = [&](const Entry& entry) {
         return entry.node < 0 ? 1 : nodes_[entry.node].count == 0 ? 2 : nodes_[entry.node].count;
     };
@@ -120,7 +120,7 @@ void NearestTree::for_each_near(const Vec3& p, const double& bound_squared, Visi
         float distance;
         std::int32_t child;
     };
-    // Each level leaves at most three more on the stack.
+    // Each level adds at most three entries to the stack.
     std::array<Entry, 3 * kDeepest + kWidth> stack;
     std::size_t height = 0;
     if (!wide_.empty()) {

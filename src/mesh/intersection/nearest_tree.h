@@ -33,9 +33,10 @@ class NearestTree : public AabbTree {
     /// The triangle nearest to p among those at most `bound` away (mm); among equally near ones the one with the lowest
     /// index.
     ClosestPoint nearest(const Vec3& p, double bound = std::numeric_limits<double>::infinity()) const;
-    /// The same without a bound; the nearer the triangle `guess` is to p, the faster.
+    /// The same query without a bound, which is faster the nearer the triangle `guess` is to p.
     ClosestPoint nearest_from(const Vec3& p, std::int32_t guess) const;
-    /// Some triangle at most `distance` away (mm), -1: none; `guess`, a triangle of the tree, if it is near enough.
+    /// Any triangle at most `distance` away (mm); -1: none. It is `guess`, a triangle of the tree, if that is near
+    /// enough.
     std::int32_t any_within(const Vec3& p, double distance, std::int32_t guess) const;
 
   private:

@@ -10,13 +10,13 @@ namespace mq::mesh {
 
 namespace {
 
-/// Triangles looked at.
+/// Number of triangles that are examined.
 constexpr std::size_t kSamples = 512;
-/// Length over height from which a triangle is a needle.
+/// Ratio of length to height above which a triangle is a needle.
 constexpr double kNeedle = 20.0;
-/// Needles, as a share of the samples, from which a frame is worth its cost.
+/// Fraction of needles among the samples above which a frame is worth its cost.
 constexpr double kWorthAFrame = 0.1;
-/// Least cosine between directions that count as one: 5 degrees.
+/// Least cosine between two directions that count as equal: 5 degrees.
 constexpr double kSameDirection = 0.996;
 /// Largest cosine between directions that count as perpendicular: 17 degrees.
 constexpr double kPerpendicular = 0.3;

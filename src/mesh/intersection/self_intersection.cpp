@@ -36,7 +36,7 @@ class Collector {
           limit_(limit),
           progress_(progress) {}
 
-    /// False once there are as many as the limit.
+    /// False once the number of pairs reaches the limit.
     bool operator()(std::int32_t i, std::int32_t j) {
         // Pairs tested between two checks for cancellation.
         constexpr std::uint32_t kPairsBetweenChecks = 1u << 16;
@@ -90,7 +90,7 @@ Box box_of(const std::vector<Vec3>& vertices, const std::vector<Triangle>& trian
     return box;
 }
 
-/// A grid whose cells are marked where they meet the boxes of some triangles: a quick test of what may meet them.
+/// A grid whose cells are marked if they meet boxes of some triangles: a quick test of triangles that may meet these.
 class OccupiedCells {
   public:
     OccupiedCells(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
@@ -106,14 +106,14 @@ class OccupiedCells {
         }
     }
 
-    /// False only if the triangle's box meets none of those of the marked triangles.
+    /// False only if the triangle's box meets no box of a marked triangle.
     bool may_meet(const Triangle& t) const {
         return all_ || !grid_.visit(t, kMostAsked, [this](std::size_t cell) { return occupied_[cell] == 0; });
     }
 
   private:
     static constexpr int kMostMarked = 4096;  ///< cells of one triangle at most; larger triangles make the grid useless
-    /// Cells of a tested triangle at most; for larger ones the test takes too long.
+    /// Most cells of a tested triangle; for larger triangles the test would take too long.
     static constexpr int kMostAsked = 64;
 
     VertexGrid grid_;
@@ -124,7 +124,7 @@ class OccupiedCells {
 /// Calls work(0) and work(1), at the same time where there are triangles enough.
 template <typename Work>
 void do_both(std::size_t triangles, const Work& work) {
-    // Triangles for each thread from which waking it is worth its time.
+    // Number of triangles per thread above which waking the thread pays.
     constexpr std::size_t kWorthAThread = 4096;
     const ThreadLimit limit(threads_for(triangles, kWorthAThread));
     parallel_for(2, work);
@@ -136,7 +136,7 @@ std::vector<ContactPair> sorted(std::vector<ContactPair>&& pairs) {
     return std::move(pairs);
 }
 
-/// 0 for the vertices that lie inside a patch or on the border of one alone, 1 for others.
+/// By vertex: 0 if it lies inside of a patch or on the border of one patch only, else 1.
 std::vector<char> between_patches(std::size_t vertex_count, const std::vector<Triangle>& triangles,
                                   const std::vector<std::int32_t>& patch) {
     // The vertex belongs to no patch yet.
@@ -152,7 +152,7 @@ std::vector<char> between_patches(std::size_t vertex_count, const std::vector<Tr
     return result;
 }
 
-/// For each vertex at which several patches meet whether no two triangles of its star are in contact.
+/// For each vertex at which several patches meet: whether no two triangles of its star are in contact.
 std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                                     const std::vector<std::int32_t>& patch, const Progress* progress) {
     // Vertices in one parallel task: enough that starting a task costs little.
@@ -178,7 +178,7 @@ std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std
 SelfIntersectionSearch::SelfIntersectionSearch(const std::vector<Vec3>& vertices,
                                                const std::vector<Triangle>& triangles, const Progress* progress)
     : vertices_(vertices), triangles_(triangles), progress_(progress) {
-    // Triangles from which a patch saves more pairs than its proof costs.
+    // Number of triangles above which a patch saves more tests of pairs than its proof costs.
     constexpr std::size_t kWorthAProof = 64;
     do_both(triangles.size(), [&](int task) {
         if (task == 0) {
@@ -205,7 +205,7 @@ std::vector<ContactPair> SelfIntersectionSearch::pairs(std::size_t limit) {
     for (std::size_t first = 0; first < tasks.size() && all.size() < limit;) {
         std::vector<std::vector<ContactPair>> found(std::min(turn, tasks.size() - first));
         parallel_for(static_cast<int>(found.size()), [&](int k) {
-            check_cancelled(progress_);  // a collector looks only after many pairs
+            check_cancelled(progress_);  // a collector checks for a cancellation only after many pairs
             Collector collector(vertices_, triangles_, patch_, embedded, limit, progress_);
             tree_->for_each_own_pair(tasks[first + static_cast<std::size_t>(k)], collector);
             found[static_cast<std::size_t>(k)] = collector.take();

@@ -36,7 +36,7 @@ bool straddles(const Signs& s) {
 
 // ---- in the plane ---------------------------------------------------------------------------------------------------
 
-/// A projection along an axis that keeps triangles of one plane from collapsing, as seen from where `t` is
+/// A projection along an axis in which triangles of one plane do not collapse, seen from the side on which `t` runs
 /// counter-clockwise.
 class Projection {
   public:

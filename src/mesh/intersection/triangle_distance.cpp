@@ -69,7 +69,7 @@ double depth_of(const Vec3& p, const Vec3& q, const Corners& t) {
         return -1.0;
     }
     if (first == 0 || second == 0 || third == 0) {
-        return 0.0;  // through an edge or a corner: bodies that touch do so, too
+        return 0.0;  // through an edge or a corner, which happens to bodies that only touch as well
     }
     const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
     return std::min(std::abs(normal.dot(p - t[0])), std::abs(normal.dot(q - t[0])));

@@ -15,8 +15,9 @@ struct TriangleDistance {
     double distance = 0.0;  ///< mm; 0 where they meet
     Vec3 on_first = Vec3::Zero();
     Vec3 on_second = Vec3::Zero();
-    /// Where an edge of one goes through the other: the smaller of the distances of its ends from that plane, mm. It
-    /// tells crossing triangles from those that meet by rounding or by their facets.
+    /// mm: how deep an edge of one triangle passes through the other: the smaller distance of the edge's ends from the
+    /// other's plane; the largest over all edges. It tells triangles that cross from those that meet by rounding or by
+    /// their facets.
     double depth = 0.0;
 };
 

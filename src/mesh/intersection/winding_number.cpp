@@ -12,13 +12,14 @@ namespace mq::mesh {
 
 namespace {
 
-/// Triangles are taken together from this many radii on: the terms left out are of the third order in its inverse.
+/// Triangles at a distance of more than this many radii are summed as one: the neglected terms are of third order in
+/// its inverse.
 constexpr double kFar = 2.5;
 /// For bounds border edges are taken together from this many widths of their box on: what that adds to the bound is
 /// then a quarter of the sum of their parts at most.
 constexpr double kFarBorder = 4.0;
 constexpr double kWhole = 4.0 * M_PI;
-/// From this bound on, in the size of the triangles, that by the border is compared with the one by the area.
+/// If the bound by area, times the size of the triangles, exceeds this, the bound by the border is computed as well.
 constexpr double kLongBorder = 4.0;
 
 /// The solid angle of the triangle (a, b, c) from the origin (Van Oosterom and Strackee 1983).
@@ -38,7 +39,7 @@ double distance_to(const Box& box, const Vec3& p) {
     return (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0).norm();
 }
 
-/// The edges along which more triangles run one way than the other, see WindingNumber::border.
+/// The border: edges along which more triangles run in one direction than in the other, see WindingNumber::border.
 std::vector<Triangle> border_of(const std::vector<Triangle>& triangles) {
     std::vector<std::array<std::int32_t, 3>> edges;  // low vertex, high vertex, 1 upward or -1
     edges.reserve(3 * triangles.size());
@@ -86,7 +87,8 @@ void WindingNumber::Moments::add(const Moments& other) {
     }
 }
 
-/// Moments from an origin, with the centre as the sum of area times place, become those from the centre.
+/// Turns moments about an origin, whose centre is the sum of area times position, into moments about the centre of
+/// area.
 void WindingNumber::Moments::move_to_centre(const Vec3& origin) {
     const Vec3 c = area > 0.0 ? Vec3(centre / area) : Vec3(Vec3::Zero());
     for (int i = 0; i < 3; ++i) {
@@ -99,7 +101,7 @@ void WindingNumber::Moments::move_to_centre(const Vec3& origin) {
 
 void WindingNumber::sum_moments() {
     moments_.resize(tree_.node_count());
-    // From the middle of the box, which keeps the sums short.
+    // Measured from the middle of the box, which keeps the sums short.
     const Vec3 middle = tree_.box().empty() ? Vec3(Vec3::Zero()) : tree_.box().center();
     tree_.sum_up(
         [&](std::int32_t node, std::int32_t triangle) {

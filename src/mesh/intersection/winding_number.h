@@ -33,24 +33,26 @@ class WindingNumber {
     const AabbTree& tree() const { return tree_; }
 
   private:
-    /// What stands for the triangles of a node: moments of their normals by area, from the centre of their area.
+    /// The triangles of a node in the expansion: moments of their normals by area, about the centre of their area.
     struct Moments {
         Vec3 centre = Vec3::Zero();  ///< mm
         double radius = 0.0;         ///< the radius of a ball around the centre that holds them, mm
         double area = 0.0;           ///< mm2
         Vec3 normal = Vec3::Zero();
-        Eigen::Matrix3d first = Eigen::Matrix3d::Zero();  ///< column i: of the place, by component i of the normal
-        std::array<Eigen::Matrix3d, 3> second{first, first, first};  ///< the same of place times place
+        Eigen::Matrix3d first =
+            Eigen::Matrix3d::Zero();  ///< column i: moment of the position with component i of the normal
+        std::array<Eigen::Matrix3d, 3> second{first, first,
+                                              first};  ///< moments with the tensor product of the position with itself
 
         void add(const Moments& other);
         void move_to_centre(const Vec3& origin);
     };
-    /// What stands for the border edges of a node.
+    /// The border edges of a node in the bound.
     struct Current {
         Box box;
         double length = 0.0;
         Vec3 along = Vec3::Zero();   ///< sum of edges
-        Vec3 centre = Vec3::Zero();  ///< the centre of their length
+        Vec3 centre = Vec3::Zero();  ///< the mean of the edges, weighted by length
     };
     void sum_moments();
     void sum_currents();

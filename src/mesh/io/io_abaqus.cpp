@@ -12,10 +12,10 @@ namespace {
 /// CalculiX reads no number of more characters.
 constexpr std::size_t kLongest = 20;
 
-/// Digits of a number that fits at any sign and exponent.
+/// Number of digits that always fits, whatever the sign and exponent.
 constexpr int kDigits = 13;
 
-/// Appends a number that reads back as the same where it is short enough for that.
+/// Appends a number with all its digits if these fit, so that reading gives the same number; else with fewer digits.
 void append_real(Output& out, double value) {
     std::array<char, 40> text;
     const auto first = text.data();
@@ -29,7 +29,7 @@ void append_real(Output& out, double value) {
 constexpr std::size_t kPerLine =
     8;  ///< numbers of a set in one line; Abaqus takes 16, and 132 characters are CalculiX's
 
-/// What the name of a patch's sides ends with: CalculiX 2.20 ends where a surface has the name of a set.
+/// Suffix of the name of a patch's sides: CalculiX 2.20 ends if a surface has the name of a set.
 constexpr const char* kSurface = "_surface";
 
 void append_set(Output& out, const std::string& head, const std::vector<std::int32_t>& numbers) {

@@ -19,7 +19,7 @@ Vec3 normal_of(const ExportMesh& mesh, const std::int32_t* t) {
     return length > 0.0 ? Vec3(cross / length) : Vec3::Zero();
 }
 
-/// " x y z\n" of each node, as a text made once: a node is a corner of about six triangles.
+/// The text " x y z\n" of each node, made once, as a node is a corner of about six triangles.
 class PointTexts {
   public:
     explicit PointTexts(const ExportMesh& mesh) {

@@ -21,13 +21,13 @@ void to_vtu(Output& out, const ExportMesh& mesh);
 void to_3mf_model(Output& out, const ExportMesh& mesh);  ///< the XML part that a .3mf container holds
 void to_amf(Output& out, const ExportMesh& mesh);
 
-// These write flat triangles by patches.
+// The following functions write flat triangles by patches.
 void to_stl_text(Output& out, const ExportMesh& mesh);  ///< one solid a patch
 void to_tri(Output& out, const ExportMesh& mesh);       ///< Cart3D; component i + 1 is patch i
 void to_emesh(Output& out, const ExportMesh& mesh);     ///< OpenFOAM: sharp edges and borders of patches
-void to_fms(Output& out, const ExportMesh& mesh);       ///< cfMesh: triangles and those edges
+void to_fms(Output& out, const ExportMesh& mesh);       ///< cfMesh: triangles, and the same edges as to_emesh
 
-// These write triangles and tetrahedra by patches and solids.
+// The following functions write triangles and tetrahedra by patches and solids.
 void to_su2(Output& out, const ExportMesh& mesh);      ///< order 1
 void to_nastran(Output& out, const ExportMesh& mesh);  ///< orders 1 and 2, as the following
 void to_abaqus(Output& out, const ExportMesh& mesh);
@@ -59,10 +59,10 @@ void append_point(Out& out, const Vec3& p) {
     }
 }
 
-/// Appends "x y z" and what ends them.
+/// Appends "x y z" and the given end.
 void append_point_text(Output& out, const Vec3& p, std::string_view end = "\n");
 
-/// Appends the numbers of `count` nodes from `first` on, each after a separator, and what ends them.
+/// Appends the numbers of `count` nodes from `first` on, each after a separator, and the given end.
 void append_nodes(Output& out, const std::int32_t* nodes, std::size_t count, int first, char separator = ' ',
                   std::string_view end = "\n");
 

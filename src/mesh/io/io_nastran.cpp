@@ -17,7 +17,7 @@ void append_real(Output& out, double value) {
     std::array<char, 40> text;
     for (int digits = 17; digits > 0; --digits) {
         const auto first = text.data();
-        // As short as it reads back the same where that fits, then with fewer and fewer digits.
+        // With all digits, so that reading gives the same number, if these fit; else with fewer and fewer digits.
         auto last = digits == 17 ? std::to_chars(first, first + 38, value).ptr
                                  : std::to_chars(first, first + 38, value, std::chars_format::general, digits).ptr;
         if (std::find(first, last, '.') == last) {

@@ -34,7 +34,7 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-/// Numbers of the file; those of single precision with as few digits as that takes.
+/// The numbers of the file; single-precision numbers have as few digits as they need.
 class Numbers {
   public:
     explicit Numbers(const ExportMesh& mesh) : single_(fits_single_precision(mesh)) {}

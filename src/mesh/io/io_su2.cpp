@@ -3,7 +3,7 @@
 
 namespace mq::mesh {
 
-// SU2 numbers types of elements as VTK does, and nodes from 0. What has no tetrahedra has its triangles as markers
+// SU2 numbers types of elements as VTK does, and nodes from 0. A mesh without tetrahedra has its triangles as markers
 // only.
 void to_su2(Output& out, const ExportMesh& mesh) {
     constexpr const char* kTriangle = "5";

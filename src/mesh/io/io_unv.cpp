@@ -53,7 +53,7 @@ void append_nodes_2411(Output& out, const ExportMesh& mesh) {
     end(out);
 }
 
-/// Which of an element's nodes comes first, second and so on: those of order 2 are run around side by side.
+/// The order of an element's nodes in the file: nodes of order 2 are listed around the element, between the corners.
 std::vector<std::size_t> node_order(int dimension, int order) {
     if (dimension == 2) {
         return order == 1 ? std::vector<std::size_t>{0, 1, 2} : std::vector<std::size_t>{0, 3, 1, 4, 2, 5};

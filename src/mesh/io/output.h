@@ -12,8 +12,8 @@
 
 namespace mq::mesh {
 
-/// Where writers append. It hands what it has on in pieces that stay in the processor's cache: a file never lies in
-/// memory as a whole, and no byte of it is copied again because a text grows.
+/// The text that writers append to. It passes its content on in pieces that stay in the processor's cache: a file is
+/// never in memory as a whole, and no byte is copied again because a text grows.
 class Output {
   public:
     using Sink = std::function<void(const char* bytes, std::size_t count)>;
@@ -56,7 +56,7 @@ class Output {
     /// Bytes that were appended.
     std::size_t size() const { return handed_on_ + used_; }
 
-    /// Hands on what is left.
+    /// Passes the remaining text on.
     void flush() {
         if (used_ > 0) {
             handed_on_ += used_;
@@ -83,7 +83,7 @@ class Output {
     std::size_t handed_on_ = 0;
 };
 
-/// What a writer appends of a mesh, as one text.
+/// The text that a writer appends for a mesh.
 template <typename Mesh>
 std::string text_of(void (*write)(Output&, const Mesh&), const Mesh& mesh) {
     std::string text;

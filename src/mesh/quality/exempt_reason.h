@@ -49,7 +49,7 @@ struct ExemptReason {
     std::array<NamedEntity, 2> edges{};   ///< the edges that enclose that angle, or one edge where the triangle lies
     NamedEntity vertex{};                 ///< where the edges meet, or the singular point
     NamedEntity face{};                   ///< the face that the triangle lies on
-    std::array<NamedEntity, 2> joined{};  ///< entities of the shape that count as one, where that makes the corner
+    std::array<NamedEntity, 2> joined{};  ///< entities of the shape that count as one, if that makes the corner
     double apart = -1.0;                  ///< mm: how far apart these are at most; -1: none
 
     bool operator==(const ExemptReason& other) const {

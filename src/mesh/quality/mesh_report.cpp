@@ -22,7 +22,7 @@ namespace {
 
 using Sets = DisjointSets<std::uint32_t>;
 
-/// What shapes of neighbouring triangles add up to.
+/// Sums and extremes over the shapes of neighbouring triangles.
 struct Shapes {
     std::size_t degenerate = 0;
     double min_angle = 180.0;
@@ -234,7 +234,7 @@ std::string faults_text(const MeshReport& r) {
     return text.empty() ? "none" : text;
 }
 
-/// Names which distance it is: a triangle may lie near another face than its own.
+/// Says which distance it is: to the triangle's own face, or to the nearest face.
 std::string distance_text(const MeshReport& r) {
     std::string text =
         line(r.to_nearest_face ? "deviation    %.6g mm: largest distance from the nearest CAD face"

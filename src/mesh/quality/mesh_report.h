@@ -30,9 +30,9 @@ struct SolidContact {
 /// Two bodies of a shape, solids or shells, of which the meshes are not apart.
 struct BodyOverlap {
     enum class Kind {
-        Overlapping,  ///< they have a volume in common, or their surfaces cross
+        Overlapping,  ///< they share a volume, or their surfaces cross
         Inside,       ///< the first one lies in the second one
-        Equal,        ///< they are one body twice
+        Equal,        ///< they are the same body twice
         Near,         ///< they are apart in the shape, but their triangles cross
     };
     std::array<std::string, 2> bodies;  ///< "Solid2"; of a shell one of its faces: "Face7"
@@ -91,7 +91,7 @@ struct MeshReport {
     std::vector<std::pair<std::int32_t, std::string>> fallback;  ///< CAD face, why its samples were joined in (u, v)
     std::vector<std::pair<std::int32_t, std::string>> missing;   ///< CAD face that has no triangles, why
     std::vector<SolidContact> contacts;                          ///< where solids share triangles
-    std::vector<FaceCrossing> crossings;                         ///< which CAD faces the self-intersections lie on
+    std::vector<FaceCrossing> crossings;                         ///< by pair of CAD faces: the self-intersections
     std::vector<std::string> notes;  ///< what the reader must know: faults of the model, budget reached, ...
     bool complete = true;            ///< false when a budget ended the work early
 
@@ -109,16 +109,16 @@ struct MeshReport {
 /// @throws Cancelled when `progress` says so.
 MeshReport measure(const TriangleMesh& mesh, const Progress* progress = nullptr);
 
-/// Twice the volume by the area, mm: the thickness of a plate, the radius of a long rod. 0 without an area.
+/// Twice the volume divided by the area, mm: the thickness of a plate, the radius of a long rod; 0 if there is no area.
 double mean_thickness(const TriangleMesh& mesh);
 
-/// How a surface hangs together.
+/// Connectivity of a surface.
 struct SurfaceTopology {
-    std::size_t components = 0;  ///< pieces that hang together by edges
+    std::size_t components = 0;  ///< pieces that are connected by edges
     long euler = 0;              ///< V - E + F
 };
 
-/// The same two numbers as in a MeshReport, in a fraction of its time. The mesh must be valid.
+/// The same two numbers as in a MeshReport, computed in a fraction of its time. The mesh must be valid.
 SurfaceTopology topology_of(const TriangleMesh& mesh);
 
 /// A text of a dozen lines for people.

@@ -120,7 +120,7 @@ class Verifier {
 
     void check_vertices() {
         const std::vector<std::int32_t> equal = equal_vertices(vertices_);
-        std::vector<std::int32_t> known;  // for each place with several vertices the first that is used
+        std::vector<std::int32_t> known;  // by place with several vertices: the first of them that is used
         for (std::size_t v = 0; v < equal.size(); ++v) {
             if (equal[v] == static_cast<std::int32_t>(v)) {
                 continue;

@@ -12,7 +12,7 @@ namespace mq::mesh {
 
 namespace {
 
-// Beyond these lengths, mm, the squares of products of two overflow, or vanish.
+// Beyond these lengths, mm, squared products of two lengths overflow or vanish.
 constexpr double kLong = 1e70;
 constexpr double kShort = 1e-70;
 
@@ -50,7 +50,7 @@ Sides sides_of(const std::array<Vec3, 3>& p) {
     const double longest = s.length[s.longest];
     const bool has_length = s.side[0] != Vec3::Zero() || s.side[1] != Vec3::Zero();
     if (longest > kLong || (longest < kShort && has_length)) {
-        // Short sides may lie far from the origin: the sides are to be scaled then, not the corners.
+        // Short sides may lie far from the origin: then the sides have to be scaled, not the corners.
         const Vec3 origin = longest > kLong ? Vec3(Vec3::Zero()) : p[0];
         const std::array<Vec3, 3> local{p[0] - origin, p[1] - origin, p[2] - origin};
         const double scale = scale_of(local);

@@ -48,7 +48,7 @@ std::vector<char> that_share(const Topology& topology, const std::vector<Faces>&
     return result;
 }
 
-// What is quickly compared: bodies that differ in it are not equal.
+// Data that are quickly compared: bodies that differ in them are not equal.
 Fingerprint outline_of(const Topology& topology, const Faces& faces) {
     Fingerprint key{};
     for (const int f : faces) {

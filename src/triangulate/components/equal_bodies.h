@@ -19,16 +19,16 @@ struct BodyEntities {
     std::vector<int> uses;
 };
 
-/// Which bodies of a part are others at another place.
+/// The bodies of a shape that are equal to another one at another place.
 struct EqualBodies {
-    /// By body: the one with the lowest face that is equal to it, where that is another one; -1: there is none.
+    /// By body: the body with the lowest face that is equal to it, if that is another one; -1: there is none.
     std::vector<int> original;
     std::vector<geometry::RigidMotion> motion;  ///< by body: from its original to it
     std::vector<BodyEntities> entities;         ///< by body; empty where none could be equal to it
     std::array<std::vector<int>, 3> places;     ///< by dimension and entity: its index in the entities of its body
     std::vector<int> places_of_uses;
 
-    /// The entity of a copy that is what `entity` is in its original; -1 if no face of that has it.
+    /// The entity of a copy that corresponds to `entity` of its original; -1 if no face of the original has it.
     int in_copy(geometry::Entity entity, int copy) const {
         const auto d = static_cast<std::size_t>(entity.dimension);
         const int place = places[d][static_cast<std::size_t>(entity.index)];

@@ -73,8 +73,8 @@ class Cutting {
         }
     }
 
-    // Numbers what is marked in the order of the mesh.
-    // @return the indices of these in the mesh
+    // Numbers the marked entities in the order of the mesh.
+    // @return their indices in the mesh
     std::vector<int> numbered(Numbers& numbers) {
         std::vector<int> marked;
         for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
@@ -282,7 +282,7 @@ class Joining {
     const ClassifiedMesh& divided_;
     const std::vector<const MeshComponent*>& changed_;
     CancelPace pace_;
-    std::vector<std::vector<int>> vertices_;  // by component and index there: index in the whole
+    std::vector<std::vector<int>> vertices_;  // by component and index in it: index in the whole
     std::vector<std::vector<int>> sites_;
     std::vector<std::vector<int>> segments_;
     JoinedComponents result_;
@@ -317,7 +317,7 @@ std::vector<std::vector<int>> groups_of(const std::vector<double>& work, std::si
     for (std::size_t i = 0; i < work.size(); ++i) {
         groups.push_back({work[i], {static_cast<int>(i)}});
     }
-    for (; groups.size() > most; groups.pop_back()) {  // goes to the smallest one that stays
+    for (; groups.size() > most; groups.pop_back()) {  // added to the smallest group that stays
         const Group& last = groups.back();
         Group& smallest =
             *std::max_element(groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(most), more_work<Group>);

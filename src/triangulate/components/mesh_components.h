@@ -12,7 +12,7 @@ namespace mq::triangulate {
 /// The triangles of a body: those with a common vertex, or on faces of one volume or one face of the shape.
 struct MeshBody {
     std::vector<int> triangles;  ///< ascending
-    double work = 0.0;           ///< that is expected on them
+    double work = 0.0;           ///< work that is expected on the triangles
 };
 
 /// Returns the bodies of a mesh without unused indices, the one with most expected work first.
@@ -35,8 +35,8 @@ struct MeshComponent {
     std::vector<int> triangles;
     /// By vertex at first: its index in the whole mesh, ascending but for those that have none, -1.
     std::vector<int> vertices;
-    std::vector<int> sites;     ///< the same of its sites
-    std::vector<int> segments;  ///< the same of its segments
+    std::vector<int> sites;     ///< by site at first: its index in the whole mesh
+    std::vector<int> segments;  ///< by segment at first: its index in the whole mesh
 };
 
 /// @param triangles  all those of some bodies, ascending

@@ -23,7 +23,7 @@ struct Interval {
     int depth;
 };
 
-// Whether the angle between two vectors exceeds EdgeTuning::kMaxTurn. Most are far below.
+// Whether the angle between two vectors exceeds EdgeTuning::kMaxTurn; most angles are far below it.
 bool exceeds_turn(const Vec3& a, const Vec3& b) {
     constexpr double kClear = 0.5;                       // Fraction of the limit: below it, rounding cannot matter.
     const double slope = kClear * EdgeTuning::kMaxTurn;  // smaller than its tangent
@@ -142,7 +142,7 @@ void EdgeDiscretisation::collapse_short_edges(const geometry::Topology& topology
         const double length = length_of(points_[e]);
         double limit = grid_.shortest_side();
         if (edge.nodes[0] >= 0 && edge.nodes[1] >= 0 && edge.nodes[0] != edge.nodes[1]) {
-            // To the modeller, nodes around which balls of the smaller of both tolerances meet are one point.
+            // Modellers treat nodes as one point if balls around them with the smaller of both tolerances meet.
             limit = std::max(limit, 2.0 * std::min(topology.nodes[edge.nodes[0]].tolerance,
                                                    topology.nodes[edge.nodes[1]].tolerance));
         }
@@ -268,7 +268,7 @@ void EdgeDiscretisation::place_points(const geometry::Topology& topology) {
 
 std::set<int> EdgeDiscretisation::halve(geometry::Session& session, const std::set<PieceRef>& marks) {
     const std::vector<PieceRef> order(marks.rbegin(),
-                                      marks.rend());  // from the back, so that earlier indices remain valid
+                                      marks.rend());  // in descending order, so that earlier indices remain valid
     geometry::Engine::Batch batch;
     for (const auto& [e, i] : order) {
         batch.push_back(geometry::Query::edge_middle(e, chains_[e].t[i], chains_[e].t[i + 1]));

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kDeviationSamples = 16;  // Pieces of an edge, at whose ends it is compared with its curves on faces.
 
-// Two edges where a face has a corner: each by its index, its end there, and how far along it is looked.
+// Two edges at a corner of a face: each by its index, its end at the corner, and the length up to which it is examined.
 struct FaceCorner {
     std::array<int, 2> edge;
     std::array<int, 2> end;
@@ -26,7 +26,7 @@ struct FaceCorner {
     bool at_one_node(const geometry::Topology& topology) const { return node(topology, 0) == node(topology, 1); }
 };
 
-// @param lengths  of the edges, mm; 0: it is a point, and the edges before and after it meet there
+// @param lengths  of the edges, mm; 0: the edge is a point, and the edges before and after it meet in it
 std::vector<FaceCorner> corners_of_faces(const geometry::Topology& topology, const std::vector<double>& lengths) {
     std::vector<FaceCorner> corners;
     for (const geometry::Face& face : topology.faces) {
@@ -70,8 +70,8 @@ void keep_narrow(geometry::Session& session, std::vector<FaceCorner>& corners) {
     corners.erase(std::remove_if(corners.begin(), corners.end(), wide), corners.end());
 }
 
-// Returns how far at most edges lie from their curves on faces, mm, by edge: what is left of the tolerances that
-// modellers give, which are often a hundred times as large. Measured for the edges of the corners only.
+// Returns the largest distances of edges from their curves on faces, mm, by edge: the tolerances that modellers give
+// are often a hundred times as large. Measured for the edges of the corners only.
 std::map<int, double> deviations(geometry::Session& session, const std::vector<FaceCorner>& corners) {
     const geometry::Topology& topology = session.topology();
     std::map<int, double> result;
@@ -146,7 +146,7 @@ void keep_open(geometry::Session& session, std::vector<FaceCorner> corners, std:
     const geometry::Topology& topology = session.topology();
     const std::set<int> joined = joined_nodes(topology);
     const double reach = DetailCorners::kReach * topology.detail;
-    // The angle was compared from a place up to a detail away.
+    // A margin, as the distance was measured from a place up to a detail away from the node.
     const double least = DetailCorners::kLeast - 1.0 / DetailCorners::kReach;
     const auto elsewhere = [&](const FaceCorner& corner) {
         const bool apart = !corner.at_one_node(topology);  // the edges between are contracted

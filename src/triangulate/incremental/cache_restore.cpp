@@ -15,7 +15,7 @@ namespace mq::triangulate {
 namespace {
 using geometry::Topology;
 
-constexpr std::size_t kMany = static_cast<std::size_t>(-1);  // No count yet: larger than any number of samples.
+constexpr std::size_t kMany = static_cast<std::size_t>(-1);  // no count yet: larger than any number of samples
 
 double shortest_side(const FaceMesh& mesh) {
     double shortest = 1e300;

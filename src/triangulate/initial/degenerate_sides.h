@@ -8,10 +8,11 @@
 
 namespace mq::triangulate {
 
-/// Where a surface has a singular point (an apex), a side of the parameter domain is one vertex. This function divides
+/// If a surface has a singular point (an apex), a side of the parameter domain is a single vertex. This function
+/// divides
 /// such sides where the normal turns along them, as around the apex of a cone, so that triangles at the apex connect
-/// to a nearby piece of the side in (u, v): connected to its ends they would span half of the cone.
-/// Finds the collapsed runs of the border, too, of which the parts of a side are members.
+/// to a nearby piece of the side in (u, v): triangles at the ends of the side would span half of the cone.
+/// Also finds the collapsed runs of the border; the pieces of a divided side belong to one run.
 /// @return by site: its final representative. For sites on a divided side this is the one in the middle, which has no
 /// normal; where the surface has normals at both ends of the side, it is the nearer end. Other sites represent
 /// themselves.

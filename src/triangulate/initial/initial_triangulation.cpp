@@ -24,7 +24,7 @@ InitialTriangulation triangulate_the_rest(geometry::Session& session, const Sing
     result.faces.resize(topology.faces.size());
     std::vector<int> open;
     for (int f = 0; f < static_cast<int>(topology.faces.size()); ++f) {
-        // Faces without area are omitted (the faults of the model name them), as are faces that are a point.
+        // Faces without area are omitted (the faults of the model name them), and so are faces that are a single point.
         if (!topology.faces[f].no_area && !result.chains.is_a_point(f) && result.faces[f].triangles.empty()) {
             open.push_back(f);
         }

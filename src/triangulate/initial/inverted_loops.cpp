@@ -11,7 +11,7 @@ namespace mq::triangulate {
 namespace {
 
 constexpr int kSamples = 4;  // samples in each piece; a quarter of a piece is nearly straight
-// Area over length^2, within rounding: coinciding chords, or curves that enclose no area.
+// A ratio of area to length^2 below this is rounding: chords coincide, or curves enclose no area.
 constexpr double kNothing = 1e-9;
 
 struct Outline {

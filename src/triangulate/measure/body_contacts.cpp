@@ -14,15 +14,15 @@ namespace {
 
 using geometry::Query;
 
-// Pairs of triangles of two faces that are examined first, spread over all of them.
+// Number of pairs of triangles of two faces that are examined first, spread over all pairs.
 constexpr std::size_t kSample = 16;
-// Points that are tried as common ones of two solids.
+// Number of points that are tried as common points of two solids.
 constexpr std::size_t kTried = 8;
 // Cosine of the angle between two faces that count as parallel.
 constexpr double kParallel = 0.99;
 // Triangles of two faces may deviate by twice the largest distance of one.
 constexpr double kBoth = 2.0;
-// Resolutions of single precision within which two points are one.
+// Two points count as one up to this distance, in resolutions of single precision.
 constexpr double kSame = 4.0;
 
 using mesh::Corners;
@@ -61,7 +61,7 @@ Vec3 mean_of(const std::vector<Vec3>& points) {
     return sum / static_cast<double>(points.size());
 }
 
-// The middle of what two triangles that cross at an angle have in common.
+// The middle of the intersection of two triangles that cross at an angle.
 Vec3 common_middle(const Corners& first, const Corners& second) {
     std::vector<Vec3> points;
     add_piercings(first, second, points);
@@ -75,7 +75,8 @@ struct End {
     int side = -1;
 };
 
-// How far a triangle goes from a point in it along the normal of another one, on the side where it ends sooner.
+// The end of a triangle in the direction of another one's normal, from a point in it, on the side where the end is
+// nearer.
 End end_of(const Corners& triangle, const Vec3& from, const Vec3& along) {
     const Vec3 normal = normal_of(triangle);
     const Vec3 direction = along - normal * normal.dot(along);
@@ -93,8 +94,8 @@ End end_of(const Corners& triangle, const Vec3& from, const Vec3& along) {
     return end;
 }
 
-// The middle of the corners of what a triangle and another one's projection to its plane have in common, and how far
-// the other one would have to be moved until they have nothing.
+// The mean of the corners of the intersection of a triangle with another one's projection to its plane, and how far the
+// other one would have to be moved until they are apart.
 std::pair<Vec3, double> common_in_plane(const Corners& triangle, const Corners& other) {
     const Vec3 normal = normal_of(triangle);
     double least = std::numeric_limits<double>::infinity();
@@ -207,8 +208,8 @@ std::vector<BodyContacts::Place> BodyContacts::places_of(const Pairs& pairs, dou
     return places;
 }
 
-// The heights over the other face of the edges where a triangle ends just behind the other one: of the lowest of three
-// points; 0 where the edge goes through the face.
+// Finds the heights over the other face of the edges at which a triangle ends just behind the other one: the height of
+// the lowest of three points; 0 if the edge passes through the face.
 void BodyContacts::find_heights(const Pairs& pairs, std::vector<Place>& places) {
     constexpr std::size_t kPoints = 3;
     const ClassifiedMesh& mesh = work_.mesh;

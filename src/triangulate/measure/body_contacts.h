@@ -11,9 +11,9 @@
 
 namespace mq::triangulate {
 
-/// How two bodies are to each other in the shape where their triangles cross, in ascending severity.
+/// The relation in the shape between two bodies whose triangles cross, in ascending severity.
 enum class BodyContact : std::uint8_t {
-    Touching,     ///< their surfaces lie on each other, with the bodies on different sides: they cross by chords only
+    Touching,     ///< their surfaces lie on each other, with the bodies on different sides; only chords cross
     Apart,        ///< there is a gap between them, which the chords close
     Overlapping,  ///< the bodies have a volume in common, or their surfaces cross
 };
@@ -23,19 +23,18 @@ struct FaceContact {
     SelfIntersections::Faces faces;
     std::vector<std::array<int, 2>> pairs;
     std::map<std::pair<int, int>, BodyContact> contacts;  ///< by two volumes that the faces belong to, ascending
-    /// Those of the pairs that are apart in the shape, where there are any, and the gaps between them, mm.
+    /// The pairs that are apart in the shape, with the gaps between them, mm.
     std::vector<std::pair<std::array<int, 2>, double>> apart;
 
     BodyContact worst() const;
 };
 
-/// Tells what the triangles of different bodies that cross mean: chords of bodies that touch cross, too.
-///
-/// At a place where two triangles cross, both faces are asked for their nearest points. Where the faces are parallel
-/// there and the bodies on different sides, the distance of the two points is the gap between the bodies, or how deep
-/// they overlap. Where faces meet at an angle, one triangle ends just behind the other one, or the bodies overlap. If
-/// it ends at an edge of the shape, the distance of that edge from the other face is the gap. That two solids overlap
-/// is said only where a point is found that is in both.
+/// Finds the reason why triangles of different bodies cross, as chords of bodies that only touch cross, too.
+/// At a place where two triangles cross, the nearest points of both faces are computed. If the faces are parallel there
+/// and the bodies on different sides, the distance of the two points is the gap between the bodies, or the depth of
+/// their overlap. If the faces meet at an angle, one triangle ends just behind the other one, or the bodies overlap. If
+/// it ends at an edge of the shape, the distance of that edge from the other face is the gap. Two solids are said to
+/// overlap only if a point is found that is in both.
 class BodyContacts {
   public:
     BodyContacts(Workspace& work, SelfIntersections& finder);
@@ -64,7 +63,7 @@ class BodyContacts {
         bool found = false;
         bool deep = false;  ///< deeper than chords explain
     };
-    /// What the places say of two volumes.
+    /// The results of the places of two volumes.
     struct Evidence {
         BodyContact contact = BodyContact::Touching;
         std::vector<Vec3> common;  ///< points that may be in both

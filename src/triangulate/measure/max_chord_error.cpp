@@ -46,8 +46,8 @@ Pieces pieces_of(const Workspace& work) {
     }
     for (int h = 0; h < mesh.half_edge_count(); ++h) {
         const int other = mesh.twin(h);
-        // Along a removed smooth edge both sides have sites of their own; edges between two spanning triangles are
-        // measured with these.
+        // Both sides of a removed smooth edge have their own sites; edges between two spanning triangles are measured
+        // with these.
         if (other > h && !(spanning(h / 3) && spanning(other / 3))) {
             pieces.edges.push_back(spanning(h / 3) ? other : h);
         }
@@ -131,7 +131,7 @@ class Farthest {
         int side;
     };
 
-    // Sees what was measured, and keeps the cached distances that may be the largest.
+    // Passes the measured distances on, and keeps the cached distances that may be the largest.
     void see_all(const std::vector<int>& pieces, const std::vector<int>& sides, const std::vector<Distance>& distances,
                  double& largest, std::vector<Recalled>& recalled) {
         for (const Distance& distance : distances) {

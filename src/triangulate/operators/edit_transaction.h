@@ -17,12 +17,12 @@ class EditTransaction {
   public:
     explicit EditTransaction(Workspace& work) : work_(work) {}
 
-    /// Starts to record; it must be closed.
+    /// Starts to record. Must be followed by `commit` or `undo`.
     void begin() { changes_.emplace(); }
     bool is_open() const { return changes_.has_value(); }
-    /// Keeps the changes, and closes.
+    /// Keeps the changes, and ends the recording.
     void commit() { changes_.reset(); }
-    /// Restores the recorded triangles, and closes.
+    /// Restores the recorded triangles, and ends the recording.
     /// @return by old index: the present index of each. Corners keep their order.
     std::map<int, int> undo();
 
@@ -36,8 +36,7 @@ class EditTransaction {
     /// around it. Pass them to `added` afterwards. None of the segments may be split later.
     void record_relocation(int near, int far, const std::vector<int>& around);
 
-    // The following need it to be open.
-    /// The triangles that replaced the recorded ones.
+    // The following functions need an open transaction. The triangles that replaced the recorded ones.
     const std::set<int>& now() const { return changes_->now; }
     /// Returns the smallest angle of each recorded triangle, radians.
     std::vector<double> angles_before() const;

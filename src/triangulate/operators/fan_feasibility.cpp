@@ -48,7 +48,7 @@ double least_to_part(double angle, double squared_cosine) {
 // The plane points of a convex region, counter-clockwise.
 using Region = std::vector<Vec2>;
 
-// Leaves what is on the left of a line.
+// Keeps the region on the left of a line.
 void clip(Region& region, const Vec2& on_line, const Vec2& direction, Region& scratch) {
     scratch.clear();
     for (std::size_t i = 0; i < region.size(); ++i) {

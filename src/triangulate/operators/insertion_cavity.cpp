@@ -44,7 +44,7 @@ InsertionCavity grow_cavity(const ClassifiedMesh& mesh, int half_edge, bool spli
             return c;
         }
         const int apex = mesh.vertex_of(ClassifiedMesh::prev(g));
-        // An apex that was met before would be enclosed: the cavity would close around it.
+        // If the apex is a vertex of the cavity already, the cavity would close around it.
         if (c.triangles.size() >= OperatorTuning::kMaxCavity ||
             (!split && narrow_corner_of(mesh, ClassifiedMesh::triangle_of(g)) >= 0) ||
             std::find(vertices.begin(), vertices.end(), apex) != vertices.end()) {

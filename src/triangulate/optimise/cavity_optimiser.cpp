@@ -165,7 +165,7 @@ bool CavityOptimiser::process_next(std::size_t& left, bool& changed) {
     return true;
 }
 
-// What does not reach the bound does not reach the larger target.
+// A triangle that cannot reach the bound cannot reach the larger target either.
 bool CavityOptimiser::has_failed(int triangle) const {
     return failed_.marked(work_.mesh, triangle) || (!near_.empty() && failed_beyond_.marked(work_.mesh, triangle));
 }
@@ -296,7 +296,7 @@ std::vector<Cavity> CavityOptimiser::grown(const std::vector<Cavity>& discs, con
     return result;
 }
 
-// Tries small cavities first, and stops at the first size whose best fan reaches the target.
+// Tries small cavities first, and stops at the first size at which the best fan reaches the target.
 bool CavityOptimiser::mend(int triangle) {
     std::vector<Retriangulation> proposals;
     std::vector<Cavity> discs = discs_around(triangle);

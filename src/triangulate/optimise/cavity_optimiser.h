@@ -113,7 +113,7 @@ class CavityOptimiser {
         double step = 0.0;      ///< step of the vertex, see EdgeVertexRelocation::angle_after
     };
 
-    // Implemented in perturbation_search.cpp.
+    // The following functions are implemented in perturbation_search.cpp.
     bool perturb_all();
     bool budget_spent() const;
     void count_attempt();
@@ -157,7 +157,7 @@ class CavityOptimiser {
     EditTransaction undo_;                     // open while changes may still be undone
     int ear_ = -1;                             // in a trial: the site whose corner was cut off, or -1
     std::optional<std::array<int, 2>> split_;  // in a trial: the segment that was split, and its far half
-    TriangleMarks failed_;                     // until a triangle beside them changes
+    TriangleMarks failed_;                     // triangles that failed, until a triangle beside them changes
     TriangleMarks failed_beyond_;              // the same with the larger target
     KeySet tried_to_escape_;
     int attempts_of_search_ = 0;  // left for the present triangle

@@ -19,7 +19,7 @@ namespace {
 
 using geometry::Query;
 
-constexpr double kFar = 1e300;  // Distance in mm of a point without projection: larger than any tolerance.
+constexpr double kFar = 1e300;  // mm: distance of a point without projection, larger than any tolerance
 
 // Returns the half-edge at an input angle of the shape below the bound, or -1.
 int forced_corner_of(const ClassifiedMesh& mesh, int triangle, double bound) {

@@ -77,7 +77,7 @@ struct OptimisationTuning {
     /// Fraction of the tolerance. A vertex is kept if the chord error of an edge at it exceeds this: without the
     /// vertex edges become about twice as long, and their chord errors four times as large.
     MESHQUALITY_TUNED(double, kRemovalFlat, 0.6);
-    /// Rounds of removal, each of vertices that do not touch.
+    /// Most rounds of vertex removal; the vertices of a round have no triangle in common.
     MESHQUALITY_TUNED(int, kMaxRemovalRounds, 12);
     /// Least factor by which angles below the bound must grow.
     MESHQUALITY_TUNED(double, kRemovalGain, 1.1);

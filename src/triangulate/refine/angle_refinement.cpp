@@ -43,7 +43,7 @@ std::optional<AngleRefinement::QueuedTriangle> AngleRefinement::if_bad(int trian
 void AngleRefinement::push_touched() {
     // Triangles that are worth a thread: about half a millisecond.
     constexpr int kWorthAThread = 2048;
-    // Triangles looked at at a time: what is found for all would take as much memory as the mesh.
+    // Triangles that are examined at a time: the results for all would take as much memory as the mesh.
     constexpr std::size_t kAtOnce = 16384;
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
@@ -126,7 +126,7 @@ void AngleRefinement::exempt_the_rest() {
     }
 }
 
-// Edges that change get new numbers.
+// The state counts edges, too: edges that change get new numbers.
 AngleRefinement::State AngleRefinement::state() const {
     return {static_cast<std::size_t>(work_.mesh.number_count()), segments_.tried(), segments_.floors().raises(),
             apex_rings_.tried()};
@@ -209,7 +209,7 @@ std::optional<Candidate> AngleRefinement::site_by_rule(int triangle, int attempt
     return off_centre_site(work_.mesh, triangle, bound_);
 }
 
-// Each triangle is taken once: where splitting is refused it stays.
+// Each triangle is taken once: if its split is refused, it stays.
 void AngleRefinement::take_turned(const QueuedTriangle& bad, std::vector<Job>& jobs) {
     turned_.mark(work_.mesh, bad.triangle);
     touched_.push_back(bad.triangle);

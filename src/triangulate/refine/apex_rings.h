@@ -44,7 +44,7 @@ class ApexRings {
     struct Apex {
         int vertex;
         int face;
-        int half_edge;  // one that leaves the apex on that face
+        int half_edge;  // a half-edge that leaves the apex on that face
     };
     void relocate(Apex& apex, const std::vector<int>& touched, std::size_t first) const;
     bool swap_widest(Apex& apex, const ApexFan& fan, std::vector<int>& touched);

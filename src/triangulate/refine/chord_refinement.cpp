@@ -232,7 +232,8 @@ void ChordRefinement::measure_growth(Violations& found) {
     }
 }
 
-// Returns the worst first, and those alike as they were found: what is split in turn then lies together in memory.
+// Returns the worst first, and those of similar excess in the order in which they were found: pieces that are split one
+// after another then lie together in memory.
 ChordRefinement::Violations ChordRefinement::violations() {
     Violations found;
     measure_segments(found);
@@ -255,7 +256,7 @@ ChordRefinement::Violations ChordRefinement::violations() {
     return found;
 }
 
-// Edges that are gone would leave the larger share of what is stored by number without use.
+// Without this, edges that are gone would leave most of the data that are stored by number unused.
 void ChordRefinement::forget_gone_edges() {
     constexpr double kWorthRenumbering = 1.125;  // numbers for each edge
     if (work_.mesh.number_count() <= kWorthRenumbering * work_.mesh.edge_count()) {

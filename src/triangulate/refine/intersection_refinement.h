@@ -40,7 +40,7 @@ class IntersectionRefinement {
     struct Crossing {
         std::array<int, 2> pair;
         std::array<Side, 2> sides;  ///< the highest side of each triangle
-        bool by_chords;             ///< no deeper than the heights explain
+        bool by_chords;             ///< whether it is no deeper than the heights of the sides explain
     };
     /// The higher sides of the crossings of two faces.
     struct Bends {

@@ -219,7 +219,7 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
         }
         next += uses;
     }
-    for (const int s : halves) {  // only after the loop, since their mates may have been among these segments
+    for (const int s : halves) {  // after the loop, since their mates may have been among these segments
         remove_encroaching_vertices(work_, s, touched);
         enforce_equal_shells(s);
     }
@@ -263,8 +263,8 @@ double SegmentSplitter::unresolved(int segment, int end) const {
     return s.t[end] == edge.t0 ? work_.unresolved[s.edge][0] : s.t[end] == edge.t1 ? work_.unresolved[s.edge][1] : 0.0;
 }
 
-// Returns the shell on which the segment is to be split; none: in its middle. Where that would be too near to a node it
-// is split as near as edges are told apart there.
+// Returns the shell on which the segment is split; none: it is split in its middle. If the shell is too near to a node,
+// the segment is split at the least distance from the node at which edges are told apart.
 SegmentSplitter::Shell SegmentSplitter::place_of(int segment) const {
     const auto asked = asked_.find(segment);
     Shell shell = asked != asked_.end() ? asked->second : shell_of(segment);

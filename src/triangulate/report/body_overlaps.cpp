@@ -21,7 +21,7 @@ namespace {
 using mesh::BodyOverlap;
 using Volumes = std::pair<int, int>;  // in ascending order
 
-/// What tells which points are in a solid, and how far from its surface.
+/// The queries of a solid: whether a point is in it, and how far from its surface.
 struct Surface {
     Surface(const mesh::TriangleMesh& mesh, const std::vector<int>& numbers)
         : triangles(taken(mesh, numbers)), winding(mesh.vertices, triangles), tree(mesh.vertices, triangles) {}
@@ -177,9 +177,10 @@ class Overlaps {
         return crossing != nullptr && crossing->count(source_[static_cast<std::size_t>(t)]) > 0;
     }
 
-    // The triangles of a solid that are joined without those that meet the other one; each of these by itself.
+    // The sets of connected triangles of a solid without the triangles that meet the other one; each triangle that does
+    // is a set of its own.
     std::vector<std::vector<int>> parts_of(const Solid& solid, const std::set<int>* crossing, int other) const {
-        std::map<std::int32_t, int> first;  // by vertex: a triangle there, as an index in the list
+        std::map<std::int32_t, int> first;  // by vertex: one of its triangles, as an index in the list
         DisjointSets<int> joined(solid.triangles.size());
         for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
             if (meets(solid.triangles[i], crossing, other)) {
@@ -215,7 +216,7 @@ class Overlaps {
         if (!meeting) {
             return within(solid.box, around.box) && is_inside(solid.triangles, other, 4.0 * work_.grid.resolution());
         }
-        Box common;  // nothing outside of it is in both
+        Box common;  // the intersection of the solids is inside of it
         common.low = solid.box.low.cwiseMax(around.box.low);
         common.high = solid.box.high.cwiseMin(around.box.high);
         if ((common.high - common.low).minCoeff() <= near_) {
@@ -243,7 +244,8 @@ class Overlaps {
         return ((box.low - around.low).array() >= -near_).all() && ((around.high - box.high).array() >= -near_).all();
     }
 
-    // Decided at the middle of the largest triangles that is farther than `beyond` from the surface.
+    // Decided at the middle of the largest one of these triangles whose middle is farther than `beyond` from the
+    // surface.
     bool is_inside(std::vector<int> triangles, int other, double beyond) {
         constexpr std::size_t kTried = 16;
         const std::size_t tried = std::min(kTried, triangles.size());
@@ -267,7 +269,7 @@ class Overlaps {
     const std::vector<FaceContact>& contacts_;
     double near_;                                // mm: by that much bodies that touch may cross
     std::map<int, Solid> solids_;                // by volume
-    std::map<Volumes, BodyContact> worst_;       // those whose triangles cross, and how
+    std::map<Volumes, BodyContact> worst_;       // pairs whose triangles cross, and how they are in contact
     std::map<Volumes, std::set<int>> crossing_;  // triangles of the working mesh
 };
 

@@ -38,10 +38,10 @@ class FaceWidths {
         }
     }
 
-    /// mm: the area by the largest extent; of a sliver about its mean width.
+    /// mm: the area divided by the largest extent, which is about the mean width of a sliver.
     double width(std::size_t face) const { return width_[face]; }
     std::vector<std::size_t> slivers() const {
-        constexpr double kNarrow = 1e-3;  // by the length: a strip of triangles across takes more than two thousand
+        constexpr double kNarrow = 1e-3;  // width / length: with less, a strip takes more than 2000 triangles
         std::vector<std::size_t> found;
         for (std::size_t f = 0; f < width_.size(); ++f) {
             if (width_[f] > 0.0 && width_[f] < kNarrow * length_[f]) {
@@ -50,7 +50,7 @@ class FaceWidths {
         }
         return found;
     }
-    /// For each face whether it is one of these, or shares a vertex with one.
+    /// For each face whether it is one of the slivers, or shares a vertex with one.
     std::vector<char> beside(const std::vector<std::size_t>& slivers) const {
         std::vector<char> is_sliver(width_.size(), 0);
         for (const std::size_t f : slivers) {

@@ -13,16 +13,17 @@
 
 namespace mq::triangulate {
 
-/// Corners of the mesh that the shape does not have: nodes or edges count as one there that the shape tells apart
-/// (geometry::Joined, and edges contracted to a vertex).
+/// Corners of the mesh that the shape does not have, as nodes or edges that are separate in the shape count as one
+/// there (geometry::Joined, and edges contracted to a vertex).
 class JoinedCorners {
   public:
     JoinedCorners(const Workspace& work, const EdgeDiscretisation& chains);
 
-    /// What counts as one at a vertex.
+    /// The entities that count as one at a vertex.
     struct Found {
         geometry::Joined joined;
-        double own;  ///< radians: the smallest corner of the faces there in the shape; half a turn: none has any
+        double
+            own;  ///< radians: the smallest corner in the shape of the faces at the vertex; half a turn: none has one
     };
     /// Returns the entities farthest apart that count as one at a vertex, and the corners of these faces of the
     /// topology; of all faces there, if none are given. No value where nothing is joined.

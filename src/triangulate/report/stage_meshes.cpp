@@ -26,7 +26,7 @@ void StageMeshes::end(const char* stage) {
 }
 
 void StageMeshes::release_memory() const {
-    // Triangles from which the memory is worth a millisecond.
+    // Number of triangles above which the memory is worth a millisecond.
     constexpr int kLarge = 50'000;
     if (mesh_.triangle_count() >= kLarge) {
         release_freed_memory();

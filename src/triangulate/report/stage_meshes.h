@@ -24,7 +24,7 @@ class StageMeshes {
     void end_together(const StageTimes& stages);
 
   private:
-    // Gives back what the allocator keeps of freed memory, where the mesh is large.
+    // Returns freed memory that the allocator keeps to the system, if the mesh is large.
     void release_memory() const;
     void write(const std::string& stage);
 

@@ -23,7 +23,7 @@ using VertexUse = FaceMesh::VertexUse;
 // On a sphere the centre of an equilateral triangle lies r^2 / (6 R) below, the middles of its sides only r^2 / (8 R):
 // the ratio of both.
 constexpr double kCentre = 0.75;
-// All rounds, and those that shape the border: see RoundLimits.
+// Limits of all rounds, and of those that shape the border: see RoundLimits.
 constexpr RoundLimits kLimits{24, 8};
 
 SpacingBounds bounds_of(const TriangulateOptions& options, double chord, double size, double shortest) {

@@ -38,7 +38,7 @@ class FaceCells {
     /// that cannot be halved are omitted.
     std::vector<std::size_t> halve(const std::vector<std::size_t>& cells);
 
-    /// Returns the numbers of the cells that are not outside, neighbouring ones close to each other.
+    /// Returns the numbers of the cells that are not outside; neighbouring cells are close to each other in the list.
     std::vector<std::size_t> all() const;
     /// Returns corner 0 to 3, counter-clockwise in (u, v) from the one with the least parameters.
     const Corner& corner(std::size_t cell, int i) const { return corners_[cells_[cell].corners[i]]; }
@@ -55,7 +55,7 @@ class FaceCells {
   private:
     struct Cell {
         std::array<int, 4> corners;
-        int list;  // index into lists_ for the segments that it meets; -1: none
+        int list;  // index into lists_ of the segments that it meets; -1: none
         bool inside;
         std::uint8_t depth;  // number of halvings that led to it
     };

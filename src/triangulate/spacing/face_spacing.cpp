@@ -13,7 +13,7 @@ namespace mq::triangulate {
 namespace {
 
 bool has_plain_curvature(const char* surface) {
-    // Surfaces whose smallest spacing occurs on their borders.
+    // Surfaces whose smallest spacing always occurs on their borders.
     constexpr std::array<const char*, 5> kPlain{"plane", "cylinder", "sphere", "cone", "torus"};
     return std::find(kPlain.begin(), kPlain.end(), std::string(surface)) != kPlain.end();
 }

@@ -55,7 +55,7 @@ class SampleIndex {
                    static_cast<double>(high[2] - low[2] + 1);
         }
     };
-    // The cells of one size: level k has sides of 2^k.
+    // The cells of one size: cells of level k have sides of 2^k.
     struct Level {
         KeyMap<int> first;  // by cell: the first point of its chain
         KeySet parents;     // cells that contain points of lower levels

@@ -29,7 +29,7 @@ class SpacingField {
 
     /// Adds a point in the shape's coordinates and its spacing, mm.
     void add(const Vec3& point, double spacing) { sources_.push_back({point, spacing}); }
-    /// To be called after the last `add` and before the first `at`; again after further ones. O(n log n).
+    /// To be called after the last `add` and before the first `at`, and again after further additions. O(n log n).
     void build();
     /// Returns the least of `most` and, over all given points, their spacing plus kGrowth times the distance to them,
     /// mm.

@@ -14,7 +14,7 @@ namespace {
 // Marks a half-edge that is neither linked nor bound yet. Never a valid half-edge or ~segment.
 constexpr int kLoose = -0x7fffffff;
 
-// Returns the triangles so that near ones follow soon after each other.
+// Returns the triangles in the order of a Morton curve, so that near triangles are near in the list.
 LargeVector<int> along_morton_curve(const ClassifiedMesh& mesh) {
     Vec3 low = mesh.points().front();
     Vec3 high = low;
@@ -65,7 +65,7 @@ int ClassifiedMesh::add_triangle(const std::array<int, 3>& sites, int face) {
     face_.push_back(face);
     if (stamp_.size() < face_.size()) {
         stamp_.push_back(0);
-    } else {  // the index was used before, and marks of that triangle must not hold for this one
+    } else {  // the index was used before, and marks of its former triangle must not hold for this one
         ++stamp_[face_.size() - 1];
     }
     return triangle_count() - 1;
@@ -185,7 +185,7 @@ NewIndices ClassifiedMesh::order_in_space(int vertices, int sites) {
     move_to_indices(renewed.sites, sites_, {});
     move_to_indices(renewed.vertices, points_, Vec3::Zero());
     move_to_indices(renewed.vertices, entities_, {-1, -1});
-    ++dropped_;  // what is known of triangles by their indices holds no more
+    ++dropped_;  // data that are stored by indices of triangles are no longer valid
     return renewed;
 }
 

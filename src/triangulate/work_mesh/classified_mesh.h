@@ -37,14 +37,14 @@ struct NewIndices {
     LargeVector<int> edges;  ///< by number
 };
 
-/// Moves data to their new indices, of which there are no gaps; `none` is for those that had no data yet.
+/// Moves data to their new indices, which have no gaps; indices without former data get `none`.
 template <typename Values>
 void move_to_indices(const LargeVector<int>& renewed, Values& values, const typename Values::value_type& none) {
     if (values.empty()) {
         return;
     }
     const auto present = [](int index) { return index >= 0; };
-    // A copy: moving along the chains of indices waits for memory at every step.
+    // Data are copied, as moving them along the chains of indices would wait for memory at every step.
     Values moved(static_cast<std::size_t>(std::count_if(renewed.begin(), renewed.end(), present)), none);
     for (std::size_t old = 0; old < std::min(values.size(), renewed.size()); ++old) {
         if (renewed[old] >= 0) {
@@ -54,7 +54,7 @@ void move_to_indices(const LargeVector<int>& renewed, Values& values, const type
     values.swap(moved);
 }
 
-/// The same for data in a map by index, which may have kept those of indices that are no more.
+/// The same for data in a map by index, which may contain indices that no longer exist.
 template <typename Value>
 void move_to_indices(const LargeVector<int>& renewed, std::map<int, Value>& values) {
     std::map<int, Value> moved;
@@ -114,7 +114,7 @@ class ClassifiedMesh {
     void bind(int half_edge, int segment, int use);
 
     int triangle_count() const { return static_cast<int>(face_.size()); }
-    /// Without the indices that `replace` left unused.
+    /// Number of triangles without the indices that `replace` left unused.
     int used_triangle_count() const { return triangle_count() - gone_; }
     int half_edge_count() const { return static_cast<int>(corner_.size()); }
     int vertex_count() const { return static_cast<int>(points_.size()); }
@@ -246,7 +246,7 @@ class ClassifiedMesh {
     LargeVector<int> face_;
     LargeVector<std::uint32_t> stamp_;  // also for indices that were dropped from the end
     int numbers_ = 0;
-    std::int64_t dropped_ = 0;  // numbers that renumber_edges has dropped
+    std::int64_t dropped_ = 0;  // count of the numbers that renumber_edges has dropped
     int gone_ = 0;              // number of unused indices
 };
 

@@ -11,8 +11,8 @@ namespace mq::triangulate {
 namespace {
 
 struct Departure {
-    Vec3 way = Vec3::Zero();  // in which a segment's edge leaves a vertex; zero if it has none
-    double gap = 0.0;         // angle in which its chord sees the distance of the edge's end from the vertex, radians
+    Vec3 way = Vec3::Zero();  // direction in which a segment's edge leaves a vertex; zero if it has none
+    double gap = 0.0;         // radians: angle at the chord's far end that the vertex and the end of the curve subtend
 };
 
 Departure departure(const Workspace& work, int segment, int vertex) {

@@ -7,7 +7,8 @@
 
 namespace mq::triangulate {
 
-/// Largest ratio of the angle between two CAD edges to that between their chords for which both count as equal. Tuned
+/// Largest ratio of the angle between two CAD edges to the angle between their chords for which both angles count as
+/// equal.
 /// on the corpus.
 constexpr double kNarrowed = 1.08;
 

@@ -14,7 +14,7 @@ namespace mq::triangulate {
 /// Marks on triangles that hold until the triangle changes.
 class TriangleMarks {
   public:
-    /// Makes marks for all triangles, so that several threads may mark different ones.
+    /// Makes room for the marks of all triangles, so that several threads may mark different ones.
     void cover(const ClassifiedMesh& mesh) {
         marks_.resize(std::max(marks_.size(), static_cast<std::size_t>(mesh.triangle_count())), 0);
     }

@@ -22,7 +22,7 @@ class MaxMinSwaps {
   public:
     /// Enters the edges that the mesh has into the table of joined pairs.
     explicit MaxMinSwaps(ClassifiedMesh& mesh);
-    /// Enters them again, once the mesh has been assigned another one.
+    /// Enters all pairs of joined vertices again, after the mesh was replaced.
     void rebuild();
 
     /// Swaps until no edge of the whole mesh violates the predicate, except those beside the `settled` triangles.

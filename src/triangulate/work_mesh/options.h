@@ -41,7 +41,7 @@ struct TriangulateOptions {
     double chord_height = 0.0;           ///< mm; 0: no bound
     double chord_height_relative = 0.0;  ///< fraction of the shape's largest dimension; 0: no bound
     double max_edge = 0.0;               ///< mm; 0: no bound
-    /// mm; no edge is split into shorter ones, except to separate crossing triangles; 0: no bound.
+    /// mm: no edge is split into edges shorter than this, except to separate crossing triangles; 0: no bound.
     double min_edge = 0.0;
     std::vector<LocalSize> local_sizes;  ///< shorter edges on single entities
     double edges_per_circle = 0.0;  ///< edges in a turn of 360 degrees of any curve or surface; at least 3; 0: no bound

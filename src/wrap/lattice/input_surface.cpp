@@ -52,7 +52,8 @@ FirstMeeting InputSurface::first_meeting(const Vec3& from, const Vec3& to) const
         const Vec3& a = point(*this, corners, 0);
         const Vec3 cross = (point(*this, corners, 1) - a).cross(point(*this, corners, 2) - a);
         const double ahead = cross.dot(to - from);
-        // In the triangle's plane: there is no one place, the middle stands for it.
+        // The segment lies in the triangle's plane, so that it meets the triangle in no single point; the middle is
+        // returned.
         const double share = ahead != 0.0 ? std::clamp(cross.dot(a - from) / ahead, 0.0, 1.0) : 0.5;
         if (share < first.share || (share == first.share && t < first.triangle)) {
             first = {share, t};

@@ -10,24 +10,24 @@
 
 namespace mq::wrap {
 
-/// Where a segment first meets a surface.
+/// The point in which a segment first meets a surface.
 struct FirstMeeting {
-    double share = 2.0;  ///< fraction of the way from its start; above 1: it does not
+    double share = 2.0;  ///< fraction of the segment from its start; above 1: it meets nothing
     std::int32_t triangle = -1;
 };
 
-/// The triangles that are wrapped, in any order and orientation, and the questions that the wrap asks. Triangles are
-/// closed sets: a segment that touches an edge or a vertex meets them, so that none passes between neighbours. Decided
-/// exactly.
+/// The triangles to be wrapped, in any order and orientation, and the queries that the wrap makes. Triangles are closed
+/// sets: a segment that touches an edge or a vertex meets them, so that none passes between neighbours. Queries are
+/// exact.
 class InputSurface {
   public:
-    /// Both lists must outlive it.
+    /// Both lists must outlive this object.
     InputSurface(const std::vector<Vec3>& its_points, const std::vector<mesh::Triangle>& its_triangles)
         : points(its_points), triangles(its_triangles), tree(its_points, its_triangles) {}
 
     bool meets(const Vec3& from, const Vec3& to) const;
     FirstMeeting first_meeting(const Vec3& from, const Vec3& to) const;
-    /// Normal of length 1; zero for a triangle without area.
+    /// The normal of length 1; zero for a triangle without area.
     Vec3 normal(std::int32_t triangle) const;
 
     const std::vector<Vec3>& points;

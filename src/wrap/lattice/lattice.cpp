@@ -6,7 +6,8 @@
 namespace mq::wrap {
 
 Lattice::Lattice(const Box& box, double margin, double side) : side_(side) {
-    // Models lie along the axes and at round numbers: these shares keep nodes off their planes.
+    // Models lie along the axes and at round numbers: a shift by these fractions of a side keeps nodes off their
+    // planes.
     const Vec3 shift(0.3819660, 0.2763932, 0.4472136);
     origin_ = box.low - Vec3::Constant(margin) - side * shift;
     const double across = 0.5 * side * kAcross;

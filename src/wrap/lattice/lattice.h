@@ -14,30 +14,30 @@ namespace mq::wrap {
 /// A node of the lattice: three even or three odd numbers, in half sides of its cubes.
 using Node = std::array<std::int32_t, 3>;
 
-/// The body-centred cubic lattice: the corners and the centres of cubes. Its Delaunay tetrahedra are all congruent,
-/// with two edges as long as a cube's side and four of sqrt(3)/2 of it (Labelle and Shewchuk 2007, Isosurface Stuffing,
-/// section 3.1).
+/// The body-centred cubic lattice: the corners and the centres of cubes. All its Delaunay tetrahedra are congruent,
+/// with two edges as long as a cube's side and four edges of sqrt(3)/2 of the side (Labelle and Shewchuk 2007,
+/// Isosurface Stuffing, section 3.1).
 ///
-/// Nodes are kept by blocks of 4 x 4 x 4 cubes.
+/// Nodes are stored in blocks of 4 x 4 x 4 cubes.
 class Lattice {
   public:
     static constexpr int kBlockNodes = 128;     ///< nodes of a block
     static constexpr std::int32_t kAcross = 8;  ///< half sides along a block
 
-    /// @param box  what the lattice covers, with a margin beside it
-    /// @param side  of a cube, mm: the longest edge of a tetrahedron
+    /// @param box  the box that the lattice covers, with a margin around it
+    /// @param side  mm, of a cube: the longest edge of a tetrahedron
     Lattice(const Box& box, double margin, double side);
 
     double side() const { return side_; }
     Vec3 at(const Node& node) const { return origin_ + 0.5 * side_ * Vec3(node[0], node[1], node[2]); }
-    /// Blocks along each axis.
+    /// Number of blocks along each axis.
     const std::array<std::int32_t, 3>& blocks() const { return blocks_; }
     std::size_t block_count() const {
         return static_cast<std::size_t>(blocks_[0]) * static_cast<std::size_t>(blocks_[1]) *
                static_cast<std::size_t>(blocks_[2]);
     }
     bool contains(const Node& node) const;
-    /// The block of a node, and its place there.
+    /// The block of a node, and its index in the block.
     std::size_t block_of(const Node& node) const {
         return block_index({node[0] / kAcross, node[1] / kAcross, node[2] / kAcross});
     }
@@ -52,18 +52,18 @@ class Lattice {
         const int odd = node[0] & 1;
         return odd * 64 + ((node[0] & 7) >> 1) * 16 + ((node[1] & 7) >> 1) * 4 + ((node[2] & 7) >> 1);
     }
-    /// The node at a place of a block.
+    /// The node with an index in a block.
     static Node node_at(const std::array<std::int32_t, 3>& block, int place);
-    /// Half sides along each axis for which keys are unique.
+    /// Most half sides along each axis for which keys are unique.
     static constexpr std::int32_t kMostAcross = 1 << 20;
     bool has_keys() const { return kAcross * std::max({blocks_[0], blocks_[1], blocks_[2]}) <= kMostAcross; }
-    /// The number of a node, ascending along the axes; see has_keys.
+    /// A number for a node, ascending along the axes; see has_keys.
     static std::uint64_t key(const Node& node) {
         return (static_cast<std::uint64_t>(node[0]) << 40) | (static_cast<std::uint64_t>(node[1]) << 20) |
                static_cast<std::uint64_t>(node[2]);
     }
 
-    /// The 14 steps along edges to neighbours; that of k + 7 is opposite to that of k.
+    /// The 14 steps along edges to neighbours; step k + 7 is opposite to step k.
     static const std::array<Node, 14>& steps();
     /// Length of the edge of a step, mm.
     double length_of_step(int k) const { return k % 7 < 3 ? side_ : kDiagonal * side_; }

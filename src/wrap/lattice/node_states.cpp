@@ -33,7 +33,7 @@ NodeStates::NodeStates(const Lattice& lattice, const InputSurface& surface, doub
     for_chunks(static_cast<int>(blocks_.size()), [&](int k) {
         progress.check();
         classify(static_cast<std::size_t>(k));
-        // Barring edges takes about as long.
+        // Finding the barred edges takes about as long as this.
         progress.advance(0.5 * ++done / static_cast<double>(blocks_.size()));
     });
     for_chunks(static_cast<int>(blocks_.size()), [&](int k) {
@@ -92,7 +92,7 @@ void NodeStates::find_blocks_in(const std::array<std::int32_t, 3>& low, std::int
     const double half = 0.25 * lattice_.side() * Lattice::kAcross * across;
     const Vec3 centre = lattice_.at({Lattice::kAcross * low[0], Lattice::kAcross * low[1], Lattice::kAcross * low[2]}) +
                         Vec3::Constant(half);
-    // A node that is not free is kept with all of its neighbours.
+    // If a node is not free, the blocks of all of its neighbours are stored as well.
     const double reach = radius_ + lattice_.side() + std::sqrt(3.0) * half;
     const std::int32_t near = surface_.tree.any_within(centre, reach, guess);
     if (near < 0) {

@@ -5,20 +5,20 @@
 
 namespace mq::wrap {
 
-/// The constants of wrapping, chosen on boxes and a few parts; what each does at half and at double its value was not
-/// measured.
+/// The constants of wrapping, chosen on boxes and a few models. Their sensitivity was not measured.
 struct WrapTuning {
-    /// Rounds in which what closes gaps is smoothed.
+    /// Rounds of smoothing of the triangles that close gaps.
     MESHQUALITY_TUNED(int, kSmoothing, 20);
-    /// Nodes move as long as the tetrahedra keep this fraction of their volumes.
+    /// Nodes move only if each tetrahedron keeps this fraction of its volume.
     MESHQUALITY_TUNED(double, kFlatCell, 0.1);
-    /// The simplified surface keeps within this fraction of the spacing of the planes of the contour.
+    /// Largest distance of the simplified surface from the planes of the contour, in spacings.
     MESHQUALITY_TUNED(double, kSimplification, 0.1);
-    /// Borders between its patches keep within this of those of the contour.
+    /// Largest distance of borders between patches of the simplified surface from those of the contour, in spacings.
     MESHQUALITY_TUNED(double, kBorder, 0.4);
-    /// Its edges are not longer than this, in spacings: what is to be asked of triangles near by would grow.
+    /// Longest edge of the simplified surface, in spacings: with longer ones the tests of nearby triangles would take
+    /// more time.
     MESHQUALITY_TUNED(double, kLongest, 10.0);
-    /// Side of the blocks that are simplified at once, in spacings: far more than triangles are long at first.
+    /// Side of the blocks that are simplified in parallel, in spacings: far longer than the edges of the contour.
     MESHQUALITY_TUNED(double, kBlock, 24.0);
 };
 

@@ -33,26 +33,26 @@ Node nearest_node(const Lattice& lattice, const Vec3& p) {
     return best;
 }
 
-/// A search among the places of the ball's centre, from the dry place until it is beside the input.
+/// A search over the places of the ball's centre, from the dry place to a node beside the input's box.
 class Search {
   public:
     Search(const NodeStates& states, const Progress& progress)
         : states_(states), lattice_(states.lattice()), box_(states.surface().tree.box()), pace_(progress) {}
 
-    /// The widest narrowest place of all ways: the least distance from the input on them, mm.
+    /// Over all paths the largest of their smallest distances from the input, mm.
     double widest(const Node& start) {
         return run(start, -std::numeric_limits<double>::infinity(), [this](const Node& node, double so_far, double) {
             return std::max(so_far, -states_.surface().tree.nearest(lattice_.at(node)).distance);
         });
     }
-    /// The shortest way with at least that distance.
+    /// The shortest path on which the distance from the input is at least `distance`.
     void shortest(const Node& start, double distance) {
         run(start, 0.0, [this, distance](const Node& node, double so_far, double step) {
             const double own = states_.surface().tree.nearest(lattice_.at(node)).distance;
             return own < distance ? std::numeric_limits<double>::infinity() : so_far + step;
         });
     }
-    /// The nodes of the way found last, from the start.
+    /// The nodes of the last path, from its start.
     std::vector<Node> way() const {
         std::vector<Node> nodes;
         for (Node node = end_;; node = from_.at(Lattice::key(node))) {
@@ -73,9 +73,8 @@ class Search {
         bool operator<(const Entry& o) const { return std::tie(o.cost, o.node, o.from) < std::tie(cost, node, from); }
     };
 
-    /// Dijkstra's algorithm; cost(node, cost before, length of the step) does not fall along a way, and is `before` at
-    /// its start. Returns the cost of
-    /// the way's end, negative where it is a distance.
+    /// Dijkstra's algorithm. cost(node, cost before, length of the step) must not fall along a path; at its start it is
+    /// `before`. @return the cost of the path's end, negative for distances.
     template <typename Cost>
     double run(const Node& start, double before, const Cost& cost) {
         from_.clear();
@@ -122,7 +121,7 @@ std::optional<Leak> find_leak(const NodeStates& states, const Vec3& dry, const P
         return std::nullopt;
     }
     if (const NodeState* state = states.find(start)) {
-        // A node in a pocket has no ball, and is beside the ball itself.
+        // A node in a pocket has no ball: the search starts at the centre of the ball beside it.
         start = start + Node{state->to_ball[0], state->to_ball[1], state->to_ball[2]};
     }
     if (!states.is_free(start)) {

@@ -9,7 +9,7 @@
 
 namespace mq::wrap {
 
-/// A way from outside to a place that is to stay dry.
+/// A path from outside to a place that is to stay dry.
 struct Leak {
     Vec3 dry = Vec3::Zero();
     std::vector<Vec3> path;  ///< from the dry place to beside the box of the input
@@ -18,7 +18,8 @@ struct Leak {
         0.0;  ///< diameter of the largest ball that passes there, mm, up to a spacing: a larger gap closes it
 };
 
-/// The way that the ball takes to a place, where it does: the shortest one of those whose narrowest place is widest.
+/// The path on which the ball reaches a place: the shortest one of those with the widest narrowest place. Nothing if
+/// the ball does not reach it.
 /// @throws Cancelled
 std::optional<Leak> find_leak(const NodeStates& states, const Vec3& dry, const Progress& progress);
 

@@ -19,7 +19,7 @@ struct Farthest {
     Vec3 where = Vec3::Zero();
 };
 
-/// visit(point) for points of a triangle that are at most `spacing` apart along its sides.
+/// Calls visit(point) for points of a triangle that are at most `spacing` apart along its sides.
 template <typename Visit>
 void for_each_sample(const std::array<Vec3, 3>& c, double spacing, const Visit& visit) {
     const double longest = std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
@@ -31,8 +31,8 @@ void for_each_sample(const std::array<Vec3, 3>& c, double spacing, const Visit& 
     }
 }
 
-/// The farthest of all samples of some triangles: measure(point, bound) gives the distance of those that count, where
-/// it is above the bound, else 0. It covers half of the stage's progress.
+/// The farthest of all samples of some triangles: measure(point, bound) returns the distance of a sample if it is above
+/// the bound, else 0. Advances the stage by half.
 template <typename Counts, typename Measure>
 Farthest farthest_of(const std::vector<Vec3>& points, const std::vector<mesh::Triangle>& triangles, double spacing,
                      const Counts& counts, const Measure& measure, Progress& progress, double from) {
@@ -70,7 +70,7 @@ WrapDistance wrap_distance(const mesh::TriangleMesh& wrap, const std::vector<std
         wrap.vertices, wrap.triangles, spacing, [&](std::size_t t) { return source[t] >= 0; },
         [&](const Vec3& p, double) { return input.tree.nearest(p).distance; }, progress, 0.0);
     const mesh::NearestTree tree(wrap.vertices, wrap.triangles);
-    // Any direction does: which triangles the ray crosses is decided exactly.
+    // The direction is arbitrary: which triangles the ray crosses is decided exactly.
     const Vec3 direction = Vec3(0.48, 0.6, 0.64);
     const Farthest from_input = farthest_of(
         input.points, input.triangles, spacing, [](std::size_t) { return true; },

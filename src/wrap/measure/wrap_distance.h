@@ -10,17 +10,17 @@
 
 namespace mq::wrap {
 
-/// How far a wrap and what it wraps are from each other, mm, at samples of both that are at most a spacing apart.
+/// Distances between a wrap and its input, mm, at samples of both that are at most a spacing apart.
 struct WrapDistance {
-    /// The wrap's from the input, but for triangles that close gaps.
+    /// Largest distance of the wrap from the input, without the triangles that close gaps.
     double to_input = 0.0;
     Vec3 to_input_where = Vec3::Zero();
-    /// That of points of the input that stick out of the wrap from it. What is inside of it may be at any depth.
+    /// Largest distance from the wrap of points of the input that are outside of it. Points inside may be at any depth.
     double from_input = 0.0;
     Vec3 from_input_where = Vec3::Zero();
 };
 
-/// @param source  of each triangle of the wrap: -1 where it closes a gap
+/// @param source  of each triangle of the wrap; -1: it closes a gap
 /// @throws Cancelled
 WrapDistance wrap_distance(const mesh::TriangleMesh& wrap, const std::vector<std::int32_t>& source,
                            const InputSurface& input, double spacing, Progress& progress);

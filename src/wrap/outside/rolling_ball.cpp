@@ -17,7 +17,7 @@ namespace mq::wrap {
 
 namespace {
 
-/// Where the ball's centre can go from the corner of the lattice.
+/// Finds the places that the ball's centre can reach from the corner of the lattice.
 class Flood {
   public:
     Flood(NodeStates& states, Progress& progress) : states_(states), lattice_(states.lattice()), pace_(progress) {}
@@ -74,9 +74,9 @@ class Flood {
     std::vector<Node> nodes_;
 };
 
-/// The nodes in the empty balls around the centres. A centre is farther from the input than the radius, and all of what
-/// is nearer to it than the input is empty: that much is covered, so that no node beside the input is missed for the
-/// distance between centres.
+/// Finds the nodes in the empty balls around the centres. The distance of a centre from the input is larger than the
+/// radius, and the ball of that distance around it is empty: that whole ball is covered, so that the distance between
+/// centres makes no node beside the input be missed.
 class RollingBall {
   public:
     RollingBall(NodeStates& states, Progress& progress)
@@ -114,7 +114,7 @@ class RollingBall {
         double radius;
     };
     struct Reached {
-        double height;  ///< above the ball's surface, mm: at most 0
+        double height;  ///< mm: height above the ball's surface, at most 0
         Node node;
         Ball ball;
         bool operator<(const Reached& o) const {
@@ -134,7 +134,7 @@ class RollingBall {
                 return;
             }
             const double height = (lattice_.at(other) - lattice_.at(ball.centre)).norm() - ball.radius;
-            // The lowest of those in the queue reaches the node.
+            // Among the balls in the queue that reach a node, the one with the least height takes it.
             float& lowest = lowest_[states_.index_of(other)];
             if (height <= lowest) {
                 lowest = std::nextafter(static_cast<float>(height), 1.0F);
@@ -148,11 +148,11 @@ class RollingBall {
     Progress& progress_;
     CancelPace pace_;
     std::priority_queue<Reached> queue_;
-    /// By node, the least height of those that were put into the queue, or a little more.
+    /// By node, the least height of the entries that were put into the queue, or slightly more.
     std::vector<float> lowest_;
 };
 
-/// What lies behind the nodes that the ball covers, as shortest ways from there.
+/// Finds what lies behind the nodes that the ball covers, by shortest paths from these.
 class Pockets {
   public:
     Pockets(NodeStates& states, double depth, Progress& progress)
@@ -180,8 +180,9 @@ class Pockets {
     struct Way {
         double length;
         Node node;
-        std::size_t from;  ///< the way that it goes on from
-        bool gap = false;  ///< it goes on for longer than the depth, or leads from one that does
+        std::size_t from;  ///< the path that this one continues
+        bool gap =
+            false;  ///< whether it, or one it continues, is longer than the pocket depth: its end belongs to a gap
         bool operator<(const Way& o) const { return std::tie(o.length, o.node, o.from) < std::tie(length, node, from); }
     };
 
@@ -195,7 +196,7 @@ class Pockets {
             }
         });
     }
-    /// The ways, by length.
+    /// Finds the paths in the order of their lengths.
     void find_ways() {
         while (!queue_.empty()) {
             pace_.step();
@@ -207,7 +208,7 @@ class Pockets {
             }
         }
     }
-    /// Marks the ways along which something is deeper than the depth.
+    /// Marks the paths that lead to nodes deeper than the pocket depth.
     void find_gaps() {
         for (std::size_t k = ways_.size(); k-- > 0;) {
             Way& way = ways_[k];

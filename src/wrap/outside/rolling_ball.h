@@ -6,16 +6,16 @@
 
 namespace mq::wrap {
 
-/// Marks the nodes outside: those that a ball which rolls in from far away covers, and pockets behind it.
+/// Marks the nodes outside: the nodes covered by a ball that rolls in from far away, and pockets behind these nodes.
 ///
-/// The ball's centre moves along edges between free nodes. Their ends are at least its radius from the input, and an
-/// edge is no longer than a side, so all of its points are at least radius - side / 2 away: no centre passes an opening
-/// narrower than twice that. Covered are the empty balls around these centres. This is the morphological closing of the
-/// input by a ball, but for what is between the centres.
+/// The ball's centre moves along edges between free nodes. Their ends are at least its radius from the input, and no
+/// edge is longer than a side, so all points of an edge are at least radius - side / 2 away: no centre passes an
+/// opening narrower than twice that. The empty balls around these centres are covered. This is the morphological
+/// closing of the input by a ball, up to the distances between the centres.
 ///
-/// What is left behind them is a pocket where no way into it is longer than `pocket`, as beside a face and in a concave
-/// edge; it is outside, too. What goes on deeper is a gap, and stays closed.
-/// @param pocket  depth, mm
+/// An uncovered region is a pocket if no path into it is longer than `pocket`, as beside a face and in a concave edge;
+/// it is outside, too. A deeper region is a gap, and stays closed.
+/// @param pocket  mm: largest depth of a pocket
 /// @throws Cancelled
 void mark_outside(NodeStates& states, double pocket, Progress& progress);
 

@@ -18,10 +18,10 @@ double volume(const std::array<Vec3, 4>& c) {
     return (c[1] - c[0]).cross(c[2] - c[0]).dot(c[3] - c[0]) / 6.0;
 }
 
-/// A place in material on an edge between two nodes outside.
+/// The middle of the material on an edge between two nodes outside.
 struct Middle {
     Vec3 place = Vec3::Zero();
-    double width = -1.0;  ///< width of the material along the edge, mm; below 0: there is none
+    double width = -1.0;  ///< mm: width of the material along the edge; negative: there is no material
 };
 
 class ThinMaterial {
@@ -37,7 +37,7 @@ class ThinMaterial {
     }
 
   private:
-    /// Moves a node into the material on one of its edges, the widest first, where that is possible.
+    /// Moves a node into the material on one of its edges, the widest first, if that is possible.
     void move_into_widest(const Node& node) {
         std::vector<Middle> middles;
         for_each_neighbour(lattice_, node, [&](const Node& other, int step) {
@@ -53,7 +53,7 @@ class ThinMaterial {
             }
         }
     }
-    /// Whether the node could move; else it is where it was.
+    /// Moves a node if that is allowed. @return whether it was moved; else it is at its former place.
     bool try_to_move(const Node& node, const Vec3& place) {
         states_.move(node, place);
         if (keeps_cells(node)) {
@@ -70,7 +70,7 @@ class ThinMaterial {
         return false;
     }
 
-    /// The middle of the material that an edge enters first, where it is nearer to the start than to the end.
+    /// The middle of the material that an edge enters first, if it is nearer to the start than to the end.
     Middle middle_between(const Vec3& from, const Vec3& to) const {
         const FirstMeeting first = states_.surface().first_meeting(from, to);
         const FirstMeeting last = states_.surface().first_meeting(to, from);

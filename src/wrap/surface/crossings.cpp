@@ -19,11 +19,11 @@ using contour::Crossing;
 
 namespace {
 
-/// Where a gap is closed there is no surface to be kept: a crossing is at least this fraction of its edge from both
-/// ends.
+/// Least distance of a crossing that closes a gap from both ends of its edge, as a fraction of the edge: the input has
+/// no surface there that would have to be kept.
 constexpr double kGapEnds = 0.05;
 
-/// An edge of the lattice between a node outside and one that is not.
+/// An edge of the lattice between a node outside and a node that is not outside.
 struct Edge {
     Node outer;
     Node inner;
@@ -37,7 +37,7 @@ std::uint64_t edge_key(const Edge& edge) {
            static_cast<std::uint64_t>(sum[2]);
 }
 
-/// Finds the cells of blocks one after the other, and numbers the edges that they share.
+/// Finds the cells of one block after another, and numbers the edges that they share.
 class CellSearch {
   public:
     explicit CellSearch(const NodeStates& states) : states_(states) {}
@@ -87,7 +87,7 @@ class CellSearch {
     KeyMap<std::int32_t> numbers_;
 };
 
-/// How far from `from` towards `to`, as a share of the way, the distance from the input falls to `distance`.
+/// The fraction of the segment from `from` to `to` at which the distance from the input falls to `distance`.
 double share_to_distance(const InputSurface& surface, const Vec3& from, const Vec3& to, double distance) {
     constexpr double kFine = 1e-3;  // a fraction of the distance
     const double length = (to - from).norm();
@@ -141,7 +141,7 @@ Crossing at_input(const InputSurface& surface, const Vec3& outer, const Vec3& in
     return result;
 }
 
-/// Where the edge leaves the ball that covers its outer end; in a pocket its middle.
+/// The point in which the edge leaves the ball that covers its outer end; the middle of the edge in a pocket.
 Crossing at_gap(const NodeStates& states, const Edge& edge) {
     const Lattice& lattice = states.lattice();
     const Vec3 outer = lattice.at(edge.outer);
@@ -177,8 +177,8 @@ Crossing crossing_of(const NodeStates& states, const Edge& edge) {
     return at_gap(states, edge);
 }
 
-/// Moves where gaps are closed along their edges towards the middle of what is beside them. A crossing may be anywhere
-/// on its edge, so the surface stays as sound as it is.
+/// Moves the crossings that close gaps along their edges towards the middle of their neighbours. A crossing may be
+/// anywhere on its edge, so the surface stays sound.
 void smooth_gaps(CrossedCells& cells, const std::vector<Edge>& edges, const Lattice& lattice, Progress& progress) {
     std::vector<Vec3> sums(cells.crossings.size());
     std::vector<int> counts(cells.crossings.size());

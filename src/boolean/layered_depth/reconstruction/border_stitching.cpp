@@ -55,10 +55,10 @@ class Stitcher {
     const SampleGrid& grid_;
     RetainedSurface& surface_;
     StitchCounts& counts_;
-    std::vector<std::int32_t> vertex_;       // vertex of each leaf
+    std::vector<std::int32_t> vertex_;       // by leaf: its vertex
     std::vector<EdgeSplit> splits_;          // sorted by edge, then by parameter
     std::vector<std::int32_t> first_split_;  // first entry in splits_ of each border edge, and the end
-    std::vector<std::int32_t> fan_of_;       // index in fans_ of each point, -1 off the border
+    std::vector<std::int32_t> fan_of_;       // by point: its index in fans_; -1 off the border
     std::vector<std::vector<std::int32_t>> fans_;
     std::vector<std::int32_t> around_keep_, around_gone_;
 };
@@ -66,7 +66,7 @@ class Stitcher {
 double Stitcher::nearest_parameter(const CellEdge& edge, const Vec3& target) const {
     const Vec3 a = point_on(edge.edge, 0.0), d = point_on(edge.edge, 1.0) - a;
     const double at = (grid_.to_space(target) - a).dot(d) / d.squaredNorm();
-    // The split stays off the wall of the cell, where the neighbour may split the edge too.
+    // Keeps the split away from the wall of the cell, as the neighbour may split the edge, too.
     const double inset = 0.05 * (edge.to - edge.from);
     return std::clamp(at, edge.from + inset, edge.to - inset);
 }
@@ -135,7 +135,7 @@ void Stitcher::apply_splits() {
     }
 }
 
-/// Cuts a triangle into a fan for each of its split edges in turn.
+/// Divides a triangle at its split edges: for each of these edges in turn into a fan.
 void Stitcher::split_triangle(std::int32_t triangle, const std::vector<std::int32_t>& edges) {
     std::vector<std::int32_t> pieces{triangle};
     surface_.source[triangle] = -1;
@@ -187,7 +187,8 @@ void Stitcher::build_fans() {
     }
 }
 
-/// The other ends of the directed edges that leave `point` (+x) or come to it (-1 - x), of triangles without `except`.
+/// The other ends of the directed edges of triangles without `except`: x for an edge from `point` to x, -1 - x for one
+/// from x.
 void Stitcher::directed_edges(std::int32_t point, std::int32_t except, std::vector<std::int32_t>& out) {
     out.clear();
     for (const std::int32_t k : fan(point)) {
@@ -202,8 +203,8 @@ void Stitcher::directed_edges(std::int32_t point, std::int32_t except, std::vect
     std::sort(out.begin(), out.end());
 }
 
-/// Whether a triangle around a vertex would lose its area if the vertex moved onto another one; those that have both
-/// vanish.
+/// Whether a triangle around vertex `gone` would lose its area if `gone` moved onto `keep`. Triangles with both
+/// vertices vanish and do not count.
 bool Stitcher::would_flatten(std::int32_t keep, std::int32_t gone) {
     const std::vector<std::int32_t>& around = fan(gone);
     return std::any_of(around.begin(), around.end(), [&](std::int32_t k) {
@@ -216,8 +217,8 @@ bool Stitcher::would_flatten(std::int32_t keep, std::int32_t gone) {
     });
 }
 
-/// Merges two border vertices; the triangles that have both vanish. Refused where two triangles would run an edge in
-/// the same direction, or where one would lose its area.
+/// Merges two border vertices; triangles that have both vanish. Refused if two triangles would have the same directed
+/// edge, or if a triangle would lose its area.
 bool Stitcher::collapse(std::int32_t keep, std::int32_t gone) {
     directed_edges(keep, gone, around_keep_);
     directed_edges(gone, keep, around_gone_);
@@ -248,7 +249,7 @@ bool Stitcher::collapse(std::int32_t keep, std::int32_t gone) {
     return true;
 }
 
-/// Moves a border vertex; false when a triangle around it would turn over or vanish.
+/// Moves a border vertex. False if a triangle around it would turn over or vanish.
 bool Stitcher::move(std::int32_t point, const Vec3& to) {
     for (const std::int32_t k : fan(point)) {
         std::array<Vec3, 3> now, then;

@@ -63,7 +63,7 @@ class Contourer {
     ContouredSurface result_;
 };
 
-/// A new triangle's edge may meet a retained one only between two border vertices.
+/// Records the border edges: an edge of a new triangle may be an edge of a retained one only between border vertices.
 void Contourer::note_border() {
     for (const mesh::Triangle& t : surface_.triangles) {
         for (int i = 0; i < 3; ++i) {
@@ -103,8 +103,8 @@ void Contourer::add_triangle(const mesh::Triangle& t) {
     result_.triangles.push_back(t);
 }
 
-/// Whether a quadrilateral is cut from corner 0 to 2 rather than from 1 to 3: where the worse of the two triangles has
-/// more area as seen along the sample's normal, and never along an edge that is in use.
+/// Whether a quadrilateral is divided along the diagonal from corner 0 to 2 rather than from 1 to 3. The diagonal is
+/// chosen whose worse triangle has more area in projection along the sample's normal; never an edge in use.
 bool Contourer::first_diagonal(const std::array<std::int32_t, 4>& c, const Vec3& normal) const {
     const auto used = [&](int i, int j) { return result_.edges.has(c[i], c[j]) || result_.edges.has(c[j], c[i]); };
     const bool used_first = used(0, 2), used_second = used(1, 3);
@@ -130,7 +130,7 @@ void Contourer::add_polygon(const std::array<std::int32_t, 4>& corners, int coun
     }
 }
 
-/// The face that a sample stands for; none where another sample has it, or where no surface is.
+/// The face that a sample stands for; none if another sample stands for it, or if the surface does not pass there.
 std::optional<SheetFace> Contourer::find_face(int axis, std::size_t ray, std::uint32_t sample) const {
     const CombinedDepth& direction = combined_[axis];
     const int u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
@@ -153,14 +153,14 @@ std::optional<SheetFace> Contourer::find_face(int axis, std::size_t ray, std::ui
         size = std::min<int>(size, tree_.leaves[leaves[k]].size);
     }
     if (at[u_axis] % size != 0 || at[v_axis] % size != 0) {
-        return std::nullopt;  // within a cell or a face
+        return std::nullopt;  // inside of a cell or of a face
     }
     std::array<int, 3> low = at, high = at;
     low[axis] = at[axis] / size * size;
     high[axis] = low[axis] + size;
     for (std::uint32_t i = sample; i > direction.begin[ray] && interval(direction.depth[i - 1]) >= low[axis]; --i) {
         if (reconstructed(direction, i - 1)) {
-            return std::nullopt;  // that sample has the face
+            return std::nullopt;  // the other sample stands for the face
         }
     }
     const bool leaves_solid = inside(low);
@@ -171,7 +171,7 @@ std::optional<SheetFace> Contourer::find_face(int axis, std::size_t ray, std::ui
     for (int k = 0; k < 4; ++k) {
         const int around = leaves_solid ? k : 3 - k;
         const Leaf& leaf = tree_.leaves[leaves[around]];
-        // A cell below on an axis has the ray on its upper side.
+        // A cell on the lower side on an axis has the ray on its upper side.
         const int edge = 4 * axis - kAround[around][0] - 2 * kAround[around][1];
         face.sheets[k] = leaf.first_sheet + (leaf.size > 1 ? 0 : leaf.sheet_of_edge[edge]);
     }

@@ -9,18 +9,18 @@ namespace mq::boolean {
 /// The surface under construction: points, and triangles with their source (-1: reconstructed).
 struct ContouredSurface {
     std::vector<mesh::Triangle> triangles;
-    std::vector<std::int32_t> vertices;  ///< those of the octree's sheets; -1 where no face needs one
-    EdgeSet edges;            ///< edges of `triangles`, and those between border vertices of the retained surface
+    std::vector<std::int32_t> vertices;  ///< by sheet of the octree: its vertex; -1: no face needs one
+    EdgeSet edges;            ///< edges of `triangles`, and edges between border vertices of the retained surface
     std::size_t refused = 0;  ///< triangles not made because an edge would have had a third
 };
 
-/// Contours the octree's leaves with IR-samples (Wang 2010, section III-B): one vertex a sheet, one face for each
-/// sign-changing minimal edge with an IR-sample.
+/// Contours the octree's leaves with IR-samples (Wang 2010, section III-B): one vertex for each sheet, one face for
+/// each sign-changing minimal edge with an IR-sample.
 ///
-/// All cells around such an edge hold that sample, so they are reconstructed-interior or boundary cells (Remark 1). An
-/// edge with a retained sample gets no face even where all its cells are boundary cells: the retained surface passes
+/// All cells around such an edge contain that sample, so they are reconstructed-interior or boundary cells (Remark 1).
+/// An edge with a retained sample gets no face even if all its cells are boundary cells: the retained surface passes
 /// there. Vertices of sheets off the border are appended to `surface.points`.
-/// @param vertices of the octree's sheets, -1 where contouring makes one; see stitch
+/// @param vertices of the octree's sheets; -1 if contouring makes the vertex, see stitch()
 /// @throws Cancelled
 ContouredSurface contour(const OperandSet& pair, const Octree& tree, const SampleGrid& grid,
                          const CombinedSet& combined, const std::vector<Retention>& fate,

@@ -9,14 +9,14 @@
 
 namespace mq::boolean {
 
-/// The directed edges of a surface: each may be used by one triangle, so that no edge gets a third triangle and two
-/// neighbours always run their edge both ways.
+/// The directed edges of a surface. Each may be used by one triangle only, so that no edge gets a third triangle and
+/// two neighbours always run their edge in opposite directions.
 class EdgeSet {
   public:
     EdgeSet() : slots_(1024, kEmpty) {}
 
     bool has(std::int32_t from, std::int32_t to) const { return slots_[place(ordered_key(from, to))] != kEmpty; }
-    /// Whether a triangle is proper and none of its edges is in use.
+    /// Whether a triangle has three different corners and none of its edges is in use.
     bool admits(const mesh::Triangle& t) const {
         return t[0] != t[1] && t[1] != t[2] && t[2] != t[0] && !has(t[0], t[1]) && !has(t[1], t[2]) && !has(t[2], t[0]);
     }
@@ -38,7 +38,7 @@ class EdgeSet {
     /// The key of an empty slot; no edge has it.
     static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
 
-    /// The slot that holds the key, or would hold it.
+    /// The slot that contains the key, or the free slot for it.
     std::size_t place(std::uint64_t k) const {
         std::size_t slot = KeyHash()(k) & (slots_.size() - 1);
         while (slots_[slot] != kEmpty && slots_[slot] != k) {

@@ -17,25 +17,27 @@ using geometry::Query;
 
 /// Newton steps at most.
 constexpr int kSteps = 8;
-/// A vertex is on its faces at this distance, as a fraction of the grid's side: the resolution of single precision.
+/// A vertex counts as on its faces up to this distance, as a fraction of the grid's side: the resolution of single
+/// precision.
 constexpr double kOnFaces = 2e-7;
-/// The farthest a vertex moves, in units of the distance between rays.
+/// Largest move of a vertex, in units of the distance between rays.
 constexpr double kFarthest = 0.5;
-/// A border vertex moves by this many times the deviation of the meshes at most, which was measured at samples.
+/// Largest move of a border vertex, in deviations of the meshes from the faces, which were measured at samples only.
 constexpr double kDeviations = 2.0;
-/// Rounds in which moves that lead to contacts are taken back.
+/// Rounds in which moves that lead to contacts are undone.
 constexpr int kUndoRounds = 3;
-/// Contacts that are looked at in a round.
+/// Contacts that are examined in a round.
 constexpr std::size_t kListed = 100'000;
-/// Projections that one thread does at a time, and how many of these the engine's main thread waits for, so that others
-/// come to their turn.
+/// Projections that one thread does at a time, and chunks of these in one job of the engine, so that other jobs are not
+/// delayed for long.
 constexpr int kQueriesPerChunk = 64;
 constexpr int kChunksPerWork = 32;
-/// More faces have no point in common.
+/// More than this number of faces have no point in common.
 constexpr std::size_t kMostFaces = 3;
-/// Sides this far apart, in units of the distance between rays, are two: surfaces in contact are nearer.
+/// Two sides that are farther apart than this, in units of the distance between rays, are those of a wall or gap;
+/// surfaces in contact are nearer.
 constexpr double kThin = 0.1;
-/// Sine of the angle below which faces meet smoothly, or at an angle too small to say where.
+/// Sine of the angle below which two faces count as meeting smoothly, as the place of their edge is uncertain.
 constexpr double kSmooth = 0.1;
 
 struct FaceConstraint {
@@ -53,7 +55,7 @@ struct MovedVertex {
     double farthest;  // mm
     std::vector<FaceConstraint> faces;
     bool lost = false;
-    bool thin = false;  ///< two sides of a wall or a gap have one vertex, which has no place on one of them
+    bool thin = false;  ///< one vertex stands for both sides of a wall or a gap, and can lie on one only
 
     double distance() const {
         double largest = 0.0;
@@ -64,7 +66,7 @@ struct MovedVertex {
     }
 };
 
-/// The least displacement onto the tangent planes of all faces.
+/// The least displacement onto the intersection of the tangent planes of all faces.
 Vec3 newton_step(const MovedVertex& moved) {
     const auto count = static_cast<Eigen::Index>(moved.faces.size());
     Eigen::Matrix<double, Eigen::Dynamic, 3> normals(count, 3);
@@ -120,18 +122,18 @@ class FaceProjector {
     const OperandSet& pair_;
     Vec3 origin_;
     double spacing_, farthest_, on_faces_;
-    double from_mesh_ = 0.0;           ///< distance of the faces from the meshes at most, mm
-    std::vector<std::uint8_t> stays_;  // for each point whether an operand's own triangle has it
+    double from_mesh_ = 0.0;           ///< mm: largest distance of the meshes from the faces
+    std::vector<std::uint8_t> stays_;  // by point: whether an unchanged triangle of an operand has it
     std::vector<std::optional<geometry::Session>> sessions_;
     std::vector<MovedVertex> moved_;
-    std::vector<std::int32_t> moved_of_;  // index into moved_ for each point, -1 for those that stay
+    std::vector<std::int32_t> moved_of_;  // by point: its index in moved_; -1: it stays
 };
 
 void FaceProjector::add(std::int32_t vertex, const std::vector<std::int32_t>& triangles) {
     if (stays_[vertex] != 0 || moved_of_[vertex] >= 0 || triangles.empty()) {
         return;
     }
-    // On the border vertices lie on the triangles, not on planes that touch the faces.
+    // Border vertices lie on triangles of the meshes, not on tangent planes of the faces.
     const double farthest = surface_.on_border[vertex] != 0 ? std::max(farthest_, from_mesh_) : farthest_;
     MovedVertex moved{vertex, surface_.points[vertex], surface_.points[vertex], farthest, {}};
     for (const std::int32_t triangle : triangles) {
@@ -150,7 +152,8 @@ void FaceProjector::add(std::int32_t vertex, const std::vector<std::int32_t>& tr
     moved_.push_back(std::move(moved));
 }
 
-/// Vertices by the samples in their cells; those that stitching left on the border by the triangles that have them.
+/// Collects the vertices with the faces of the samples in their cells. Border vertices that stitching left get the
+/// faces of the triangles that have them.
 void FaceProjector::find(const Octree& tree, const std::vector<std::int32_t>& vertices) {
     stays_.assign(surface_.points.size(), 0);
     std::vector<std::vector<std::int32_t>> around(surface_.points.size());
@@ -175,7 +178,7 @@ void FaceProjector::find(const Octree& tree, const std::vector<std::int32_t>& ve
     }
 }
 
-/// Projects the vertices on each of their faces.
+/// Projects each vertex onto each of its faces.
 void FaceProjector::ask(const std::vector<MovedVertex*>& active) {
     for (std::int32_t operand = 0; operand < static_cast<std::int32_t>(sessions_.size()); ++operand) {
         std::vector<std::pair<MovedVertex*, FaceConstraint*>> asked;
@@ -208,7 +211,7 @@ void FaceProjector::ask(const std::vector<MovedVertex*>& active) {
     }
 }
 
-/// Notes where a face is nearest; where it cannot say, the face was not asked.
+/// Stores the nearest point of a face; a failed projection leaves the face out.
 void FaceProjector::take(const geometry::Answer& answer, FaceConstraint& face) const {
     face.asked = answer.status == geometry::Status::Ok;
     if (face.asked) {
@@ -219,7 +222,8 @@ void FaceProjector::take(const geometry::Answer& answer, FaceConstraint& face) c
     }
 }
 
-/// Leaves one of two faces that meet smoothly: the one that holds the point, or the nearer one.
+/// Removes one of two faces that meet smoothly: the one that does not contain the point, or the one that is farther
+/// away.
 void FaceProjector::drop_smooth() {
     for (MovedVertex& moved : moved_) {
         for (std::size_t i = 0; i < moved.faces.size() && !moved.lost; ++i) {
@@ -248,7 +252,7 @@ void FaceProjector::drop_smooth() {
     }
 }
 
-/// Newton's method for all vertices side by side.
+/// Newton's method for all vertices in parallel.
 void FaceProjector::approach() {
     for (int step = 0; step <= kSteps; ++step) {
         std::vector<MovedVertex*> active;
@@ -309,7 +313,7 @@ bool FaceProjector::turns_over(const mesh::Triangle& t) const {
            (before[1] - before[0]).cross(before[2] - before[0]).dot((now[1] - now[0]).cross(now[2] - now[0])) <= 0.0;
 }
 
-/// Takes back the moves of vertices whose triangles touch or cross others since.
+/// Undoes the moves of vertices whose triangles touch or cross others after the moves.
 void FaceProjector::undo_contacts(const std::vector<mesh::Triangle>& reconstructed) {
     std::vector<mesh::Triangle> all = surface_.triangles;
     all.insert(all.end(), reconstructed.begin(), reconstructed.end());
@@ -349,7 +353,7 @@ FaceProjection FaceProjector::apply(const std::vector<mesh::Triangle>& reconstru
             surface_.points[moved.vertex] = to_single(moved.now);
         }
     }
-    // Takes back the longest move around a triangle that turns over.
+    // Undoes the longest of the moves of a triangle's vertices, as the triangle turns over.
     const auto take_back = [&](const mesh::Triangle& t) {
         if (!turns_over(t)) {
             return false;

@@ -11,12 +11,12 @@ namespace mq::boolean {
 
 namespace {
 
-/// The triangles around one point, each a corner 3 * triangle + i of it.
+/// The triangles around one point, each given by its corner 3 * triangle + i at the point.
 class PointFans {
   public:
     explicit PointFans(std::vector<mesh::Triangle>& triangles) : triangles_(triangles) {}
 
-    /// Sorts the corners into fans; returns how many there are.
+    /// Groups the corners into fans. @return the number of fans
     int sort(const std::uint32_t* first, const std::uint32_t* last);
     /// Moves all corners of a fan to another point.
     void rename(int fan, std::int32_t point) {

@@ -13,19 +13,19 @@ namespace mq::boolean {
 
 namespace {
 
-/// The levels below the root that are always split: their cells are the parallel tasks.
+/// Number of levels below the root that are always split: their cells are the parallel tasks.
 constexpr int kTaskLevels = 2;
 
 /// Tasks along each side of the cube.
 constexpr int kTasksPerSide = 1 << kTaskLevels;
-/// Tasks in a layer of them along x and y, which have the same z.
+/// Tasks in a layer: those with the same position along z.
 constexpr int kTasksPerLayer = kTasksPerSide * kTasksPerSide;
-/// Nodes of the levels above the tasks.
+/// Nodes of the levels above the tasks and of the tasks' own level.
 constexpr int kTaskNodes = 1 + 8 + 64;
 /// Rows of rays whose samples one thread sorts into tasks at a time.
 constexpr int kRowsPerChunk = 64;
 
-/// Clips the segment to the closed cell; false when nothing is left.
+/// Clips a segment to a closed cell. False if nothing is left of it.
 bool clip(const Vec3& a, const Vec3& b, const CellBox& box, double& from, double& to) {
     from = 0.0;
     to = 1.0;
@@ -43,7 +43,7 @@ bool clip(const Vec3& a, const Vec3& b, const CellBox& box, double& from, double
     return from <= to;
 }
 
-/// The CAD faces of the samples of a sheet, each by a triangle.
+/// The CAD faces of the samples of a sheet, each represented by a triangle.
 class SheetFaces {
   public:
     explicit SheetFaces(const OperandSet& pair) : pair_(pair) {}
@@ -102,9 +102,9 @@ class OctreeBuilder {
     Octree build(std::size_t most_at_a_time, Progress* progress);
 
   private:
-    /// The samples that lie in each of some tasks.
+    /// By task: the samples that lie in its cell.
     using TaskSamples = std::vector<std::vector<CellSample>>;
-    /// Some layers of tasks.
+    /// Some consecutive layers of tasks.
     struct Layers {
         int first, end;
     };
@@ -136,7 +136,7 @@ class OctreeBuilder {
     const CombinedSet& combined_;
     const std::vector<Retention>& fate_;
     const RetainedSurface& retained_;
-    std::vector<SampleNormal> normals_;        // those of triangles; empty where samples have their own
+    std::vector<SampleNormal> normals_;        // normals of the triangles; empty if samples have their own
     std::vector<std::array<Vec3, 2>> border_;  // ends of each border edge in grid coordinates
 };
 
@@ -174,7 +174,7 @@ class OctreeBuilder::Subtree {
     const OctreeBuilder& shared_;
     Octree& tree_;
     const Progress* progress_;
-    std::vector<std::vector<CellSample>> buffers_;  // for each level a buffer for the samples of the eight children
+    std::vector<std::vector<CellSample>> buffers_;  // by level: a buffer for the samples of the eight children
 };
 
 CellKind OctreeBuilder::Subtree::kind_of(const CellBox& box, const CellCensus& samples,
@@ -205,7 +205,7 @@ Vec3 OctreeBuilder::Subtree::minimiser(const CellBox& box, const Quadric& quadri
                              low + Vec3::Constant(box.size - ReconstructionTuning::kInset));
 }
 
-/// Sheets of a unit cell, with the samples on their edges.
+/// Adds the sheets of a unit cell, with the samples on their edges.
 void OctreeBuilder::Subtree::add_sheets(Leaf& leaf, const CellBox& box, const CellSample* first,
                                         const CellSample* last) {
     const std::uint8_t nodes = shared_.nodes_of(box);
@@ -242,7 +242,7 @@ void OctreeBuilder::Subtree::add_sheets(Leaf& leaf, const CellBox& box, const Ce
     }
 }
 
-/// Where the vertex of a cell will be: in a simple boundary cell it is on the border (Remark 2).
+/// The point that the vertex of a cell will have: in a simple boundary cell it is on the border (Remark 2).
 Vec3 OctreeBuilder::Subtree::vertex(const CellBox& box, CellKind kind, const std::vector<CellEdge>& edges,
                                     const Vec3& q) const {
     if (kind == CellKind::Interior) {
@@ -273,7 +273,7 @@ void OctreeBuilder::Subtree::refine(std::size_t node, const CellBox& box, const 
     }
     const CellKind kind = kind_of(box, samples, edges);
     const bool unit = box.size == 1;
-    // A retained sheet without a border in the cell is another sheet.
+    // Retained samples in a cell without border edges are on another sheet than the IR-samples.
     const bool two_sheets = edges.empty() && samples.retained > 0;
     if (!unit && (kind == CellKind::Complex || two_sheets || (kind == CellKind::Interior && edges.size() > 2) ||
                   !simple_topology(shared_.nodes_of(box), samples))) {
@@ -312,7 +312,7 @@ void OctreeBuilder::Subtree::refine(std::size_t node, const CellBox& box, const 
 
 void OctreeBuilder::Subtree::split(std::size_t node, const CellBox& box, const CellSample* first,
                                    const CellSample* last, const std::vector<CellEdge>& edges, int depth) {
-    // On its own axis a sample belongs to one half; across it to both when it lies on the middle plane.
+    // On its own axis a sample belongs to one half; on the other axes to both if it lies on the middle plane.
     const auto children_of = [&](const CellSample& s) {
         // For each axis the children in its lower and its upper half, as bits.
         constexpr std::array<std::array<unsigned, 2>, 3> kHalves{{{0x55, 0xaa}, {0x33, 0xcc}, {0x0f, 0xf0}}};
@@ -386,7 +386,7 @@ std::uint8_t OctreeBuilder::nodes_of(const CellBox& box) const {
     return static_cast<std::uint8_t>(nodes);
 }
 
-/// Faces of a unit cell that are knotted on both sides.
+/// The faces of a unit cell that are knotted in the cells on both of their sides.
 std::uint8_t OctreeBuilder::flipped_faces(const CellBox& box, std::uint8_t nodes) const {
     std::uint8_t flipped = knotted_faces(nodes);
     for (int f = 0; f < 6 && flipped != 0; ++f) {
@@ -402,7 +402,7 @@ std::uint8_t OctreeBuilder::flipped_faces(const CellBox& box, std::uint8_t nodes
     return flipped;
 }
 
-/// Sorts the samples of some rows into the tasks; a sample between two tasks goes to both.
+/// Sorts the samples of some rows into the tasks; a sample on the plane between two tasks goes to both.
 void OctreeBuilder::distribute(int axis, int first_row, const Layers& layers, TaskSamples& tasks) const {
     const int shift = grid_.levels() - kTaskLevels;
     const int u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
@@ -435,9 +435,9 @@ void OctreeBuilder::distribute(int axis, int first_row, const Layers& layers, Ta
     }
 }
 
-/// Puts a task's subtree below its node.
+/// Appends a task's subtree below its node.
 void OctreeBuilder::append(Octree& tree, Octree& part, std::int32_t node) const {
-    const auto shift = static_cast<std::int32_t>(tree.nodes_.size()) - 1;  // its root becomes `node`
+    const auto shift = static_cast<std::int32_t>(tree.nodes_.size()) - 1;  // the root of the subtree becomes `node`
     const auto leaf_shift = static_cast<std::int32_t>(tree.leaves.size());
     const auto edge_shift = static_cast<std::uint32_t>(tree.edges.size());
     const auto moved = [&](std::int32_t value) {

@@ -16,7 +16,8 @@ void Quadric::add(const Vec3& point, const Vec3& normal) {
 
 Vec3 Quadric::minimiser(const Vec3& low, const Vec3& high) const {
     const Vec3 mean = sum_ / count_;
-    // The matrix is symmetric and not negative: its eigenvalues are the squared singular values of the planes' matrix.
+    // The matrix is symmetric and positive semidefinite: its eigenvalues are the squared singular values of the matrix
+    // of the planes.
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> svd;
     svd.computeDirect(normal_);
     const Vec3 rest = moment_ - normal_ * mean;

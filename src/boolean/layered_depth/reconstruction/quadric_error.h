@@ -11,10 +11,10 @@ class Quadric {
   public:
     void add(const Vec3& point, const Vec3& normal);
     int count() const { return count_; }
-    /// The point of least error within a box, by singular value decomposition; among all such points (on a flat or a
-    /// straight edge) the one nearest to the mean of the samples. Where nearly parallel planes meet far outside of the
-    /// box the smallest singular value is taken as zero, then the next: the mean itself is always an answer. Needs at
-    /// least one sample.
+    /// The point of least error within a box, by singular value decomposition. If several points have the least error
+    /// (on a plane or a straight edge), the one nearest to the mean of the samples. If nearly parallel planes meet far
+    /// outside of the box, the smallest singular value is taken as zero, then the next one: the mean itself is always
+    /// an answer. Needs at least one sample.
     Vec3 minimiser(const Vec3& low, const Vec3& high) const;
 
   private:

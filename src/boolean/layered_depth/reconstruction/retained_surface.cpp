@@ -9,7 +9,8 @@ namespace mq::boolean {
 
 namespace {
 
-/// Marks the points that both a retained and a removed triangle (or one that is reversed differently) touch.
+/// Marks the points of retained triangles that removed triangles, or triangles that are reversed differently, have as
+/// well.
 std::vector<std::uint8_t> mixed_points(const OperandSet& pair, const std::vector<Retention>& fate) {
     std::vector<std::uint8_t> seen(pair.points.size(), 0);
     for (std::size_t t = 0; t < fate.size(); ++t) {
@@ -23,7 +24,7 @@ std::vector<std::uint8_t> mixed_points(const OperandSet& pair, const std::vector
     return seen;
 }
 
-/// Keeps the edges that only one retained triangle has.
+/// Finds the edges that only one retained triangle has.
 void find_border(RetainedSurface& surface) {
     std::vector<RetainedSurface::BorderEdge> edges;
     for (std::size_t k = 0; k < surface.triangles.size(); ++k) {

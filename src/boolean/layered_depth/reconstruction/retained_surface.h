@@ -5,7 +5,7 @@
 
 namespace mq::boolean {
 
-/// The triangles that stay, M_D, and the border where the others are missing.
+/// The retained triangles, M_D, and their border, beyond which triangles were removed.
 struct RetainedSurface {
     /// An edge of a retained triangle without a neighbour, directed as in that triangle.
     struct BorderEdge {
@@ -14,10 +14,10 @@ struct RetainedSurface {
     };
 
     std::vector<Vec3> points;               ///< points of both operands, mm; new ones are appended
-    std::vector<mesh::Triangle> triangles;  ///< reversed where the result's surface is
-    std::vector<std::int32_t> source;       ///< triangle of the pair, or -1 once it was changed
-    std::vector<std::int32_t> lies_on;      ///< triangle of the pair that each was or was cut from
-    std::vector<BorderEdge> border;         ///< sorted by its ends
+    std::vector<mesh::Triangle> triangles;  ///< reversed if the result's surface is
+    std::vector<std::int32_t> source;       ///< triangle of the operands; -1 if it was changed
+    std::vector<std::int32_t> lies_on;      ///< triangle of the operands that each is, or was cut from
+    std::vector<BorderEdge> border;         ///< sorted by the points of the edges
     std::vector<std::uint8_t> on_border;    ///< for each point whether it is on the border
 };
 

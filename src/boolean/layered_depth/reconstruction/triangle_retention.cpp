@@ -5,7 +5,7 @@ namespace mq::boolean {
 
 namespace {
 
-/// Decides which sampled triangles stay by their own samples alone.
+/// Decides for each sampled triangle whether it is retained, by its own samples alone.
 std::vector<Retention> fate_of_sampled(const std::vector<std::uint32_t>& samples, const CombinedSet& combined) {
     std::vector<std::array<std::uint32_t, 2>> kept(samples.size(), {0, 0});
     for (const CombinedDepth& direction : combined) {
@@ -33,8 +33,8 @@ std::vector<Retention> classify(const OperandSet& pair, const std::vector<std::u
         const bool gone = region[t] < 0 || pair.is_gap(static_cast<std::int32_t>(t));
         return gone ? Retention::Removed : own[region[t]];
     };
-    // Marks triangles without a decision. The border is widened by one ring: a point between triangles of different
-    // fates belongs to it.
+    // Marks triangles without a decision. The border is widened by one ring: points between triangles with different
+    // decisions belong to it.
     constexpr std::uint8_t kUnseen = 255;
     std::vector<std::uint8_t> at_point(pair.points.size(), kUnseen);
     for (std::size_t t = 0; t < pair.triangles.size(); ++t) {

@@ -5,13 +5,14 @@
 
 namespace mq::boolean {
 
-/// Whether a triangle of the operands stays.
+/// Whether a triangle of the operands is retained.
 enum class Retention : std::uint8_t { Removed, Kept, KeptReversed };
 
-/// Which triangles stay (Wang 2010, section II, step 3): a region stays iff all its samples are samples of the result,
-/// all with the same side out, and no triangle of it touches a region that does not, or the border of an open operand.
-/// @param samples number for each triangle, see count_samples
-/// @param region for each triangle, see cluster
+/// Decides which triangles are retained (Wang 2010, section II, step 3). A region is retained iff all its samples are
+/// samples of the result, all of them have the same side outward, and no triangle of it touches a region that is not
+/// retained or the border of an open operand.
+/// @param samples number of samples of each triangle, see count_samples()
+/// @param region of each triangle, see cluster()
 std::vector<Retention> classify(const OperandSet& pair, const std::vector<std::uint32_t>& samples,
                                 const std::vector<std::int32_t>& region, const CombinedSet& combined);
 

@@ -65,7 +65,8 @@ CellSheets find_sheets(std::uint8_t nodes, std::uint8_t flipped) {
         }
         const bool side_by_side = count == 2 && in[0] != in[3];
         for (int k = 0; k < 4; ++k) {
-            // A node with the other sign than both its neighbours is cut off; on a checkered face only two nodes are.
+            // A node whose two neighbours have the other sign is cut off; on a face with alternating signs only two
+            // nodes are.
             const bool cut_off = count == 1   ? in[k]
                                  : count == 3 ? !in[k]
                                               : count == 2 && !side_by_side && in[k] == part_inside;
@@ -74,7 +75,7 @@ CellSheets find_sheets(std::uint8_t nodes, std::uint8_t flipped) {
             }
         }
         if (side_by_side) {
-            // The two edges with a sign change lie opposite each other.
+            // The two edges with a sign change are opposite to each other.
             const int along = in[0] == in[1] ? 1 : 0;
             join(face.edges_at[0][along], face.edges_at[3][along]);
         }
@@ -126,7 +127,7 @@ CellCensus census(const CellBox& box, const CellSample* first, const CellSample*
 
 bool simple_topology(std::uint8_t nodes, const CellCensus& samples) {
     if (samples.crowded_edge || nodes == 0 || nodes == 255) {
-        return false;  // fake solid and empty volumes: there are samples
+        return false;  // fake solid or empty volume: there are samples
     }
     for (int k = 0; k < 6; ++k) {
         std::array<bool, 4> in{};

@@ -7,8 +7,8 @@
 
 namespace mq::boolean {
 
-/// A sample of the result as the octree sees it. On the sample's own axis `at` is the unit interval that it lies in, on
-/// the other two the coordinates of its ray.
+/// A sample of the result as the octree stores it. On the sample's own axis `at` is the unit interval that contains it,
+/// on the other two axes the coordinates of its ray.
 struct CellSample {
     std::array<std::int16_t, 3> at{};
     std::uint8_t axis = 0;
@@ -31,7 +31,7 @@ struct CellBox {
 /// An edge of a cell: 4 * axis + side on axis + 1 + 2 * side on axis + 2 (modulo 3). Nodes of a cell: x + 2 y + 4 z.
 constexpr int kCellEdges = 12;
 
-/// The edge of the cell that a sample lies on, or -1 when it lies in a face or within the cell.
+/// The edge of the cell that a sample lies on; -1 if it lies in a face or inside of the cell.
 inline int edge_of(const CellBox& box, const CellSample& s) {
     int corner = 0;
     for (int k = 1; k <= 2; ++k) {
@@ -44,9 +44,9 @@ inline int edge_of(const CellBox& box, const CellSample& s) {
     return 4 * s.axis + corner;
 }
 
-/// The sheets of the surface in a cell, determined by the signs of its nodes: each connects edges with a sign change
-/// over the cell's faces. Where all four edges of a face change sign its inside nodes are separated, or its outside
-/// nodes where the face is in `flipped` (bit 2 * axis + side).
+/// The sheets of the surface in a cell, determined by the signs of its nodes: a sheet connects edges with a sign change
+/// over the cell's faces. If all four edges of a face change sign, the sheets separate its inside nodes, or its outside
+/// nodes if the face is in `flipped` (bit 2 * axis + side).
 struct CellSheets {
     std::uint8_t count = 0;
     std::array<std::uint8_t, kCellEdges> of_edge{};  ///< the sheet of each edge; kNone without a sign change
@@ -55,12 +55,12 @@ struct CellSheets {
     static constexpr std::uint8_t kNone = 255;
 };
 CellSheets find_sheets(std::uint8_t nodes, std::uint8_t flipped = 0);
-/// The faces whose four edges all change sign and belong to one sheet, bit 2 * axis + side. Where two such cells meet
-/// in one, the face must be flipped for both, or four faces of the result would share an edge (Wenger 2013,
-/// section 3.4).
+/// The faces whose four edges all change sign and belong to one sheet, bit 2 * axis + side. If two such cells share
+/// such a face, it must be flipped for both, or four faces of the result would share an edge (Wenger 2013, section
+/// 3.4).
 std::uint8_t knotted_faces(std::uint8_t nodes);
 
-/// Properties of a cell's topology that the samples in it show.
+/// Properties of a cell's topology that its samples show.
 struct CellCensus {
     int reconstructed = 0, retained = 0;
     bool crowded_edge = false;   ///< more than one sample on one of the twelve edges
@@ -69,8 +69,8 @@ struct CellCensus {
 
 CellCensus census(const CellBox& box, const CellSample* first, const CellSample* last);
 
-/// Whether the topology that the signs of a cell's eight nodes (bit set: inside) show is beyond doubt, given the census
-/// (Wang 2010, Fig. 4 and 5).
+/// Whether the topology that follows from the signs of a cell's eight nodes (bit set: inside) is certain, given the
+/// census (Wang 2010, Fig. 4 and 5).
 bool simple_topology(std::uint8_t nodes, const CellCensus& samples);
 
 }  // namespace mq::boolean

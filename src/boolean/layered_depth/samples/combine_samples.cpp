@@ -16,10 +16,10 @@ namespace {
 
 /// Samples of the result on consecutive rays.
 struct Piece {
-    std::vector<std::uint32_t> counts;  // how many samples each ray has
+    std::vector<std::uint32_t> counts;  // number of samples of each ray
     std::vector<double> depth;
     std::vector<std::int32_t> source;
-    std::vector<SampleNormal> normal;  // empty where samples have none
+    std::vector<SampleNormal> normal;  // empty: samples have no normals
 
     void drop_last() {
         depth.pop_back();
@@ -30,7 +30,7 @@ struct Piece {
     }
 };
 
-/// Combines the operands' samples along one ray after the other.
+/// Combines the operands' samples, one ray after another.
 class RayMerger {
   public:
     RayMerger(const CombineOptions& options, const OperandSet& operands, std::vector<const LayeredDepthImage*> along,
@@ -82,7 +82,7 @@ class RayMerger {
     std::vector<int> index_;
     std::vector<char> parity_;
     std::vector<Stop> stops_;            // all samples on the ray
-    std::vector<std::int32_t> operand_;  // the operand whose triangle each sample of the ray has
+    std::vector<std::int32_t> operand_;  // by sample of the ray: the operand whose triangle it has
 };
 
 void RayMerger::gather(std::size_t ray) {
@@ -103,8 +103,8 @@ void RayMerger::pass(const Stop& stop) {
     membership_.set(stop.operand, options_.normal_index ? index > 0 : parity != 0);
 }
 
-/// The sample of another operand in contact with the one at `at` that is oriented the same way in the result, with a
-/// lower source than `source`, which then becomes its own; null where there is none.
+/// The sample of another operand that is in contact with the one at `at`, is oriented the same way in the result, and
+/// has a lower source than `source`. Sets `source` to the source of that sample; null if there is none.
 const RayMerger::Stop* RayMerger::in_contact(std::size_t at, bool enters, std::int32_t& source) const {
     const Stop& stop = stops_[at];
     const Stop* found = nullptr;
@@ -181,8 +181,8 @@ class PieceMaker {
     PieceMaker(const CombineOptions& options, const OperandSet& set, const SampleGrid& grid)
         : options_(options), set_(set), grid_(grid) {}
 
-    /// @param along the operands' images, in which the rays have the indices from `first` on
-    /// @param shift what is to be added to them for the indices in the grid
+    /// @param along the operands' images, in which the index of the first ray is `first`
+    /// @param shift is added to these indices to get the indices in the grid
     Piece make(int axis, const std::vector<const LayeredDepthImage*>& along, std::size_t first, std::size_t count,
                std::size_t shift) const {
         const bool with_normals = std::any_of(along.begin(), along.end(),
@@ -205,7 +205,7 @@ class PieceMaker {
     const SampleGrid& grid_;
 };
 
-/// Puts the pieces together, on all cores; each is dropped as soon as it is copied.
+/// Joins the pieces, on all cores; each piece is released as soon as it is copied.
 CombinedDepth join(std::vector<Piece>& pieces, const Progress* progress) {
     std::vector<std::size_t> first_ray{0}, first_sample{0};
     bool with_normals = false;

@@ -18,28 +18,29 @@ namespace {
 using geometry::ElementarySurface;
 using geometry::Query;
 
-/// A point may be this many times as far from the triangle's plane as the mesh from the faces: the deviation was
-/// measured at samples.
+/// A point may be this many times as far from the triangle's plane as the mesh is from the faces, as that deviation was
+/// measured at samples only.
 constexpr double kDeviations = 4.0;
 /// The rounding of vertices to single precision, as a fraction of the grid's side.
 constexpr double kRounding = 1e-6;
-/// A depth this near to a node (grid units) is at the node: planes of boxes in planes of the grid stay there.
+/// A depth within this distance (grid units) of a node counts as at the node: faces of boxes that lie in planes of the
+/// grid stay in these planes.
 constexpr double kAtNode = 1e-9;
 /// Samples between two checks for cancellation: some milliseconds of Newton's method.
 constexpr std::size_t kBetweenChecks = 256;
-/// Samples of neighbouring triangles that one thread solves, at least.
+/// Least number of samples of neighbouring triangles that one thread solves at a time.
 constexpr std::size_t kSamplesPerChunk = 8192;
-/// Chunks in one work of the engine's thread, so that others come to their turn.
+/// Chunks in one job of the engine's thread, so that other jobs are not delayed for long.
 constexpr int kChunksPerWork = 4;
 
-/// A sample's triangle and line, mm in the frame of the model.
+/// The triangle of a sample and the line of its ray, mm, in the frame of the model.
 struct LineAtTriangle {
     std::int32_t triangle;
-    Vec3 point;   // the sample as it is, on the line
-    Vec3 normal;  // that of the triangle
+    Vec3 point;   // the present sample, on the line
+    Vec3 normal;  // the triangle's normal
     Vec3 along;
     bool enters;
-    double longest;  // edge of the triangle
+    double longest;  // the longest edge of the triangle
 };
 
 class FaceSampler {
@@ -100,8 +101,8 @@ class FaceSampler::NewtonSolver {
 
     FaceSampler& sampler_;
     geometry::Answerer& answerer_;
-    std::int32_t face_ = -1, triangle_ = -1;             // those at the last sample
-    std::unordered_map<std::int32_t, Vec2> parameters_;  // those of the face's vertices
+    std::int32_t face_ = -1, triangle_ = -1;             // face and triangle of the last sample
+    std::unordered_map<std::int32_t, Vec2> parameters_;  // by vertex: its parameters on that face
     std::optional<std::array<Vec2, 3>> corners_;
 };
 
@@ -149,8 +150,8 @@ LineAtTriangle FaceSampler::line_at(const SampleRef& ref) const {
     return line;
 }
 
-/// Moves a sample along its ray; refused where the surface lies the other way round there than the triangle, or where
-/// the point is too far to be that of the triangle (of the interval, for an inserted sample).
+/// Moves a sample along its ray. Refused if the surface is crossed in the other direction than the triangle, or if the
+/// point is too far from the triangle (for an inserted sample: outside of its interval).
 bool FaceSampler::take(const SampleRef& ref, const LineAtTriangle& line, double t, const Vec3& normal, bool inserted) {
     LayeredDepthImage& image = set_[ref.axis];
     const Vec3 outward = normal.dot(line.normal) < 0.0 ? Vec3(-normal) : normal;
@@ -187,7 +188,7 @@ bool FaceSampler::solve_by_formula(const SampleRef& ref, bool inserted) {
     return false;
 }
 
-/// Solves a sample whose face has a closed form; those of other faces are added to `others`.
+/// Solves a sample whose face has a closed form; samples of other faces are added to `others`.
 bool FaceSampler::solve_or_leave(const SampleRef& ref, bool inserted, std::vector<SampleRef>& others) {
     const std::int32_t face = face_of(ref);
     if (face >= 0 && surfaces_[static_cast<std::size_t>(face)]) {
@@ -199,8 +200,8 @@ bool FaceSampler::solve_or_leave(const SampleRef& ref, bool inserted, std::vecto
     return false;
 }
 
-/// The parameters of a vertex of the mesh on the face: by Newton's method from those of a vertex beside it, else by a
-/// search.
+/// The parameters of a vertex of the mesh on the face: by Newton's method from the parameters of a neighbouring vertex;
+/// if that fails, by a search.
 std::optional<Vec2> FaceSampler::NewtonSolver::parameters_of(const Vec3& vertex) const {
     const mesh::Triangle& triangle = sampler_.pair_.triangles[triangle_];
     const auto known = std::find_if(triangle.begin(), triangle.end(),
@@ -270,14 +271,15 @@ bool FaceSampler::NewtonSolver::solve(const SampleRef& ref, bool inserted) {
     return nearest.found() && solved(Vec2(nearest.u, nearest.v));
 }
 
-/// Numbers the triangles of an operand on faces without a closed form: from one on those that share its vertices, and
-/// so on. So the parameters of most corners are found from those of a triangle that was solved shortly before.
+/// Numbers the triangles of an operand on faces without a closed form in the order of a breadth-first search over
+/// shared vertices. So the parameters of most corners are found from those of a triangle that was solved shortly
+/// before.
 std::vector<std::int32_t> FaceSampler::order_of_triangles(int operand) const {
     const std::int32_t first = pair_.first_triangle[operand], end = pair_.first_gap[operand];
     const auto has_formula = [&](std::int32_t t) {
         return pair_.face[t] < 0 || surfaces_[static_cast<std::size_t>(pair_.face[t])].has_value();
     };
-    std::vector<std::uint32_t> begin(pair_.points.size() + 1, 0);  // where those at each point begin
+    std::vector<std::uint32_t> begin(pair_.points.size() + 1, 0);  // start of the triangles at each point
     std::vector<std::int32_t> at;
     for (std::int32_t t = first; t < end; ++t) {
         for (const std::int32_t p : pair_.triangles[t]) {
@@ -319,7 +321,7 @@ std::vector<std::int32_t> FaceSampler::order_of_triangles(int operand) const {
     return order;
 }
 
-/// Puts the samples of a triangle beside each other, so that the parameters of its corners are found once.
+/// Groups the samples by triangle, so that the parameters of its corners are found once.
 std::vector<SampleRef> FaceSampler::by_triangle(const std::vector<std::vector<SampleRef>>& rows) const {
     const auto some = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return !row.empty(); });
     if (some == rows.end()) {
@@ -345,7 +347,7 @@ std::vector<SampleRef> FaceSampler::by_triangle(const std::vector<std::vector<Sa
     return sorted;
 }
 
-/// Where chunks of samples begin, and the end. The samples of a triangle are in one chunk.
+/// The first sample of each chunk, and the number of all. The samples of a triangle are in one chunk.
 std::vector<std::size_t> FaceSampler::chunks_of(const std::vector<SampleRef>& refs) const {
     const auto triangle = [&](std::size_t i) { return set_[refs[i].axis].triangle(refs[i].index); };
     std::vector<std::size_t> begin{0};
@@ -358,7 +360,7 @@ std::vector<std::size_t> FaceSampler::chunks_of(const std::vector<SampleRef>& re
     return begin;
 }
 
-/// @return the samples that are on their faces
+/// @return the number of samples that were put on their faces
 std::size_t FaceSampler::solve_by_newton(const std::vector<std::vector<SampleRef>>& rows, bool inserted) {
     const std::vector<SampleRef> refs = by_triangle(rows);
     const std::vector<std::size_t> begin = chunks_of(refs);
@@ -390,7 +392,7 @@ std::size_t FaceSampler::solve_all() {
         const auto row = static_cast<std::size_t>(k);
         const int axis = k / rays;
         const LayeredDepthImage& image = set_[axis];
-        std::size_t count = 0;  // and the list: each thread has its own while it works
+        std::size_t count = 0;  // number of samples; each thread has its own while it works
         std::vector<SampleRef> left;
         for (int u = 0; u < rays; ++u) {
             const auto ray = static_cast<std::uint32_t>(k % rays * rays + u);

@@ -10,10 +10,10 @@ namespace mq::boolean {
 
 namespace {
 
-/// Free cells around the box. The fractions keep rays away from faces that lie at round numbers, where the symbolic
+/// Free cells around the box. The fractions keep rays away from faces at round coordinates, at which the symbolic
 /// perturbation would have to decide.
 const Vec3 kMargin(1.4370, 1.3913, 1.5231);
-/// Cells of the margin on both sides of an axis together, rounded up.
+/// Sum of the free cells on both sides of an axis, rounded up.
 constexpr double kMarginSum = 3.2;
 
 int levels_of(int resolution) {

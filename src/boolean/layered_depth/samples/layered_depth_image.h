@@ -12,15 +12,15 @@
 
 namespace mq::boolean {
 
-/// The uniform grid whose lines are the rays (Wang 2010, section II): 2^n cells a side, so that an octree's cell edges
-/// lie on rays. One unit of grid coordinates is the distance r between two rays.
+/// The uniform grid whose lines are the rays (Wang 2010, section II): 2^n cells along each side, so that the edges of
+/// an octree's cells lie on rays. One unit of grid coordinates is the distance r between two rays.
 class SampleGrid {
   public:
     /// `box` bounds the result; at least `resolution` rays lie along its cube, rounded up to 2^n + 1.
     SampleGrid(const Box& box, int resolution);
 
-    /// The distance between two rays of such a grid around a box with this longest side, mm. It counts the free cells
-    /// around the box, which take some of the rays.
+    /// mm: the distance between two rays of such a grid around a box with this longest side. The free cells around the
+    /// box are included, which take some of the rays.
     static double spacing_of(double side, int resolution);
     /// The least resolution whose rays are no farther apart than `spacing`.
     static double resolution_for(double side, double spacing);
@@ -41,52 +41,52 @@ class SampleGrid {
     int cells_ = 0;
 };
 
-/// The triangles of all operands under one numbering, those of the first operand first.
+/// The triangles of all operands in one list, those of the first operand first.
 ///
-/// Where the surface of an operand is open, each edge of its border stands for what is missing there, as a triangle
-/// (a, b, b) without area that no ray meets; they follow the operand's own triangles.
+/// If the surface of an operand is open, each edge of its border is listed as a triangle (a, b, b) without area that no
+/// ray meets: it stands for the missing surface. These triangles follow the operand's own.
 struct OperandSet {
-    /// @param borders  for each operand the edges (a, b, b) of its border (see mesh::WindingNumber::border); none where
-    ///     all operands are closed
+    /// @param borders  for each operand the edges (a, b, b) of its border (see mesh::WindingNumber::border); empty if
+    /// all operands are closed
     explicit OperandSet(const std::vector<const mesh::TriangleMesh*>& operands,
                         const std::vector<std::vector<mesh::Triangle>>& borders = {});
     OperandSet(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) : OperandSet({&a, &b}) {}
 
     std::vector<Vec3> points;
     std::vector<mesh::Triangle> triangles;
-    std::vector<std::int32_t> first_triangle;  ///< first triangle of each operand, and the end
-    std::vector<std::int32_t> first_gap;       ///< first edge of each operand's border among the triangles
-    std::vector<std::int32_t> first_point;     ///< first point of each operand, and the end
-    /// The CAD face of each triangle, an index into the faces of its operand; -1 where the operand is a mesh. Empty
-    /// where all are.
+    std::vector<std::int32_t> first_triangle;  ///< first triangle of each operand, and the number of all
+    std::vector<std::int32_t> first_gap;       ///< first border edge of each operand, as an index of a triangle
+    std::vector<std::int32_t> first_point;     ///< first point of each operand, and the number of all
+    /// The CAD face of each triangle, an index into the faces of its operand; -1 if the operand is a mesh. Empty if all
+    /// operands are meshes.
     std::vector<std::int32_t> face;
 
     int size() const { return static_cast<int>(first_gap.size()); }
     int operand_of(std::int32_t triangle) const;
     /// Whether a triangle is an edge of a border.
     bool is_gap(std::int32_t triangle) const { return triangles[triangle][1] == triangles[triangle][2]; }
-    /// Along the outward normal of a triangle; zero where it has no area.
+    /// The outward unit normal of a triangle; zero if it has no area.
     Vec3 unit_normal(std::int32_t triangle) const;
 };
 
-/// A unit normal as samples carry it.
+/// A unit normal as samples store it.
 using SampleNormal = Eigen::Matrix<float, 3, 1, Eigen::DontAlign>;
 
-/// Depths of a solid's surface along the rays of one direction, the samples of a ray in ascending order.
+/// The depths of a solid's surface along the rays of one direction. The samples of a ray are in ascending order.
 ///
 /// The rays of axis a have the index v * rays + u, where u and v are their grid coordinates on axes a + 1 and a + 2
 /// (modulo 3).
 struct LayeredDepthImage {
-    std::vector<std::uint32_t> begin;  ///< first sample of each ray in the arrays below, and the end
+    std::vector<std::uint32_t> begin;  ///< first sample of each ray in the arrays below, and the number of all
     std::vector<double> depth;         ///< grid coordinate along the ray
-    std::vector<std::int32_t> code;    ///< triangle where the ray enters the solid, ~triangle where it leaves
-    /// Outward unit normal of the CAD surface at each sample (see sample_faces); empty: those of the triangles.
+    std::vector<std::int32_t> code;    ///< the triangle if the ray enters the solid, ~triangle if it leaves
+    /// Outward unit normal of the CAD surface at each sample (see sample_faces); empty: the normals of the triangles.
     std::vector<SampleNormal> normal;
 
     std::int32_t triangle(std::uint32_t i) const { return code[i] < 0 ? ~code[i] : code[i]; }
 };
 
-/// One image of images of consecutive rays, in parallel; these are emptied.
+/// Joins the images of consecutive rays to one image, in parallel; `bands` is emptied.
 LayeredDepthImage joined(std::vector<LayeredDepthImage>& bands);
 
 /// The x-, y- and z-LDI of one solid.

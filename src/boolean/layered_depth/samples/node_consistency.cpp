@@ -21,10 +21,11 @@ struct RaySample {
     double depth;
     std::int32_t triangle;
     SampleNormal normal;
-    int turn;  // +1 enters, -1 leaves, 0 inserted: what its neighbours require
+    int turn;  // +1 enters, -1 leaves, 0 inserted: decided by its neighbours
 };
 
-/// The unit interval of a depth: from this node to the next. A sample exactly at a node lies before it.
+/// The index of the unit interval between two nodes that contains a depth. A sample exactly at a node counts as before
+/// it.
 int interval(double depth) {
     return static_cast<int>(std::ceil(depth)) - 1;
 }
@@ -36,7 +37,7 @@ std::size_t band_count(int rays) {
     return static_cast<std::size_t>((rays + kRowsAtATime - 1) / kRowsAtATime);
 }
 
-/// The index of the first ray of a band; that of the end, where there are no more bands.
+/// The index of the first ray of a band; the number of all rays behind the last band.
 std::uint32_t first_ray_of(int band, int rays) {
     return static_cast<std::uint32_t>(std::min(band * kRowsAtATime, rays)) * static_cast<std::uint32_t>(rays);
 }
@@ -78,8 +79,8 @@ class NodeConsistency {
     int rays_;
     ConsistencyCounts& counts_;
     const Progress* progress_;
-    std::vector<GridNode> nodes_;               // where the rays do not agree, sorted
-    std::map<RayKey, std::vector<int>> turns_;  // for each ray the nodes that are on its wrong side
+    std::vector<GridNode> nodes_;               // nodes at which the rays do not agree, sorted
+    std::map<RayKey, std::vector<int>> turns_;  // by ray: the nodes whose side the ray has wrong
 };
 
 /// Whether a node is inside by the normal index along one of its rays.
@@ -93,7 +94,7 @@ bool NodeConsistency::inside(int axis, const GridNode& node) const {
     return index > 0;
 }
 
-/// The samples on the node's ray in the unit intervals `first` to `last`.
+/// Visits the samples on the node's ray in the unit intervals `first` to `last`.
 template <typename Visit>
 void NodeConsistency::for_each_near(int axis, const GridNode& node, int first, int last, const Visit& visit) const {
     const LayeredDepthImage& image = set_[axis];
@@ -106,7 +107,7 @@ void NodeConsistency::for_each_near(int axis, const GridNode& node, int first, i
     }
 }
 
-/// Nodes beside a sample at which the rays do not agree.
+/// Finds the nodes beside a sample at which the rays do not agree.
 void NodeConsistency::find_nodes() {
     std::vector<std::vector<GridNode>> rows(3 * static_cast<std::size_t>(rays_));
     parallel_for(static_cast<int>(rows.size()), [&](int row) {
@@ -136,7 +137,7 @@ void NodeConsistency::find_nodes() {
     }
 }
 
-/// Follows rays that lie in a gap between mesh and face as far as they do, a node at a time.
+/// Follows rays in a gap between mesh and face as far as the gap reaches, one node at a time.
 void NodeConsistency::spread() {
     const auto tidy = [](std::vector<GridNode>& nodes) {
         std::sort(nodes.begin(), nodes.end());
@@ -162,10 +163,10 @@ void NodeConsistency::spread() {
     }
 }
 
-/// Whether a node is inside by the ray that meets the surface beside it most squarely. Where none does, by two of three
-/// rays.
+/// Whether a node is inside according to the ray that meets the surface beside it most nearly at right angles. If no
+/// ray meets it, according to two of the three rays.
 bool NodeConsistency::truth(const GridNode& node) const {
-    // The least sine of the angle between ray and surface; of three rays one has 0.57 at least.
+    // Least sine of the angle between a ray and the surface that it decides on; one of three rays has at least 0.57.
     constexpr float kSquare = 0.3F;
     int decides = -1;
     float best = kSquare;
@@ -186,7 +187,7 @@ bool NodeConsistency::truth(const GridNode& node) const {
 }
 
 void NodeConsistency::find_turns() {
-    std::vector<std::uint8_t> wrong(nodes_.size(), 0);  // for each node the axes whose rays are to turn, as bits
+    std::vector<std::uint8_t> wrong(nodes_.size(), 0);  // by node: bits of the axes whose rays have its side wrong
     for_chunks(static_cast<int>(nodes_.size()), [&](int k) {
         const GridNode& node = nodes_[static_cast<std::size_t>(k)];
         const bool in = truth(node);
@@ -207,8 +208,8 @@ void NodeConsistency::find_turns() {
     }
 }
 
-/// A sample for the unit interval after a node of a ray, on the tangent plane of one beside it: of a parallel ray in
-/// the same interval, else of a ray across through one of its ends.
+/// A new sample for the unit interval behind a node of a ray, on the tangent plane of a neighbouring sample: that of a
+/// parallel ray in the same interval or, if there is none, that of a ray across it through one end of the interval.
 std::optional<RaySample> NodeConsistency::donor(int axis, std::uint32_t ray, int from) const {
     const int u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
     GridNode node{};
@@ -229,7 +230,7 @@ std::optional<RaySample> NodeConsistency::donor(int axis, std::uint32_t ray, int
         const Vec3 n = image.normal[i].cast<double>();
         const double rise = n[u_axis] * (node[u_axis] - p[u_axis]) + n[v_axis] * (node[v_axis] - p[v_axis]);
         const double depth = n[axis] != 0.0 ? p[axis] - rise / n[axis] : p[axis];
-        // Off the ends of the interval, which belong to its neighbours.
+        // Keeps the sample away from the ends of the interval, which belong to the neighbouring intervals.
         constexpr double kInset = 1e-3;
         found = RaySample{std::clamp(depth, from + kInset, from + 1.0 - kInset), image.triangle(i), image.normal[i], 0};
     };
@@ -252,9 +253,9 @@ std::optional<RaySample> NodeConsistency::donor(int axis, std::uint32_t ray, int
     return found;
 }
 
-/// The samples of a ray with all of `turned` on the other side; empty where surfaces overlap, or where nothing tells
-/// the place of a crossing. Intervals between nodes that stay keep their samples. The others keep that of the squarest
-/// crossing where their ends differ, and none where they do not.
+/// The samples of a ray with the nodes in `turned` on the other side; empty if surfaces overlap, or if no sample nearby
+/// gives the place of a crossing. Intervals between nodes that stay keep their samples. Each other interval gets the
+/// most nearly perpendicular crossing if its ends differ, and none if they are equal.
 std::optional<std::vector<RaySample>> NodeConsistency::rebuilt(const RayKey& key,
                                                                const std::vector<int>& turned) const {
     const auto [axis, ray] = key;
@@ -262,14 +263,14 @@ std::optional<std::vector<RaySample>> NodeConsistency::rebuilt(const RayKey& key
     std::vector<RaySample> samples;
     std::uint32_t i = image.begin[ray];
     const std::uint32_t end = image.begin[ray + 1];
-    bool before = false;  // whether the node before is inside, as it was
+    bool before = false;  // whether the previous node was inside
     const auto sample = [&](std::uint32_t k) {
         return RaySample{image.depth[k], image.triangle(k), image.normal[k], image.code[k] < 0 ? -1 : 1};
     };
     std::size_t next = 0;
     bool was_turned = false;
     for (int k = -1; k < rays_; ++k) {
-        // The interval from node k to the one after; the first and the last reach to infinity.
+        // The interval from node k to the next one; the first and the last interval are unbounded.
         std::vector<RaySample> here;
         bool after = before;
         for (; i < end && (k == rays_ - 1 || image.depth[i] <= k + 1); ++i) {
@@ -304,7 +305,7 @@ std::optional<std::vector<RaySample>> NodeConsistency::rebuilt(const RayKey& key
     return samples;
 }
 
-/// Puts the rebuilt rays in the place of the old ones.
+/// Replaces the old rays by the rebuilt ones.
 void NodeConsistency::replace(const std::map<RayKey, std::vector<RaySample>>& changed,
                               std::vector<SampleRef>& inserted) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -318,7 +319,7 @@ void NodeConsistency::replace(const std::map<RayKey, std::vector<RaySample>>& ch
             const auto k = static_cast<std::size_t>(band);
             bands[k] = replaced(axis, band, changed, inserted_in[k]);
         });
-        std::uint32_t before = 0;  // samples of the bands before
+        std::uint32_t before = 0;  // number of samples in the previous bands
         for (std::size_t k = 0; k < bands.size(); ++k) {
             for (SampleRef& ref : inserted_in[k]) {
                 inserted.push_back({ref.axis, ref.ray, ref.index + before});
@@ -329,7 +330,7 @@ void NodeConsistency::replace(const std::map<RayKey, std::vector<RaySample>>& ch
     }
 }
 
-/// The rays of a band with those that were rebuilt; inserted samples have their indices in the band.
+/// The rays of a band, some of them rebuilt; inserted samples get their indices in the band.
 LayeredDepthImage NodeConsistency::replaced(int axis, int band, const std::map<RayKey, std::vector<RaySample>>& changed,
                                             std::vector<SampleRef>& inserted) const {
     const LayeredDepthImage& old = set_[axis];
@@ -394,12 +395,12 @@ std::vector<SampleRef> NodeConsistency::run() {
 
 using OrderedSamples = std::vector<std::tuple<double, std::int32_t, SampleNormal>>;
 
-/// Whether a ray outside touches the solid: it leaves it where it enters.
+/// Whether a ray that is outside touches the solid only: it leaves the solid where it enters.
 bool only_touches(OrderedSamples::const_iterator at, OrderedSamples::const_iterator end) {
     return std::get<1>(*at) < 0 && at + 1 != end && std::get<1>(at[1]) >= 0 && std::get<0>(at[1]) == std::get<0>(*at);
 }
 
-/// Some consecutive rays in ascending order.
+/// Some consecutive rays with their samples in ascending order.
 LayeredDepthImage in_order(const LayeredDepthImage& image, std::size_t first_ray, std::size_t end_ray) {
     LayeredDepthImage result;
     result.begin.push_back(0);
@@ -446,7 +447,7 @@ LayeredDepthImage in_order(const LayeredDepthImage& image, std::size_t first_ray
 
 std::size_t restore_order(LayeredDepthImage& image) {
     const std::size_t before = image.depth.size(), rays = image.begin.size() - 1;
-    // Rays that one thread puts in order at a time.
+    // Rays that one thread sorts at a time.
     constexpr std::size_t kRays = std::size_t{1} << 14;
     std::vector<LayeredDepthImage> bands((rays + kRays - 1) / kRays);
     parallel_for(static_cast<int>(bands.size()), [&](int k) {

@@ -6,7 +6,7 @@
 
 namespace mq::boolean {
 
-/// A sample by its place in a LayeredDepthSet.
+/// A sample by its position in a LayeredDepthSet.
 struct SampleRef {
     int axis;
     std::uint32_t ray;
@@ -15,24 +15,24 @@ struct SampleRef {
 
 struct ConsistencyCounts {
     std::size_t nodes = 0;     ///< nodes of the grid at which the three rays did not agree
-    std::size_t inserted = 0;  ///< samples that a ray had missed
-    std::size_t removed = 0;   ///< samples of surfaces that a ray does not meet
+    std::size_t inserted = 0;  ///< samples that were missing on a ray
+    std::size_t removed = 0;   ///< samples of surfaces that the ray does not meet
     std::size_t left = 0;      ///< nodes at which the rays still do not agree
 };
 
-/// Puts the samples of every ray into ascending order once their depths have changed. Where an entry and an exit have
-/// passed each other the ray misses the wedge between their faces: both vanish, so that every ray still leaves the
-/// solid as often as it enters.
-/// @return the samples that vanished
+/// Sorts the samples of every ray in ascending order after their depths have changed. If an entry and the exit after it
+/// have changed places, the ray misses the wedge between their faces: both samples are removed, so that every ray still
+/// leaves the solid as often as it enters it.
+/// @return number of samples that were removed
 std::size_t restore_order(LayeredDepthImage& image);
 
-/// Makes the rays of the three directions agree whether the nodes of the grid are inside.
+/// Makes the rays of the three directions agree whether each node of the grid is inside.
 ///
-/// A mesh tells which faces a ray meets. Where a ray grazes a curved face, the mesh may be met and the face missed or
-/// the other way round, while a ray across meets both: then the node where they cross is inside for one and outside for
-/// the other. The ray that meets the surface near the node most squarely decides, or two of the three; the others get
-/// the samples that they missed, on the tangent plane of a sample of a neighbouring ray, or lose those too many. Each
-/// ray keeps as many entries as exits.
+/// The mesh tells which faces a ray meets. If a ray grazes a curved face, it may meet the mesh and miss the face or the
+/// other way round, while a ray across meets both: the node in which these rays cross is then inside for one and
+/// outside for the other. The ray that meets the surface near the node most nearly at right angles decides, or else two
+/// of the three rays. The other rays get the missing samples, on the tangent plane of a sample of a neighbouring ray,
+/// or lose the surplus ones. Each ray keeps as many entries as exits.
 /// @return the samples that were inserted
 /// @throws Cancelled
 std::vector<SampleRef> make_consistent(LayeredDepthSet& set, const SampleGrid& grid, ConsistencyCounts& counts,

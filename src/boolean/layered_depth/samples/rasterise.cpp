@@ -31,7 +31,7 @@ std::int64_t ceil_div(Integer a, Integer b) {
     return static_cast<std::int64_t>(q * b < a ? q + 1 : q);
 }
 
-/// Depth of a triangle's plane over (u, v), never outside of the triangle's own range.
+/// Depth of a triangle's plane over (u, v), limited to the range of the triangle's corners.
 class PlaneDepth {
   public:
     PlaneDepth(const Vec3& p, const Vec3& q, const Vec3& r, int axis)
@@ -92,7 +92,7 @@ std::array<Rasteriser::Corner, 3> Rasteriser::corners(int axis, std::int32_t tri
     return c;
 }
 
-/// The rows of rays that a triangle may meet; none where it lies between rays, as most triangles of a fine mesh.
+/// The rows of rays that a triangle may meet; empty if it lies between rays, as most triangles of a fine mesh do.
 Rasteriser::Rows Rasteriser::rows_of(const std::array<Corner, 3>& c) const {
     const auto [low_u, high_u] = std::minmax({c[0].u, c[1].u, c[2].u});
     const auto [low_v, high_v] = std::minmax({c[0].v, c[1].v, c[2].v});
@@ -198,8 +198,8 @@ void Rasteriser::fill(int axis, std::int32_t triangle, const std::array<Corner, 
     }
 }
 
-/// Sorts raw samples into rays, and along each ray by depth. At equal depth exits come first, so that two touching
-/// sheets separate rather than overlap; then the lower triangle.
+/// Sorts raw samples into rays, and along each ray by depth. At equal depths exits come first, so that two touching
+/// sheets separate rather than overlap; then the triangle with the lower index.
 LayeredDepthImage Rasteriser::gather(const std::vector<RawSample>& raw, std::size_t rays,
                                      const Progress* progress) const {
     LayeredDepthImage result;

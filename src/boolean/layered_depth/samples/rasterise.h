@@ -10,18 +10,18 @@ namespace mq::boolean {
 
 /// The highest resolution of rasterise(): 2^12 cells a side.
 constexpr int kMaxLevels = 12;
-/// Rows of rays in a band: the samples of a band take little memory, and starting one costs little.
+/// Rows of rays in a band: few enough that its samples take little memory, enough that starting a band costs little.
 constexpr int kRowsPerBand = 32;
 
-/// How many samples each triangle has; added to by several threads.
+/// Number of samples of each triangle; several threads add to it.
 using SampleCounts = std::vector<std::atomic<std::uint32_t>>;
 
 /// Samples one operand along the rays of the grid (Wang 2010, section II, step 1), a band of rows at a time.
 ///
-/// The rules are consistent: positions across the rays are integers (2^30 to the side of the grid), each edge decides
-/// in exact arithmetic which rays pass on which side, the same way for all triangles that share it, and a ray through
-/// an edge or a vertex counts as passing on the side of greater coordinates (symbolic perturbation). So a closed
-/// operand has as many entries as exits on every ray. The operand may reach beyond the grid.
+/// The rules are consistent: positions across the rays are integers (2^30 along the side of the grid), and each edge
+/// decides in exact arithmetic on which side of it a ray passes, in the same way for all triangles that share it. A ray
+/// through an edge or a vertex counts as passing on the side of greater coordinates (symbolic perturbation). So a
+/// closed operand has as many entries as exits on every ray. The operand may reach beyond the grid.
 class Rasteriser {
   public:
     /// Sorts the triangles into bands, on all cores.
@@ -31,9 +31,9 @@ class Rasteriser {
 
     int bands() const { return (rays_ + rows_per_band_ - 1) / rows_per_band_; }
     int first_row(int band) const { return std::min(band * rows_per_band_, rays_); }
-    /// The samples on the rays of one direction in a band, the first of which has the index 0. The same for any height
-    /// of the bands. Time O(triangles in the band + rays + samples log layers).
-    /// @param counts to which the samples of each triangle are added; may be null
+    /// The samples on the rays of one direction in a band, whose first ray has the index 0. The samples do not depend
+    /// on the height of the bands. Time O(triangles in the band + rays + samples log layers).
+    /// @param counts the samples of each triangle are added to it; may be null
     /// @throws Cancelled
     LayeredDepthImage band(int axis, int band, SampleCounts* counts, const Progress* progress) const;
 
@@ -46,9 +46,9 @@ class Rasteriser {
         std::int32_t code;
         double depth;
     };
-    /// The triangles that rays of a band may meet, ascending.
+    /// The triangles that rays of a band may meet, in ascending order.
     struct Bins {
-        std::vector<std::uint32_t> begin;  ///< first of each band, and the end
+        std::vector<std::uint32_t> begin;  ///< first triangle of each band, and the number of all
         std::vector<std::int32_t> triangles;
     };
     struct Rows {

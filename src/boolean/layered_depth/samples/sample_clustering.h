@@ -5,17 +5,17 @@
 
 namespace mq::boolean {
 
-/// How many samples each triangle of the operands has.
+/// Number of samples of each triangle of the operands.
 std::vector<std::uint32_t> count_samples(const OperandSet& pair, const std::vector<LayeredDepthSet>& operands);
 
 /// Marks the triangles that do not lie within the grid.
 std::vector<std::uint8_t> triangles_beyond(const OperandSet& pair, const SampleGrid& grid);
 
-/// Regions of the surface with samples of their own (Wang 2010, Fig. 3): triangles that no ray hits join a sampled
+/// Finds regions of the surface that have samples (Wang 2010, Fig. 3): a triangle that no ray meets joins a sampled
 /// neighbour by flood fill, ring by ring over shared vertices.
 ///
-/// @return for each triangle the sampled triangle that stands for its region (itself when it is sampled); -1 in
-///     components that no ray hits, and for triangles marked in `beyond`
+/// @return for each triangle the sampled triangle that represents its region (itself if it is sampled); -1 in
+/// components that no ray meets, and for triangles marked in `beyond`
 std::vector<std::int32_t> cluster(const OperandSet& pair, const std::vector<std::uint32_t>& samples,
                                   const std::vector<std::uint8_t>& beyond);
 

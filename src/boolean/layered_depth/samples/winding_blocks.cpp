@@ -10,9 +10,9 @@ namespace mq::boolean {
 
 namespace {
 
-/// Cells along a side of the largest blocks with triangles that stay whole.
+/// Side, in cells, of the largest blocks with triangles that are not divided.
 constexpr int kWithTriangles = 8;
-/// The largest change along the side of a block with triangles that stays whole: its rays count the triangles.
+/// Largest change along the side of a block with triangles that is not divided: on its rays the triangles are counted.
 constexpr double kCalm = 0.2;
 /// Blocks of one parallel task.
 constexpr std::size_t kBlocksPerTask = 256;
@@ -25,7 +25,7 @@ WindingBlocks::WindingBlocks(const SampleGrid& grid, const mesh::WindingNumber& 
     Block root;
     root.size = grid.cells();
     blocks_.push_back(root);
-    for (std::size_t first = 0; first < blocks_.size();) {  // level by level
+    for (std::size_t first = 0; first < blocks_.size();) {  // one level after another
         const std::size_t end = blocks_.size();
         std::vector<char> split(end - first, 0);
         const std::size_t tasks = (split.size() + kBlocksPerTask - 1) / kBlocksPerTask;

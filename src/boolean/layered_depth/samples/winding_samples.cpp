@@ -11,9 +11,9 @@ namespace mq::boolean {
 
 namespace {
 
-/// Stops along a ray nearer than this are one, in cells: a point between them would lie on the triangles.
+/// Cells: stops along a ray nearer than this count as one, as a point between them would lie on the triangles.
 constexpr double kNearest = 1e-6;
-/// How exactly a crossing of 0.5 is found, and after how many steps at most.
+/// Tolerance, in cells, of a crossing of 0.5, and the most steps of its search.
 constexpr double kCrossing = 1e-4;
 constexpr int kCrossingSteps = 12;
 
@@ -48,7 +48,7 @@ class RayWalk {
     struct Known {
         double depth = 0.0;
         double winding = 0.0;
-        double doubt = 0.0;  ///< how far it may be from the number itself
+        double doubt = 0.0;  ///< bound of its error
         bool known = false;
         bool inside() const { return winding >= kInsideWinding; }
     };
@@ -75,11 +75,11 @@ class RayWalk {
     const SampleGrid& grid_;
     const mesh::WindingNumber& winding_;
     const WindingBlocks& blocks_;
-    Box box_;  // the operand's box in grid coordinates and within the grid
+    Box box_;  // the operand's box in grid coordinates, cut to the grid
 
-    Vec3 node_ = Vec3::Zero();  // the ray's coordinates across it
+    Vec3 node_ = Vec3::Zero();  // the ray's coordinates on the two axes across it
     std::uint32_t first_hit_ = 0, hit_ = 0, end_ = 0;
-    std::uint32_t pending_ = 0;  // first sample since the last known place
+    std::uint32_t pending_ = 0;  // first sample behind the last known place
     Known last_;
     bool inside_ = false;
     RaySamples* out_ = nullptr;
@@ -94,8 +94,8 @@ void RayWalk::put(double depth, std::int32_t triangle, const Vec3& normal) {
     (triangle == gap_ ? out_->guessed_area : out_->kept_area) += 1.0 / std::max(1.0, normal.lpNorm<1>());
 }
 
-/// Makes a sample where the number crosses 0.5 between two depths without a triangle between them (the Illinois
-/// method).
+/// Makes a sample at the depth between two depths, with no triangle between them, at which the number crosses 0.5
+/// (Illinois method).
 void RayWalk::put_gap(double from, double to) {
     double f = evaluate(from) - kInsideWinding, g = evaluate(to) - kInsideWinding;
     double depth = 0.5 * (from + to);
@@ -121,7 +121,7 @@ void RayWalk::put_gap(double from, double to) {
     put(depth, gap_, normal);
 }
 
-/// The ray is on the other side at a known place: on the sample that leads there, or between samples.
+/// Records that the ray has changed sides before a known place: on the sample before it, or between samples.
 void RayWalk::change_sides(double depth) {
     if (pending_ == hit_) {
         put_gap(last_.depth, depth);
@@ -129,7 +129,7 @@ void RayWalk::change_sides(double depth) {
     }
     std::uint32_t found = hit_;
     for (std::uint32_t i = pending_; i < hit_; ++i) {
-        // The outermost of several: the first that enters, the last that leaves.
+        // Takes the outermost of several samples: the first that enters, the last that leaves.
         if ((image_.code[i] >= 0) != inside_ && (inside_ || found == hit_)) {
             found = i;
         }
@@ -139,7 +139,7 @@ void RayWalk::change_sides(double depth) {
         ++out_->kept;
         return;
     }
-    // The only triangle there is the other way round: it does not bound the solid.
+    // The only triangle there is oriented the other way: it does not bound the solid.
     put(image_.depth[pending_], gap_, -operands_.unit_normal(image_.triangle(pending_)));
 }
 
@@ -151,8 +151,8 @@ void RayWalk::arrive(double depth, double winding, double doubt) {
     pending_ = hit_;
 }
 
-/// Passes the samples up to `end` by counting, where the number is never so near 0.5 that a doubt is left.
-/// @param change of the number on the way, at most
+/// Passes the samples up to `end` by counting, if the number stays far enough from 0.5 that there is no doubt.
+/// @param change bound of the number's change on the way
 bool RayWalk::count_through(double end, double change) {
     const double doubt = last_.doubt + change;
     double winding = last_.winding;
@@ -175,7 +175,7 @@ bool RayWalk::count_through(double end, double change) {
     return true;
 }
 
-/// Evaluates the number at a depth, if no sample is there.
+/// Evaluates the number at a depth unless a sample is there.
 void RayWalk::look_at(double depth) {
     const bool behind = hit_ == first_hit_ || image_.depth[hit_ - 1] < depth - kNearest;
     const bool before = hit_ == end_ || image_.depth[hit_] > depth + kNearest;
@@ -221,7 +221,7 @@ void RayWalk::cross_box() {
         const double end = std::min<double>(last, block.low[axis_] + block.size);
         if (block.decided) {
             while (hit_ < end_ && image_.depth[hit_] <= end) {
-                ++hit_;  // on the wall of the block, by rounding
+                ++hit_;  // on the wall of the block, up to rounding
             }
             arrive(last_.depth, block.winding, block.doubt());
             last_.depth = end;
@@ -237,7 +237,7 @@ void RayWalk::cross_box() {
             look_through(end);
         }
     }
-    if (inside_) {  // outside of its box nothing is inside
+    if (inside_) {  // points outside of the operand's box are outside of it
         put(last, gap_, Vec3::Unit(axis_));
     }
 }
@@ -278,7 +278,7 @@ LayeredDepthImage joined(std::vector<RaySamples>& rows, WindingSampleCounts& cou
     return image;
 }
 
-/// The box of the operand in grid coordinates, as far as it is within the grid.
+/// The box of the operand in grid coordinates, cut to the grid.
 Box box_in_grid(const mesh::WindingNumber& winding, const SampleGrid& grid) {
     Box box;
     const Box whole = winding.tree().box();

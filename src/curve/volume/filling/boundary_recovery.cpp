@@ -14,11 +14,11 @@ namespace {
 
 /// Flips along one edge or triangle at most.
 constexpr int kMostSteps = 60;
-/// Removals of other edges that one removal may ask for.
+/// Most removals of other edges for the removal of one edge.
 constexpr int kMostCalls = 60;
-/// Depths to which edges are removed in order that others can be, one after the other.
+/// Largest nesting of such removals, in successive attempts.
 constexpr std::array<int, 3> kDepths{0, 1, 2};
-/// Points on the surface at most, and one more for each hundred vertices.
+/// Most points on the surface; one more is allowed for each hundred vertices.
 constexpr std::size_t kMostDivisions = 100;
 
 }  // namespace
@@ -89,7 +89,7 @@ bool BoundaryRecovery::recover_edge(int a, int b, int depth) {
         calls_ = 0;
         const bool even = step % 2 == 0;
         if (!advance(even ? a : b, even ? b : a, depth) && !advance(even ? b : a, even ? a : b, depth)) {
-            // What was tried in vain may have brought it nevertheless.
+            // Attempts that failed may have made the edge nevertheless.
             return mesh_.cell_with(a, b) >= 0;
         }
     }
@@ -248,7 +248,7 @@ void BoundaryRecovery::count_division() {
 
 namespace {
 
-/// Where the line from a to b meets the plane, as a fraction of the way; the middle where it hardly does.
+/// The fraction of the way from a to b at which the line meets the plane; 0.5 if the line is nearly parallel to it.
 double fraction_at(const Vec3& a, const Vec3& b, const Vec3& on_plane, const Vec3& normal) {
     const double along = (b - a).dot(normal);
     const double fraction = along != 0.0 ? (on_plane - a).dot(normal) / along : 0.5;
@@ -309,7 +309,7 @@ void BoundaryRecovery::divide_triangle(const SurfaceConstraints::Triangle& t) {
     throw MeshingFailed("a triangle of the surface holds one of its vertices");
 }
 
-/// Inserts a point into the cells that it should divide, or else into the one that holds it.
+/// Inserts a point into the cells that it should divide or, if that fails, into the cell that contains it.
 int BoundaryRecovery::insert(const Vec3& p, const std::vector<int>& cells) {
     StarCavity cavity(mesh_, surface_);
     if (!cavity.open(p, cells, -1, {})) {

@@ -14,8 +14,8 @@ namespace mq::curve {
 
 /// How edges and triangles of a surface came into a tetrahedralisation.
 struct RecoveryCount {
-    std::size_t missing_edges = 0;      ///< before
-    std::size_t missing_triangles = 0;  ///< once the edges are there
+    std::size_t missing_edges = 0;      ///< before recovery
+    std::size_t missing_triangles = 0;  ///< after all edges were recovered
     std::size_t divisions = 0;          ///< points put on the surface, since no flip helped
 };
 
@@ -31,7 +31,7 @@ class BoundaryRecovery {
     RecoveryCount run();
 
   private:
-    /// What lies across the way from a vertex: an edge (v[2] is -1) or a face of a cell.
+    /// The first obstacle on the way from a vertex: an edge (v[2] is -1) or a face of a cell.
     struct Obstacle {
         std::array<int, 3> v{-1, -1, -1};
         int cell = -1;

@@ -13,7 +13,7 @@ namespace mq::curve {
 
 namespace {
 
-/// The side of a cell on which the surface is its face, one bit each, and the cells inside at the surface.
+/// The sides at which the faces of a cell are on the surface, one bit each, for the cells inside.
 struct Walls {
     std::vector<std::uint8_t> faces;
     std::vector<int> inside;
@@ -96,7 +96,7 @@ std::vector<Vec3> ways_inside(const Tetrahedralisation& mesh, const SurfaceConst
 
 void move_inwards(Tetrahedralisation& mesh, const SurfaceConstraints& surface,
                   const SurfaceConstraints::Division& division) {
-    /// Halvings of the first step: down to what rounding leaves of it.
+    /// Halvings of the first step: until it is of the size of rounding errors.
     constexpr int kHalvings = 36;
     std::vector<int> star;
     mesh.star(division.vertex, star);

@@ -12,8 +12,8 @@ namespace mq::curve {
 void remove_outside(Tetrahedralisation& mesh, const SurfaceConstraints& surface, int outer);
 
 /// Moves the points that recovery has put on the surface inwards, the last one first, and fills the gaps, so that the
-/// surface has its own triangles again (George, Borouchaki and Saltel 2003). Outside is nothing any more.
-/// @throws MeshingFailed where rounding leaves no place for one of them.
+/// surface has its own triangles again (George, Borouchaki and Saltel 2003). Cells outside were removed before.
+/// @throws MeshingFailed if rounding leaves no place for one of the points.
 void move_divisions_inwards(Tetrahedralisation& mesh, const SurfaceConstraints& surface);
 
 }  // namespace mq::curve

@@ -14,11 +14,11 @@ namespace mq::curve {
 
 /// A change that makes the worst of the cells that it touches better.
 struct Change {
-    bool helps = false;                     ///< otherwise there is none
-    std::vector<int> cells;                 ///< those that give way, or whose vertex moves
-    std::vector<std::array<int, 4>> added;  ///< their corners, -1 for the new vertex
-    Vec3 place = Vec3::Zero();              ///< where the vertex that moves or is new will be
-    std::vector<int> read;                  ///< cells that were looked at: the plan holds until one of these changes
+    bool helps = false;                     ///< whether there is a change at all
+    std::vector<int> cells;                 ///< cells that are replaced, or whose vertex moves
+    std::vector<std::array<int, 4>> added;  ///< their corners; -1 for the new vertex
+    Vec3 place = Vec3::Zero();              ///< the new place of the vertex that moves or is inserted
+    std::vector<int> read;                  ///< cells that the plan depends on: it holds until one of these changes
 };
 
 /// Looks for changes of a tetrahedralisation, which stays as it is: several threads may look at once, each with a

@@ -14,7 +14,7 @@ namespace mq::curve {
 
 int Locator::find(const Vec3& p, int start) {
     int cell = start;
-    // Without a Delaunay property a walk may run in circles: other faces come first each time, and it ends.
+    // Without the Delaunay property a walk may run in circles; as other faces come first in each step, it ends.
     const std::size_t most = 200 + 8 * mesh_.cells.size();
     for (std::size_t step = 0; step < most && cell >= 0; ++step) {
         const Cell& c = mesh_.cells[cell];
@@ -52,7 +52,7 @@ bool CavityInsertion::open(const Vec3& p, int cell) {
 void CavityInsertion::grow(const Vec3& p, int cell) {
     cavity_ = {cell};
     inside_[cell] = 1;
-    corners_.clear();  // cells that were looked at and are not in conflict
+    corners_.clear();  // cells that were examined and are not in conflict
     for (std::size_t i = 0; i < cavity_.size(); ++i) {
         for (const int other : mesh_.cells[cavity_[i]].n) {
             if (other < 0 || inside_[other] || seen_[other]) {
@@ -98,7 +98,7 @@ bool CavityInsertion::shrink(const Vec3& p, int cell) {
             return false;
         }
         inside_[cavity_[unseen]] = 0;
-        // What hangs on the cell that goes may no longer hang on the first one: the cavity is collected anew.
+        // A cell that was connected through the removed cell may no longer be connected: the cavity is collected again.
         for (const int c : cavity_) {
             seen_[c] = inside_[c];
             inside_[c] = 0;
@@ -148,7 +148,7 @@ void CavityInsertion::close(int v) {
 
 namespace {
 
-/// Bits of a coordinate spread to every third place.
+/// Spreads the bits of a coordinate to every third position.
 std::uint64_t spread(std::uint64_t bits) {
     std::uint64_t result = 0;
     for (int i = 0; i < 20; ++i) {

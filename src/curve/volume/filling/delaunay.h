@@ -33,7 +33,7 @@ class CavityInsertion {
     /// @return whether there is one
     bool open(const Vec3& p, int cell);
     const std::vector<int>& cavity() const { return cavity_; }
-    /// The cells that were looked at: the cavity is the same one as long as none of these changes.
+    /// The cells that were examined: the cavity stays the same until one of these changes.
     const std::vector<int>& seen() const { return looked_at_; }
     /// The vertices of the cavity, without repetition.
     const std::vector<int>& corners() const { return corners_; }

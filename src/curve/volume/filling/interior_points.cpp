@@ -46,7 +46,7 @@ InteriorPoints::InteriorPoints(Tetrahedralisation& mesh, const std::vector<std::
     for (std::size_t v = 0; v < length_.size(); ++v) {
         length_[v] = count[v] > 0 ? length_[v] / count[v] : std::numeric_limits<double>::infinity();
     }
-    // Points that recovery has left inside.
+    // Starts with points inside that recovery has left.
     std::vector<int> star;
     for (std::size_t v = 0; v < length_.size(); ++v) {
         if (count[v] == 0) {

@@ -33,7 +33,7 @@ void Optimisation::run(const Progress& progress) {
     }
 }
 
-/// What has changed, and what is next to it, is tried again.
+/// Queues changed cells and their neighbours for another attempt.
 void Optimisation::note(const std::vector<int>& changed) {
     quality_.resize(mesh_.cells.size(), 1.0);
     tried_.resize(mesh_.cells.size(), 0);
@@ -54,14 +54,15 @@ void Optimisation::note(const std::vector<int>& changed) {
     }
 }
 
-/// Plans and applies one change after the other for those of the items begin .. end - 1 that are wanted. Several
-/// threads plan a block of changes ahead; a plan is made again where an earlier change of its block has touched what it
-/// rests on, so that the result is the same for any number of threads.
+/// Plans and applies one change after another for those of the items begin .. end - 1 for which `wanted` is true.
+/// Several threads plan a block of changes ahead; a plan is made again if an earlier change of its block has changed
+/// cells that it depends on, so that the result is the same for any number of threads.
 /// @return whether anything was changed
 template <typename Wanted, typename Plan, typename Apply>
 bool Optimisation::sweep(std::size_t begin, std::size_t end, const Progress& progress, const Wanted& wanted,
                          const Plan& plan, const Apply& apply) {
-    // Plans of a thread in a block, so that its start pays. Blocks grow until one in kAgain is made again.
+    // Least number of plans of a thread in a block, so that starting it pays. Blocks grow until one plan in kAgain has
+    // to be made again.
     constexpr std::size_t kLeast = 4;
     constexpr std::size_t kMost = 256;
     constexpr std::size_t kAgain = 8;
@@ -78,7 +79,7 @@ bool Optimisation::sweep(std::size_t begin, std::size_t end, const Progress& pro
                 planned.push_back(last);
             }
         }
-        plans.resize(std::max(plans.size(), planned.size() + 1));  // the last one is for what has no plan yet
+        plans.resize(std::max(plans.size(), planned.size() + 1));  // the last plan is for items without a valid one
         ++block_;
         parallel_for_on_threads(static_cast<int>(planned.size()), [&](int thread, int k) {
             progress.check();
@@ -124,7 +125,7 @@ bool Optimisation::flip_cells(const Progress& progress) {
         }
     };
     bool any = false;
-    // Flips add cells, which come last.
+    // Flips append cells to the list.
     for (std::size_t from = 0; from < mesh_.cells.size();) {
         const std::size_t end = mesh_.cells.size();
         any = sweep(from, end, progress, wanted, plan, apply) || any;

@@ -38,8 +38,8 @@ class Optimisation {
     int first_inner_;
     std::vector<double> quality_;
     std::vector<ChangePlanner> planners_;  // by thread
-    std::vector<char> tried_;              // cells that no flip has helped since something around them changed
-    std::vector<char> settled_;            // vertices that no move has helped since then
+    std::vector<char> tried_;              // by cell: no flip has helped since a cell around it changed
+    std::vector<char> settled_;            // by vertex: no move has helped since then
     std::size_t block_ = 0;
     std::vector<std::size_t> changed_in_;  // by cell: the last block of plans in which it changed or went
     std::vector<int> created_;

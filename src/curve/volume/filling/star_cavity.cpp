@@ -9,7 +9,7 @@ namespace mq::curve {
 
 bool StarCavity::open(const Vec3& p, const std::vector<int>& start, int own,
                       const std::vector<std::array<int, 3>>& more) {
-    /// Cells that join at most: beyond, the point is in the wrong place.
+    /// Most cells that may join: if more are needed, the point is in the wrong place.
     constexpr std::size_t kMostMore = 24;
     cells_ = start;
     Step last = Step::Grown;

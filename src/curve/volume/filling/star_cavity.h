@@ -16,9 +16,9 @@ class StarCavity {
   public:
     StarCavity(const Tetrahedralisation& mesh, const SurfaceConstraints& surface) : mesh_(mesh), surface_(surface) {}
 
-    /// @param own the vertex whose faces are inside the cavity, or -1
-    /// @param more faces that the cavity has besides, such as those that take the place of faces with `own`
-    /// @return whether all faces are seen, and no vertex and no edge of the surface gets lost
+    /// @param own the vertex whose faces are inside of the cavity, or -1
+    /// @param more further faces of the cavity, such as those that replace faces with `own`
+    /// @return whether the point sees all faces, and no vertex and no edge of the surface would be removed
     bool open(const Vec3& p, const std::vector<int>& start, int own, const std::vector<std::array<int, 3>>& more);
 
     const std::vector<int>& cells() const { return cells_; }

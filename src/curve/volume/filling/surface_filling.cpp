@@ -12,7 +12,7 @@ namespace mq::curve {
 
 namespace {
 
-/// The cells with the inner vertices numbered after those of the surface.
+/// The cells; inner vertices are numbered after those of the surface.
 TetrahedralFilling filling_of(const Tetrahedralisation& mesh, std::size_t surface) {
     TetrahedralFilling filling;
     std::vector<int> number(mesh.points.size(), -1);

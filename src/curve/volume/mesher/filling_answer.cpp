@@ -11,7 +11,7 @@ namespace mq::curve {
 
 namespace {
 
-/// Takes values off the front of the answer.
+/// Reads values from the front of the answer.
 class Reader {
   public:
     explicit Reader(const std::string& bytes) : bytes_(bytes) {}
@@ -60,7 +60,7 @@ FillingAnswer read_filling(const std::string& answer, const std::vector<Vec3>& s
         const std::string why = reader.rest();
         return {{}, why.empty() ? "no reason was given" : why};
     }
-    // Counts beyond what follows end the loops by half an answer.
+    // If a count exceeds the values that follow, the loops end early with an incomplete answer.
     const auto points = reader.take<std::int64_t>();
     const auto tetrahedra = reader.take<std::int64_t>();
     std::vector<Vec3> all;

@@ -26,7 +26,7 @@ bool ends_at(const std::vector<std::array<int, 3>>& surface, const std::vector<s
         sides.push_back(sorted({t[0], t[2], t[3]}));
         sides.push_back(sorted({t[1], t[2], t[3]}));
     }
-    // Together with the surface's own triangles each triangle is there twice.
+    // Together with the surface's own triangles each triangle occurs twice.
     std::sort(sides.begin(), sides.end());
     for (std::size_t i = 0; i < sides.size(); i += 2) {
         const bool single = i + 1 == sides.size() || sides[i] != sides[i + 1];

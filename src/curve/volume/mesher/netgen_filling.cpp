@@ -61,7 +61,7 @@ Attempt attempt(const std::vector<Vec3>& points, const std::vector<std::array<in
         return {{}, end.fault, end.too_long};
     }
     FillingAnswer read = read_filling(answer, turned);
-    // Those of the surface are the given ones, bit for bit.
+    // Points of the surface keep the given coordinates, bit for bit.
     for (Vec3& p : read.filling.inner_points) {
         p = turn.transpose() * p;
     }

@@ -18,7 +18,7 @@ namespace mq::curve {
 
 namespace {
 
-/// Layers by which cavities grow at most before all of their volume is filled anew.
+/// Most layers by which cavities grow before their whole volume is filled anew.
 constexpr int kMostLayers = 4;
 
 using Corners = std::array<int, 3>;
@@ -62,7 +62,7 @@ class Remesher {
         }
     }
 
-    /// Removes what no longer fits the surface.
+    /// Removes the tetrahedra that no longer fit the surface.
     void remove_unfit() {
         find_changes();
         for (std::size_t t = 0; t < stale_.size(); ++t) {
@@ -296,7 +296,7 @@ class Remesher {
         for (const auto& [v, own] : number) {
             vertex[static_cast<std::size_t>(own)] = v;
         }
-        // Points of the border by the surface's numbers; inner points below 0, as they have none yet.
+        // Points of the border get the surface's numbers; inner points have no number yet and stay below 0.
         for (auto& t : filling.tetrahedra) {
             for (int& v : t) {
                 const auto index = static_cast<std::size_t>(v);
@@ -333,7 +333,7 @@ class Remesher {
         return any;
     }
 
-    /// Forgets the shapes of mesh edges and faces of which only removed tetrahedra have any.
+    /// Removes the shapes of mesh edges and faces that only removed tetrahedra have.
     void forget_shapes_inside(const std::array<int, 4>& v, const TetrahedralMesh& mesh) {
         const auto removed = [&](std::size_t t) { return stale_[t] != 0; };
         for (const Corners& face : outward_faces(v)) {
@@ -460,7 +460,7 @@ void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& su
                 done.cavities += tried.cavities;
                 continue;
             }
-        } catch (const MeshingFailed&) {  // what was there before is as good
+        } catch (const MeshingFailed&) {  // the tetrahedra of before are as good
         }
         surface = std::move(kept);
         volume.emplace(surface, tetrahedra);

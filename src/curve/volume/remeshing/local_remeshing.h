@@ -18,7 +18,7 @@ struct TetrahedraInside {
     std::vector<int> volume;                  ///< by tetrahedron: the volume of the model
 };
 
-/// What local remeshing did.
+/// Counts of local remeshing.
 struct LocalRemeshing {
     std::size_t removed = 0;  ///< tetrahedra that no longer fitted the surface, or had no volume
     std::size_t added = 0;

@@ -54,7 +54,7 @@ CheckedSurface::CheckedSurface(const TopoDS_Face& shape) : face(shape), surface(
 }
 
 bool CheckedSurface::is_one_place(const gp_Pnt2d& a, const gp_Pnt2d& b, double tolerance) const {
-    // As in BRepCheck_Wire.cxx: the share of the surface's range within which points are one.
+    // As in BRepCheck_Wire.cxx: two points closer than this fraction of the surface's range count as one.
     constexpr double kShare = 0.01;
     const double du = std::abs(a.X() - b.X());
     const double dv = std::abs(a.Y() - b.Y());

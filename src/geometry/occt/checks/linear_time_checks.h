@@ -18,8 +18,8 @@ struct Finding {
     BRepCheck_Status status = BRepCheck_NoError;
 };
 
-/// The checks of faces and shells with many edges and faces, in about linear time. Those of OpenCASCADE are quadratic
-/// and cannot be cancelled: 10 s for a plate with 1,600 square holes.
+/// The checks of faces and shells with many edges and faces, in about linear time. OpenCASCADE's own checks are
+/// quadratic and cannot be cancelled: they take 10 s for a plate with 1,600 square holes.
 
 /// Checks vertices, edges and wires of a face, each on a face of its own. Borders that cross are not searched:
 /// triangulation finds them.

@@ -42,7 +42,7 @@ class CheckedWire {
     }
     /// The area inside in (u, v), negative around a hole, and the largest error of it.
     std::pair<double, double> area() const;
-    /// 1 for a point inside, -1 for one outside, 0 where that is not sure.
+    /// 1 for a point inside, -1 for a point outside, 0 if that is not certain.
     int side_of(const Vec2& point) const;
     const Vec2& start() const { return pieces_.front().start(); }
     bool is_apart_from(const CheckedWire& other) const;
@@ -50,8 +50,8 @@ class CheckedWire {
   private:
     /// The place where two edges meet.
     struct Joint {
-        std::size_t piece;  ///< the first one after it
-        double room;        ///< how far from it in (u, v) both edges stay within the vertex's tolerance
+        std::size_t piece;  ///< the first piece after it
+        double room;        ///< distance from it in (u, v) up to which both edges stay within the vertex's tolerance
         double gap;         ///< between both curves in (u, v)
     };
 
@@ -59,7 +59,7 @@ class CheckedWire {
     struct Side {
         Vec2 from;
         Vec2 to;
-        double beside;  ///< how far from it the boundary runs at most
+        double beside;  ///< largest distance of the boundary from it
     };
 
     bool read();
@@ -82,7 +82,7 @@ class CheckedWire {
     std::vector<BoundaryPiece> pieces_;
     std::vector<Side> sides_;
     std::vector<Joint> joints_;
-    double margin_ = 0.0;  ///< distance in (u, v) that counts as apart
+    double margin_ = 0.0;  ///< distance in (u, v) from which places count as apart
 };
 
 bool CheckedWire::read() {
@@ -149,7 +149,7 @@ bool CheckedWire::put_in_order() {
 
 /// Whether OpenCASCADE, which follows a wire by vertices and by places in (u, v), can only follow it in this order.
 bool CheckedWire::goes_one_way() const {
-    // Distance of ends in (u, v) that are one place, as a fraction of what OpenCASCADE allows.
+    // Ends in (u, v) closer than this fraction of OpenCASCADE's limit count as one place.
     constexpr double kSmall = 0.5;
     double largest = 0.0;
     for (const CheckedUse& use : uses_) {
@@ -238,7 +238,7 @@ void CheckedWire::add_joint(const CheckedUse& before, const CheckedUse& after) {
         {pieces_.size(), left / std::max(su.Magnitude() + sv.Magnitude(), 1e-300), before.uv[1].Distance(after.uv[0])});
 }
 
-/// Whether neighbours only meet where one goes over into the other, and all others are apart.
+/// Whether neighbours meet only where one continues the other, and all other pieces are apart.
 bool CheckedWire::is_simple() const {
     const std::size_t n = pieces_.size();
     std::size_t joint = 0;
@@ -326,7 +326,7 @@ bool CheckedWire::is_apart_from(const CheckedWire& other) const {
     });
 }
 
-/// Whether one wire has the others in it, which are holes beside each other.
+/// Whether one wire encloses all others, and the others are holes side by side.
 bool are_nested(const std::vector<CheckedWire>& wires) {
     const CheckedWire* outer = nullptr;
     for (const CheckedWire& wire : wires) {

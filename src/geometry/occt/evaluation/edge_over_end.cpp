@@ -12,7 +12,7 @@ bool EdgeEvaluator::over_end(double t) const {
     return is_closed(data_) && !in_range(t) && in_range(in_first_turn(data_, t));
 }
 
-/// Arc length as arc(), where parameters may be in the turns beside the first.
+/// The arc length between two parameters, like arc(), also for parameters in the turns beside the first one.
 double EdgeEvaluator::arc_over_end(double from, double to) const {
     const auto from_start = [&](double t) {
         const double own = in_first_turn(data_, t);

@@ -76,7 +76,7 @@ void FaceEvaluator::search_peak(int i, int k, int axis, double sign, Box& box) {
     constexpr double kEnd = 1e-3;
     // Steps at most, so that the search ends on degenerate surfaces.
     constexpr int kSteps = 200;
-    // Least rise as a fraction of the face's size: a smaller one is rounding, as on the ridge of a cylinder.
+    // Least rise, as a fraction of the face's size; a smaller one is due to rounding, as on the ridge of a cylinder.
     constexpr double kAnything = 1e-8;
     const Vec2 cell((trimmed_.high[0] - trimmed_.low[0]) / samples_[0],
                     (trimmed_.high[1] - trimmed_.low[1]) / samples_[1]);

@@ -23,11 +23,11 @@ namespace {
 /// An end of an edge at the vertex.
 struct EdgeEnd {
     TopoDS_Edge edge;
-    bool first;    ///< whether its parameters begin there
+    bool first;    ///< whether its parameters begin at the vertex
     Vec3 way;      ///< into the edge
     Vec3 normal;   ///< Su x Sv of the face; zero where it has none
-    bool leaves;   ///< whether the border of the face, with the face on its left, begins with the edge there
-    bool arrives;  ///< whether it ends with the edge there; both on an edge inside of the face
+    bool leaves;   ///< whether the border of the face, with the face on its left, begins with the edge at the vertex
+    bool arrives;  ///< whether the border ends with the edge at the vertex; both hold for an edge inside of the face
 };
 
 Vec3 way_into(const TopoDS_Edge& edge, const TopoDS_Face& face, bool first) {

@@ -62,7 +62,7 @@ FaceEvaluator::FaceEvaluator(const TopoDS_Face& shape, const Face& data, Evaluat
 }
 
 void FaceEvaluator::set_bounds(const Face& data) {
-    // The bound of parameters that stands for infinity.
+    // Bounds of parameters beyond this count as infinite.
     constexpr double kFar = 1e6;
     natural_.low = {surface_.FirstUParameter(), surface_.FirstVParameter()};
     natural_.high = {surface_.LastUParameter(), surface_.LastVParameter()};

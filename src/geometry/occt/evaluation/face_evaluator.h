@@ -34,14 +34,15 @@ class FaceEvaluator {
     Answer nearest_global(const Vec3& point);
     /// The point of the surface on the line through `point`, by Newton's method from a guess; `along` is a unit vector.
     Answer on_line(const Vec3& point, const Vec3& along, double u, double v) const;
-    /// @param border  half the width of what counts as the border, mm, where that is less than the face's tolerance; 0:
-    ///                the tolerance
+    /// @param border  mm: half the width of the strip that counts as the border, if it is less than the face's
+    /// tolerance; 0: the tolerance
     Answer contains(double u, double v, double border);
     /// The surface by formula, with the face's location; empty where there is none.
     std::optional<ElementarySurface> elementary() const;
     /// Extends the box so that it holds the face, given that it holds its edges.
     void add_to(Box& box);
-    /// The same as `point`, for a (u, v) on a curve of the shape: one out of the surface's bounds is moved into them.
+    /// The same as `point`, for a (u, v) on a curve of the shape: a point out of the surface's bounds is moved into
+    /// them.
     Answer point_of_curve(double u, double v) const;
 
   private:
@@ -50,11 +51,11 @@ class FaceEvaluator {
         Vec2 uv = Vec2::Zero();
         double square = 0.0;
         bool found = false;
-        SurfacePoint at{};  ///< point and first derivatives there, once they are known
+        SurfacePoint at{};  ///< point and first derivatives at the parameters, once they are computed
     };
     struct Step {
         Vec2 move = Vec2::Zero();
-        bool minimum = false;  ///< the distance is convex here: a vanishing step is at a minimum
+        bool minimum = false;  ///< the distance is convex here, so that a vanishing step means a minimum
         Vec2 squares;          ///< squared lengths of Su and Sv
     };
 

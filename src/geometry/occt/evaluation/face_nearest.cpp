@@ -13,12 +13,12 @@ namespace {
 
 /// Pi: latitudes lie within half of it.
 constexpr double kPi = 3.14159265358979323846;
-/// Stands for bounds that do not exist.
+/// Bounds of parameters that are unlimited.
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// A Newton step below this fraction of the face's size is the last one: the next would be of the order of its square.
-/// Steps that are not full Newton steps converge slowly, and go on to kLastSlowStep.
+/// A Newton step below this fraction of the face's size is the last one: the next step would be of the order of its
+/// square. Steps that are not full Newton steps converge slowly, and go on down to kLastSlowStep.
 constexpr double kLastStep = 1e-7;
-/// The same for other steps: near the rounding of distances.
+/// The last step if steps are no full Newton steps: near the rounding of distances.
 constexpr double kLastSlowStep = 1e-11;
 
 Vec2 clamped(const Vec2& uv, const ParameterBox& box) {
@@ -121,7 +121,7 @@ FaceEvaluator::Step FaceEvaluator::newton_step(const SurfacePoint& s, const Vec3
 
 /// @param p point in the surface's own coordinates.
 FaceEvaluator::Projection FaceEvaluator::newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const {
-    // Newton steps at most; searches that need more start anew elsewhere.
+    // Newton steps at most; if a search needs more, it starts again from another place.
     constexpr int kSteps = 30;
     // Halvings of a step that does not reduce the distance.
     constexpr int kHalvings = 8;
@@ -163,7 +163,7 @@ FaceEvaluator::Projection FaceEvaluator::newton(const Vec3& p, const Vec2& start
 
 /// Whether one parameter has no effect, as at a pole, so that a search cannot leave in every direction.
 bool FaceEvaluator::collapsed(const SurfacePoint& s) const {
-    // Length of a derivative that counts as zero, as a fraction of the usual one.
+    // A derivative shorter than this fraction of its usual length counts as zero.
     constexpr double kCollapsed = 1e-5;
     return s.su.norm() <= kCollapsed * su_ || s.sv.norm() <= kCollapsed * sv_;
 }
@@ -188,7 +188,7 @@ bool FaceEvaluator::is_local_minimum(const Vec3& p, const Projection& projection
 /// Samples the face's box, for searches without a guess and for the face's bounding box: about as dense in both
 /// directions, and several samples in each span of the surface.
 void FaceEvaluator::sample() {
-    // Samples of the face on the whole, unless the spans need more.
+    // Samples of the face in all, unless the spans need more.
     constexpr double kTotal = 600.0;
     // Samples along each parameter at least.
     constexpr int kLeast = 8;
@@ -370,7 +370,7 @@ Answer FaceEvaluator::nearest(const Vec3& point, double u, double v) {
 Answer FaceEvaluator::on_line(const Vec3& point, const Vec3& along, double u, double v) const {
     // Newton steps at most; from a guess as good as a triangle's parameters few are needed.
     constexpr int kSteps = 16;
-    // Distance from the line that is zero, as a fraction of the face's size.
+    // A distance from the line below this fraction of the face's size counts as zero.
     constexpr double kOnLine = 1e-13;
     // The least sine of the angle between line and surface, below which the step has no length.
     constexpr double kAlong = 1e-9;
@@ -394,7 +394,7 @@ Answer FaceEvaluator::on_line(const Vec3& point, const Vec3& along, double u, do
         const Vec3 r = s.point - p;
         const Vec2 off(r.dot(across), r.dot(other));
         const double size = off.norm();
-        // Steps of rounding alone do not come nearer any more.
+        // Steps that are rounding alone do not come nearer any more.
         if (size <= kOnLine * size_ || (size <= 1e3 * kOnLine * size_ && size >= before)) {
             answer = at(uv.x(), uv.y(), s);
             answer.t = (answer.point - point).dot(along);

@@ -67,12 +67,13 @@ bool meets(const Box& box, const gp_Lin& ray) {
 
 /// Whether a ray from a point of a face, on its outer side, meets no face.
 bool sees_nothing(const BoxedFace& start, const std::vector<BoxedFace>& faces, double size) {
-    // Length at the start of the ray that does not count, as a fraction of the size.
+    // Crossings within this length from the start of the ray do not count; a fraction of the size.
     constexpr double kStart = 1e-6;
     gp_Pnt point;
     double u = 0.0;
     double v = 0.0;
-    double share = 0.512345;  // Where on an edge OpenCASCADE starts to look for a point: no special place.
+    double share =
+        0.512345;  // the position on an edge at which OpenCASCADE starts to look for a point: not a special one
     gp_Vec su;
     gp_Vec sv;
     if (!BRepClass3d_SolidExplorer::FindAPointInTheFace(start.face, point, u, v, share, su, sv)) {
@@ -95,14 +96,14 @@ bool sees_nothing(const BoxedFace& start, const std::vector<BoxedFace>& faces, d
 }
 
 bool any_sees_nothing(const TopoDS_Shape& solid) {
-    // Faces from which a ray is tried.
+    // Number of faces from which a ray is tried.
     constexpr std::size_t kTries = 3;
     const std::vector<BoxedFace> faces = boxed_faces(solid);
     Box box;
     for (const BoxedFace& face : faces) {
         box.add(face.box);
     }
-    // Planes are tried before others, and those that lie in a thin layer at a side of the box: nothing is before them.
+    // Planes come first, and among them faces in a thin layer at a side of the box: no face lies in front of these.
     const auto depth = [&](const BoxedFace& face) {
         return std::min((face.box.high - box.low).minCoeff(), (box.high - face.box.low).minCoeff());
     };

@@ -25,7 +25,7 @@ class SplineCurvePieces {
 
     /// The point and the first derivative at `t` in the range. On a knot the span after it is evaluated.
     CurvePoint first(double t);
-    /// The second derivative too.
+    /// The point with first and second derivatives.
     CurvePoint second(double t);
 
   private:

@@ -10,7 +10,7 @@ namespace mq::geometry {
 
 namespace {
 
-// KnotSpans that are kept at most: those of bicubic surfaces need 150 kB.
+// Most KnotSpans that are kept: those of bicubic surfaces need 150 kB.
 constexpr std::size_t kSlots = 256;
 
 std::vector<double> values(const TColStd_Array1OfReal& array) {

@@ -22,7 +22,7 @@ class SplineSurfacePieces {
     Vec3 point(double u, double v);
     /// The point and the first derivatives at (u, v), which must be inside. On a knot the span after it is evaluated.
     SurfacePoint first(double u, double v);
-    /// The second derivatives too.
+    /// The point with first and second derivatives.
     SurfacePoint second(double u, double v);
 
   private:

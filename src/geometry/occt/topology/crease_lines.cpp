@@ -147,7 +147,7 @@ class CreaseSearch {
     }
 
     TopoDS_Face face_;
-    // Evaluates: an adaptor prepares the polynomials of a knot span for each point of another one.
+    // Used for evaluation: the adaptor prepares the polynomials of a knot span again for each point of another span.
     Handle(Geom_Surface) surface_;
     GeomAdaptor_Surface adaptor_;
     double tolerance_;

@@ -88,7 +88,7 @@ using DivideAtCreases = FaceDivide<decltype(&ShapeUpgrade_FaceDivide::SplitSurfa
 class Cuts {
   public:
     Cuts(const TopoDS_Shape& shape, const Surfaces& uncut) : result_(shape) {
-        // Cutting in both directions at once fails where lines cross in a line that is a point.
+        // Cutting in both directions at once fails if lines cross in a line that is a single point.
         divide(0, uncut);
         divide(1, uncut);
     }
@@ -195,7 +195,7 @@ std::vector<int> badly_cut(const OrderedShape& whole, const Cuts& cuts) {
     return bad;
 }
 
-/// Leaves faces whose pieces do not cover them as they are, and names them in `left`.
+/// Divides faces except those that their pieces do not cover, which are named in `left`.
 OrderedShape cut_where_possible(const OrderedShape& whole, std::string& left) {
     Surfaces uncut;
     for (;;) {

@@ -50,14 +50,14 @@ class CollapsedPieces : EdgeJoining {
 
     using Pair = std::array<int, 2>;
 
-    /// Edges that bound a face in pairs that run along each other, and those between the ends of the pairs.
+    /// The edges around a face: pairs that run along each other, and the edges between the ends of the pairs.
     struct Sliver {
         std::vector<int> uses;    // both sides, around the face
         std::vector<Pair> pairs;  // uses that lie across from each other
         std::vector<int> ends;    // edges shorter than the detail, and points
     };
 
-    /// Sets the faces that are thinner than the detail and leave corners at their ends, or others of these faces there.
+    /// Finds the faces that are thinner than the detail and leave corners at their ends, or other thin faces.
     void find_thin_faces() {
         if (!(topology_.detail > 0.0)) {
             return;
@@ -213,8 +213,8 @@ class CollapsedPieces : EdgeJoining {
         return true;
     }
 
-    /// Takes the face off its edges, and makes those one place that are a point.
-    /// @return the other edges
+    /// Removes a face, and merges edges of it that are points.
+    /// @return its other edges
     std::vector<int> take_out(int face) {
         std::set<int> around;
         for (const Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {

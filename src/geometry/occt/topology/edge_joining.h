@@ -24,19 +24,19 @@ class EdgeJoining {
     /// The tolerance of `a` becomes their distance, if that is larger.
     /// @return whether they are one now
     bool join(int a, int b, double within = 0.0);
-    /// How `a` lies along `b`; none where a sample of `a` is farther than `within` from `b`, mm.
+    /// How `a` lies along `b`; nothing if a sample of `a` is farther than `within` (mm) from `b`.
     std::optional<Alignment> alignment(int a, int b, double within) const;
     /// Radians: the angle between the faces of two uses in the middle of their edges, which lie along each other; 0:
-    /// the faces lie on each other there. None where a use has no curve on its face.
+    /// the faces lie on each other there. Nothing if a use has no curve on its face.
     std::optional<double> dihedral_angle(int use, int other) const;
 
     /// Divides an edge at its parameter `t`, where it gets the node: the edge keeps the first piece.
     /// @return the second piece, a new edge (Topology::parts_of)
     int divide(int e, double t, int node);
-    /// Makes one node of two, if both exist, and notes that.
+    /// Merges two nodes, if both exist, and records that.
     void unite(int a, int b);
     bool same_node(int a, int b) { return a >= 0 && b >= 0 && nodes_.find(a) == nodes_.find(b); }
-    /// Gives the edges the nodes that stand for theirs.
+    /// Replaces the nodes of the edges by the nodes that they were merged with.
     void rename_nodes();
 
   protected:

@@ -57,15 +57,16 @@ class FaceOrientation {
   private:
     struct Set {
         std::vector<int> faces;
-        int edge = -1;  ///< that two of the faces share
+        int edge = -1;  ///< an edge that two of the faces share
         bool closed = true;
-        /// Whether the faces of a closed set look outward if those with 1 in `turned_` turn.
+        /// Whether the faces of a closed set look outward after those with 1 in `turned_` are reversed.
         bool outward = false;
         Bnd_Box box;
     };
 
-    /// The faces that share edges with one, directly or through others. `turned_` becomes 0 or 1: those with the one
-    /// have to be turned if those with the other stay.
+    /// The faces that share edges with `face`, directly or through others. Sets `turned_` to 0 or 1: faces with
+    /// different
+    /// values must not both be reversed, nor both stay.
     Set connected_to(int face) {
         Set set;
         set.faces.push_back(face);
@@ -105,7 +106,7 @@ class FaceOrientation {
         set.faces.push_back(other.face);
     }
 
-    /// 0 or 1: the faces with this in `turned_` are to be turned.
+    /// 0 or 1: the faces with this value in `turned_` have to be reversed.
     int side_to_turn(const Set& set, const std::vector<Set>& sets) {
         if (!set.closed) {
             const auto ones = std::count_if(set.faces.begin(), set.faces.end(),
@@ -132,7 +133,7 @@ class FaceOrientation {
         }
     }
 
-    /// Volume of a closed set if its faces with 1 in `turned_` turn, mm^3; negative: it is inside out.
+    /// mm^3: volume of a closed set after its faces with 1 in `turned_` are reversed; negative: it is inside out.
     double volume(const Set& set) const {
         double sum = 0.0;
         for (const int f : set.faces) {
@@ -146,7 +147,7 @@ class FaceOrientation {
         return sum;
     }
 
-    /// The faces of a closed set as a solid, those with 1 in `turned_` turned, or the others.
+    /// The faces of a closed set as a solid. Those with 1 in `turned_` are reversed or, with `others`, those with 0.
     TopoDS_Solid solid_of(const Set& set, bool others) const {
         const BRep_Builder builder;
         TopoDS_Shell shell;

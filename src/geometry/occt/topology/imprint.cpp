@@ -69,7 +69,7 @@ bool has_inner_edge(const TopoDS_Shape& part) {
 class Fuse {
   public:
     Fuse(const TopTools_IndexedMapOfShape& solids, const Bodies& bodies, double within, const Progress* progress) {
-        // Faces rather than solids: solids that overlap would be cut into the parts that they share.
+        // Faces, not solids, as solids that overlap would be cut into the regions that they share.
         TopTools_ListOfShape arguments;
         for (const int body : bodies) {
             const TopoDS_Compound faces = new_compound();
@@ -92,7 +92,7 @@ class Fuse {
 
     bool failed() const { return fuse_.HasErrors(); }
 
-    /// What became of a face, an edge or a vertex, oriented as it is.
+    /// The pieces into which a face, an edge or a vertex was divided, oriented as it is.
     TopoDS_Shape pieces_of(const TopoDS_Shape& entity) {
         const TopTools_ListOfShape* images = fuse_.Images().Seek(entity);
         TopTools_ListOfShape pieces;
@@ -114,8 +114,8 @@ class Fuse {
     }
 
   private:
-    /// The piece without edges inside it that its face does not have: seams of the other face, and edges of bodies that
-    /// touch there along a line.
+    /// The piece without inner edges that its face does not have: seams of the other face, and edges of bodies that
+    /// touch it along a line.
     TopoDS_Shape without_inner_edges(const TopoDS_Shape& piece, const TopoDS_Shape& face) {
         if (!has_inner_edge(piece) || has_inner_edge(face)) {
             return piece;
@@ -259,7 +259,7 @@ TopoDS_Shape rebuilt(const TopoDS_Shape& whole, const TopTools_IndexedMapOfShape
     return result;
 }
 
-/// Notes for each face between two solids the face of the one that sees it from its other side.
+/// Records for each face between two solids the face of the other solid, which sees it from its other side.
 void note_faces_behind(OrderedShape& cut, const OrderedShape& whole, const TopTools_IndexedMapOfShape& solids,
                        const Bodies& bodies, Fuse& fuse) {
     for (const int body : bodies) {
@@ -293,7 +293,8 @@ OrderedShape imprint_contacts(OrderedShape whole, double within, std::vector<std
     Bodies bodies = close_bodies(solids, within, progress);
     Bodies left;
     try {
-        // Only bodies in contact, or some edges would be divided where they cross bodies that stay as they are.
+        // Only bodies in contact are divided, as edges would else be divided where they cross bodies that stay as they
+        // are.
         while (bodies.size() > 1) {
             Fuse fuse(solids, bodies, within, progress);
             if (fuse.failed()) {

@@ -77,7 +77,7 @@ class LooseFaces : EdgeJoining {
 
     int face_of(int e) const { return topology_.uses[static_cast<std::size_t>(edge(e).uses.front())].face; }
 
-    /// Whether an edge bounds one loose face. One shorter than the detail is no more than a vertex, beside any other.
+    /// Whether an edge bounds exactly one loose face and is longer than the detail: a shorter one counts as a vertex.
     bool is_free(int e) const {
         const Edge& data = edge(e);
         return data.uses.size() == 1 && !data.degenerate && data.nodes[0] >= 0 && data.nodes[1] >= 0 &&
@@ -146,7 +146,7 @@ class LooseFaces : EdgeJoining {
                 return std::nullopt;
             }
         }
-        // Radians: least angle between faces that are joined; those of copies lie on each other.
+        // Radians: least angle between faces that are joined; copies of a face lie on each other.
         constexpr double kLeast = 2.0 * kDegree;
         const std::optional<double> angle = dihedral_angle(edge(a).uses.front(), edge(b).uses.front());
         return angle && *angle >= kLeast ? std::optional<double>(std::max(first->distance, second->distance))
@@ -157,7 +157,7 @@ class LooseFaces : EdgeJoining {
     /// @return whether there are any
     bool divide_at_ends() {
         std::vector<int> free;
-        // By x: an edge, and 0 for its first end, 1 for its last.
+        // By x coordinate: an edge, and which end: 0 the first, 1 the last.
         std::multimap<double, std::pair<int, std::size_t>> ends;
         for (int e = 0; e < static_cast<int>(topology_.edges.size()); ++e) {
             if (is_free(e)) {
@@ -193,7 +193,8 @@ class LooseFaces : EdgeJoining {
         int node;
     };
 
-    /// Notes where an end of another edge meets the inside of this one, if the two run along each other there.
+    /// Adds a division of this edge at an end of another edge that meets its inside, if the two run along each other
+    /// there.
     void add_division(int e, int other, std::size_t end, std::vector<Division>& divisions) const {
         const double near = topology_.detail;
         const EdgeEvaluator& along = curve(e);

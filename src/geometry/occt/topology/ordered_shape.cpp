@@ -100,7 +100,7 @@ class Numbering {
         }
     }
 
-    // Edges of pieces that became one with others, such as seams.
+    // Records edges of pieces that were merged with others, such as seams.
     void note_unused_edges() {
         TopTools_IndexedMapOfShape used;
         TopExp::MapShapes(cut_.shape, TopAbs_EDGE, used);

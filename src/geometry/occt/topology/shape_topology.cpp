@@ -99,7 +99,7 @@ class FaceSides {
 
 /// The width (mm) below which a face has no area; smaller for very small shapes, whose edges may be that short.
 double least_width(const std::vector<Node>& nodes) {
-    // That width as a fraction of the size of such shapes.
+    // The same width as a fraction of the size of such shapes.
     constexpr double kPart = 1e-6;
     Box box;
     for (const Node& node : nodes) {
@@ -140,7 +140,7 @@ bool bounds_a_face(const TopoDS_Shape& edge) {
 /// The edges of a wire as they follow each other from the first one on, where only one of them starts at each vertex;
 /// none elsewhere, and for long wires. OpenCASCADE's explorer, which also looks at places in (u, v), gives the same.
 std::vector<TopoDS_Edge> chained(const std::vector<TopoDS_Edge>& edges) {
-    // Edges up to which the next one is searched among all.
+    // Most edges among which the next edge is searched one by one.
     constexpr std::size_t kMost = 24;
     std::vector<TopoDS_Vertex> starts(edges.size());
     std::vector<TopoDS_Vertex> ends(edges.size());

@@ -36,18 +36,18 @@ class Spikes : EdgeJoining {
   private:
     static constexpr double kWidestTip = 45.0 * kDegree;  // Radians: between its sides.
 
-    /// Two neighbours on a loop, seen from the longer one; edges shorter than the detail may lie between them.
+    /// Two neighbouring edges of a loop as the sides of a spike; edges shorter than the detail may lie between them.
     struct Sides {
         int longer;             // use of the edge that goes on beyond the spike
-        int shorter;            // use of the edge that ends there
+        int shorter;            // use of the edge that ends at the inside of the longer one
         int beyond;             // the use after the shorter one, away from the tip
         std::vector<int> tips;  // uses of the short edges
-        bool ascending;         // whether the loop walks the longer one first
+        bool ascending;         // whether the loop walks the longer edge first
     };
     struct Spike {
         Sides sides;
         int node;       // at the far end of the shorter edge
-        double t;       // parameter of the longer edge there
+        double t;       // parameter of the longer edge at the foot
         double within;  // largest distance that counts, mm
     };
 
@@ -117,7 +117,7 @@ class Spikes : EdgeJoining {
                              direction_at(sides.shorter, sides.ascending, kStep));
     }
 
-    /// From an end of a use into its edge: from its start, or back from its end.
+    /// Direction from an end of a use into its edge: from its start forward, or from its end backward.
     Vec3 direction_at(int use, bool from_start, double step) const {
         const EdgeEvaluator& along = curve(edge_of(use));
         const double end = use_of(use).forward == from_start ? 0.0 : 1.0;
@@ -132,9 +132,9 @@ class Spikes : EdgeJoining {
         });
     }
 
-    /// Whether the border leaves the longer edge at the end of the shorter one into the face, by DetailCorners::kLeast
-    /// or more, or at a corner no narrower than the one that is taken off with the tip. Around a slit, which the border
-    /// passes on its other side, it leaves away from the face.
+    /// Whether the border turns from the longer edge, at the end of the shorter one, into the face by an angle of at
+    /// least DetailCorners::kLeast, or of at least the corner that the removal of the tip takes away. At a slit, whose
+    /// other side the border passes, it turns away from the face.
     bool opens(const Sides& sides, const Answer& foot) const {
         const std::optional<Vec3> into = conormal(sides.longer, foot.t);
         const Vec3 leaving = point_along(sides.beyond, sides.ascending) - foot.point;
@@ -172,7 +172,7 @@ class Spikes : EdgeJoining {
         drop(loop, use_on(piece, face));
         drop(loop, spike.sides.shorter);
         if (join(piece, b, spike.within) && moved) {
-            topology_.joined.pop_back();  // the shape has the narrow corner: it only moves
+            topology_.joined.pop_back();  // the shape has this narrow corner already: it only moves
         }
         return true;
     }

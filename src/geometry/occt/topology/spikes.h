@@ -5,12 +5,12 @@
 
 namespace mq::geometry {
 
-/// Takes spikes off faces: places where a border runs along one edge and back along another, no farther apart than
-/// their tolerances or `topology.detail`. The longer edge is divided where the shorter one ends (Topology::parts_of);
-/// the piece beside the shorter one is joined with it, and bounds the two faces on their other sides.
-/// `topology.faults` names the faces. Spikes stay where a corner would be left that is narrower than theirs and than
-/// DetailCorners::kLeast, or where the other faces lie on each other. To be called after sew_collapsed_pieces, and
-/// before it again: what is left of a face can be as thin.
+/// Removes spikes of faces: places in which a border runs along one edge and back along another, no farther apart than
+/// their tolerances or `topology.detail`. The longer edge is divided at the end of the shorter one
+/// (Topology::parts_of); the piece beside the shorter edge is joined with it, and bounds the two faces on their other
+/// sides. `topology.faults` names the faces. A spike stays if its removal would leave a corner that is narrower than
+/// its own and than DetailCorners::kLeast, or if the other faces lie on each other. Call it after sew_collapsed_pieces,
+/// and call that again afterwards: the remainder of a face can be as thin.
 /// @return whether there were any
 /// @throws Cancelled
 bool remove_spikes(Topology& topology, ShapeMap& live, const Progress* progress);

@@ -26,7 +26,8 @@ double sine_of_corner(const std::array<Vec3, 3>& edges) {
     return volume / std::sqrt(std::max(ab * ac, std::max(ab * bc, ac * bc)));
 }
 
-/// Keeps the order, and is positive: a corner that curving folds must not look like a cell without volume.
+/// A monotone function with positive values: a corner that is folded by curving must not look like a cell without
+/// volume.
 double made_positive(double sine) {
     const double kFrom = CellTuning::kFoldedSine;
     return sine > kFrom ? sine : kFrom * std::exp(sine / kFrom - 1.0);
@@ -76,7 +77,7 @@ double CellMeasure::value(const std::array<int, 4>& v, const Corners& p) const {
 }
 
 double CellMeasure::corner_sine(const std::array<int, 4>& v, const Corners& p, int corner) const {
-    // Seen from the corner its face is turned the other way round.
+    // Seen from the corner, its opposite face has the reverse orientation.
     const std::array<int, 3> others{kFaceOf[corner][0], kFaceOf[corner][2], kFaceOf[corner][1]};
     std::array<Vec3, 3> edges;
     bool any = false;

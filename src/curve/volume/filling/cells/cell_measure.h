@@ -17,12 +17,12 @@ class CellMeasure {
   public:
     CellMeasure(const Tetrahedralisation& mesh, const EndTangents& tangents);
 
-    /// The measure of cells at a corner that curving makes flat: those of less are folded.
+    /// The measure of cells with a corner that curving flattens: cells with a smaller measure are folded.
     static double folded();
 
-    /// Positive exactly where the volume is.
+    /// Positive if and only if the volume is.
     double at(const std::array<int, 4>& v) const;
-    /// The same of a face and an inner point, which has no vertex yet.
+    /// The measure of a face and an inner point that is no vertex yet.
     double at(const std::array<int, 3>& face, const Vec3& place) const;
 
   private:

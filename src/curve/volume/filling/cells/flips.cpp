@@ -15,7 +15,8 @@ double volume_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
     const double volume = (b - a).cross(c - a).dot(d - a);
     const double squares = (b - a).squaredNorm() + (c - a).squaredNorm() + (d - a).squaredNorm() +
                            (c - b).squaredNorm() + (d - b).squaredNorm() + (d - c).squaredNorm();
-    /// Six times the volume over the power 3/2 of the sum of squares, of the regular tetrahedron, inverted.
+    /// Normalisation: the inverse of six times the volume over the power 3/2 of the sum of squares, for the regular
+    /// tetrahedron.
     constexpr double kRegular = 20.7846096908265;
     return std::max(kRegular * volume / (squares * std::sqrt(squares)), std::numeric_limits<double>::min());
 }

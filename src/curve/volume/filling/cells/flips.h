@@ -16,16 +16,16 @@ double volume_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
 /// The least sine of the dihedral angles.
 double sine_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// What a flip must reach.
+/// The condition that a flip must meet.
 struct FlipRule {
-    const CellMeasure* measure = nullptr;  ///< none: volume_quality
+    const CellMeasure* measure = nullptr;  ///< null: volume_quality is used
     double floor = 0.0;                    ///< every new cell must be better
     std::size_t most_around = 12;          ///< cells around an edge that is removed
     int chord_a = -1;                      ///< vertices around the edge that must be connected afterwards, or -1
     int chord_b = -1;
 };
 
-/// Flips that find their scratch memory again.
+/// Flips whose scratch memory is used again.
 class Flipper {
   public:
     explicit Flipper(Tetrahedralisation& mesh) : mesh_(mesh) {}

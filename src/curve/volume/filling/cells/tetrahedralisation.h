@@ -36,7 +36,7 @@ class Tetrahedralisation {
     const Vec3& point(int v) const { return points[v]; }
     int orient(int a, int b, int c, int d) const { return orient3d(points[a], points[b], points[c], points[d]); }
     int add_point(const Vec3& point);
-    /// Moves what does not change the topology; the caller has checked the cells around.
+    /// Moves a point without a change of topology; the caller has checked the cells around.
     void move_point(int v, const Vec3& point) { points[v] = point; }
 
     /// Removes cells and puts others into the space that they leave. New faces that meet no other become the boundary,
@@ -49,7 +49,7 @@ class Tetrahedralisation {
     int cell_at(int v) const { return at_vertex_[v]; }
     /// All cells with this vertex.
     void star(int v, std::vector<int>& found) const { star(v, found, seen_); }
-    /// The same for threads that look at once, each with scratch memory of its own.
+    /// The same for threads that search in parallel, each with scratch memory of its own.
     void star(int v, std::vector<int>& found, std::vector<char>& seen) const;
     /// A cell with this edge, or -1.
     int cell_with(int a, int b) const;
@@ -57,7 +57,7 @@ class Tetrahedralisation {
     int cell_with(int a, int b, int c) const;
     /// @return false where there is no such edge, or where it lies on the boundary.
     bool ring(int a, int b, EdgeRing& found) const;
-    /// The same, where a cell with the edge is known.
+    /// The same if a cell with the edge is known.
     bool ring(int first, int a, int b, EdgeRing& found) const;
 
     int index_of(int cell, int v) const {
