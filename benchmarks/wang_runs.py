@@ -13,7 +13,7 @@ from inside_freecad import ROOT
 
 VARIABLE = "MESHQUALITY_WANG_RUN"
 # Limits of a run. Most take seconds. At 129 rays the surface of "that - bars" crosses itself at 228,000 pairs of triangles, and 834,000
-# triangles are left of them: the step that makes it free of crossings took over 350 s.
+# triangles are left of them: the step that makes it free of crossings takes over 400 s.
 SECONDS, GIBIBYTES = 1800.0, 16.0
 
 

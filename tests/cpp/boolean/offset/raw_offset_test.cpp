@@ -20,7 +20,7 @@ ClosedSurface surface_of(const mesh::TriangleMesh& mesh) {
 RawOffset raw_of(const mesh::TriangleMesh& mesh, double distance, double tolerance) {
     const ClosedSurface surface = surface_of(mesh);
     const SearchedSurface searched(surface.points, surface.triangles);
-    return raw_offset(surface, {distance, tolerance, &searched});
+    return raw_offset(surface, {distance, tolerance, 0.0, distance - tolerance, &searched});
 }
 
 TEST(RawOffset, IsClosedAndAtTheDistance) {
