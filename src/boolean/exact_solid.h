@@ -21,7 +21,7 @@ struct EnclosedOperand {
     /// Null: the triangles are closed, and points with a winding number of at least 1 are inside. Else points at which
     /// this is at least 0.5 are inside.
     const mesh::WindingNumber* winding = nullptr;
-    std::vector<char> retained;  ///< for each triangle whether the result has it bit for bit; empty: it has none
+    std::vector<char> retained{};  ///< for each triangle whether the result has it bit for bit; empty: it has none
 };
 
 /// Calls visit for the 26 steps to neighbours in a grid, of one length, until it returns false.

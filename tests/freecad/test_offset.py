@@ -264,6 +264,33 @@ class Hollows(unittest.TestCase):
             self.assertLessEqual(result.report.error_bound, 0.02)
             self.assertAlmostEqual(result.report.volume, part.Volume - hollow, delta=0.002 * hollow)
 
+    def test_round_edges_as_wide_as_the_wall(self):
+        # The offset of such an edge is its axis. Where directions scattered around it, the offset was made as a contour of
+        # cells, which took minutes.
+        box = Part.makeBox(40, 30, 20)
+        upright = [edge for edge in box.Edges if abs(edge.tangentAt(0).z) > 0.9]
+        for radius in (1.96, 2.0, 2.1):
+            solid = box.makeFillet(radius, upright)
+            top = [f"Face{i}" for i, face in enumerate(solid.Faces, 1) if face.CenterOfMass.z > 19.9]
+            result = mq.hollow(solid, 2.0, openings=top)
+            self.assert_sound(result, 0.05)
+            self.assertNotIn("dividing cells", result.report.seconds)
+            inner = (36.0 * 26.0 - (4.0 - math.pi) * max(radius - 2.0, 0.0) ** 2) * 18.0
+            self.assertAlmostEqual(result.report.volume, solid.Volume - inner, delta=0.05 * result.report.area)
+
+    def test_walls_that_leave_an_opening_tangentially(self):
+        # A plate between two round rails: the rails go on from the rims of the plate's faces, upright at first.
+        rail = Part.makeBox(10, 40, 15)
+        rail = rail.makeFillet(3, [edge for edge in rail.Edges if abs(edge.tangentAt(0).y) > 0.9])
+        other = rail.translated(Vector(40, 0, 0))
+        solid = rail.fuse([other, Part.makeBox(30, 40, 9, Vector(10, 0, 3))]).removeSplitter()
+        plates = [f"Face{i}" for i, face in enumerate(solid.Faces, 1)
+                  if abs(face.normalAt(0, 0).z) > 0.9 and abs(face.CenterOfMass.x - 25.0) < 1e-6 and face.Area > 1000]
+        self.assertEqual(len(plates), 2)
+        result = mq.hollow(solid, 0.6, openings=plates)
+        self.assert_sound(result, 0.6 / 40.0)
+        self.assertNotIn("dividing cells", result.report.seconds)
+
     def test_openings_whose_prisms_would_meet(self):
         """Two faces that meet in a concave edge: the prism on one would be in that on the other."""
         step = Part.makeBox(12, 8, 10).cut(Part.makeBox(6, 8, 5, Vector(6, 0, 5)))

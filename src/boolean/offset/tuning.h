@@ -8,7 +8,7 @@ namespace mq::boolean {
 /// The constants that divide the tolerance of an offset. Their sensitivity was not measured.
 struct OffsetTuning {
     /// Error of the raw offset in the first round, as a fraction of the tolerance.
-    MESHQUALITY_TUNED(double, kRawShare, 0.28);
+    MESHQUALITY_TUNED(double, kRawShare, 0.35);
     /// Factor by which that error is reduced if the result misses the tolerance.
     MESHQUALITY_TUNED(double, kRefinement, 0.4);
     /// Rounds at most.

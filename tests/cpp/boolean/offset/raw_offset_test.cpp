@@ -55,6 +55,33 @@ TEST(RawOffset, OneDirectionAtAVertexOfASmoothSurface) {
     EXPECT_GT(raw_of(ball, 0.5, 1e-6).triangles.size(), 3 * ball.triangles.size());
 }
 
+TEST(RawOffset, FollowsNormalsOfFaces) {
+    // The vertices of a ball lie on the sphere, but the mean of the normals of the triangles around one is not radial.
+    const mesh::TriangleMesh ball = solids::sphere(Vec3(0, 0, 0), 5.0, 12);
+    ClosedSurface surface = surface_of(ball);
+    const auto off_sphere = [&] {
+        const SearchedSurface searched(surface.points, surface.triangles);
+        const RawOffset raw = raw_offset(surface, {4.9, 0.15, 0.4, 4.5, &searched});
+        EXPECT_EQ(raw.triangles.size(), ball.triangles.size());
+        double most = 0.0;
+        for (std::size_t t = 0; t < raw.triangles.size(); ++t) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3& base = ball.vertices[static_cast<std::size_t>(ball.triangles[t][k])];
+                const Vec3& moved = raw.vertices[static_cast<std::size_t>(raw.triangles[t][k])];
+                most = std::max(most, (moved - base * (9.9 / base.norm())).norm());
+            }
+        }
+        return most;
+    };
+    EXPECT_GT(off_sphere(), 0.05);
+    for (const mesh::Triangle& t : ball.triangles) {
+        for (const std::int32_t v : t) {
+            surface.normals.push_back(ball.vertices[static_cast<std::size_t>(v)].normalized());
+        }
+    }
+    EXPECT_LT(off_sphere(), 1e-5);
+}
+
 TEST(RawOffset, WhatIsOffsetFromANarrowSlotStaysOnTheSurface) {
     // A slot of 0.2 in a block, offset by 2: between its sides nothing is 2 away.
     mesh::TriangleMesh block = solids::box(Vec3(0, 0, 0), Vec3(20, 20, 20));
