@@ -43,6 +43,14 @@ def rounded_box():
     return shape, names_of(shape, lambda face: face.CenterOfMass.z > 19.9), shape.Volume - inner.Volume - above
 
 
+def round_as_the_wall(every, ratio):
+    """40 x 30 x 20, open at the top, its edges round by the wall of 2 times a ratio: all of them, or those upright."""
+    box = Part.makeBox(40, 30, 20)
+    edges = [edge for edge in box.Edges if every or abs(edge.tangentAt(0).z) > 0.9]
+    shape = box.makeFillet(2.0 * ratio, edges)
+    return shape, names_of(shape, lambda face: face.CenterOfMass.z > 19.9)
+
+
 def tube():
     shape = Part.makeBox(40, 30, 20)
     hollow = shape.cut(Part.makeBox(38, 28, 20, Vector(1, 1, 0)))
@@ -100,6 +108,11 @@ def known_shapes():
              "box with a bore, one opening": drilled(30, 20, [(15, 10)])}
     for name, (shape, openings, volume) in cases.items():
         measured(name, lambda shape=shape, openings=openings: mq.hollow(shape, 1.0, openings), volume)
+    for every in (False, True):
+        for ratio in (0.95, 1.0, 1.05):
+            shape, openings = round_as_the_wall(every, ratio)
+            name = f"{'all' if every else 'upright'} edges round by {ratio} of the wall"
+            measured(name, lambda shape=shape, openings=openings: mq.hollow(shape, 2.0, openings))
     for distance in (10, 50):
         exact = 1 + 6 * distance + 3 * math.pi * distance**2 + 4 / 3 * math.pi * distance**3
         measured(f"box of 1 mm by {distance} mm", lambda distance=distance: mq.offset(Part.makeBox(1, 1, 1), distance), exact)
