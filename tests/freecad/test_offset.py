@@ -279,16 +279,15 @@ class Hollows(unittest.TestCase):
             self.assertAlmostEqual(result.report.volume, solid.Volume - inner, delta=0.05 * result.report.area)
 
     def test_walls_that_leave_an_opening_tangentially(self):
-        # A plate between two round rails: the rails go on from the rims of the plate's faces, upright at first.
-        rail = Part.makeBox(10, 40, 15)
-        rail = rail.makeFillet(3, [edge for edge in rail.Edges if abs(edge.tangentAt(0).y) > 0.9])
-        other = rail.translated(Vector(40, 0, 0))
-        solid = rail.fuse([other, Part.makeBox(30, 40, 9, Vector(10, 0, 3))]).removeSplitter()
+        # A plate between two round rails: from the rim of its lower face the rails go on upright at first.
+        rail = Part.makeBox(9, 36, 13.5)
+        rail = rail.makeFillet(1.35, [edge for edge in rail.Edges if abs(edge.tangentAt(0).y) > 0.9])
+        solid = rail.fuse([rail.translated(Vector(51, 0, 0)), Part.makeBox(42, 36, 12.15, Vector(9, 0, 1.35))]).removeSplitter()
         plates = [f"Face{i}" for i, face in enumerate(solid.Faces, 1)
-                  if abs(face.normalAt(0, 0).z) > 0.9 and abs(face.CenterOfMass.x - 25.0) < 1e-6 and face.Area > 1000]
+                  if abs(face.normalAt(0, 0).z) > 0.9 and abs(face.CenterOfMass.x - 30.0) < 1e-6 and face.Area > 1000]
         self.assertEqual(len(plates), 2)
-        result = mq.hollow(solid, 0.6, openings=plates)
-        self.assert_sound(result, 0.6 / 40.0)
+        result = mq.hollow(solid, 0.675, openings=plates)
+        self.assert_sound(result, 0.675 / 40.0)
         self.assertNotIn("dividing cells", result.report.seconds)
 
     def test_openings_whose_prisms_would_meet(self):
