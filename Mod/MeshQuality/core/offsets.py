@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """offset and hollow: solids grown, shrunk, and made walls of."""
 
+import time
+
 import numpy as np
 
 from .. import offset_options, options, phrases
@@ -200,13 +202,20 @@ class _Work:
         self.solid = extension().boolean([(operand, rounded, None)], "union", self.boolean_options(_UNION), "exact",
                                          self.before(), self.progress(_MESHED if meshed else 0.0, _UNITED))
         extension().name_faces(self.solid, [operand])
-        if shape is not None:
-            extension().name_corner_normals(self.solid, shape, self.progress(_UNITED, _UNITED))
         self._seconds, self._notes = [], []
         self.add(self.solid.report)
+        if shape is not None:
+            self._name_normals(shape)
         self._repaired = [sentence.removeprefix("operand A: ") for sentence in self.solid.report.repaired]
         for sentence in self._repaired:
             self.note(f"repaired before: {sentence}")
+
+    def _name_normals(self, shape):
+        """Offsets follow the normals of CAD faces."""
+        wall, cpu = time.perf_counter(), time.process_time()
+        extension().name_corner_normals(self.solid, shape, self.progress(_UNITED, _UNITED))
+        self._seconds.append(("reading the shape", time.perf_counter() - wall))
+        self._cpu_seconds += time.process_time() - cpu
 
     def note(self, sentence):
         """Adds a sentence to the notes of the result."""

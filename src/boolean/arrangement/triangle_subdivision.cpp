@@ -255,11 +255,11 @@ class Division {
         for (const std::int32_t v : c) {
             box.add(vertex(v));
         }
-        const Vec3 slack = Vec3::Constant(1e-9 * box.largest_side());
-        const Box around{box.low - slack, box.high + slack};
         const std::vector<ExactPoint>& all = plane_.points();
         in.assign(all.size(), 0);
         for (std::size_t p = 0; p < all.size(); ++p) {
+            const Vec3 slack = Vec3::Constant(all[p].error());
+            const Box around{box.low - slack, box.high + slack};
             in[p] = around.contains(all[p].approx()) && plane_.in_triangle(static_cast<int>(p), a, b, d);
         }
     }
