@@ -8,7 +8,7 @@
 
 Cases are the CAD files of $MESHQUALITY_DATA/cad by refinement, star and sprinkle, the solids of the
 curving benchmark as surfaces and volumes, the meshes of $MESHQUALITY_DATA/boolean by their
-operations, and meshes to improve. A digest covers the arrays and the report but for its times.
+operations, meshes to improve, and offsets, hollows and wraps of every fifth CAD file. A digest covers the arrays and the report but for its times.
 Every case runs in a process of its own. Such as take longer than --seconds of the processor are
 given as unfinished, and not compared where either run did not finish them. The status is 1 where
 digests differ.
@@ -66,16 +66,26 @@ def cases(data):
                 data, operation, names, method)
     for name in mesh_files.IMPROVED:
         found[f"improve {name}"] = lambda name=name: improved(data / "mesh" / name)
+    for path in files[::5]:
+        for verb, share in (("offset", 0.02), ("offset", -0.02), ("hollow", 0.03)):
+            found[f"{verb} {share} {path.name}"] = \
+                lambda path=path, verb=verb, share=share: moved(path, verb, share)
+        found[f"wrap {path.name}"] = lambda path=path: wrapped(path)
     return found
 
 
-def triangulated(path, **options):
-    import MeshQuality as mq
+def shape_of_file(path):
     import Part
 
     shape = Part.Shape()
     shape.read(str(path))
-    mesh = mq.triangulate(shape, **options)
+    return shape
+
+
+def triangulated(path, **options):
+    import MeshQuality as mq
+
+    mesh = mq.triangulate(shape_of_file(path), **options)
     return [mesh.vertices, mesh.triangles, mesh.triangle_face, mesh.report]
 
 
@@ -97,6 +107,23 @@ def joined(data, operation, names, method):
     operands = [boolean_models.read(data / "boolean" / f"{name}.ply.gz") for name in names]
     mesh = mq.boolean(*operands, operation, method=method, **({"resolution": 128} if method == "uniform" else {}))
     return [mesh.vertices, mesh.triangles, mesh.report]
+
+
+def moved(path, verb, share):
+    """The offset or the hollow of a shape by a share of its size."""
+    import MeshQuality as mq
+
+    shape = shape_of_file(path)
+    mesh = getattr(mq, verb)(shape, share * shape.BoundBox.DiagonalLength)
+    return [mesh.vertices, mesh.triangles, mesh.triangle_face, mesh.triangle_source, mesh.report]
+
+
+def wrapped(path):
+    import MeshQuality as mq
+
+    shape = shape_of_file(path)
+    mesh = mq.wrap([shape], 0.05 * shape.BoundBox.DiagonalLength)
+    return [mesh.vertices, mesh.triangles, mesh.triangle_face, mesh.report]
 
 
 def improved(path):
