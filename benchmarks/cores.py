@@ -13,7 +13,7 @@ one after the other. The status is 1 where bytes differ.
 --simulate tells for numbers of cores that this machine need not have how much faster they are than
 one: the work is divided as for that number of threads, but done in one, which records the processor
 time of every piece; the pieces are then given to the threads of each section in their order (see
-schedule.py). Starting threads costs what it does here. Without --of, parts are those of SIMULATED.
+schedule.py), by a build with the CMake option MESHQUALITY_SCHEDULE_TRACE. Starting threads costs what it does here. Without --of, parts are those of SIMULATED.
 Not simulated: caches and memory that cores share, and waiting for a turn of the engine's thread.
 """
 
@@ -106,6 +106,8 @@ def recorded(shape, relative, threads, arguments):
     """What a replay of one call gives: seconds of its stages on one and on so many threads."""
     from MeshQuality import _core
 
+    if not hasattr(_core, "start_recording"):
+        raise RuntimeError("--simulate needs a build with the CMake option MESHQUALITY_SCHEDULE_TRACE")
     _core.start_recording()
     try:
         run = measured(shape, relative, threads, arguments)

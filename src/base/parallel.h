@@ -11,7 +11,7 @@
 
 #include "base/predicates.h"
 #include "base/threads/kept_threads.h"
-#include "base/threads/schedule_trace.h"
+#include "base/threads/schedule_hooks.h"
 
 namespace mq {
 

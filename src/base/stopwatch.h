@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "base/threads/schedule_trace.h"
+#include "base/threads/schedule_hooks.h"
 
 namespace mq {
 

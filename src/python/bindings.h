@@ -18,7 +18,9 @@ void bind_freecad_mesh(pybind11::module_& m);
 void bind_improve(pybind11::module_& m);
 void bind_inspection(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);
+#ifdef MESHQUALITY_SCHEDULE_TRACE
 void bind_schedule(pybind11::module_& m);
+#endif
 void bind_triangulate(pybind11::module_& m);
 
 /// A MeshQuality.phrases.Text, or the text of a message that is a value.

@@ -50,7 +50,7 @@ STAGES = {
     "wrap": [["wrap/lattice"], ["wrap/outside"], ["wrap/surface"], ["wrap/measure"], ["wrap"]],
     "workflows": [["workflows"]],
     "view": [["view"]],
-    "python": [["python/freecad"], ["python"], ["python/benchmarks"]],
+    "python": [["python/freecad"], ["python"]],
 }
 MAX_FILES = 24  # of C++ in a folder of src: about ten rooms
 FILES = {".h", ".cpp", ".i"}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "base/threads/schedule_trace.h"
+#include "schedule_trace/schedule_trace.h"
 
 #include <gtest/gtest.h>
 

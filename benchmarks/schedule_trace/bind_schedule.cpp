@@ -8,8 +8,8 @@
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "base/threads/schedule_trace.h"
 #include "python/bindings.h"
+#include "schedule_trace/schedule_trace.h"
 
 namespace py = pybind11;
 
