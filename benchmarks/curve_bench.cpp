@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "curve/bezier/validity.h"
+#include "elements/bezier/validity.h"
 #include "curve/curve.h"
 #include "curve/volume/mesher/netgen_filling.h"
 #include "geometry/occt/shape_model.h"

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "base/stopwatch.h"
-#include "boolean/layered_depth/samples/layered_depth_image.h"
+#include "layered_depth/samples/layered_depth_image.h"
 #include "geometry/occt/brep_text.h"
 
 /// What rays cost and miss that are shot at trimmed faces without a mesh, by OpenCASCADE's intersections of lines with

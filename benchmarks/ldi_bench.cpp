@@ -8,7 +8,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "boolean/layered_depth/layered_depth_boolean.h"
+#include "layered_depth/layered_depth_boolean.h"
 #include "mesh/intersection/self_intersection.h"
 #include "mesh/io/io.h"
 #include "mesh/quality/mesh_report.h"

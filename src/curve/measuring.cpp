@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/parallel.h"
-#include "curve/bezier/validity.h"
+#include "elements/bezier/validity.h"
 #include "curve/output/shape_distortion.h"
 #include "curve/surface/enclosed_volume.h"
 #include "curve/volume/straighten.h"

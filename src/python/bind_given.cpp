@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "curve/given/given_mesh.h"
-#include "curve/mixed/curve_mixed.h"
+#include "given/matching/given_mesh.h"
+#include "given/mixed/curve_mixed.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/freecad/freecad_shape.h"

@@ -11,7 +11,7 @@
 #include "base/stopwatch.h"
 #include "boolean/input/operand_repair.h"
 #include "boolean/project_to_cad.h"
-#include "boolean/sound_layered_depth.h"
+#include "layered_depth/sound_layered_depth.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/shape_model.h"
 #include "workflows/operand_frame.h"

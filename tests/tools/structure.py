@@ -13,8 +13,9 @@ ROWS = [
     ["base"],
     ["geometry"],
     ["mesh"],
+    ["elements"],
     ["triangulate", "curve", "boolean", "improve", "inspection", "contour"],
-    ["offset", "wrap"],
+    ["layered_depth", "given", "offset", "wrap"],
     ["workflows", "view"],
     ["python"],
 ]

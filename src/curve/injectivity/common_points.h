@@ -7,7 +7,7 @@
 
 #include "base/progress.h"
 #include "base/vec.h"
-#include "curve/elements/element_kind.h"
+#include "elements/product/element_kind.h"
 #include "curve/injectivity/surface_patches.h"
 
 namespace mq::curve {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "curve/bezier/simplex_lattice.h"
-#include "curve/elements/element_kind.h"
+#include "elements/bezier/simplex_lattice.h"
+#include "elements/product/element_kind.h"
 #include "curve/injectivity/patch_pair.h"
 
 namespace mq::curve {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "curve/bezier/node_orders.h"
+#include "elements/bezier/node_orders.h"
 #include "curve/output/curved_mesh.h"
 #include "mesh/io/io.h"
 #include "mesh/io/io_formats.h"

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <set>
 
-#include "curve/bezier/validity.h"
+#include "elements/bezier/validity.h"
 #include "curve/surface/tuning.h"
 
 namespace mq::curve {

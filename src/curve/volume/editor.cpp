@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curve/bezier/jacobian.h"
+#include "elements/bezier/jacobian.h"
 #include "curve/volume/tuning.h"
 
 namespace mq::curve {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "curve/bezier/locality.h"
+#include "elements/bezier/locality.h"
 #include "curve/volume/editor.h"
 #include "curve/volume/tuning.h"
 #include "curve/volume/untangle.h"

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "curve/bezier/validity.h"
+#include "elements/bezier/validity.h"
 #include "curve/surface/self_intersections.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "curve/volume/tuning.h"

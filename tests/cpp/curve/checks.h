@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "curve/bezier/node_orders.h"
-#include "curve/bezier/validity.h"
+#include "elements/bezier/node_orders.h"
+#include "elements/bezier/validity.h"
 #include "curve/curve.h"
 #include "curve/volume/mesher/netgen_filling.h"
 #include "paths.h"

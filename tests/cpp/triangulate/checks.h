@@ -13,7 +13,7 @@
 
 #include "geometry/parts.h"
 #include "mesh/quality/mesh_report.h"
-#include "triangulate/assemble.h"
+#include "triangulate/pipeline/assemble.h"
 #include "triangulate/initial/initial_triangulation.h"
 #include "triangulate/refine/angle_refinement.h"
 #include "triangulate/triangulate.h"

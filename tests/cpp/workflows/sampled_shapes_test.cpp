@@ -10,8 +10,8 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "boolean/layered_depth/samples/face_samples.h"
-#include "boolean/layered_depth/samples/rasterise.h"
+#include "layered_depth/samples/face_samples.h"
+#include "layered_depth/samples/rasterise.h"
 #include "geometry/parts.h"
 #include "triangulate/triangulate.h"
 #include "workflows/boolean_of_operands.h"

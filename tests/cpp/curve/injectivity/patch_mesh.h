@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "curve/bezier/node_orders.h"
+#include "elements/bezier/node_orders.h"
 #include "curve/output/curved_mesh.h"
 
 namespace mq::curve {

@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "curve/elements.h"
+#include "elements/product.h"
 #include "curve/injectivity/straight_piercing.h"
 
 namespace mq::curve {

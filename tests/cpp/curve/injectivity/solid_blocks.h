@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "curve/elements/reference_nodes.h"
+#include "elements/product/reference_nodes.h"
 #include "curve/injectivity/common_points.h"
 
 namespace mq::curve {

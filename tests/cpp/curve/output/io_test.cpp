@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 #include "curve/checks.h"
-#include "curve/elements.h"
+#include "elements/product.h"
 #include "curve/output/curved_mesh.h"
 #include "geometry/occt/shape_model.h"
 

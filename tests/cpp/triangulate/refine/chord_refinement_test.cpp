@@ -17,7 +17,7 @@
 #include <random>
 
 #include "base/error.h"
-#include "geometry/occt/shape_distance.h"
+#include "geometry/occt/distance/shape_distance.h"
 #include "mesh/quality/deviation_samples.h"
 #include "triangulate/checks.h"
 #include "triangulate/measure/deviation_estimate.h"
