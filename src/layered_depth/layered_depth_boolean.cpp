@@ -13,6 +13,8 @@
 #include "base/stopwatch.h"
 #include "boolean/input/operand_repair.h"
 #include "boolean/input/tuning.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "layered_depth/layered_depth_operand.h"
 #include "layered_depth/reconstruction/border_stitching.h"
 #include "layered_depth/reconstruction/contour.h"
 #include "layered_depth/reconstruction/face_projection.h"
@@ -20,8 +22,6 @@
 #include "layered_depth/reconstruction/tuning.h"
 #include "layered_depth/samples/rasterise.h"
 #include "layered_depth/samples/sample_clustering.h"
-#include "layered_depth/uniform_operand.h"
-#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/polygon_triangulation.h"
 
 namespace mq::boolean {
@@ -35,7 +35,7 @@ constexpr int kLowestResolution = 9;
 /// Largest number of rays along a side, limited by the rasteriser's levels.
 constexpr int kHighestResolution = (1 << kMaxLevels) + 1;
 
-void require_options(const UniformOptions& options) {
+void require_options(const LayeredDepthOptions& options) {
     if (options.resolution < kLowestResolution || options.resolution > kHighestResolution) {
         throw InvalidInput("resolution is " + std::to_string(options.resolution) + ": it must be from " +
                            std::to_string(kLowestResolution) + " to " + std::to_string(kHighestResolution) + " rays");
@@ -149,7 +149,7 @@ std::vector<std::vector<mesh::Triangle>> borders_of(const std::vector<UniformOpe
 class LayeredDepthBoolean {
   public:
     LayeredDepthBoolean(const std::vector<UniformOperand>& prepared, const Expression& expression,
-                        const UniformOptions& options, const CadOperands& cad, Progress* progress)
+                        const LayeredDepthOptions& options, const CadOperands& cad, Progress* progress)
         : prepared_(prepared),
           expression_(expression),
           options_(options),
@@ -194,7 +194,7 @@ class LayeredDepthBoolean {
 
     const std::vector<UniformOperand>& prepared_;
     const Expression& expression_;
-    UniformOptions options_;
+    LayeredDepthOptions options_;
     const CadOperands& cad_;
     Progress* progress_;
     OperandSet pair_;
@@ -212,7 +212,7 @@ class LayeredDepthBoolean {
     std::vector<std::int32_t> sheet_vertex_;
     std::vector<mesh::Triangle> reconstructed_;
     UniformResult result_;
-    StageClock clock_{result_.seconds};
+    StageTimer clock_{result_.seconds};
 };
 
 void LayeredDepthBoolean::stage(const char* name, double from, double to, const std::function<void()>& work) {
@@ -520,7 +520,7 @@ UniformResult LayeredDepthBoolean::run() {
 }  // namespace
 
 std::vector<UniformOperand> prepare_uniform(const std::vector<const mesh::TriangleMesh*>& operands,
-                                            const Expression& expression, const UniformOptions& options,
+                                            const Expression& expression, const LayeredDepthOptions& options,
                                             const Progress* progress) {
     require_options(options);
     if (operands.empty() || expression.operands() != operands.size()) {
@@ -545,19 +545,19 @@ std::vector<UniformOperand> prepare_uniform(const std::vector<const mesh::Triang
 }
 
 UniformResult layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
-                                    const Expression& expression, const UniformOptions& options, Progress* progress,
-                                    const CadOperands& cad) {
+                                    const Expression& expression, const LayeredDepthOptions& options,
+                                    Progress* progress, const CadOperands& cad) {
     return layered_depth_boolean(prepare_uniform(operands, expression, options, progress), expression, options,
                                  progress, cad);
 }
 
 UniformResult layered_depth_boolean(const std::vector<UniformOperand>& prepared, const Expression& expression,
-                                    const UniformOptions& options, Progress* progress, const CadOperands& cad) {
+                                    const LayeredDepthOptions& options, Progress* progress, const CadOperands& cad) {
     return LayeredDepthBoolean(prepared, expression, options, cad, progress).run();
 }
 
 UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
-                                    const UniformOptions& options, Progress* progress) {
+                                    const LayeredDepthOptions& options, Progress* progress) {
     return layered_depth_boolean({&a, &b}, Expression::chain(operation, 2), options, progress);
 }
 

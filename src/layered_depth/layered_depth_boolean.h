@@ -10,15 +10,15 @@
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "boolean/input/operation.h"
+#include "layered_depth/layered_depth_operand.h"
 #include "layered_depth/samples/face_samples.h"
 #include "layered_depth/samples/winding_samples.h"
-#include "layered_depth/uniform_operand.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
 
 /// Options of the uniform scheme.
-struct UniformOptions {
+struct LayeredDepthOptions {
     /// Rays along the longest side of the box in which the result can lie: the box of A for a difference, the
     /// intersection of both boxes for an intersection, else the box around both. Rounded up to 2^n + 1; 9 to 4097.
     int resolution = 513;
@@ -93,22 +93,22 @@ struct CadOperands {
 ///     whose triangles have no area, or operands with different origins
 /// @throws Cancelled
 UniformResult layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
-                                    const Expression& expression, const UniformOptions& options, Progress* progress,
-                                    const CadOperands& cad = {});
+                                    const Expression& expression, const LayeredDepthOptions& options,
+                                    Progress* progress, const CadOperands& cad = {});
 
 /// Prepares the operands of layered_depth_boolean().
 /// @throws InvalidInput, OpenOperand, Cancelled as layered_depth_boolean
 std::vector<UniformOperand> prepare_uniform(const std::vector<const mesh::TriangleMesh*>& operands,
-                                            const Expression& expression, const UniformOptions& options,
+                                            const Expression& expression, const LayeredDepthOptions& options,
                                             const Progress* progress);
 
 /// The same Boolean of prepared operands.
 UniformResult layered_depth_boolean(const std::vector<UniformOperand>& prepared, const Expression& expression,
-                                    const UniformOptions& options, Progress* progress, const CadOperands& cad);
+                                    const LayeredDepthOptions& options, Progress* progress, const CadOperands& cad);
 
 /// The same Boolean of two operands.
 UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
-                                    const UniformOptions& options, Progress* progress);
+                                    const LayeredDepthOptions& options, Progress* progress);
 
 /// The largest error bound of a result whose operands have a common box with this longest side, mm.
 double uniform_bound(double size, int resolution);

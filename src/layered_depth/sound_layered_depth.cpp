@@ -116,8 +116,8 @@ void remove_crossings(UniformResult& result, double tolerance, Progress& progres
 }
 
 UniformResult sound_layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
-                                          const Expression& expression, const UniformOptions& options, double tolerance,
-                                          Progress& progress, const CadOperands& cad) {
+                                          const Expression& expression, const LayeredDepthOptions& options,
+                                          double tolerance, Progress& progress, const CadOperands& cad) {
     const std::vector<UniformOperand> prepared = prepare_uniform(operands, expression, options, &progress);
     UniformResult result = layered_depth_boolean(prepared, expression, options, &progress, cad);
     remove_crossings(result, tolerance, progress);

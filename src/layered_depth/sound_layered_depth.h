@@ -26,7 +26,7 @@ void remove_crossings(UniformResult& result, double tolerance, Progress& progres
 ///     from each other at least, mm
 /// @throws TopologyError where the result cannot be held in single precision
 UniformResult sound_layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
-                                          const Expression& expression, const UniformOptions& options, double tolerance,
-                                          Progress& progress, const CadOperands& cad = {});
+                                          const Expression& expression, const LayeredDepthOptions& options,
+                                          double tolerance, Progress& progress, const CadOperands& cad = {});
 
 }  // namespace mq::boolean

@@ -110,8 +110,8 @@ int refine_crossings(SurfaceEditor& editor, const geometry::Topology& topology, 
     return halved;
 }
 
-std::string trouble_spot(const CurvedSurface& surface, const geometry::Topology& topology, std::size_t volume,
-                         const Progress& progress) {
+std::string first_fault(const CurvedSurface& surface, const geometry::Topology& topology, std::size_t volume,
+                        const Progress& progress) {
     const auto face = [&](int t) { return topology.name_of({2, surface.triangles[static_cast<std::size_t>(t)].face}); };
     const std::vector<Crossing> crossing = crossings(surface, volume, progress);
     if (!crossing.empty()) {

@@ -23,7 +23,7 @@ int refine_crossings(SurfaceEditor& editor, const geometry::Topology& topology, 
 
 /// The place where the surface around a volume is hardest to fill: the faces that cross, or the flattest triangle. For
 /// messages.
-std::string trouble_spot(const CurvedSurface& surface, const geometry::Topology& topology, std::size_t volume,
-                         const Progress& progress);
+std::string first_fault(const CurvedSurface& surface, const geometry::Topology& topology, std::size_t volume,
+                        const Progress& progress);
 
 }  // namespace mq::curve

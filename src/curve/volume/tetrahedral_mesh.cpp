@@ -8,10 +8,10 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "elements/bezier/validity.h"
 #include "curve/surface/self_intersections.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "curve/volume/tuning.h"
+#include "elements/bezier/validity.h"
 
 namespace mq::curve {
 
@@ -286,9 +286,9 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, c
         try {
             result.filling = fill(shell.points, shell.triangles, kUsualGrading, progress, shell.tangents);
         } catch (const MeshingFailed& error) {
-            throw MeshingFailed(in_solid(solid, error, trouble_spot(surface, topology, solid, progress)));
+            throw MeshingFailed(in_solid(solid, error, first_fault(surface, topology, solid, progress)));
         } catch (const GeometryError& error) {
-            throw GeometryError(in_solid(solid, error, trouble_spot(surface, topology, solid, progress)));
+            throw GeometryError(in_solid(solid, error, first_fault(surface, topology, solid, progress)));
         }
         result.vertices = std::move(shell.vertices);
     });

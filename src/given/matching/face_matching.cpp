@@ -44,7 +44,7 @@ struct Sample {
 
 class Matcher {
   public:
-    Matcher(geometry::Session& session, const SurfaceGraph& graph, const EdgeDiscretisation& edges)
+    Matcher(geometry::Session& session, const SurfaceGraph& graph, const EdgePaths& edges)
         : session_(session), topology_(session.topology()), graph_(graph), edges_(edges) {
         for (std::size_t e = 0; e < edges.polylines.size(); ++e) {
             const std::vector<int>& polyline = edges.polylines[e].vertices;
@@ -261,7 +261,7 @@ class Matcher {
     geometry::Session& session_;
     const geometry::Topology& topology_;
     const SurfaceGraph& graph_;
-    const EdgeDiscretisation& edges_;
+    const EdgePaths& edges_;
     KeyMap<int> border_;  ///< by mesh edge: the CAD edge that it follows
     std::set<int> on_border_;
     std::vector<std::set<int>> edges_of_face_;
@@ -269,7 +269,7 @@ class Matcher {
 
 }  // namespace
 
-std::vector<int> match_faces(geometry::Session& session, const SurfaceGraph& graph, const EdgeDiscretisation& edges) {
+std::vector<int> match_faces(geometry::Session& session, const SurfaceGraph& graph, const EdgePaths& edges) {
     return Matcher(session, graph, edges).run();
 }
 

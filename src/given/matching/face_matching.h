@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "given/matching/edge_discretisation.h"
+#include "given/matching/edge_paths.h"
 
 namespace mq::curve {
 
@@ -14,6 +14,6 @@ namespace mq::curve {
 /// @return by triangle of the graph, the index of its CAD face
 /// @throws TopologyError naming the CAD vertices and edges that the mesh does not follow where a region is on no face;
 /// GeometryError naming the place where triangles are on none.
-std::vector<int> match_faces(geometry::Session& session, const SurfaceGraph& graph, const EdgeDiscretisation& edges);
+std::vector<int> match_faces(geometry::Session& session, const SurfaceGraph& graph, const EdgePaths& edges);
 
 }  // namespace mq::curve

@@ -12,10 +12,10 @@
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
-#include "given/matching/edge_discretisation.h"
+#include "curve/volume/tetrahedral_mesh.h"
+#include "given/matching/edge_paths.h"
 #include "given/matching/face_matching.h"
 #include "given/matching/touching_bodies.h"
-#include "curve/volume/tetrahedral_mesh.h"
 
 namespace mq::curve {
 
@@ -123,7 +123,7 @@ class Matcher {
     MatchedMesh run() {
         const SurfaceGraph graph(mesh_.nodes, surface_of(mesh_));
         require_same_place(box_of(mesh_.nodes, graph.triangles), box_of_edges(session_), topology_.box);
-        const EdgeDiscretisation edges = find_edge_discretisation(session_, graph);
+        const EdgePaths edges = find_edge_discretisation(session_, graph);
         const std::vector<int> face = match_faces(session_, graph, edges);
         add_vertices(graph, edges, face);
         add_triangles(graph, face);
@@ -140,7 +140,7 @@ class Matcher {
     int& vertex_of(int node) { return result_.vertex_of_node[static_cast<std::size_t>(node)]; }
 
     /// Adds vertices in the order of the given nodes, each on the entity of lowest dimension that contains it.
-    void add_vertices(const SurfaceGraph& graph, const EdgeDiscretisation& edges, const std::vector<int>& face) {
+    void add_vertices(const SurfaceGraph& graph, const EdgePaths& edges, const std::vector<int>& face) {
         std::map<int, mesh::VertexEntity> entity;
         for (std::size_t t = 0; t < graph.triangles.size(); ++t) {
             for (const int v : graph.triangles[t]) {

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "base/error.h"
+#include "curve/measuring.h"
 #include "elements/bezier/node_orders.h"
 #include "elements/product/reference_nodes.h"
-#include "curve/measuring.h"
-#include "given/mixed/inner_nodes.h"
 #include "given/mixed/layers.h"
+#include "given/mixed/transfinite_blending.h"
 
 namespace mq::curve {
 

@@ -14,11 +14,11 @@
 #include "base/stopwatch.h"
 #include "elements/product/reference_nodes.h"
 #include "given/mixed/cad_nodes.h"
-#include "given/mixed/inner_nodes.h"
-#include "given/mixed/kept_changes.h"
 #include "given/mixed/layers.h"
 #include "given/mixed/mixed_proof.h"
 #include "given/mixed/node_relaxation.h"
+#include "given/mixed/transfinite_blending.h"
+#include "given/mixed/unhelpful_moves.h"
 
 namespace mq::curve {
 
@@ -390,7 +390,8 @@ class MixedCurving {
                 prove_all();
             }
         }
-        const std::set<std::size_t> straightened = keep_what_helps(elements_, before, quality_before, quality_, nodes_);
+        const std::set<std::size_t> straightened =
+            revert_unhelpful_moves(elements_, before, quality_before, quality_, nodes_);
         if (nodes_ != before || quality_ != quality_before) {
             prove_all();
             cad_.take_back(nodes_);
@@ -555,7 +556,7 @@ class MixedCurving {
     const CurveOptions& options_;
     Progress& progress_;
     CurveReport report_;
-    StageClock clock_;
+    StageTimer clock_;
     MatchedFaces found_;
     MixedMesh mesh_;
     NodeTable table_;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "given/mixed/inner_nodes.h"
+#include "given/mixed/transfinite_blending.h"
 
 namespace mq::curve {
 

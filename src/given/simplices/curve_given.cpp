@@ -11,12 +11,12 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "given/simplices/degree_raising.h"
-#include "given/matching/matching.h"
 #include "curve/measuring.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "curve/volume/remeshing/local_remeshing.h"
 #include "curve/volume/straighten.h"
+#include "given/matching/matching.h"
+#include "given/simplices/degree_raising.h"
 
 namespace mq::curve {
 
@@ -174,7 +174,7 @@ struct Curving {
 std::unique_ptr<Curving> curved_at(geometry::Session& session, const GivenMesh& given, const CurveOptions& options,
                                    int order, Progress& progress) {
     StageTimes seconds;
-    StageClock clock(seconds);
+    StageTimer clock(seconds);
     progress.stage("classifying", 0.0, 0.2);
     auto curving = std::make_unique<Curving>(session, given, order);
     MatchedMesh& matched = curving->matched;
@@ -222,7 +222,7 @@ void use_lower_degree_where_needed(std::unique_ptr<Curving>& curving, geometry::
     if (lower->invalid() >= invalid) {
         return;
     }
-    StageClock clock(lower->report.seconds);
+    StageTimer clock(lower->report.seconds);
     std::vector<Tetrahedron> tetrahedra;
     if (lower->volume) {
         tetrahedra = std::move(lower->volume->tetrahedra);
@@ -256,7 +256,7 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
     use_lower_degree_where_needed(curving, session, given, options, watched);
 
     CurveReport report = std::move(curving->report);
-    StageClock clock(report.seconds);
+    StageTimer clock(report.seconds);
     std::vector<int> number;
     CurvedMesh result = measured(*curving->editor, curving->straight_triangles, curving->tetrahedra(),
                                  session.topology(), options.straighten, report, watched, &number);

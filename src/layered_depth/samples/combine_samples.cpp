@@ -108,7 +108,7 @@ void RayMerger::pass(const Stop& stop) {
 const RayMerger::Stop* RayMerger::in_contact(std::size_t at, bool enters, std::int32_t& source) const {
     const Stop& stop = stops_[at];
     const Stop* found = nullptr;
-    const auto look_at = [&](const Stop& other) {
+    const auto examine = [&](const Stop& other) {
         if (other.operand == stop.operand) {
             return;
         }
@@ -124,10 +124,10 @@ const RayMerger::Stop* RayMerger::in_contact(std::size_t at, bool enters, std::i
         }
     };
     for (std::size_t i = at; i-- > 0 && stops_[i].depth >= stop.depth - options_.thinnest;) {
-        look_at(stops_[i]);
+        examine(stops_[i]);
     }
     for (std::size_t i = at + 1; i < stops_.size() && stops_[i].depth <= stop.depth + options_.thinnest; ++i) {
-        look_at(stops_[i]);
+        examine(stops_[i]);
     }
     return found;
 }

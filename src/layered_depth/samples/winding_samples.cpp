@@ -61,8 +61,8 @@ class RayWalk {
     double evaluate(double depth) const { return winding_.at(point(depth)); }
     void arrive(double depth, double winding, double doubt);
     bool count_through(double end, double change);
-    void look_at(double depth);
-    void look_through(double end);
+    void examine(double depth);
+    void examine_all(double end);
     void change_sides(double depth);
     void cross_box();
     void put(double depth, std::int32_t triangle, const Vec3& normal);
@@ -176,7 +176,7 @@ bool RayWalk::count_through(double end, double change) {
 }
 
 /// Evaluates the number at a depth unless a sample is there.
-void RayWalk::look_at(double depth) {
+void RayWalk::examine(double depth) {
     const bool behind = hit_ == first_hit_ || image_.depth[hit_ - 1] < depth - kNearest;
     const bool before = hit_ == end_ || image_.depth[hit_] > depth + kNearest;
     if (behind && before) {
@@ -188,18 +188,18 @@ void RayWalk::look_at(double depth) {
 }
 
 /// Passes the samples up to `end` by evaluating the number at the nodes, and in the middle between samples.
-void RayWalk::look_through(double end) {
+void RayWalk::examine_all(double end) {
     for (double node = std::floor(last_.depth) + 1.0;; node += 1.0) {
         const double stop = std::min(node, end);
         bool after_hit = false;
         while (hit_ < end_ && image_.depth[hit_] <= stop) {
             if (after_hit) {
-                look_at(0.5 * (image_.depth[hit_ - 1] + image_.depth[hit_]));
+                examine(0.5 * (image_.depth[hit_ - 1] + image_.depth[hit_]));
             }
             ++hit_;
             after_hit = true;
         }
-        look_at(stop);
+        examine(stop);
         if (stop >= end) {
             return;
         }
@@ -230,11 +230,11 @@ void RayWalk::cross_box() {
         const double change = block.change * (end - last_.depth);
         bool passed = count_through(end, change);
         if (!passed && !(last_.known && last_.doubt == 0.0)) {
-            look_at(last_.depth);
+            examine(last_.depth);
             passed = count_through(end, change);
         }
         if (!passed) {
-            look_through(end);
+            examine_all(end);
         }
     }
     if (inside_) {  // points outside of the operand's box are outside of it

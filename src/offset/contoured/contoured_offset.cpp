@@ -11,13 +11,13 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "offset/proof/distance_bounds.h"
 #include "contour/contour.h"
 #include "contour/simplification.h"
 #include "mesh/intersection/self_intersection.h"
 #include "offset/contoured/distance_level_set.h"
 #include "offset/contoured/lattice_refinement.h"
 #include "offset/contoured/tuning.h"
+#include "offset/proof/distance_bounds.h"
 
 namespace mq::offset {
 
@@ -227,7 +227,7 @@ class ContouredOffset {
     std::vector<Box> kept_;  ///< regions in which the contour is not simplified
     contour::Contour contour_;
     boolean::OffsetResult result_;
-    StageWatch stages_{progress_, result_.seconds};
+    WatchedStageTimer stages_{progress_, result_.seconds};
 };
 
 }  // namespace

@@ -18,13 +18,13 @@
 #include "boolean/arrangement/soup.h"
 #include "boolean/extraction/extraction.h"
 #include "boolean/input/operation.h"
-#include "offset/trimmed/dilation.h"
-#include "offset/proof/distance_bounds.h"
-#include "offset/trimmed/raw_offset.h"
-#include "offset/trimmed/tuning.h"
 #include "boolean/rounding/snap_rounding.h"
 #include "mesh/corner_table.h"
 #include "mesh/intersection/self_intersection.h"
+#include "offset/proof/distance_bounds.h"
+#include "offset/trimmed/dilation.h"
+#include "offset/trimmed/raw_offset.h"
+#include "offset/trimmed/tuning.h"
 
 namespace mq::boolean {
 
@@ -332,7 +332,7 @@ class OffsetPipeline {
     OffsetResult result_;
     Soup soup_;
     int round_ = 0;
-    StageWatch stages_{progress_, result_.seconds};
+    WatchedStageTimer stages_{progress_, result_.seconds};
 };
 
 }  // namespace

@@ -17,10 +17,10 @@
 
 #include "base/angle.h"
 #include "base/disjoint_sets.h"
-#include "triangulate/pipeline/component_work.h"
 #include "triangulate/components/equal_bodies.h"
 #include "triangulate/components/mesh_components.h"
 #include "triangulate/components/run_apart.h"
+#include "triangulate/pipeline/component_work.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
@@ -34,13 +34,13 @@ constexpr std::size_t kMost = 64;
 // Largest fraction of the work on one body: otherwise its steps gain more from several threads.
 constexpr double kLargest = 0.75;
 
-using Works = std::vector<std::unique_ptr<ComponentWork>>;
+using ComponentWorks = std::vector<std::unique_ptr<ComponentWork>>;
 
 // Whether components may be refined for themselves: a limit that the caller sets concerns all of them, and a record of
 // angles and the paper's insertions have one order.
 bool may_divide(const Workspace& work, const TriangulateOptions& options) {
     return !work.over_budget() && options.max_triangles == 0 && !options.record_angles &&
-           options.insertion != Insertion::Paper;
+           options.insertion != Insertion::Circumcentre;
 }
 
 // Triangles of one volume, or of one face of the shape, must not cross: such faces are refined together.
@@ -101,9 +101,9 @@ std::vector<int> faces_of(const ClassifiedMesh& mesh, const MeshBody& body) {
 }
 
 /// Conditions besides geometry that decide how an entity is refined: local sizes, and whether it is in the mesh at all.
-class EntityDemands {
+class LocalSizesByEntity {
   public:
-    EntityDemands(const ClassifiedMesh& mesh, const std::vector<LocalSize>& sizes) {
+    LocalSizesByEntity(const ClassifiedMesh& mesh, const std::vector<LocalSize>& sizes) {
         for (int v = 0; v < mesh.vertex_count(); ++v) {
             if (mesh.vertex(v).entity[0] == 0) {
                 in_mesh_[0].insert(mesh.vertex(v).entity[1]);
@@ -141,7 +141,7 @@ class BodyRefinement {
             faces.push_back(faces_of(work_.mesh, body));
             work_expected_ += body.work;
         }
-        const EntityDemands demands(work_.mesh, whole.options().local_sizes);
+        const LocalSizesByEntity demands(work_.mesh, whole.options().local_sizes);
         equal_ = find_equal_bodies(work_.session, faces, [&](geometry::Entity entity, geometry::Fingerprint& key) {
             demands.add(entity, key);
         });
@@ -156,8 +156,8 @@ class BodyRefinement {
     }
 
     /// @return none where all together would have more triangles than the budget
-    Works run() {
-        Works works(originals_.size());
+    ComponentWorks run() {
+        ComponentWorks works(originals_.size());
         for_each(originals_, [&](const geometry::Session& session, const Progress& progress, std::size_t i) {
             works[i] = std::make_unique<ComponentWork>(component_of(work_.mesh, triangles_of(originals_[i]), &progress),
                                                        common(session, progress, originals_[i]));
@@ -167,14 +167,14 @@ class BodyRefinement {
         if (over_budget(works) || count_triangles(works) + triangles_of_copies() > work_.budget) {
             return {};
         }
-        std::vector<Works> copies(copies_.size());
+        std::vector<ComponentWorks> copies(copies_.size());
         for_each(copies_, [&](geometry::Session& session, const Progress& progress, std::size_t i) {
             copies[i] = place(session, progress, copies_[i]);
         });
-        for (Works& of_group : copies) {
+        for (ComponentWorks& of_group : copies) {
             std::move(of_group.begin(), of_group.end(), std::back_inserter(works));
         }
-        return over_budget(works) ? Works() : std::move(works);
+        return over_budget(works) ? ComponentWorks() : std::move(works);
     }
 
   private:
@@ -229,7 +229,7 @@ class BodyRefinement {
         return {whole_, measured_, session, progress, budget};
     }
 
-    static std::size_t count_triangles(const Works& works) {
+    static std::size_t count_triangles(const ComponentWorks& works) {
         std::size_t triangles = 0;
         for (const auto& of_component : works) {
             triangles += of_component->work().triangles();
@@ -251,7 +251,7 @@ class BodyRefinement {
         return triangles;
     }
 
-    bool over_budget(const Works& works) const {
+    bool over_budget(const ComponentWorks& works) const {
         return count_triangles(works) > work_.budget ||
                std::any_of(works.begin(), works.end(),
                            [](const auto& of_component) { return of_component->work().over_budget(); });
@@ -282,7 +282,7 @@ class BodyRefinement {
 
     // Places copies, whose triangles the budget has to allow together. Those that cannot be placed are refined by
     // themselves.
-    Works place(geometry::Session& session, const Progress& progress, const Group& group) const {
+    ComponentWorks place(geometry::Session& session, const Progress& progress, const Group& group) const {
         PlacedBodies placed(equal_);
         Group others;
         for (const int b : group) {
@@ -290,7 +290,7 @@ class BodyRefinement {
                 others.push_back(b);
             }
         }
-        Works works;
+        ComponentWorks works;
         if (others.size() < group.size()) {
             works.push_back(std::make_unique<ComponentWork>(
                 placed, ComponentWork::Common{whole_, measured_, session, progress, work_.budget}));
@@ -318,7 +318,7 @@ class BodyRefinement {
     std::atomic<std::size_t> done_{0};  // triangles before refinement
 };
 
-void join_into(Refinement& whole, ChordErrorCache& measured, const Works& works) {
+void join_into(Refinement& whole, ChordErrorCache& measured, const ComponentWorks& works) {
     Workspace& work = whole.work();
     std::vector<const MeshComponent*> changed;
     for (const auto& of_component : works) {
@@ -350,7 +350,7 @@ bool refine_components(Refinement& whole, ChordErrorCache& measured, StageTimes&
         return false;
     }
     work.progress.stage("refining bodies", share_before_refinement(whole.options()), 0.9);
-    const Works works = BodyRefinement(whole, measured, std::move(bodies)).run();
+    const ComponentWorks works = BodyRefinement(whole, measured, std::move(bodies)).run();
     if (works.empty()) {
         return false;
     }

@@ -118,8 +118,8 @@ void ComponentWork::take_measured(const PlacedBodies::Copy& copy, const geometry
     const ClassifiedMesh& original = copy.original.mesh;
     std::vector<double> moved(static_cast<std::size_t>(original.vertex_count()));  // by rounding, mm
     for (int v = 0; v < original.vertex_count(); ++v) {
-        const Vec3 exact = motion.of_point(work_.grid.to_part(original.vertex(v).point));
-        const Vec3 point = work_.grid.to_part(work_.mesh.vertex(copy.first_vertex + v).point);
+        const Vec3 exact = motion.of_point(work_.grid.to_shape(original.vertex(v).point));
+        const Vec3 point = work_.grid.to_shape(work_.mesh.vertex(copy.first_vertex + v).point);
         moved[static_cast<std::size_t>(v)] = (point - exact).norm();
     }
     for (int h = 0; h < original.half_edge_count(); ++h) {

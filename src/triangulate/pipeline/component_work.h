@@ -100,7 +100,7 @@ class ComponentWork {
     geometry::Session session_;
     Progress progress_;
     StageTimes stages_;
-    StageClock clock_{stages_};
+    StageTimer clock_{stages_};
     MaxMinSwaps maxmin_;
     Workspace work_;
     MeasurementCache findings_;

@@ -33,7 +33,7 @@ constexpr int kInCaches = 8192;
 // Whether vertices may be removed. The samples and the paper's mesh are kept as they are; where smooth edges are
 // removed, that step removes their vertices first.
 bool may_coarsen(Workspace& work, const TriangulateOptions& options) {
-    if (options.method != Method::Refine || options.insertion == Insertion::Paper || work.over_budget()) {
+    if (options.method != Method::Refine || options.insertion == Insertion::Circumcentre || work.over_budget()) {
         return false;
     }
     const std::vector<char> smooth = options.keep_edges == KeepEdges::All
@@ -62,7 +62,7 @@ Refinement::Refinement(Workspace& work, MeasurementCache& findings, const Triang
       first_vertex_(first_vertex),
       end_stage_(std::move(end_stage)),
       sizing_(sizing_of(options, chord, work.session.topology())),
-      segments_(work, options.insertion != Insertion::Paper, options.min_angle * kDegree),
+      segments_(work, options.insertion != Insertion::Circumcentre, options.min_angle * kDegree),
       angles_(work, segments_, options.min_angle, options.insertion, chord, options.sites_in_round),
       chords_(work, segments_, findings.chords, sizing_),
       crossings_(work, segments_, findings.crossings, findings.bodies),
@@ -100,7 +100,7 @@ void Refinement::run() {
     work_.progress.stage("separating crossings", 0.82, 0.85);
     separate_crossings();
     end_stage_("crossings");
-    if (options_.insertion != Insertion::Paper) {
+    if (options_.insertion != Insertion::Circumcentre) {
         work_.progress.stage("mending", 0.85, 0.9);
         mend(work_, options_.min_angle, sizing_);
         end_stage_("mending");

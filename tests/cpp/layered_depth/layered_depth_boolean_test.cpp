@@ -21,8 +21,8 @@ namespace {
 const Operation kOperations[] = {Operation::Union, Operation::Intersection, Operation::Difference,
                                  Operation::SymmetricDifference};
 
-UniformOptions at_resolution(int resolution) {
-    UniformOptions options;
+LayeredDepthOptions at_resolution(int resolution) {
+    LayeredDepthOptions options;
     options.resolution = resolution;
     return options;
 }
@@ -187,7 +187,7 @@ TEST(Uniform, OperandThatIntersectsItself) {
         layered_depth_boolean(both, mesh::TriangleMesh(), Operation::Union, at_resolution(129), nullptr);
     expect_sound(r, both, mesh::TriangleMesh());
     EXPECT_NEAR(volume(r.mesh), volume(left) + volume(right) - lens(1.0, 0.8), 0.03);
-    UniformOptions parity = at_resolution(129);
+    LayeredDepthOptions parity = at_resolution(129);
     parity.normal_index = false;
     const UniformResult odd = layered_depth_boolean(both, mesh::TriangleMesh(), Operation::Union, parity, nullptr);
     EXPECT_NEAR(volume(odd.mesh), volume(left) + volume(right) - 2.0 * lens(1.0, 0.8), 0.06);
@@ -248,7 +248,7 @@ TEST(Uniform, FullReconstructionKeepsNoTriangle) {
     const mesh::TriangleMesh b = solids::sphere(Vec3(0.7, 0.4, 0.2), 1.0, 64);
     for (const Operation operation : kOperations) {
         SCOPED_TRACE(name(operation));
-        UniformOptions options = at_resolution(65);
+        LayeredDepthOptions options = at_resolution(65);
         const UniformResult partial = layered_depth_boolean(a, b, operation, options, nullptr);
         options.full = true;
         const UniformResult full = layered_depth_boolean(a, b, operation, options, nullptr);
@@ -263,7 +263,7 @@ TEST(Uniform, FullReconstructionKeepsNoTriangle) {
         EXPECT_DOUBLE_EQ(full.error_bound, std::sqrt(3.0) * full.spacing);
     }
     // Where nothing meets, all triangles would stay.
-    UniformOptions options = at_resolution(65);
+    LayeredDepthOptions options = at_resolution(65);
     options.full = true;
     const UniformResult alone = layered_depth_boolean(a, mesh::TriangleMesh(), Operation::Union, options, nullptr);
     expect_sound(alone, a, b);
@@ -443,7 +443,8 @@ TEST(Uniform, SheetsAreRefused) {
 
 TEST(Uniform, RefusesWhatItCannotDo) {
     const mesh::TriangleMesh good = solids::sphere(Vec3(0, 0, 0), 1.0, 10);
-    const auto message = [&](const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, const UniformOptions& options) {
+    const auto message = [&](const mesh::TriangleMesh& a, const mesh::TriangleMesh& b,
+                             const LayeredDepthOptions& options) {
         try {
             layered_depth_boolean(a, b, Operation::Union, options, nullptr);
         } catch (const InvalidInput& error) {
@@ -459,7 +460,7 @@ TEST(Uniform, RefusesWhatItCannotDo) {
     mesh::TriangleMesh moved = good;
     moved.origin = Vec3(1, 0, 0);
     EXPECT_NE(message(good, moved, at_resolution(65)).find("origins"), std::string::npos);
-    UniformOptions thick;
+    LayeredDepthOptions thick;
     thick.thinnest = 0.5;
     EXPECT_NE(message(good, good, thick).find("thinnest"), std::string::npos);
     Progress progress;

@@ -24,7 +24,7 @@ UniformResult sound(const TriangleMesh& a, const TriangleMesh& b, Operation oper
             box.add(p);
         }
     }
-    UniformOptions options;
+    LayeredDepthOptions options;
     options.resolution = resolution;
     Progress progress;
     return sound_layered_depth_boolean({&a, &b}, Expression::chain(operation, 2), options,
@@ -64,7 +64,7 @@ TriangleMesh folded_ball() {
 TEST(SoundLayeredDepth, TrianglesOfOperandsThatCrossAreDivided) {
     const TriangleMesh a = folded_ball();
     const TriangleMesh b = solids::sphere(Vec3(5, 0, 0), 1.0, 20);
-    UniformOptions options;
+    LayeredDepthOptions options;
     options.resolution = 65;
     const UniformResult scheme = layered_depth_boolean(a, b, Operation::Union, options, nullptr);
     ASSERT_GT(mesh::verify(scheme.mesh.vertices, scheme.mesh.triangles)
@@ -87,7 +87,7 @@ TEST(SoundLayeredDepth, TrianglesOfOperandsThatCrossAreDivided) {
 TEST(SoundLayeredDepth, SoundResultsStayAsTheyAre) {
     const TriangleMesh a = solids::sphere(Vec3(0, 0, 0), 1.0, 24);
     const TriangleMesh b = solids::sphere(Vec3(3, 0, 0), 1.0, 24);
-    UniformOptions options;
+    LayeredDepthOptions options;
     options.resolution = 65;
     const UniformResult scheme = layered_depth_boolean(a, b, Operation::Union, options, nullptr);
     const UniformResult result = sound(a, b, Operation::Union, 65);

@@ -24,6 +24,6 @@ struct FilledTetrahedralMesh {
 /// @param surface gets the vertices and shapes inside.
 /// @throws MeshingFailed, GeometryError where the filling fails; Cancelled.
 FilledTetrahedralMesh fill_and_repair(geometry::Session& session, CurvedSurface& surface, Progress& progress,
-                                      StageClock& clock);
+                                      StageTimer& clock);
 
 }  // namespace mq::curve

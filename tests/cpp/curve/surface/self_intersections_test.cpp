@@ -28,8 +28,7 @@ TEST(SurfaceCrossings, CoarseTrianglesOfThinWallsAreRefined) {
     PlacedCurvedSurface placed(geometry::make_shape_model(shell), 2, crossing);
     const Progress progress;
     ASSERT_FALSE(crossings(placed.surface, 0, progress).empty());
-    EXPECT_NE(trouble_spot(placed.surface, placed.session.topology(), 0, progress).find("meet near"),
-              std::string::npos);
+    EXPECT_NE(first_fault(placed.surface, placed.session.topology(), 0, progress).find("meet near"), std::string::npos);
     EXPECT_GT(refine_crossings(placed.editor, placed.session.topology(), progress), 0);
     EXPECT_TRUE(crossings(placed.surface, 0, progress).empty());
     EXPECT_EQ(placed.invalid(), 0);

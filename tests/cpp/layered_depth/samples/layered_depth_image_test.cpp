@@ -143,7 +143,7 @@ double covering(const mesh::TriangleMesh& mesh, int resolution) {
     const SampleGrid grid(box_of(pair), resolution);
     const std::vector<Vec3> samples = positions(rasterise(pair, 0, grid, nullptr), grid);
     double largest = 0.0;
-    const auto look_at = [&](const Vec3& p) {
+    const auto examine = [&](const Vec3& p) {
         double nearest = std::numeric_limits<double>::infinity();
         for (const Vec3& sample : samples) {
             nearest = std::min(nearest, (sample - p).squaredNorm());
@@ -151,8 +151,8 @@ double covering(const mesh::TriangleMesh& mesh, int resolution) {
         largest = std::max(largest, std::sqrt(nearest) / grid.spacing());
     };
     for (const mesh::Triangle& t : mesh.triangles) {
-        look_at(mesh.vertices[t[0]]);
-        look_at((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0);
+        examine(mesh.vertices[t[0]]);
+        examine((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0);
     }
     return largest;
 }

@@ -201,7 +201,7 @@ TEST(Chord, SkewIsThatOfTheSurface) {
 }
 
 TEST(Chord, HoldsOnEveryPart) {
-    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Paper}) {
+    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Circumcentre}) {
         for (const geometry::Part& part : geometry::all_parts()) {
             for (const double bound : {0.02, 0.002}) {
                 SCOPED_TRACE(part.name + " to " + std::to_string(bound));

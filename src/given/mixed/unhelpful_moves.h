@@ -15,8 +15,8 @@ namespace mq::curve {
 /// @param before          positions of the nodes before the changes
 /// @param quality_before  by element, and `quality` after the changes; not positive: invalid
 /// @return the elements whose nodes stay changed
-std::set<std::size_t> keep_what_helps(const std::vector<ElementNodes>& elements, const std::vector<Vec3>& before,
-                                      const std::vector<double>& quality_before, const std::vector<double>& quality,
-                                      std::vector<Vec3>& nodes);
+std::set<std::size_t> revert_unhelpful_moves(const std::vector<ElementNodes>& elements, const std::vector<Vec3>& before,
+                                             const std::vector<double>& quality_before,
+                                             const std::vector<double>& quality, std::vector<Vec3>& nodes);
 
 }  // namespace mq::curve

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "given/mixed/kept_changes.h"
+#include "given/mixed/unhelpful_moves.h"
 
 #include <cstdint>
 
@@ -7,9 +7,9 @@
 
 namespace mq::curve {
 
-std::set<std::size_t> keep_what_helps(const std::vector<ElementNodes>& elements, const std::vector<Vec3>& before,
-                                      const std::vector<double>& quality_before, const std::vector<double>& quality,
-                                      std::vector<Vec3>& nodes) {
+std::set<std::size_t> revert_unhelpful_moves(const std::vector<ElementNodes>& elements, const std::vector<Vec3>& before,
+                                             const std::vector<double>& quality_before,
+                                             const std::vector<double>& quality, std::vector<Vec3>& nodes) {
     DisjointSets<std::int32_t> groups(nodes.size());
     std::vector<std::int32_t> first_changed(elements.size(), -1);
     for (std::size_t e = 0; e < elements.size(); ++e) {

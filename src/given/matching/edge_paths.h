@@ -21,7 +21,7 @@ struct SurfaceGraph {
 
 /// The mesh edges that follow a CAD edge: their vertices in the order of the parameter. The polyline of a closed edge
 /// begins and ends with the same vertex. A CAD edge that is one vertex of the mesh has that vertex only.
-struct EdgePolyline {
+struct EdgePath {
     std::vector<int> vertices;
     double distance = 0.0;  ///< mm: largest distance of the vertices from the CAD edge
 };
@@ -31,9 +31,9 @@ struct EdgePolyline {
 constexpr std::array<double, 4> kNear{1e-6, 1e-5, 1e-4, 1e-3};
 
 /// The vertices and edges of the model that were found in the mesh.
-struct EdgeDiscretisation {
-    std::vector<int> of_node;             ///< by CAD vertex: the vertex of the mesh, or -1
-    std::vector<EdgePolyline> polylines;  ///< by CAD edge; empty if the mesh does not follow it
+struct EdgePaths {
+    std::vector<int> of_node;         ///< by CAD vertex: the vertex of the mesh, or -1
+    std::vector<EdgePath> polylines;  ///< by CAD edge; empty if the mesh does not follow it
 };
 
 /// Finds the mesh vertex at each CAD vertex, and the mesh edges along each CAD edge.
@@ -43,6 +43,6 @@ struct EdgeDiscretisation {
 /// distance that counts as near is the smallest of four at which there is a path, from rounding to a thousandth of the
 /// model's size, and at most a quarter of the shortest mesh edge at a vertex, so that it is never ambiguous by the mesh
 /// itself.
-EdgeDiscretisation find_edge_discretisation(geometry::Session& session, const SurfaceGraph& graph);
+EdgePaths find_edge_discretisation(geometry::Session& session, const SurfaceGraph& graph);
 
 }  // namespace mq::curve

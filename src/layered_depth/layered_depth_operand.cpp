@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "layered_depth/uniform_operand.h"
+#include "layered_depth/layered_depth_operand.h"
 
 #include <algorithm>
 #include <utility>

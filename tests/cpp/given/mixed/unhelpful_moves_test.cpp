@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "given/mixed/kept_changes.h"
+#include "given/mixed/unhelpful_moves.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,8 @@ TEST(KeptChanges, GroupsThatGainNothingGoBack) {
     std::vector<Vec3> nodes(5, Vec3::Zero());
     nodes[1] = nodes[4] = Vec3::UnitX();
     // The first two exchange a fault, the third loses one.
-    EXPECT_EQ(keep_what_helps(elements(), before, {0.0, 1.0, 0.0}, {1.0, 0.0, 1.0}, nodes), (std::set<std::size_t>{2}));
+    EXPECT_EQ(revert_unhelpful_moves(elements(), before, {0.0, 1.0, 0.0}, {1.0, 0.0, 1.0}, nodes),
+              (std::set<std::size_t>{2}));
     EXPECT_EQ(nodes[1], Vec3::Zero());
     EXPECT_EQ(nodes[4], Vec3::UnitX());
 }
@@ -25,10 +26,10 @@ TEST(KeptChanges, GroupsThatGainStayWhole) {
     const std::vector<Vec3> before(5, Vec3::Zero());
     std::vector<Vec3> nodes(5, Vec3::Zero());
     nodes[0] = nodes[1] = Vec3::UnitY();
-    EXPECT_EQ(keep_what_helps(elements(), before, {0.0, 0.0, -1.0}, {1.0, 0.0, -1.0}, nodes),
+    EXPECT_EQ(revert_unhelpful_moves(elements(), before, {0.0, 0.0, -1.0}, {1.0, 0.0, -1.0}, nodes),
               (std::set<std::size_t>{0, 1}));
     EXPECT_EQ(nodes[0], Vec3::UnitY());
-    EXPECT_TRUE(keep_what_helps(elements(), nodes, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, nodes).empty());
+    EXPECT_TRUE(revert_unhelpful_moves(elements(), nodes, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, nodes).empty());
 }
 
 }  // namespace

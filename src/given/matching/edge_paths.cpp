@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "given/matching/edge_discretisation.h"
+#include "given/matching/edge_paths.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/disjoint_sets.h"
-#include "given/matching/artefact_vertices.h"
 #include "geometry/closed_edge.h"
+#include "given/matching/artefact_vertices.h"
 #include "mesh/intersection/nearest_tree.h"
 
 namespace mq::curve {
@@ -31,7 +31,7 @@ class Finder {
     Finder(geometry::Session& session, const SurfaceGraph& graph)
         : session_(session), topology_(session.topology()), graph_(graph) {}
 
-    EdgeDiscretisation run() {
+    EdgePaths run() {
         artefacts_ = artefact_vertices(session_);
         find_candidates();
         find_rims();
@@ -209,17 +209,17 @@ class Finder {
                 most = std::max(most, ++met[part]);
             }
         }
-        EdgeDiscretisation best;
+        EdgePaths best;
         std::pair<std::size_t, bool> best_score{0, false};
         std::size_t best_part = 0;
         for (const auto& [part, count] : met) {
             if (count < most) {
                 continue;
             }
-            EdgeDiscretisation edges = follow_on(body, part);
+            EdgePaths edges = follow_on(body, part);
             const auto followed = static_cast<std::size_t>(
                 std::count_if(edges.polylines.begin(), edges.polylines.end(),
-                              [](const EdgePolyline& polyline) { return !polyline.vertices.empty(); }));
+                              [](const EdgePath& polyline) { return !polyline.vertices.empty(); }));
             const std::pair<std::size_t, bool> score{followed, taken_.count(part) == 0};
             if (best.of_node.empty() || score > best_score) {
                 best = std::move(edges);
@@ -240,8 +240,8 @@ class Finder {
     }
 
     /// @return by the body's own vertices and edges.
-    EdgeDiscretisation follow_on(const Body& body, std::size_t part) {
-        EdgeDiscretisation found;
+    EdgePaths follow_on(const Body& body, std::size_t part) {
+        EdgePaths found;
         std::map<int, int> of_node;
         for (const int n : body.nodes) {
             const Candidates& all = candidates_[static_cast<std::size_t>(n)];
@@ -267,7 +267,7 @@ class Finder {
                         kMostOfMeshEdge * graph_.shortest[static_cast<std::size_t>(vertex)]);
     }
 
-    EdgePolyline polyline_of(int e, const std::map<int, int>& of_node) {
+    EdgePath polyline_of(int e, const std::map<int, int>& of_node) {
         const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
         if (edge.degenerate || edge.uses.empty()) {
             return {};
@@ -282,7 +282,7 @@ class Finder {
         }
         const double size = topology_.box.largest_side();
         for (const double near : kNear) {
-            EdgePolyline polyline =
+            EdgePath polyline =
                 longest_path(near_edge(e, {}, {end(0), end(1)}, near * size + edge.tolerance), end(0), end(1));
             if (!polyline.vertices.empty()) {
                 return polyline;
@@ -293,17 +293,17 @@ class Finder {
 
     /// The mesh edges around a closed edge: among the closed paths along it whose parameters increase except at the
     /// end, the one with the most vertices. It begins at the vertex with the smallest parameter.
-    EdgePolyline cycle_along(int e, const std::map<int, double>& seeds) {
+    EdgePath cycle_along(int e, const std::map<int, double>& seeds) {
         const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
         for (const double near : kNear) {
             const double allowed = near * topology_.box.largest_side() + edge.tolerance;
             const std::vector<Near> around = near_edge(e, seeds, {-1, -1}, allowed);
-            EdgePolyline best;
+            EdgePath best;
             // If no path passes through a vertex, the search starts at the next one.
             for (std::size_t start = 0; start < around.size() && best.vertices.size() <= around.size(); ++start) {
                 std::vector<Near> inner(around.begin() + static_cast<std::ptrdiff_t>(start) + 1, around.end());
                 inner.insert(inner.end(), around.begin(), around.begin() + static_cast<std::ptrdiff_t>(start));
-                EdgePolyline polyline = longest_path(inner, around[start].vertex, around[start].vertex);
+                EdgePath polyline = longest_path(inner, around[start].vertex, around[start].vertex);
                 if (polyline.vertices.size() > best.vertices.size()) {
                     best = std::move(polyline);
                     best.distance = std::max(best.distance, around[start].distance);
@@ -360,7 +360,7 @@ class Finder {
     }
 
     /// The path from `first` to `last` with the most vertices, through vertices of `inner` with increasing parameters.
-    EdgePolyline longest_path(const std::vector<Near>& inner, int first, int last) const {
+    EdgePath longest_path(const std::vector<Near>& inner, int first, int last) const {
         // The first vertex has position 0; the last one is handled after all others.
         std::map<int, std::size_t> position;
         for (std::size_t i = 0; i < inner.size(); ++i) {
@@ -389,7 +389,7 @@ class Finder {
         if (length[end] == kNone || (first == last && length[end] < 3)) {
             return {};
         }
-        EdgePolyline polyline{{last}, 0.0};
+        EdgePath polyline{{last}, 0.0};
         for (std::size_t i = before[end]; i != 0; i = before[i]) {
             polyline.vertices.push_back(inner[i - 1].vertex);
             polyline.distance = std::max(polyline.distance, inner[i - 1].distance);
@@ -411,7 +411,7 @@ class Finder {
     std::vector<Candidates> candidates_;  // by CAD vertex
     std::vector<Rim> rims_;               // by CAD edge
     std::set<std::size_t> taken_;         // connected meshes on which bodies were followed
-    EdgeDiscretisation result_;
+    EdgePaths result_;
 };
 
 }  // namespace
@@ -438,7 +438,7 @@ SurfaceGraph::SurfaceGraph(const std::vector<Vec3>& given, std::vector<std::arra
     }
 }
 
-EdgeDiscretisation find_edge_discretisation(geometry::Session& session, const SurfaceGraph& graph) {
+EdgePaths find_edge_discretisation(geometry::Session& session, const SurfaceGraph& graph) {
     return Finder(session, graph).run();
 }
 

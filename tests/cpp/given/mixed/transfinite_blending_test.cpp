@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "given/mixed/inner_nodes.h"
+#include "given/mixed/transfinite_blending.h"
 
 #include <gtest/gtest.h>
 

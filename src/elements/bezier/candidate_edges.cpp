@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "elements/bezier/locality.h"
+#include "elements/bezier/candidate_edges.h"
 
 #include "elements/bezier/jacobian.h"
 
