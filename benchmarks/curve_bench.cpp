@@ -9,9 +9,9 @@
 #include <random>
 #include <vector>
 
-#include "elements/bezier/validity.h"
 #include "curve/curve.h"
 #include "curve/volume/mesher/netgen_filling.h"
+#include "elements/bezier/validity.h"
 #include "geometry/occt/shape_model.h"
 #include "triangulate/triangulate.h"
 

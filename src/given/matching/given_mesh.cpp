@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "elements/bezier/curved_shapes.h"
 #include "curve/volume/tetrahedral_mesh.h"
+#include "elements/bezier/curved_shapes.h"
 
 namespace mq::curve {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "given/matching/given_mesh.h"
 #include "curve/surface/curved_surface.h"
+#include "given/matching/given_mesh.h"
 
 namespace mq::curve {
 

@@ -6,10 +6,10 @@
 #include <set>
 #include <vector>
 
+#include "curve/surface/node_placement.h"
 #include "given/matching/matching.h"
 #include "given/mixed/node_table.h"
 #include "given/mixed/side_rows.h"
-#include "curve/surface/node_placement.h"
 
 namespace mq::curve {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "given/matching/given_mesh.h"
 #include "curve/measuring.h"
+#include "given/matching/given_mesh.h"
 
 namespace mq::curve {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "base/error.h"
+#include "curve/surface/node_placement.h"
 #include "elements/bezier/node_orders.h"
 #include "given/matching/matching.h"
-#include "curve/surface/node_placement.h"
 
 namespace mq::curve {
 

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "base/progress.h"
+#include "geometry/engine.h"
 #include "layered_depth/samples/layered_depth_image.h"
 #include "layered_depth/samples/node_consistency.h"
-#include "geometry/engine.h"
 
 namespace mq::boolean {
 

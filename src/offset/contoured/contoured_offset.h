@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "offset/trimmed/trimmed_offset.h"
 #include "mesh/triangle_mesh.h"
+#include "offset/trimmed/trimmed_offset.h"
 
 namespace mq::offset {
 

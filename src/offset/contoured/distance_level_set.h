@@ -6,10 +6,10 @@
 
 #include "base/key_set.h"
 #include "base/vec.h"
-#include "offset/proof/distance_bounds.h"
 #include "contour/level_set.h"
 #include "mesh/intersection/nearest_tree.h"
 #include "mesh/triangle_mesh.h"
+#include "offset/proof/distance_bounds.h"
 
 namespace mq::offset {
 

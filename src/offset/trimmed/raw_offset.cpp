@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "base/parallel.h"
-#include "offset/trimmed/direction_cap.h"
-#include "offset/proof/distance_bounds.h"
-#include "offset/trimmed/tuning.h"
 #include "mesh/corner_table.h"
+#include "offset/proof/distance_bounds.h"
+#include "offset/trimmed/direction_cap.h"
+#include "offset/trimmed/tuning.h"
 
 namespace mq::boolean {
 

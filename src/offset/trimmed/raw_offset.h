@@ -6,8 +6,8 @@
 
 #include "base/progress.h"
 #include "base/vec.h"
-#include "offset/proof/distance_bounds.h"
 #include "mesh/triangle_mesh.h"
+#include "offset/proof/distance_bounds.h"
 
 namespace mq::boolean {
 

@@ -8,10 +8,10 @@
 #include <set>
 #include <vector>
 
-#include "elements/bezier/node_orders.h"
-#include "elements/bezier/validity.h"
 #include "curve/curve.h"
 #include "curve/volume/mesher/netgen_filling.h"
+#include "elements/bezier/node_orders.h"
+#include "elements/bezier/validity.h"
 #include "paths.h"
 #include "triangulate/triangulate.h"
 

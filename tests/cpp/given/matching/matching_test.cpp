@@ -16,9 +16,9 @@
 #include <gp_Pnt.hxx>
 
 #include "base/error.h"
-#include "given/simplices/given.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/parts.h"
+#include "given/simplices/given.h"
 
 namespace mq::curve {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "base/error.h"
 #include "elements/product/check_elements.h"
-#include "given/mixed/blocks.h"
 #include "geometry/occt/shape_model.h"
+#include "given/mixed/blocks.h"
 
 namespace mq::curve {
 namespace {

@@ -15,10 +15,10 @@
 #include <map>
 #include <set>
 
-#include "given/simplices/given.h"
-#include "given/simplices/measure_given.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/parts.h"
+#include "given/simplices/given.h"
+#include "given/simplices/measure_given.h"
 
 namespace mq::curve {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "layered_depth/samples/rasterise.h"
 #include "geometry/analytic/analytic_model.h"
+#include "layered_depth/samples/rasterise.h"
 
 namespace mq::boolean {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "base/error.h"
 #include "boolean/closed_solids.h"
-#include "offset/offset_checks.h"
 #include "mesh/quality/surface_verification.h"
+#include "offset/offset_checks.h"
 
 namespace mq::boolean {
 namespace {
