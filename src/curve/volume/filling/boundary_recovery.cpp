@@ -18,7 +18,7 @@ constexpr int kMostSteps = 60;
 constexpr int kMostCalls = 60;
 /// Largest nesting of such removals, in successive attempts.
 constexpr std::array<int, 3> kDepths{0, 1, 2};
-/// Most points on the surface; one more is allowed for each hundred vertices.
+/// Most points on the surface: as many as it has vertices, and twice this.
 constexpr std::size_t kMostDivisions = 100;
 
 }  // namespace
@@ -241,18 +241,18 @@ bool BoundaryRecovery::piercing_edge(const SurfaceConstraints::Triangle& t, std:
 }
 
 void BoundaryRecovery::count_division() {
-    if (++count_.divisions > kMostDivisions + mesh_.points.size() / 100) {
+    if (++count_.divisions > kMostDivisions + mesh_.points.size() / 2) {
         throw MeshingFailed("the surface is not recovered with a reasonable number of points on it");
     }
 }
 
 namespace {
 
-/// The fraction of the way from a to b at which the line meets the plane; 0.5 if the line is nearly parallel to it.
-double fraction_at(const Vec3& a, const Vec3& b, const Vec3& on_plane, const Vec3& normal) {
+/// The fraction of the way from a to b at which the line meets the plane; 0.5 if that is nearer an end than `least`.
+double fraction_at(const Vec3& a, const Vec3& b, const Vec3& on_plane, const Vec3& normal, double least) {
     const double along = (b - a).dot(normal);
     const double fraction = along != 0.0 ? (on_plane - a).dot(normal) / along : 0.5;
-    return fraction > 1e-6 && fraction < 1.0 - 1e-6 ? fraction : 0.5;
+    return fraction > least && fraction < 1.0 - least ? fraction : 0.5;
 }
 
 }  // namespace
@@ -282,7 +282,7 @@ void BoundaryRecovery::divide_edge(int a, int b) {
         normal = (mesh_.point(v[1]) - mesh_.point(v[0])).cross(mesh_.point(v[2]) - mesh_.point(v[0]));
         cavity = {obstacle.cell, mesh_.cells[obstacle.cell].n[mesh_.index_of(obstacle.cell, a)]};
     }
-    const double fraction = fraction_at(from, to, mesh_.point(v[0]), normal);
+    const double fraction = fraction_at(from, to, mesh_.point(v[0]), normal, least_fraction_);
     count_division();
     surface_.divide_edge(a, b, insert(from + fraction * (to - from), cavity));
 }
@@ -299,7 +299,7 @@ void BoundaryRecovery::divide_triangle(const SurfaceConstraints::Triangle& t) {
         const Vec3 normal = (mesh_.point(t[1]) - mesh_.point(t[0])).cross(mesh_.point(t[2]) - mesh_.point(t[0]));
         const Vec3& from = mesh_.point(edge[0]);
         const Vec3& to = mesh_.point(edge[1]);
-        const double fraction = fraction_at(from, to, mesh_.point(t[0]), normal);
+        const double fraction = fraction_at(from, to, mesh_.point(t[0]), normal, 1e-6);
         mesh_.ring(edge[0], edge[1], ring_);
         const std::vector<int> cavity = ring_.cells;
         count_division();

@@ -24,8 +24,11 @@ struct RecoveryCount {
 /// constraints.
 class BoundaryRecovery {
   public:
-    BoundaryRecovery(Tetrahedralisation& mesh, SurfaceConstraints& surface, const Progress& progress)
-        : mesh_(mesh), surface_(surface), flipper_(mesh), progress_(progress) {}
+    /// @param least_fraction of an edge between its ends and a point on it, which else lies in the middle: points where
+    /// edges of the tetrahedralisation cross are fewest, but may come nearer and nearer to a vertex
+    BoundaryRecovery(Tetrahedralisation& mesh, SurfaceConstraints& surface, double least_fraction,
+                     const Progress& progress)
+        : mesh_(mesh), surface_(surface), flipper_(mesh), least_fraction_(least_fraction), progress_(progress) {}
 
     /// @throws MeshingFailed where the surface intersects itself or no end is reached; Cancelled.
     RecoveryCount run();
@@ -58,6 +61,7 @@ class BoundaryRecovery {
     Tetrahedralisation& mesh_;
     SurfaceConstraints& surface_;
     Flipper flipper_;
+    double least_fraction_;
     const Progress& progress_;
     RecoveryCount count_;
     std::vector<int> star_;

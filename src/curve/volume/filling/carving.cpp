@@ -94,6 +94,54 @@ std::vector<Vec3> ways_inside(const Tetrahedralisation& mesh, const SurfaceConst
     return ways;
 }
 
+/// A plane that the point must stay on the positive side of.
+struct Plane {
+    Vec3 normal;    ///< unit
+    double height;  ///< of the point now
+};
+
+/// The planes of the faces opposite a vertex, and of the triangles that its own triangles on the surface came of.
+std::vector<Plane> planes_around(const Tetrahedralisation& mesh, int vertex, const std::vector<int>& star,
+                                 const std::vector<std::array<int, 3>>& parents) {
+    std::vector<std::array<int, 3>> faces = parents;
+    for (const int c : star) {
+        const int(&k)[3] = kFaceOf[mesh.index_of(c, vertex)];
+        const std::array<int, 4>& v = mesh.cells[c].v;
+        faces.push_back({v[k[0]], v[k[1]], v[k[2]]});
+    }
+    std::vector<Plane> planes;
+    for (const auto& f : faces) {
+        const Vec3& a = mesh.point(f[0]);
+        const Vec3 normal = (mesh.point(f[1]) - a).cross(mesh.point(f[2]) - a).normalized();
+        planes.push_back({normal, normal.dot(mesh.point(vertex) - a)});
+    }
+    return planes;
+}
+
+/// The direction that leads away from all planes nearer than a distance: the point nearest the origin in the convex
+/// hull of their normals (Gilbert 1966). Zero where there is no such direction.
+Vec3 way_from_planes(const std::vector<Plane>& planes, double distance) {
+    /// Enough for directions that no plane leaves more than a few degrees.
+    constexpr int kRounds = 200;
+    std::vector<Vec3> normals;
+    for (const Plane& plane : planes) {
+        if (plane.height < distance) {
+            normals.push_back(plane.normal);
+        }
+    }
+    Vec3 way = normals.empty() ? Vec3(Vec3::Zero()) : normals.front();
+    for (int round = 0; round < kRounds && !normals.empty(); ++round) {
+        const Vec3 change = *std::min_element(normals.begin(), normals.end(), [&](const Vec3& a, const Vec3& b) {
+            return a.dot(way) < b.dot(way);
+        }) - way;
+        if (change.isZero()) {
+            break;
+        }
+        way += std::clamp(-way.dot(change) / change.squaredNorm(), 0.0, 1.0) * change;
+    }
+    return way.normalized();
+}
+
 void move_inwards(Tetrahedralisation& mesh, const SurfaceConstraints& surface,
                   const SurfaceConstraints::Division& division) {
     /// Halvings of the first step: until it is of the size of rounding errors.
@@ -110,15 +158,24 @@ void move_inwards(Tetrahedralisation& mesh, const SurfaceConstraints& surface,
     StarCavity cavity(mesh, surface);
     Vec3 best = start;
     double best_quality = 0.0;
+    const auto try_place = [&](const Vec3& place) {
+        if (cavity.open(place, star, division.vertex, parents)) {
+            const double quality = worst_quality(mesh, cavity.faces(), place);
+            best = quality > best_quality ? place : best;
+            best_quality = std::max(quality, best_quality);
+        }
+    };
     for (const Vec3& way : ways_inside(mesh, division, star)) {
-        double step = size;
-        for (int i = 0; i < kHalvings; ++i, step *= 0.5) {
-            const Vec3 place = start + step * way;
-            if (cavity.open(place, star, division.vertex, parents)) {
-                const double quality = worst_quality(mesh, cavity.faces(), place);
-                best = quality > best_quality ? place : best;
-                best_quality = std::max(quality, best_quality);
-            }
+        for (int i = 0; i < kHalvings; ++i) {
+            try_place(start + std::ldexp(size, -i) * way);
+        }
+    }
+    if (!(best_quality > 0.0)) {
+        // In a thin wall, faces opposite may leave a narrow wedge.
+        const std::vector<Plane> planes = planes_around(mesh, division.vertex, star, parents);
+        for (int i = 0; i < kHalvings; ++i) {
+            const double step = std::ldexp(size, -i);
+            try_place(start + step * way_from_planes(planes, step));
         }
     }
     if (!(best_quality > 0.0) || !cavity.open(best, star, division.vertex, parents)) {

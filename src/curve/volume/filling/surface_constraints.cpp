@@ -12,6 +12,9 @@ SurfaceConstraints::SurfaceConstraints(const std::vector<Triangle>& triangles) {
     for (const Triangle& t : triangles) {
         add(t);
     }
+    if (faces_.size() != triangles.size()) {
+        throw MeshingFailed("two triangles of the surface coincide");
+    }
     for (const auto& [edge, around] : edges_) {
         if (around.size() % 2 != 0) {
             throw MeshingFailed("the surface is not closed");

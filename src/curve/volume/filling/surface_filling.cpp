@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curve/volume/filling/surface_filling.h"
 
+#include <optional>
+
 #include "curve/volume/filling/boundary_recovery.h"
 #include "curve/volume/filling/carving.h"
+#include "curve/volume/filling/coincident_vertices.h"
 #include "curve/volume/filling/delaunay.h"
 #include "curve/volume/filling/interior_points.h"
 #include "curve/volume/filling/optimisation.h"
@@ -36,19 +39,50 @@ TetrahedralFilling filling_of(const Tetrahedralisation& mesh, std::size_t surfac
     return filling;
 }
 
+/// The inside of a surface, without points of its own but for those that its triangles need.
+Tetrahedralisation inside_of(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                             double least_fraction, const Progress& progress) {
+    Tetrahedralisation mesh = delaunay_tetrahedralisation(points, progress);
+    SurfaceConstraints surface(triangles);
+    BoundaryRecovery(mesh, surface, least_fraction, progress).run();
+    remove_outside(mesh, surface, static_cast<int>(points.size()));
+    move_divisions_inwards(mesh, surface);
+    return mesh;
+}
+
+/// inside_of() with points on edges ever nearer their middles until that succeeds.
+/// @throws MeshingFailed the first error
+Tetrahedralisation inside_of(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                             const Progress& progress) {
+    std::optional<MeshingFailed> first;
+    for (const double least_fraction : {1e-6, 0.2, 0.5}) {
+        try {
+            return inside_of(points, triangles, least_fraction, progress);
+        } catch (const MeshingFailed& error) {
+            first = first ? *first : error;
+        }
+    }
+    throw *first;
+}
+
+/// Fills a surface whose vertices all differ.
+TetrahedralFilling fill_distinct(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                                 double grading_factor, const Progress& progress, const EndTangents& tangents) {
+    Tetrahedralisation mesh = inside_of(points, triangles, progress);
+    InteriorPoints(mesh, triangles, FillingTuning::kGrowth * grading_factor).insert(progress);
+    Optimisation(mesh, tangents, static_cast<int>(points.size())).run(progress);
+    return filling_of(mesh, points.size());
+}
+
 }  // namespace
 
 TetrahedralFilling fill_surface(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
                                 double grading_factor, const Progress& progress, const EndTangents& tangents) {
-    const auto first_inner = static_cast<int>(points.size());
-    Tetrahedralisation mesh = delaunay_tetrahedralisation(points, progress);
-    SurfaceConstraints surface(triangles);
-    BoundaryRecovery(mesh, surface, progress).run();
-    remove_outside(mesh, surface, first_inner);
-    move_divisions_inwards(mesh, surface);
-    InteriorPoints(mesh, triangles, FillingTuning::kGrowth * grading_factor).insert(progress);
-    Optimisation(mesh, tangents, first_inner).run(progress);
-    return filling_of(mesh, points.size());
+    const CoincidentVertices one(points, triangles, tangents);
+    if (one.points.size() == points.size()) {
+        return fill_distinct(points, triangles, grading_factor, progress, tangents);
+    }
+    return one.separate(fill_distinct(one.points, one.triangles, grading_factor, progress, one.tangents));
 }
 
 }  // namespace mq::curve

@@ -86,6 +86,49 @@ TEST(SurfaceFilling, RoughBalls) {
     }
 }
 
+TEST(SurfaceFilling, SurfacesThatTouchThemselvesAtVerticesAndEdges) {
+    ClosedSurface touching = box(Vec3(1.0, 1.0, 1.0), 3);
+    for (const Vec3& way : {Vec3(1.0, 1.0, 0.0), Vec3(-1.0, -1.0, -1.0)}) {
+        ClosedSurface other = box(Vec3(1.0, 1.0, 1.0), 3);
+        for (Vec3& p : other.points) {
+            p += way;
+        }
+        touching.add(other);
+    }
+    expect_filled(touching);
+    // Of two voids that touch, the inside lies around the point.
+    ClosedSurface voids = box(Vec3(5.0, 5.0, 5.0), 1);
+    for (const double at : {1.0, 2.0}) {
+        ClosedSurface hole = box(Vec3(1.0, 1.0, 1.0), 1).inverted();
+        for (Vec3& p : hole.points) {
+            p += Vec3(at, at, at);
+        }
+        voids.add(hole);
+    }
+    EXPECT_THROW(filled(voids), MeshingFailed);
+}
+
+TEST(SurfaceFilling, ThinSkinsNeedManyPointsOnTheSurface) {
+    for (const auto& [thickness, n] : {std::pair(1e-3, 6), std::pair(3e-4, 10), std::pair(1e-2, 16)}) {
+        ClosedSurface skin = sphere(1.0, n);
+        ClosedSurface inner = skin.inverted();
+        for (Vec3& p : inner.points) {
+            p *= 1.0 - thickness;
+        }
+        skin.add(inner);
+        expect_filled(skin);
+    }
+}
+
+TEST(SurfaceFilling, PointsOnTheSurfaceStayAwayFromItsVertices) {
+    expect_filled(rough_ball(11, 0.8, 1070));
+    ClosedSurface wavy = box(Vec3(1.0, 1.0, 0.1), 10);
+    for (Vec3& p : wavy.points) {
+        p.z() += 0.05 * std::sin(9.0 * p.x()) * std::cos(7.0 * p.y());
+    }
+    expect_filled(wavy);
+}
+
 TEST(SurfaceFilling, ASmallerFactorPutsMorePointsInside) {
     const ClosedSurface surface = sphere(1.0, 10);
     const std::size_t usual = expect_filled(surface).inner_points.size();
