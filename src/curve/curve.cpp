@@ -96,7 +96,6 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     if (options.volume) {
         filled.emplace(fill_and_repair(session, surface, watched, clock));
         note(filled->repairs, report);
-        report.notes.insert(report.notes.end(), filled->notes.begin(), filled->notes.end());
     }
     CurvedMesh result = measured(editor, straight_triangles, filled ? &filled->volume : nullptr, session.topology(),
                                  options.straighten, report, watched);

@@ -41,7 +41,7 @@ STAGES = {
         ["boolean/layered_depth"],
         ["boolean"],
     ],
-    "curve": [["curve/bezier"], ["curve/elements", "curve/surface"], ["curve/volume/filling/cells"], ["curve/volume/filling"], ["curve/volume/netgen", "curve/volume/mesher"], ["curve/volume"], ["curve/volume/remeshing"], ["curve/output"],
+    "curve": [["curve/bezier"], ["curve/elements", "curve/surface"], ["curve/volume/filling/cells"], ["curve/volume/filling"], ["curve/volume"], ["curve/volume/remeshing"], ["curve/output"],
               ["curve/injectivity"], ["curve"], ["curve/given"], ["curve/mixed"]],
     "improve": [["improve"]],
     "inspection": [["inspection"]],

@@ -10,7 +10,7 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/bezier/validity.h"
 #include "curve/surface/self_intersections.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/filling/surface_filling.h"
 #include "curve/volume/tuning.h"
 
 namespace mq::curve {
@@ -284,11 +284,9 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, c
         Shell shell = shell_of(surface, edges, solid);
         Filled& result = filled[static_cast<std::size_t>(k)];
         try {
-            result.filling = fill(shell.points, shell.triangles, kUsualGrading, progress, shell.tangents);
+            result.filling = fill_surface(shell.points, shell.triangles, kUsualGrading, progress, shell.tangents);
         } catch (const MeshingFailed& error) {
             throw MeshingFailed(in_solid(solid, error, trouble_spot(surface, topology, solid, progress)));
-        } catch (const GeometryError& error) {
-            throw GeometryError(in_solid(solid, error, trouble_spot(surface, topology, solid, progress)));
         }
         result.vertices = std::move(shell.vertices);
     });
@@ -296,9 +294,6 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, c
     for (std::size_t k = 0; k < solids.size(); ++k) {
         const int solid = static_cast<int>(solids[k]);
         auto& [number, filling] = filled[k];
-        if (!filling.own_fault.empty()) {
-            volume.filled_by_netgen.push_back("Solid" + std::to_string(solid + 1) + ": " + filling.own_fault);
-        }
         for (const Vec3& p : filling.inner_points) {
             number.push_back(volume.add_vertex(p, solid));
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <string>
 #include <unordered_set>
 #include <vector>
 
@@ -27,8 +26,6 @@ class TetrahedralMesh {
 
     CurvedSurface& surface;
     std::vector<Tetrahedron> tetrahedra;
-    /// The solids that Netgen has filled, each with why our own mesher failed.
-    std::vector<std::string> filled_by_netgen;
 
     CurvedShapes& shapes() { return surface.shapes; }
     const CurvedShapes& shapes() const { return surface.shapes; }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "base/error.h"
@@ -20,7 +19,6 @@ class MeshingFailed : public GeometryError {
 struct TetrahedralFilling {
     std::vector<Vec3> inner_points;              ///< numbered after the points of the surface
     std::vector<std::array<int, 4>> tetrahedra;  ///< positive volume
-    std::string own_fault;                       ///< why Netgen has made it, see fill(); empty for ours
 };
 
 }  // namespace mq::curve

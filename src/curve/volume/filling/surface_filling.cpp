@@ -3,10 +3,12 @@
 
 #include <optional>
 
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/volume/filling/boundary_recovery.h"
 #include "curve/volume/filling/carving.h"
 #include "curve/volume/filling/coincident_vertices.h"
 #include "curve/volume/filling/delaunay.h"
+#include "curve/volume/filling/filling_check.h"
 #include "curve/volume/filling/interior_points.h"
 #include "curve/volume/filling/optimisation.h"
 #include "curve/volume/filling/tuning.h"
@@ -74,15 +76,28 @@ TetrahedralFilling fill_distinct(const std::vector<Vec3>& points, const std::vec
     return filling_of(mesh, points.size());
 }
 
-}  // namespace
-
-TetrahedralFilling fill_surface(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                                double grading_factor, const Progress& progress, const EndTangents& tangents) {
+TetrahedralFilling fill_touching(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                                 double grading_factor, const Progress& progress, const EndTangents& tangents) {
     const CoincidentVertices one(points, triangles, tangents);
     if (one.points.size() == points.size()) {
         return fill_distinct(points, triangles, grading_factor, progress, tangents);
     }
     return one.separate(fill_distinct(one.points, one.triangles, grading_factor, progress, one.tangents));
+}
+
+}  // namespace
+
+TetrahedralFilling fill_surface(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                                double grading_factor, const Progress& progress, const EndTangents& tangents) {
+    try {
+        TetrahedralFilling filling = fill_touching(points, triangles, grading_factor, progress, tangents);
+        if (!ends_at(triangles, filling.tetrahedra)) {
+            throw MeshingFailed("the tetrahedra do not end at the surface");
+        }
+        return filling;
+    } catch (const MeshingFailed& error) {
+        throw MeshingFailed(Message::of(phrases::kNotFilled, {{"value", error.what()}}));
+    }
 }
 
 }  // namespace mq::curve

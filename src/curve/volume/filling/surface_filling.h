@@ -11,7 +11,9 @@ namespace mq::curve {
 
 /// Fills a closed, outward oriented surface, which may have several shells and voids: a Delaunay tetrahedralisation of
 /// its points, recovery of the surface, points inside, optimisation. Deterministic; what comes out is checked exactly.
-/// @param grading_factor see fill()
+/// All points and triangles of the surface are kept as they are.
+/// @param grading_factor above 0: factor of the usual growth of tetrahedra away from the surface. 1 is the usual
+/// growth; the smaller the factor, the more vertices lie inside.
 /// @param tangents of the edges of the surface that will be curved: cells are made for those
 /// @throws MeshingFailed where the surface is not closed, intersects itself or cannot be recovered; Cancelled.
 TetrahedralFilling fill_surface(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,

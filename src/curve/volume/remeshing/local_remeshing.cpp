@@ -12,7 +12,7 @@
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/filling/surface_filling.h"
 
 namespace mq::curve {
 
@@ -291,7 +291,7 @@ class Remesher {
             }
             triangles.push_back(own);
         }
-        TetrahedralFilling filling = fill(points, triangles, grading_factor_, progress_);
+        TetrahedralFilling filling = fill_surface(points, triangles, grading_factor_, progress_);
         std::vector<int> vertex(points.size());
         for (const auto& [v, own] : number) {
             vertex[static_cast<std::size_t>(own)] = v;

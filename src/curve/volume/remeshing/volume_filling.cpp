@@ -18,10 +18,6 @@ FilledTetrahedralMesh fill_and_repair(geometry::Session& session, CurvedSurface&
     }
     std::optional<TetrahedralMesh> volume(
         fill_solids(surface, quadratic ? *quadratic : surface.shapes, session.topology(), progress));
-    std::vector<std::string> notes;
-    for (const std::string& solid : volume->filled_by_netgen) {
-        notes.push_back("filled by Netgen, as our own mesher failed: " + solid);
-    }
     clock.end("filling");
     progress.stage("repairing the volume", 0.6, 0.95);
     VolumeRepairs repairs = repair_volume(*volume, progress);
@@ -31,7 +27,7 @@ FilledTetrahedralMesh fill_and_repair(geometry::Session& session, CurvedSurface&
     repairs.cavities = static_cast<int>(remeshing.cavities);
     repairs.invalid_after = static_cast<int>(volume->invalid());
     clock.end("remeshing around invalid elements");
-    return {*std::move(volume), repairs, std::move(notes)};
+    return {*std::move(volume), repairs};
 }
 
 }  // namespace mq::curve

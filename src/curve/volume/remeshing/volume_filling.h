@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "curve/volume/repair.h"
@@ -15,14 +12,13 @@ namespace mq::curve {
 struct FilledTetrahedralMesh {
     TetrahedralMesh volume;
     VolumeRepairs repairs;
-    std::vector<std::string> notes;  ///< which solids were filled by Netgen
 };
 
 /// Fills the solids and repairs their tetrahedra. Where some stay invalid, mostly since they reach from one side of the
 /// surface to the other, the cavities around them are filled again with more vertices inside (remesh_and_repair).
 /// Every order is filled as for order 2: straight tetrahedra can be curved later, and orders compared on one mesh.
 /// @param surface gets the vertices and shapes inside.
-/// @throws MeshingFailed, GeometryError where the filling fails; Cancelled.
+/// @throws MeshingFailed where the filling fails; Cancelled.
 FilledTetrahedralMesh fill_and_repair(geometry::Session& session, CurvedSurface& surface, Progress& progress,
                                       StageClock& clock);
 

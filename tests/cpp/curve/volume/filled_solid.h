@@ -73,7 +73,6 @@ class Filled {
         return triangulate::triangulate(engine, model, options).mesh;
     }
     TetrahedralMesh filled() {
-        use_fill_program();
         std::vector<int> all(surface.triangles.size());
         std::iota(all.begin(), all.end(), 0);
         surface_editor.placement.place(all);

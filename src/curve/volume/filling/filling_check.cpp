@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/mesher/filling_check.h"
+#include "curve/volume/filling/filling_check.h"
 
 #include <algorithm>
 
