@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/predicates.h"
-#include "curve/volume/filling/surface_filling.h"
+#include "tetrahedralise/tetrahedralise.h"
 
 /// Fills closed surfaces, for filling.py:
 ///
@@ -23,7 +23,7 @@
 namespace {
 
 using mq::Vec3;
-using mq::curve::TetrahedralFilling;
+using mq::tetrahedralise::Tetrahedra;
 
 constexpr double kDegrees = 57.29577951308232;
 
@@ -76,11 +76,11 @@ double smallest_dihedral(const std::vector<Vec3>& points, const std::array<int, 
     return smallest;
 }
 
-void print(const std::string& path, const Surface& surface, const std::function<TetrahedralFilling()>& fill) {
+void print(const std::string& path, const Surface& surface, const std::function<Tetrahedra()>& fill) {
     const double start = cpu_seconds();
     std::printf("{\"surface\": \"%s\", \"triangles\": %zu, ", path.c_str(), surface.triangles.size());
     try {
-        const TetrahedralFilling filling = fill();
+        const Tetrahedra filling = fill();
         const double seconds = cpu_seconds() - start;
         std::vector<Vec3> points = surface.points;
         points.insert(points.end(), filling.inner_points.begin(), filling.inner_points.end());
@@ -106,7 +106,7 @@ int main(int count, char** arguments) {
         const Surface surface = read(arguments[i]);
         const mq::Progress progress;
         print(arguments[i], surface,
-              [&] { return mq::curve::fill_surface(surface.points, surface.triangles, 1.0, progress); });
+              [&] { return mq::tetrahedralise::tetrahedralise(surface.points, surface.triangles, 1.0, progress); });
     }
     return 0;
 }

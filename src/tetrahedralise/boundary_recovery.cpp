@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/boundary_recovery.h"
+#include "tetrahedralise/boundary_recovery.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "curve/volume/filling/delaunay.h"
-#include "curve/volume/filling/filling.h"
-#include "curve/volume/filling/star_cavity.h"
+#include "tetrahedralise/delaunay.h"
+#include "tetrahedralise/star_cavity.h"
+#include "tetrahedralise/tetrahedra.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 namespace {
 
@@ -151,8 +151,8 @@ bool BoundaryRecovery::obstacle_on(int a, int b, Obstacle& found) {
     return false;
 }
 
-/// Removes an edge; where its ring cannot be filled without it, the ring is made smaller first by the removal of edges
-/// between the ends and the ring.
+/// Removes an edge; where its ring cannot be tetrahedralised without it, the ring is made smaller first by the removal
+/// of edges between the ends and the ring.
 bool BoundaryRecovery::remove_edge(int p, int q, int depth, int chord_a, int chord_b) {
     if (surface_.has_edge(p, q) || ++calls_ > kMostCalls) {
         return false;
@@ -324,4 +324,4 @@ int BoundaryRecovery::insert(const Vec3& p, const std::vector<int>& cells) {
     return vertex;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "curve/volume/filling/cells/flips.h"
-#include "curve/volume/filling/cells/tetrahedralisation.h"
-#include "curve/volume/filling/surface_constraints.h"
+#include "tetrahedralise/cells/flips.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
+#include "tetrahedralise/surface_constraints.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// How edges and triangles of a surface came into a tetrahedralisation.
 struct RecoveryCount {
@@ -69,4 +69,4 @@ class BoundaryRecovery {
     int calls_ = 0;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

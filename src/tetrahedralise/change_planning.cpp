@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/change_planning.h"
+#include "tetrahedralise/change_planning.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "curve/volume/filling/tuning.h"
+#include "tetrahedralise/tuning.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 void ChangePlanner::flip(int cell, Change& change) {
     change.read = {cell};
@@ -27,7 +27,7 @@ bool ChangePlanner::remove_one_edge(int cell, Change& change) {
     const std::array<int, 4>& v = mesh_.cells[cell].v;
     FlipRule rule;
     rule.measure = &measure_;
-    rule.most_around = FillingTuning::kMostAround;
+    rule.most_around = TetrahedralisationTuning::kMostAround;
     for (int i = 0; i < 4; ++i) {
         for (int k = i + 1; k < 4; ++k) {
             if (!mesh_.ring(cell, v[i], v[k], flipper_.ring())) {
@@ -39,7 +39,7 @@ bool ChangePlanner::remove_one_edge(int cell, Change& change) {
             for (const int c : ring) {
                 rule.floor = std::min(rule.floor, quality(c));
             }
-            rule.floor += FillingTuning::kLeastGain * std::abs(rule.floor);
+            rule.floor += TetrahedralisationTuning::kLeastGain * std::abs(rule.floor);
             if (flipper_.plan_ring(v[i], v[k], rule)) {
                 return true;
             }
@@ -56,7 +56,7 @@ bool ChangePlanner::flip_one_face(int cell) {
         if (other < 0) {
             continue;
         }
-        rule.floor = std::min(quality(cell), quality(other)) * (1.0 + FillingTuning::kLeastGain);
+        rule.floor = std::min(quality(cell), quality(other)) * (1.0 + TetrahedralisationTuning::kLeastGain);
         if (flipper_.plan_face(cell, face, rule)) {
             return true;
         }
@@ -76,7 +76,7 @@ void ChangePlanner::move(int v, Change& change) {
         worst = std::min(worst, quality(c));
     }
     change.place = mesh_.point(v);
-    change.helps = worst < FillingTuning::kGoodSine && placing_.improve(change.place, worst);
+    change.helps = worst < TetrahedralisationTuning::kGoodSine && placing_.improve(change.place, worst);
 }
 
 void ChangePlanner::insert(int cell, Change& change) {
@@ -130,7 +130,8 @@ bool ChangePlanner::insert_into(const std::vector<int>& cavity, const Vec3& star
     change.place = start;
     double worst = placing_.worst_at(change.place, -std::numeric_limits<double>::max());
     placing_.improve(change.place, worst);
-    if (!(worst > std::max(CellMeasure::folded(), FillingTuning::kInsertionGain * before)) || !sees_all(change.place)) {
+    if (!(worst > std::max(CellMeasure::folded(), TetrahedralisationTuning::kInsertionGain * before)) ||
+        !sees_all(change.place)) {
         return false;
     }
     change.cells = cavity;
@@ -147,4 +148,4 @@ bool ChangePlanner::sees_all(const Vec3& place) const {
     });
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

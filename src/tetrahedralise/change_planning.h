@@ -4,13 +4,13 @@
 #include <array>
 #include <vector>
 
-#include "curve/volume/filling/cells/cell_measure.h"
-#include "curve/volume/filling/cells/flips.h"
-#include "curve/volume/filling/cells/tetrahedralisation.h"
-#include "curve/volume/filling/delaunay.h"
-#include "curve/volume/filling/vertex_placing.h"
+#include "tetrahedralise/cells/cell_measure.h"
+#include "tetrahedralise/cells/flips.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
+#include "tetrahedralise/delaunay.h"
+#include "tetrahedralise/vertex_placing.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// A change that makes the worst of the cells that it touches better.
 struct Change {
@@ -60,4 +60,4 @@ class ChangePlanner {
     std::vector<char> seen_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/coincident_vertices.h"
+#include "tetrahedralise/coincident_vertices.h"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 namespace {
 
@@ -91,7 +91,7 @@ CoincidentVertices::CoincidentVertices(const std::vector<Vec3>& all, const std::
     }
 }
 
-TetrahedralFilling CoincidentVertices::separate(TetrahedralFilling filling) const {
+Tetrahedra CoincidentVertices::separate(Tetrahedra result) const {
     const auto vertices = static_cast<int>(points.size());
     std::map<int, std::map<Triangle, int>> walls;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -102,23 +102,23 @@ TetrahedralFilling CoincidentVertices::separate(TetrahedralFilling filling) cons
         }
     }
     std::map<int, std::vector<Around>> stars;
-    const std::vector<std::array<int, 4>> welded = filling.tetrahedra;
+    const std::vector<std::array<int, 4>> welded = result.tetrahedra;
     for (std::size_t i = 0; i < welded.size(); ++i) {
         for (std::size_t k = 0; k < 4; ++k) {
             const int v = welded[i][k];
             if (v < vertices && shared_[v]) {
                 stars[v].push_back({static_cast<int>(i), k});
             }
-            filling.tetrahedra[i][k] = v < vertices ? first_[v] : v - vertices + static_cast<int>(given_points_);
+            result.tetrahedra[i][k] = v < vertices ? first_[v] : v - vertices + static_cast<int>(given_points_);
         }
     }
     for (auto& [v, star] : stars) {
         find_sides(star, welded, walls[v]);
         for (const Around& one : star) {
-            filling.tetrahedra[one.tetrahedron][one.corner] = one.given;
+            result.tetrahedra[one.tetrahedron][one.corner] = one.given;
         }
     }
-    return filling;
+    return result;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "curve/volume/filling/filling.h"
+#include "tetrahedralise/tetrahedra.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// A surface that may touch itself at vertices and along edges, with one vertex in place of those that coincide: a
 /// Delaunay tetrahedralisation has one vertex at a point.
@@ -17,7 +17,7 @@ struct CoincidentVertices {
     /// Tetrahedra of the vertices with those of the surface again: where several coincide, those around the point
     /// belong to the one whose triangles they reach inside the surface.
     /// @throws MeshingFailed where tetrahedra reach triangles of several vertices that coincide.
-    TetrahedralFilling separate(TetrahedralFilling filling) const;
+    Tetrahedra separate(Tetrahedra result) const;
 
     std::vector<Vec3> points;  ///< all different
     std::vector<std::array<int, 3>> triangles;
@@ -30,4 +30,4 @@ struct CoincidentVertices {
     std::vector<char> shared_;  // by vertex: whether several coincide
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/delaunay.h"
+#include "tetrahedralise/delaunay.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 #include "base/key_set.h"
 #include "base/predicates.h"
-#include "curve/volume/filling/filling.h"
+#include "tetrahedralise/tetrahedra.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 int Locator::find(const Vec3& p, int start) {
     int cell = start;
@@ -228,4 +228,4 @@ Tetrahedralisation delaunay_tetrahedralisation(const std::vector<Vec3>& points, 
     return mesh;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "curve/volume/filling/cells/tetrahedralisation.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// Finds the cell that holds a point, from a cell nearby.
 class Locator {
@@ -63,4 +63,4 @@ class CavityInsertion {
 /// @throws MeshingFailed where two points coincide; Cancelled.
 Tetrahedralisation delaunay_tetrahedralisation(const std::vector<Vec3>& points, const Progress& progress);
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/interior_points.h"
+#include "tetrahedralise/interior_points.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "curve/volume/filling/tuning.h"
+#include "tetrahedralise/tuning.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 namespace {
 
@@ -93,7 +93,7 @@ void InteriorPoints::consider(int cell) {
         length = std::min(length, length_[k] + growth_ * sphere.radius);
     }
     const double ratio = sphere.radius / length;
-    if (ratio > FillingTuning::kLargestRadius) {
+    if (ratio > TetrahedralisationTuning::kLargestRadius) {
         queue_.push_back({ratio, cell, v});
         std::push_heap(queue_.begin(), queue_.end());
     }
@@ -129,13 +129,13 @@ double InteriorPoints::length_at(const Vec3& p, const std::vector<int>& around) 
 
 /// Whether the vertices and the surface around are far enough away.
 bool InteriorPoints::has_room(const Vec3& p, double length) const {
-    const double least = FillingTuning::kLeastDistance * length;
+    const double least = TetrahedralisationTuning::kLeastDistance * length;
     for (const int v : insertion_.corners()) {
         if ((mesh_.point(v) - p).squaredNorm() < least * least) {
             return false;
         }
     }
-    const double height = FillingTuning::kLeastHeight * length;
+    const double height = TetrahedralisationTuning::kLeastHeight * length;
     for (const int c : insertion_.cavity()) {
         for (int face = 0; face < 4; ++face) {
             if (mesh_.cells[c].n[face] >= 0) {
@@ -151,4 +151,4 @@ bool InteriorPoints::has_room(const Vec3& p, double length) const {
     return true;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

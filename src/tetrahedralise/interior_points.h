@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "curve/volume/filling/cells/tetrahedralisation.h"
-#include "curve/volume/filling/delaunay.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
+#include "tetrahedralise/delaunay.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// Puts points inside by Delaunay refinement: at circumcentres of cells that are large for the length wanted there,
 /// which grows from the edges of the surface inwards.
@@ -44,4 +44,4 @@ class InteriorPoints {
     CavityInsertion insertion_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/filling_check.h"
+#include "tetrahedralise/is_bounded_by.h"
 
 #include <algorithm>
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 namespace {
 
@@ -14,7 +14,7 @@ std::array<int, 3> sorted(std::array<int, 3> corners) {
 
 }  // namespace
 
-bool ends_at(const std::vector<std::array<int, 3>>& surface, const std::vector<std::array<int, 4>>& tetrahedra) {
+bool is_bounded_by(const std::vector<std::array<int, 3>>& surface, const std::vector<std::array<int, 4>>& tetrahedra) {
     std::vector<std::array<int, 3>> sides;
     sides.reserve(4 * tetrahedra.size() + surface.size());
     for (const auto& t : surface) {
@@ -37,4 +37,4 @@ bool ends_at(const std::vector<std::array<int, 3>>& surface, const std::vector<s
     return true;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// Whether the tetrahedra share their triangles two by two, but for those of the surface.
-bool ends_at(const std::vector<std::array<int, 3>>& surface, const std::vector<std::array<int, 4>>& tetrahedra);
+bool is_bounded_by(const std::vector<std::array<int, 3>>& surface, const std::vector<std::array<int, 4>>& tetrahedra);
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/optimisation.h"
+#include "tetrahedralise/optimisation.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "base/parallel.h"
-#include "curve/volume/filling/tuning.h"
+#include "tetrahedralise/tuning.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 Optimisation::Optimisation(Tetrahedralisation& mesh, const EndTangents& tangents, int first_inner)
     : mesh_(mesh), measure_(mesh, tangents), first_inner_(first_inner) {
@@ -23,11 +23,11 @@ Optimisation::Optimisation(Tetrahedralisation& mesh, const EndTangents& tangents
 }
 
 void Optimisation::run(const Progress& progress) {
-    for (int sweep = 0; sweep < FillingTuning::kSweeps; ++sweep) {
+    for (int sweep = 0; sweep < TetrahedralisationTuning::kSweeps; ++sweep) {
         const bool flipped = flip_cells(progress);
         const bool moved = move_vertices(progress);
-        const bool inserted = sweep >= FillingTuning::kFirstInsertion && insert_vertices(progress);
-        if (sweep >= FillingTuning::kFirstInsertion && !flipped && !moved && !inserted) {
+        const bool inserted = sweep >= TetrahedralisationTuning::kFirstInsertion && insert_vertices(progress);
+        if (sweep >= TetrahedralisationTuning::kFirstInsertion && !flipped && !moved && !inserted) {
             break;
         }
     }
@@ -112,7 +112,7 @@ bool Optimisation::sweep(std::size_t begin, std::size_t end, const Progress& pro
 bool Optimisation::flip_cells(const Progress& progress) {
     const auto wanted = [&](std::size_t c) {
         const int cell = static_cast<int>(c);
-        return mesh_.alive(cell) && quality(cell) < FillingTuning::kGoodSine && !tried_[c];
+        return mesh_.alive(cell) && quality(cell) < TetrahedralisationTuning::kGoodSine && !tried_[c];
     };
     const auto plan = [](ChangePlanner& planner, std::size_t c, Change& change) {
         planner.flip(static_cast<int>(c), change);
@@ -154,13 +154,13 @@ bool Optimisation::insert_vertices(const Progress& progress) {
     std::vector<std::pair<double, int>> poor;
     for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
         const int cell = static_cast<int>(c);
-        if (mesh_.alive(cell) && quality(cell) < FillingTuning::kPoorSine) {
+        if (mesh_.alive(cell) && quality(cell) < TetrahedralisationTuning::kPoorSine) {
             poor.emplace_back(quality(cell), cell);
         }
     }
     std::sort(poor.begin(), poor.end());
-    const double share = FillingTuning::kInsertedShare * static_cast<double>(mesh_.cells.size());
-    const auto most = static_cast<std::size_t>(share + FillingTuning::kInsertedAlways);
+    const double share = TetrahedralisationTuning::kInsertedShare * static_cast<double>(mesh_.cells.size());
+    const auto most = static_cast<std::size_t>(share + TetrahedralisationTuning::kInsertedAlways);
     poor.resize(std::min(poor.size(), most));
     // Other insertions may have changed the cell.
     const auto wanted = [&](std::size_t i) {
@@ -189,4 +189,4 @@ void Optimisation::replace(const Change& change) {
     note(created_);
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

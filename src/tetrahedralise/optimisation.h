@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "curve/volume/filling/cells/cell_measure.h"
-#include "curve/volume/filling/cells/tetrahedralisation.h"
-#include "curve/volume/filling/change_planning.h"
+#include "tetrahedralise/cells/cell_measure.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
+#include "tetrahedralise/change_planning.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// Improves the least sine of the dihedral angles, cell by cell, by flips, by moving inner vertices and by
 /// new ones; every change makes
@@ -45,4 +45,4 @@ class Optimisation {
     std::vector<int> created_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/carving.h"
+#include "tetrahedralise/remove_outside.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "curve/volume/filling/cells/flips.h"
-#include "curve/volume/filling/filling.h"
-#include "curve/volume/filling/star_cavity.h"
+#include "tetrahedralise/cells/flips.h"
+#include "tetrahedralise/star_cavity.h"
+#include "tetrahedralise/tetrahedra.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 namespace {
 
@@ -196,4 +196,4 @@ void move_divisions_inwards(Tetrahedralisation& mesh, const SurfaceConstraints& 
     }
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "curve/volume/filling/cells/tetrahedralisation.h"
-#include "curve/volume/filling/surface_constraints.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
+#include "tetrahedralise/surface_constraints.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// Removes the cells that do not lie inside the surface, all of whose triangles are faces.
 /// @param outer the first of four vertices that lie outside
@@ -16,4 +16,4 @@ void remove_outside(Tetrahedralisation& mesh, const SurfaceConstraints& surface,
 /// @throws MeshingFailed if rounding leaves no place for one of the points.
 void move_divisions_inwards(Tetrahedralisation& mesh, const SurfaceConstraints& surface);
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/star_cavity.h"
+#include "tetrahedralise/star_cavity.h"
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 bool StarCavity::open(const Vec3& p, const std::vector<int>& start, int own,
                       const std::vector<std::array<int, 3>>& more) {
@@ -90,4 +90,4 @@ std::vector<std::array<int, 4>> StarCavity::cells_of(int vertex) const {
     return cells;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

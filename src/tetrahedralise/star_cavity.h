@@ -5,10 +5,10 @@
 #include <functional>
 #include <vector>
 
-#include "curve/volume/filling/cells/tetrahedralisation.h"
-#include "curve/volume/filling/surface_constraints.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
+#include "tetrahedralise/surface_constraints.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// Cells that give way to those that connect one point with the faces around them. Where the point does not see a face,
 /// the cell behind it joins: points that should lie on a face or an edge hardly ever do so exactly.
@@ -39,4 +39,4 @@ class StarCavity {
     std::vector<std::array<int, 3>> faces_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/surface_constraints.h"
+#include "tetrahedralise/surface_constraints.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "curve/volume/filling/filling.h"
+#include "tetrahedralise/tetrahedra.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 SurfaceConstraints::SurfaceConstraints(const std::vector<Triangle>& triangles) {
     for (const Triangle& t : triangles) {
@@ -94,4 +94,4 @@ void SurfaceConstraints::divide(Division division) {
     divisions_.push_back(std::move(division));
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -6,7 +6,7 @@
 
 #include "base/key_set.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// The edges and triangles that a tetrahedralisation must have: those of a closed surface, and of its subdivision by
 /// points that are put on it for a while.
@@ -46,4 +46,4 @@ class SurfaceConstraints {
     std::vector<Division> divisions_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

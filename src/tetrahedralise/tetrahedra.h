@@ -6,19 +6,19 @@
 
 #include "base/error.h"
 #include "base/vec.h"
-#include "curve/volume/filling/cells/end_tangents.h"
+#include "tetrahedralise/cells/end_tangents.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
-/// A surface that cannot be filled, mostly because it intersects itself: a finer one may be filled.
+/// A surface that cannot be tetrahedralised, mostly because it intersects itself: a finer one may be tetrahedralised.
 class MeshingFailed : public GeometryError {
     using GeometryError::GeometryError;
 };
 
 /// Tetrahedra inside a closed surface.
-struct TetrahedralFilling {
+struct Tetrahedra {
     std::vector<Vec3> inner_points;              ///< numbered after the points of the surface
     std::vector<std::array<int, 4>> tetrahedra;  ///< positive volume
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/surface_filling.h"
+#include "tetrahedralise/tetrahedralise.h"
 
 #include <optional>
 
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "curve/volume/filling/boundary_recovery.h"
-#include "curve/volume/filling/carving.h"
-#include "curve/volume/filling/coincident_vertices.h"
-#include "curve/volume/filling/delaunay.h"
-#include "curve/volume/filling/filling_check.h"
-#include "curve/volume/filling/interior_points.h"
-#include "curve/volume/filling/optimisation.h"
-#include "curve/volume/filling/tuning.h"
+#include "tetrahedralise/boundary_recovery.h"
+#include "tetrahedralise/coincident_vertices.h"
+#include "tetrahedralise/delaunay.h"
+#include "tetrahedralise/interior_points.h"
+#include "tetrahedralise/is_bounded_by.h"
+#include "tetrahedralise/optimisation.h"
+#include "tetrahedralise/remove_outside.h"
+#include "tetrahedralise/tuning.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 namespace {
 
 /// The cells; inner vertices are numbered after those of the surface.
-TetrahedralFilling filling_of(const Tetrahedralisation& mesh, std::size_t surface) {
-    TetrahedralFilling filling;
+Tetrahedra tetrahedra_of(const Tetrahedralisation& mesh, std::size_t surface) {
+    Tetrahedra result;
     std::vector<int> number(mesh.points.size(), -1);
     for (const Cell& cell : mesh.cells) {
         if (cell.v[0] < 0) {
@@ -31,14 +31,14 @@ TetrahedralFilling filling_of(const Tetrahedralisation& mesh, std::size_t surfac
                 continue;
             }
             if (number[k] < 0) {
-                number[k] = static_cast<int>(surface + filling.inner_points.size());
-                filling.inner_points.push_back(mesh.point(k));
+                number[k] = static_cast<int>(surface + result.inner_points.size());
+                result.inner_points.push_back(mesh.point(k));
             }
             k = number[k];
         }
-        filling.tetrahedra.push_back(v);
+        result.tetrahedra.push_back(v);
     }
-    return filling;
+    return result;
 }
 
 /// The inside of a surface, without points of its own but for those that its triangles need.
@@ -67,37 +67,37 @@ Tetrahedralisation inside_of(const std::vector<Vec3>& points, const std::vector<
     throw *first;
 }
 
-/// Fills a surface whose vertices all differ.
-TetrahedralFilling fill_distinct(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                                 double grading_factor, const Progress& progress, const EndTangents& tangents) {
+/// Of a surface whose vertices all differ.
+Tetrahedra tetrahedralise_distinct(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                                   double grading_factor, const Progress& progress, const EndTangents& tangents) {
     Tetrahedralisation mesh = inside_of(points, triangles, progress);
-    InteriorPoints(mesh, triangles, FillingTuning::kGrowth * grading_factor).insert(progress);
+    InteriorPoints(mesh, triangles, TetrahedralisationTuning::kGrowth * grading_factor).insert(progress);
     Optimisation(mesh, tangents, static_cast<int>(points.size())).run(progress);
-    return filling_of(mesh, points.size());
+    return tetrahedra_of(mesh, points.size());
 }
 
-TetrahedralFilling fill_touching(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                                 double grading_factor, const Progress& progress, const EndTangents& tangents) {
+Tetrahedra tetrahedralise_touching(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                                   double grading_factor, const Progress& progress, const EndTangents& tangents) {
     const CoincidentVertices one(points, triangles, tangents);
     if (one.points.size() == points.size()) {
-        return fill_distinct(points, triangles, grading_factor, progress, tangents);
+        return tetrahedralise_distinct(points, triangles, grading_factor, progress, tangents);
     }
-    return one.separate(fill_distinct(one.points, one.triangles, grading_factor, progress, one.tangents));
+    return one.separate(tetrahedralise_distinct(one.points, one.triangles, grading_factor, progress, one.tangents));
 }
 
 }  // namespace
 
-TetrahedralFilling fill_surface(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                                double grading_factor, const Progress& progress, const EndTangents& tangents) {
+Tetrahedra tetrahedralise(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                          double grading_factor, const Progress& progress, const EndTangents& tangents) {
     try {
-        TetrahedralFilling filling = fill_touching(points, triangles, grading_factor, progress, tangents);
-        if (!ends_at(triangles, filling.tetrahedra)) {
+        Tetrahedra result = tetrahedralise_touching(points, triangles, grading_factor, progress, tangents);
+        if (!is_bounded_by(triangles, result.tetrahedra)) {
             throw MeshingFailed("the tetrahedra do not end at the surface");
         }
-        return filling;
+        return result;
     } catch (const MeshingFailed& error) {
         throw MeshingFailed(Message::of(phrases::kNotFilled, {{"value", error.what()}}));
     }
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

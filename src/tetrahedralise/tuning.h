@@ -5,10 +5,10 @@
 
 #include "base/tuning.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
-/// The constants that tune the filling of surfaces.
-struct FillingTuning {
+/// The constants that tune tetrahedralisations.
+struct TetrahedralisationTuning {
     /// Growth of the wanted length by the distance from the surface, for the usual grading.
     MESHQUALITY_TUNED(double, kGrowth, 0.8);
     /// Largest circumradius of a cell, divided by the wanted length, before it gets a point; 0.61 for a regular
@@ -44,4 +44,4 @@ struct FillingTuning {
     MESHQUALITY_TUNED(double, kLeastGain, 1e-3);
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/vertex_placing.h"
+#include "tetrahedralise/vertex_placing.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "curve/volume/filling/tuning.h"
+#include "tetrahedralise/tuning.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 double VertexPlacing::worst_at(const Vec3& place, double enough) const {
     double worst = std::numeric_limits<double>::max();
@@ -20,7 +20,7 @@ double VertexPlacing::worst_at(const Vec3& place, double enough) const {
 }
 
 bool VertexPlacing::try_place(Vec3& place, const Vec3& other, double& worst) const {
-    const double enough = worst + FillingTuning::kLeastGain * std::abs(worst);
+    const double enough = worst + TetrahedralisationTuning::kLeastGain * std::abs(worst);
     const double value = worst_at(other, enough);
     if (!(value > enough)) {
         return false;
@@ -65,8 +65,8 @@ bool VertexPlacing::step(Vec3& place, double length, double& worst) const {
     if (!(norm > 1e-9)) {
         return false;
     }
-    double by = FillingTuning::kFirstStep * length;
-    for (int i = 0; i < FillingTuning::kStepHalvings; ++i, by *= 0.4) {
+    double by = TetrahedralisationTuning::kFirstStep * length;
+    for (int i = 0; i < TetrahedralisationTuning::kStepHalvings; ++i, by *= 0.4) {
         if (try_place(place, place + by / norm * direction, worst)) {
             return true;
         }
@@ -87,10 +87,10 @@ bool VertexPlacing::improve(Vec3& place, double& worst) const {
     length /= count;
     middle /= count;
     bool any = try_place(place, middle, worst) || try_place(place, 0.5 * (place + middle), worst);
-    for (int i = 0; i < FillingTuning::kVertexSteps && step(place, length, worst); ++i) {
+    for (int i = 0; i < TetrahedralisationTuning::kVertexSteps && step(place, length, worst); ++i) {
         any = true;
     }
     return any;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -4,10 +4,10 @@
 #include <array>
 #include <vector>
 
-#include "curve/volume/filling/cells/cell_measure.h"
-#include "curve/volume/filling/cells/tetrahedralisation.h"
+#include "tetrahedralise/cells/cell_measure.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// Looks for the place of a vertex where the worst of its cells is best (Freitag and Ollivier-Gooch 1997). The cells
 /// are given by their faces opposite the vertex, from which it is seen on the positive side.
@@ -33,4 +33,4 @@ class VertexPlacing {
     const CellMeasure& measure_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

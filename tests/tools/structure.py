@@ -12,7 +12,7 @@ from pathlib import Path
 ROWS = [
     ["base"],
     ["geometry"],
-    ["mesh"],
+    ["mesh", "tetrahedralise"],
     ["triangulate", "curve", "boolean", "improve", "inspection", "contour"],
     ["offset", "wrap"],
     ["workflows", "view"],

@@ -15,7 +15,8 @@ namespace mq::curve {
 using Crossing = std::pair<int, int>;
 
 /// The crossings of the straight triangles around a volume, at most a few hundred.
-std::vector<Crossing> crossings(const CurvedSurface& surface, std::size_t volume, const Progress& progress);
+std::vector<Crossing> find_self_intersections(const CurvedSurface& surface, std::size_t volume,
+                                              const Progress& progress);
 
 /// Halves the longest edges of triangles that cross, again and again, until none do or nothing helps.
 /// @return the number of edges halved.
@@ -23,7 +24,7 @@ int refine_crossings(SurfaceEditor& editor, const geometry::Topology& topology, 
 
 /// The place where the surface around a volume is hardest to fill: the faces that cross, or the flattest triangle. For
 /// messages.
-std::string trouble_spot(const CurvedSurface& surface, const geometry::Topology& topology, std::size_t volume,
-                         const Progress& progress);
+std::string first_fault(const CurvedSurface& surface, const geometry::Topology& topology, std::size_t volume,
+                        const Progress& progress);
 
 }  // namespace mq::curve

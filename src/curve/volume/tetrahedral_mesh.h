@@ -86,8 +86,8 @@ class FoldedTriangles {
 /// Fills every closed solid of the model. Volumes that are not solids have no inside and are left out.
 /// @param edges  curved edges of the surface, whose tangents the tetrahedra respect: those of `surface.shapes`, or of
 /// another order
-/// @throws MeshingFailed naming the solid.
-TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, const geometry::Topology& topology,
-                            const Progress& progress);
+/// @throws tetrahedralise::MeshingFailed naming the solid.
+TetrahedralMesh tetrahedralise_solids(CurvedSurface& surface, const CurvedShapes& edges,
+                                      const geometry::Topology& topology, const Progress& progress);
 
 }  // namespace mq::curve

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/cells/cell_measure.h"
+#include "tetrahedralise/cells/cell_measure.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "curve/volume/filling/cells/flips.h"
-#include "curve/volume/filling/cells/tuning.h"
+#include "tetrahedralise/cells/flips.h"
+#include "tetrahedralise/cells/tuning.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 namespace {
 
@@ -95,4 +95,4 @@ double CellMeasure::corner_sine(const std::array<int, 4>& v, const Corners& p, i
     return any ? sine_of_corner(edges) : 1.0;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

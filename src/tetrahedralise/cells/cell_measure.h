@@ -4,10 +4,10 @@
 #include <array>
 #include <vector>
 
-#include "curve/volume/filling/cells/end_tangents.h"
-#include "curve/volume/filling/cells/tetrahedralisation.h"
+#include "tetrahedralise/cells/end_tangents.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// How good a cell will be once the surface is curved: the least of a fraction of the mean ratio (Liu and Joe 1994),
 /// which sees short and long cells that have good angles, and of the sines of the dihedral angles, those at its corners
@@ -36,4 +36,4 @@ class CellMeasure {
     std::vector<char> curved_;  // vertices of curved edges
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/cells/flips.h"
+#include "tetrahedralise/cells/flips.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 double volume_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const int sign = orient3d(a, b, c, d);
@@ -152,4 +152,4 @@ void Flipper::collect(int a, int b, int i, int j) {
     collect(a, b, k, j);
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -4,10 +4,10 @@
 #include <array>
 #include <vector>
 
-#include "curve/volume/filling/cells/cell_measure.h"
-#include "curve/volume/filling/cells/tetrahedralisation.h"
+#include "tetrahedralise/cells/cell_measure.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// 1 for the regular tetrahedron, 0 for a flat one: its volume over the cube of its root mean square edge. The sign is
 /// exact.
@@ -72,4 +72,4 @@ class Flipper {
     std::vector<int> created_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

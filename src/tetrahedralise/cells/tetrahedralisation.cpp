@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/cells/tetrahedralisation.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "base/key_set.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 namespace {
 
@@ -192,4 +192,4 @@ bool Tetrahedralisation::ring(int first, int a, int b, EdgeRing& found) const {
     return true;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

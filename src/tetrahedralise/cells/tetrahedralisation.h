@@ -8,7 +8,7 @@
 #include "base/predicates.h"
 #include "base/vec.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// A tetrahedron of positive volume with its neighbours: n[i] lies across the face opposite v[i], -1 where there is
 /// none.
@@ -92,4 +92,4 @@ class Tetrahedralisation {
     mutable std::vector<int> queue_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -3,7 +3,7 @@
 
 #include "base/tuning.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// The constants that tune how cells are measured.
 struct CellTuning {
@@ -15,4 +15,4 @@ struct CellTuning {
     MESHQUALITY_TUNED(double, kFoldedSine, 0.1);
 };
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

@@ -11,7 +11,7 @@
 
 #include "base/vec.h"
 
-namespace mq::curve {
+namespace mq::tetrahedralise {
 
 /// A closed surface, outward.
 struct ClosedSurface {
@@ -146,4 +146,4 @@ inline ClosedSurface turned_prism(bool other_diagonal) {
     return surface;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::tetrahedralise

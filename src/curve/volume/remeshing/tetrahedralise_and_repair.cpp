@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/remeshing/volume_filling.h"
+#include "curve/volume/remeshing/tetrahedralise_and_repair.h"
 
 #include <optional>
 #include <utility>
@@ -9,15 +9,15 @@
 
 namespace mq::curve {
 
-FilledTetrahedralMesh fill_and_repair(geometry::Session& session, CurvedSurface& surface, Progress& progress,
-                                      StageClock& clock) {
+RepairedTetrahedralMesh tetrahedralise_and_repair(geometry::Session& session, CurvedSurface& surface,
+                                                  Progress& progress, StageClock& clock) {
     progress.stage("filling", 0.5, 0.6);
     std::optional<CurvedShapes> quadratic;
     if (surface.shapes.order() != 2) {
         quadratic = edges_of_second_order(session, surface);
     }
     std::optional<TetrahedralMesh> volume(
-        fill_solids(surface, quadratic ? *quadratic : surface.shapes, session.topology(), progress));
+        tetrahedralise_solids(surface, quadratic ? *quadratic : surface.shapes, session.topology(), progress));
     clock.end("filling");
     progress.stage("repairing the volume", 0.6, 0.95);
     VolumeRepairs repairs = repair_volume(*volume, progress);

@@ -9,7 +9,7 @@
 namespace mq::curve {
 
 /// The inside of a model, curved and repaired.
-struct FilledTetrahedralMesh {
+struct RepairedTetrahedralMesh {
     TetrahedralMesh volume;
     VolumeRepairs repairs;
 };
@@ -18,8 +18,8 @@ struct FilledTetrahedralMesh {
 /// surface to the other, the cavities around them are filled again with more vertices inside (remesh_and_repair).
 /// Every order is filled as for order 2: straight tetrahedra can be curved later, and orders compared on one mesh.
 /// @param surface gets the vertices and shapes inside.
-/// @throws MeshingFailed where the filling fails; Cancelled.
-FilledTetrahedralMesh fill_and_repair(geometry::Session& session, CurvedSurface& surface, Progress& progress,
-                                      StageClock& clock);
+/// @throws tetrahedralise::MeshingFailed where the filling fails; Cancelled.
+RepairedTetrahedralMesh tetrahedralise_and_repair(geometry::Session& session, CurvedSurface& surface,
+                                                  Progress& progress, StageClock& clock);
 
 }  // namespace mq::curve

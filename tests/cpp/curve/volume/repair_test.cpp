@@ -107,20 +107,22 @@ struct OpenSolids {
         }
     }
 
-    TetrahedralMesh fill(const Progress& progress) { return fill_solids(surface, surface.shapes, topology, progress); }
+    TetrahedralMesh fill(const Progress& progress) {
+        return tetrahedralise_solids(surface, surface.shapes, topology, progress);
+    }
 
     CurvedSurface surface;
     geometry::Topology topology;
 };
 
-TEST(FillSolids, TheFirstSolidThatCannotBeFilledIsNamed) {
+TEST(TetrahedraliseSolids, TheFirstSolidThatCannotBeFilledIsNamed) {
     OpenSolids solids;
     for (const int threads : {1, 2, 8}) {
         const ThreadLimit limit(threads);
         try {
             solids.fill(Progress());
             FAIL() << "nothing was thrown";
-        } catch (const MeshingFailed& error) {
+        } catch (const tetrahedralise::MeshingFailed& error) {
             EXPECT_NE(std::string(error.what()).find("Solid2"), std::string::npos) << error.what();
         }
     }
