@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "curve/curve.h"
-#include "curve/volume/mesher/netgen_filling.h"
 #include "elements/bezier/validity.h"
 #include "geometry/occt/shape_model.h"
 #include "triangulate/triangulate.h"
@@ -138,7 +137,6 @@ void certify_mesh(benchmark::State& state) {
 /// Argument: longest edge on a torus of radii 1 and 0.5, in thousandths. Counters: tetrahedra, and microseconds of the
 /// processor for each with everything that curving at order 2 does; the stages are wall time.
 void curve_solid(benchmark::State& state) {
-    set_fill_program(MESHQUALITY_FILL_PROGRAM);
     const auto model = geometry::make_shape_model(BRepPrimAPI_MakeTorus(1.0, 0.5).Shape());
     geometry::Engine engine(geometry::Engine::Mode::Direct);
     triangulate::TriangulateOptions options;

@@ -17,7 +17,6 @@
 #include "curve/measuring.h"
 #include "curve/surface/editor.h"
 #include "curve/volume/editor.h"
-#include "curve/volume/mesher/netgen_filling.h"
 #include "curve/volume/remeshing/local_remeshing.h"
 #include "curve/volume/tuning.h"
 #include "curve/volume/untangle.h"
@@ -408,7 +407,6 @@ class FaceNodes {
 }  // namespace
 
 int main() {
-    set_fill_program(MESHQUALITY_FILL_PROGRAM);
     operations_on_faces();
     reconnections_in_regions();
     curving_in_regions();

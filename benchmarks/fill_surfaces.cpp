@@ -12,19 +12,18 @@
 #include <vector>
 
 #include "base/predicates.h"
-#include "curve/volume/filling/surface_filling.h"
-#include "curve/volume/mesher/netgen_filling.h"
+#include "tetrahedralise/tetrahedralise.h"
 
-/// Fills closed surfaces by our own mesher and by Netgen's, for filling.py:
+/// Fills closed surfaces, for filling.py:
 ///
 ///     fill_surfaces SURFACE.off ...
 ///
-/// Prints one JSON object a surface and mesher: CPU seconds, tetrahedra, the smallest dihedral angle, the one that a
+/// Prints one JSON object a surface: CPU seconds, tetrahedra, the smallest dihedral angle, the one that a
 /// twentieth of the tetrahedra are below, and how many have no positive volume; or why it failed.
 namespace {
 
 using mq::Vec3;
-using mq::curve::TetrahedralFilling;
+using mq::tetrahedralise::Tetrahedra;
 
 constexpr double kDegrees = 57.29577951308232;
 
@@ -51,15 +50,13 @@ Surface read(const std::string& path) {
     return surface;
 }
 
-/// CPU seconds of this process and of those that it has waited for.
+/// CPU seconds of this process.
 double cpu_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
     double sum = 0.0;
-    for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
-        rusage usage{};
-        getrusage(who, &usage);
-        for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
-            sum += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-        }
+    for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+        sum += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     }
     return sum;
 }
@@ -79,13 +76,11 @@ double smallest_dihedral(const std::vector<Vec3>& points, const std::array<int, 
     return smallest;
 }
 
-void print(const std::string& path, const char* mesher, const Surface& surface,
-           const std::function<TetrahedralFilling()>& fill) {
+void print(const std::string& path, const Surface& surface, const std::function<Tetrahedra()>& fill) {
     const double start = cpu_seconds();
-    std::printf("{\"surface\": \"%s\", \"mesher\": \"%s\", \"triangles\": %zu, ", path.c_str(), mesher,
-                surface.triangles.size());
+    std::printf("{\"surface\": \"%s\", \"triangles\": %zu, ", path.c_str(), surface.triangles.size());
     try {
-        const TetrahedralFilling filling = fill();
+        const Tetrahedra filling = fill();
         const double seconds = cpu_seconds() - start;
         std::vector<Vec3> points = surface.points;
         points.insert(points.end(), filling.inner_points.begin(), filling.inner_points.end());
@@ -107,14 +102,11 @@ void print(const std::string& path, const char* mesher, const Surface& surface,
 }  // namespace
 
 int main(int count, char** arguments) {
-    mq::curve::set_fill_program(MESHQUALITY_FILL_PROGRAM);
     for (int i = 1; i < count; ++i) {
         const Surface surface = read(arguments[i]);
         const mq::Progress progress;
-        print(arguments[i], "own", surface,
-              [&] { return mq::curve::fill_surface(surface.points, surface.triangles, 1.0, progress); });
-        print(arguments[i], "netgen", surface,
-              [&] { return mq::curve::fill_by_netgen(surface.points, surface.triangles, 1.0, progress); });
+        print(arguments[i], surface,
+              [&] { return mq::tetrahedralise::tetrahedralise(surface.points, surface.triangles, 1.0, progress); });
     }
     return 0;
 }

@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Our own tetrahedral mesher beside Netgen's: CPU seconds, tetrahedra and dihedral angles; prints a table in Markdown.
+"""The tetrahedral mesher: CPU seconds, tetrahedra and dihedral angles; prints a table in Markdown.
 
     /usr/bin/python3 benchmarks/filling.py [--parts FOLDER] [--most 60] [--program build/benchmarks/fill_surfaces]
 
-The closed solids of the parts in a folder, smallest files first, each alone, meshed with the options of curving. Both
-meshers get the same surfaces, in this run. Netgen's time includes its process.
+The closed solids of the parts in a folder, smallest files first, each alone, meshed with the options of curving.
 """
 
 import json
@@ -17,7 +16,7 @@ from pathlib import Path
 
 import inside_freecad
 
-SECONDS = 120.0  # on the clock, for both meshers of one surface
+SECONDS = 120.0  # on the clock, for one surface
 
 
 def parser():
@@ -52,30 +51,24 @@ def surfaces(folder, most, into):
     return found
 
 
-def both(program, path):
-    """{mesher: row} of one surface; None where the time is up."""
+def filled(program, path):
+    """The row of one surface; None where the time is up."""
     try:
         done = subprocess.run([program, str(path)], capture_output=True, text=True, timeout=SECONDS, check=True)
     except subprocess.TimeoutExpired:
         return None
-    return {row["mesher"]: row for row in map(json.loads, done.stdout.splitlines())}
+    return json.loads(done.stdout)
 
 
 def table(rows):
-    """What the rows in which both meshers have filled come to."""
-    done = [row for row in rows if all("tetrahedra" in row[name] for name in ("own", "netgen"))]
-    print(f"\n{len(rows)} surfaces; filled by ours {sum('tetrahedra' in row['own'] for row in rows)}, by Netgen "
-          f"{sum('tetrahedra' in row['netgen'] for row in rows)}, by both {len(done)}\n")
-    print("| | ours | Netgen |\n|---|---|---|")
-    for title, key, sums in (("CPU s, all", "seconds", True), ("tetrahedra, all", "tetrahedra", True),
-                             ("without positive volume", "flat", True), ("smallest dihedral angle, median, degrees", "smallest", False),
-                             ("angle that a twentieth are below, median", "twentieth", False)):
-        values = [(sum if sums else statistics.median)([row[name][key] for row in done]) for name in ("own", "netgen")]
-        print(f"| {title} | {values[0]:,.4g} | {values[1]:,.4g} |")
-    ratios = sorted(row["netgen"]["seconds"] / row["own"]["seconds"] for row in done)
-    worse = [row["own"]["surface"] for row in done if row["own"]["smallest"] < row["netgen"]["smallest"] - 0.1]
-    print(f"\nNetgen's time by ours: {ratios[0]:.1f} to {ratios[-1]:.1f}, median {statistics.median(ratios):.1f}. "
-          f"Smallest angle worse by more than 0.1 degrees: {', '.join(Path(name).stem for name in worse) or 'none'}")
+    """What the rows of surfaces that were filled come to."""
+    done = [row for row in rows if "tetrahedra" in row]
+    print(f"\n{len(rows)} surfaces, {len(done)} filled\n\n| | |\n|---|---|")
+    for title, key, total in (("CPU s, all", "seconds", sum), ("tetrahedra, all", "tetrahedra", sum),
+                              ("without positive volume", "flat", sum),
+                              ("smallest dihedral angle, median, degrees", "smallest", statistics.median),
+                              ("angle that a twentieth are below, median", "twentieth", statistics.median)):
+        print(f"| {title} | {total([row[key] for row in done]):,.4g} |")
 
 
 def work(arguments):
@@ -83,13 +76,12 @@ def work(arguments):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for path in surfaces(arguments.parts, arguments.most, folder):
-            row = both(arguments.program, path)
+            row = filled(arguments.program, path)
             if row is None:
                 print(f"{path.stem}: not done in {SECONDS:g} s", flush=True)
                 continue
             rows.append(row)
-            failed = "; ".join(f"{name}: {row[name]['failed'][:80]}" for name in row if "failed" in row[name])
-            print(path.stem, " ".join(f"{name} {row[name]['seconds']:.2f} s" for name in row), failed, flush=True)
+            print(path.stem, f"{row['seconds']:.2f} s", row.get("failed", ""), flush=True)
     table(rows)
     return {"rows": rows}
 

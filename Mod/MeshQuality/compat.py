@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What differs between versions and builds of FreeCAD, in one place."""
 
-import contextlib
 import functools
 import importlib
 import os
@@ -62,18 +61,6 @@ def remedy():
         return f"run 'bash {build}' and start FreeCAD again"
     return ("install a package of MeshQuality made for these versions, or MeshQuality's sources and "
             "run 'bash tools/build' there")
-
-
-def program(name):
-    """The path of a program beside the extension module.
-
-    Addons unpacked by Python's zipfile lose the permission to run programs: it is given back.
-    """
-    path = os.path.join(os.path.dirname(extension().__file__), name)
-    if os.path.exists(path) and not os.access(path, os.X_OK):
-        with contextlib.suppress(OSError):
-            os.chmod(path, os.stat(path).st_mode | 0o111)
-    return path
 
 
 # The property of a view that has the colour of its faces: before FreeCAD 1.0, and since.

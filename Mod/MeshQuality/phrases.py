@@ -267,8 +267,6 @@ CORE_ERRORS = {
     "full_by_sampling": "full is for method 'uniform' only: other methods sample nothing; choose that method, or leave full off",
     "no_such_entity": "a local size is given for {name}, but the shape has {count} {name2}",
     "volume_order": "order is {count}: it goes from 1 to {count2} for volumes",
-    "filling_without_end": "filling the surface with tetrahedra did not come to an end: its triangles do not fit each "
-                           "other across thin walls; ask for a smaller chord height or shorter edges",
     "not_filled": "the surface could not be filled with tetrahedra (the mesher says: {value}): it meets itself, or "
                   "walls are too thin for its triangles; ask for a smaller chord height",
     "fault_in_solid": "{solid}: {phrase} ({value})",
@@ -359,9 +357,6 @@ _SHOWN = {
         "not_filled":
             "The surface could not be filled with tetrahedra: it intersects itself, or walls are too thin for "
             "its triangles. Choose a smaller max. deviation ({value})",
-        "filling_without_end":
-            "The surface could not be filled with tetrahedra: its triangles do not fit each other across thin "
-            "walls. Choose a smaller max. deviation or shorter edges",
     }.items()},
 }
 

@@ -11,7 +11,7 @@
 #include "curve/measuring.h"
 #include "curve/surface/repair.h"
 #include "curve/surface/self_intersections.h"
-#include "curve/volume/remeshing/volume_filling.h"
+#include "curve/volume/remeshing/tetrahedralise_and_repair.h"
 #include "curve/volume/straighten.h"
 
 namespace mq::curve {
@@ -92,11 +92,10 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     repair(editor, session.topology(), options, watched, report);
     const std::set<int> straight_triangles = options.straighten ? straighten_triangles(editor) : std::set<int>();
     clock.end("repairing the surface");
-    std::optional<FilledTetrahedralMesh> filled;
+    std::optional<RepairedTetrahedralMesh> filled;
     if (options.volume) {
-        filled.emplace(fill_and_repair(session, surface, watched, clock));
+        filled.emplace(tetrahedralise_and_repair(session, surface, watched, clock));
         note(filled->repairs, report);
-        report.notes.insert(report.notes.end(), filled->notes.begin(), filled->notes.end());
     }
     CurvedMesh result = measured(editor, straight_triangles, filled ? &filled->volume : nullptr, session.topology(),
                                  options.straighten, report, watched);

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "curve/curve.h"
-#include "curve/volume/mesher/netgen_filling.h"
 #include "mesh/quality/mesh_report.h"
 #include "python/bindings.h"
 #include "python/dict_of.h"
@@ -128,7 +127,6 @@ void bind_curve(py::module_& m) {
         .def_readwrite("threads", &curve::CurveOptions::threads);
     m.def("curve", &curve_shape, py::arg("shape"), py::arg("options"), py::arg("straight"),
           py::arg("progress") = py::none(), "Meshes and curves a Part.Shape; returns a Curved.");
-    m.def("set_fill_program", &curve::set_fill_program, py::arg("path"), "Where the program lies that fills volumes.");
     m.def("curve_surface", &curve_surface, py::arg("surface"), py::arg("shape"), py::arg("options"),
           py::arg("progress") = py::none(), "Curves a Surface that triangulate made of the Part.Shape.");
 }

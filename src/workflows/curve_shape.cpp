@@ -14,13 +14,13 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "curve/injectivity/curved_crossings.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "geometry/occt/distance/shape_distance.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/solid_volume.h"
 #include "given/matching/edge_paths.h"
 #include "given/matching/matching.h"
 #include "given/simplices/curve_given.h"
+#include "tetrahedralise/tetrahedra.h"
 #include "triangulate/triangulate.h"
 
 namespace mq::workflows {
@@ -93,7 +93,7 @@ CurvedMesh best_of_attempts(geometry::Engine& engine, const std::shared_ptr<geom
                 return std::move(*best);
             }
             refine_for_validity(straight);
-        } catch (const curve::MeshingFailed&) {
+        } catch (const tetrahedralise::MeshingFailed&) {
             if (times == kFiner && !best) {
                 throw;
             }

@@ -17,7 +17,8 @@ namespace mq::workflows {
 
 /// Meshes a shape and curves the mesh. Where it cannot be filled, or elements stay invalid, a finer straight mesh is
 /// curved instead, three times at most; the result is the first one with the fewest invalid elements.
-/// @throws InvalidInput, TopologyError, GeometryError naming the entity; curve::MeshingFailed where no attempt could be
+/// @throws InvalidInput, TopologyError, GeometryError naming the entity; tetrahedralise::MeshingFailed where no attempt
+/// could be
 ///     filled; Cancelled.
 curve::CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::CurveOptions& options,
                               const triangulate::TriangulateOptions& straight, Progress& progress);

@@ -7,8 +7,4 @@ std::string stored_parts() {
     return MESHQUALITY_STORED_PARTS;
 }
 
-std::string fill_program() {
-    return MESHQUALITY_FILL_PROGRAM;
-}
-
 }  // namespace mq

@@ -7,7 +7,5 @@ namespace mq {
 
 /// The folder of the parts that tests read, tests/cpp/geometry/parts.
 std::string stored_parts();
-/// The program that fills volumes, as it was built.
-std::string fill_program();
 
 }  // namespace mq

@@ -87,7 +87,7 @@ def copy_without_binary(folder):
         shutil.copy(os.path.join(ROOT, name), folder)
     for name in ("Mod", "Resources", "bin"):
         shutil.copytree(os.path.join(ROOT, name), os.path.join(folder, name),
-                        ignore=shutil.ignore_patterns("*.so", "meshquality_fill", "__pycache__"))
+                        ignore=shutil.ignore_patterns("*.so", "__pycache__"))
 
 
 class TimedResult(unittest.TextTestResult):

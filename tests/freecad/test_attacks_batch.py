@@ -135,44 +135,6 @@ class Owners(Started):
         owner.wait()
         self.assertTrue(wait_until(lambda: not processes_with(self.mark)))
 
-    def test_the_fill_program_ends_when_nobody_waits_for_its_answer(self):
-        program = os.path.join(helpers.ROOT, "Mod", "MeshQuality", "meshquality_fill")
-        worker = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-        self.addCleanup(worker.stdin.close)
-        self.assertIsNone(worker.poll())
-        worker.stdout.close()
-        self.assertEqual(worker.wait(60), 3)
-
-    def test_the_fill_program_ends_when_its_parent_is_killed(self):
-        program = os.path.join(helpers.ROOT, "Mod", "MeshQuality", "meshquality_fill")
-        # The reading end of its output stays open here, so that only the signal of the kernel can end it.
-        reading, writing = os.pipe()
-        stdin, held = os.pipe()
-        for end in (reading, writing, stdin, held):
-            self.addCleanup(os.close, end)
-        code = ("import subprocess, sys, time; print(subprocess.Popen([sys.argv[1]], stdin=int(sys.argv[2]), "
-                "stdout=int(sys.argv[3])).pid, flush=True); time.sleep(600)")
-        parent = subprocess.Popen(["/usr/bin/python3", "-c", code, program, str(stdin), str(writing)],
-                                  stdout=subprocess.PIPE, pass_fds=(stdin, writing))
-        self.addCleanup(parent.stdout.close)
-        pid = int(parent.stdout.readline())
-
-        def watches():
-            with open(f"/proc/{pid}/status", encoding="ascii") as stream:
-                return "Threads:\t2\n" in stream.read()
-
-        self.assertTrue(wait_until(watches))
-        parent.kill()
-        parent.wait()
-
-        def gone():
-            try:
-                with open(f"/proc/{pid}/stat", encoding="ascii") as stream:
-                    return stream.read().rpartition(")")[2].split()[0] == "Z"
-            except OSError:
-                return True
-
-        self.assertTrue(wait_until(gone))
 
 
 class Limits(helpers.DocumentTest):

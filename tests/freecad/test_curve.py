@@ -49,8 +49,7 @@ class Curve(helpers.DocumentTest):
             self.assertAlmostEqual(report.volume_error, abs(report.volume / shape.Volume - 1), 9)
 
     def test_slender_cones_are_valid(self):
-        """Only three or four triangles have room around the apex; newer Netgen puts few vertices
-        inside there. Finer meshes of the whole part had 16,000 tetrahedra, or invalid ones."""
+        """Only three or four triangles have room around the apex. Finer meshes of the whole part had 16,000 tetrahedra, or invalid ones."""
         for radius, height in ((5, 20), (2, 10), (3, 10), (1, 10)):
             mesh = mq.curve(Part.makeCone(radius, 0, height), order=2, volume=True)
             self.assertEqual(mesh.report.invalid, 0, f"{radius} by {height}: {mesh.report}")

@@ -12,7 +12,7 @@ from pathlib import Path
 ROWS = [
     ["base"],
     ["geometry"],
-    ["mesh"],
+    ["mesh", "tetrahedralise"],
     ["elements"],
     ["triangulate", "curve", "boolean", "improve", "inspection", "contour"],
     ["layered_depth", "given", "offset", "wrap"],

@@ -5,7 +5,7 @@ import FreeCAD
 import numpy as np
 
 from .. import options
-from ..compat import extension, program
+from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
 from .sources import convert, frames
@@ -353,7 +353,6 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     source, module = shape_or_mesh if shape is None else shape, extension()
     division = None if isinstance(source, SurfaceMesh) else division_for(source, patches, patch_rest)
     left_out = hidden_parts.sentences_of(source)
-    module.set_fill_program(program("meshquality_fill"))
     curving = module.CurveOptions()
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid", "threads")}, curving)
     if mesh is not None:

@@ -63,7 +63,8 @@ double flatness(const CurvedSurface& surface, int triangle) {
 
 }  // namespace
 
-std::vector<Crossing> crossings(const CurvedSurface& surface, std::size_t volume, const Progress& progress) {
+std::vector<Crossing> find_self_intersections(const CurvedSurface& surface, std::size_t volume,
+                                              const Progress& progress) {
     const std::vector<int> around = triangles_around(surface, volume);
     std::vector<Vec3> points;
     for (const Vertex& vertex : surface.shapes.vertices) {
@@ -90,7 +91,7 @@ int refine_crossings(SurfaceEditor& editor, const geometry::Topology& topology, 
         }
         for (int round = 0; round < SurfaceTuning::kCrossingRounds; ++round) {
             std::set<std::pair<int, int>> edges;
-            for (const Crossing& crossing : crossings(editor.surface, volume, progress)) {
+            for (const Crossing& crossing : find_self_intersections(editor.surface, volume, progress)) {
                 edges.insert(longest_edge(editor, crossing.first));
                 edges.insert(longest_edge(editor, crossing.second));
             }
@@ -113,7 +114,7 @@ int refine_crossings(SurfaceEditor& editor, const geometry::Topology& topology, 
 std::string first_fault(const CurvedSurface& surface, const geometry::Topology& topology, std::size_t volume,
                         const Progress& progress) {
     const auto face = [&](int t) { return topology.name_of({2, surface.triangles[static_cast<std::size_t>(t)].face}); };
-    const std::vector<Crossing> crossing = crossings(surface, volume, progress);
+    const std::vector<Crossing> crossing = find_self_intersections(surface, volume, progress);
     if (!crossing.empty()) {
         const auto& [a, b] = crossing.front();
         return "straight triangles of " + face(a) + " and " + face(b) + " meet near " + place(surface, a);

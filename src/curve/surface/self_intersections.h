@@ -15,7 +15,8 @@ namespace mq::curve {
 using Crossing = std::pair<int, int>;
 
 /// The crossings of the straight triangles around a volume, at most a few hundred.
-std::vector<Crossing> crossings(const CurvedSurface& surface, std::size_t volume, const Progress& progress);
+std::vector<Crossing> find_self_intersections(const CurvedSurface& surface, std::size_t volume,
+                                              const Progress& progress);
 
 /// Halves the longest edges of triangles that cross, again and again, until none do or nothing helps.
 /// @return the number of edges halved.

@@ -9,9 +9,9 @@
 #include "base/parallel.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/surface/self_intersections.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "curve/volume/tuning.h"
 #include "elements/bezier/validity.h"
+#include "tetrahedralise/tetrahedralise.h"
 
 namespace mq::curve {
 
@@ -201,7 +201,7 @@ struct Shell {
     std::vector<int> vertices;  // vertices of the surface
     std::vector<Vec3> points;
     std::vector<std::array<int, 3>> triangles;
-    EndTangents tangents;
+    tetrahedralise::EndTangents tangents;
 };
 
 /// The tangents of the triangle's curved edges.
@@ -213,8 +213,10 @@ void take_tangents(const CurvedShapes& edges, const std::array<int, 3>& corners,
         const int b = shell.vertices[static_cast<std::size_t>(to)];
         if (edges.has_edge(a, b)) {
             const std::vector<Vec3> inner = edges.edge_inner(a, b);
-            shell.tangents[directed_edge(from, to)] = inner.front() - shell.points[static_cast<std::size_t>(from)];
-            shell.tangents[directed_edge(to, from)] = inner.back() - shell.points[static_cast<std::size_t>(to)];
+            shell.tangents[tetrahedralise::directed_edge(from, to)] =
+                inner.front() - shell.points[static_cast<std::size_t>(from)];
+            shell.tangents[tetrahedralise::directed_edge(to, from)] =
+                inner.back() - shell.points[static_cast<std::size_t>(to)];
         }
     }
 }
@@ -264,8 +266,8 @@ Message in_solid(std::size_t solid, const Error& error, const std::string& place
 
 }  // namespace
 
-TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, const geometry::Topology& topology,
-                            const Progress& progress) {
+TetrahedralMesh tetrahedralise_solids(CurvedSurface& surface, const CurvedShapes& edges,
+                                      const geometry::Topology& topology, const Progress& progress) {
     constexpr double kUsualGrading = 1.0;
     std::vector<std::size_t> solids;
     for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
@@ -275,7 +277,7 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, c
     }
     struct Filled {
         std::vector<int> vertices;
-        TetrahedralFilling filling;
+        tetrahedralise::Tetrahedra filling;
     };
     std::vector<Filled> filled(solids.size());
     parallel_for(static_cast<int>(solids.size()), [&](int k) {
@@ -284,11 +286,11 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, c
         Shell shell = shell_of(surface, edges, solid);
         Filled& result = filled[static_cast<std::size_t>(k)];
         try {
-            result.filling = fill(shell.points, shell.triangles, kUsualGrading, progress, shell.tangents);
-        } catch (const MeshingFailed& error) {
-            throw MeshingFailed(in_solid(solid, error, first_fault(surface, topology, solid, progress)));
-        } catch (const GeometryError& error) {
-            throw GeometryError(in_solid(solid, error, first_fault(surface, topology, solid, progress)));
+            result.filling =
+                tetrahedralise::tetrahedralise(shell.points, shell.triangles, kUsualGrading, progress, shell.tangents);
+        } catch (const tetrahedralise::MeshingFailed& error) {
+            throw tetrahedralise::MeshingFailed(
+                in_solid(solid, error, first_fault(surface, topology, solid, progress)));
         }
         result.vertices = std::move(shell.vertices);
     });
@@ -296,9 +298,6 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, c
     for (std::size_t k = 0; k < solids.size(); ++k) {
         const int solid = static_cast<int>(solids[k]);
         auto& [number, filling] = filled[k];
-        if (!filling.own_fault.empty()) {
-            volume.filled_by_netgen.push_back("Solid" + std::to_string(solid + 1) + ": " + filling.own_fault);
-        }
         for (const Vec3& p : filling.inner_points) {
             number.push_back(volume.add_vertex(p, solid));
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <string>
 #include <unordered_set>
 #include <vector>
 
@@ -27,8 +26,6 @@ class TetrahedralMesh {
 
     CurvedSurface& surface;
     std::vector<Tetrahedron> tetrahedra;
-    /// The solids that Netgen has filled, each with why our own mesher failed.
-    std::vector<std::string> filled_by_netgen;
 
     CurvedShapes& shapes() { return surface.shapes; }
     const CurvedShapes& shapes() const { return surface.shapes; }
@@ -89,8 +86,8 @@ class FoldedTriangles {
 /// Fills every closed solid of the model. Volumes that are not solids have no inside and are left out.
 /// @param edges  curved edges of the surface, whose tangents the tetrahedra respect: those of `surface.shapes`, or of
 /// another order
-/// @throws MeshingFailed naming the solid.
-TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, const geometry::Topology& topology,
-                            const Progress& progress);
+/// @throws tetrahedralise::MeshingFailed naming the solid.
+TetrahedralMesh tetrahedralise_solids(CurvedSurface& surface, const CurvedShapes& edges,
+                                      const geometry::Topology& topology, const Progress& progress);
 
 }  // namespace mq::curve

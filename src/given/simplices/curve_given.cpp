@@ -12,11 +12,11 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "curve/measuring.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "curve/volume/remeshing/local_remeshing.h"
 #include "curve/volume/straighten.h"
 #include "given/matching/matching.h"
 #include "given/simplices/degree_raising.h"
+#include "tetrahedralise/tetrahedra.h"
 
 namespace mq::curve {
 
@@ -122,7 +122,7 @@ void take_over_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMes
     try {
         const TetrahedraInside inside = tetrahedra_of(given, matched);
         volume.emplace(remesh_locally(matched.surface, triangles_before, inside, done, progress));
-    } catch (const MeshingFailed& error) {
+    } catch (const tetrahedralise::MeshingFailed& error) {
         matched.surface = placed.surface;
         matched.vertex_of_node = vertex_of_node;
         const TetrahedraInside inside = tetrahedra_of(given, matched);

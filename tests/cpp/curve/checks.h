@@ -9,23 +9,15 @@
 #include <vector>
 
 #include "curve/curve.h"
-#include "curve/volume/mesher/netgen_filling.h"
 #include "elements/bezier/node_orders.h"
 #include "elements/bezier/validity.h"
-#include "paths.h"
 #include "triangulate/triangulate.h"
 
 /// Makes curved meshes, and checks the properties of every one, measured from its nodes alone.
 namespace mq::curve {
 
-/// Sets the program for fillings; call it before anything is filled.
-inline void use_fill_program() {
-    set_fill_program(fill_program());
-}
-
 inline CurvedMesh curved(const std::shared_ptr<geometry::Model>& model, const CurveOptions& options,
                          double max_edge = 0.0) {
-    use_fill_program();
     geometry::Engine engine(geometry::Engine::Mode::Direct);
     triangulate::TriangulateOptions straight;
     straight.min_angle = 20.0;

@@ -8,8 +8,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "curve/volume/mesher/netgen_filling.h"
-#include "paths.h"
 #include "workflows/triangulate_shape.h"
 
 namespace mq::workflows {
@@ -17,8 +15,6 @@ namespace {
 
 class Curving : public testing::Test {
   protected:
-    static void SetUpTestSuite() { curve::set_fill_program(fill_program()); }
-
     geometry::Engine engine{geometry::Engine::Mode::Direct};
     Progress progress;
     triangulate::TriangulateOptions straight;

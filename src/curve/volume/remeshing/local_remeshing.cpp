@@ -12,7 +12,7 @@
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "tetrahedralise/tetrahedralise.h"
 
 namespace mq::curve {
 
@@ -104,11 +104,11 @@ class Remesher {
 
     /// Fills the cavities anew.
     TetrahedralMesh fill_cavities() {
-        std::vector<std::pair<Cavity, TetrahedralFilling>> filled;
+        std::vector<std::pair<Cavity, tetrahedralise::Tetrahedra>> filled;
         for (int layer = 0;; ++layer) {
             filled.clear();
             for (Cavity& cavity : cavities()) {
-                filled.emplace_back(std::move(cavity), TetrahedralFilling());
+                filled.emplace_back(std::move(cavity), tetrahedralise::Tetrahedra());
             }
             std::vector<std::optional<std::string>> faults(filled.size());
             parallel_for(static_cast<int>(filled.size()), [&](int k) {
@@ -116,7 +116,7 @@ class Remesher {
                 auto& [cavity, filling] = filled[static_cast<std::size_t>(k)];
                 try {
                     filling = filling_of(cavity);
-                } catch (const MeshingFailed& error) {
+                } catch (const tetrahedralise::MeshingFailed& error) {
                     faults[static_cast<std::size_t>(k)] = error.what();
                 }
             });
@@ -124,8 +124,9 @@ class Remesher {
             for (std::size_t k = 0; k < filled.size(); ++k) {
                 const Cavity& cavity = filled[k].first;
                 if (faults[k] && !grow(cavity, layer)) {
-                    throw MeshingFailed("Solid" + std::to_string(cavity.volume + 1) +
-                                        " cannot be filled anew after its surface was repaired: " + *faults[k]);
+                    throw tetrahedralise::MeshingFailed(
+                        "Solid" + std::to_string(cavity.volume + 1) +
+                        " cannot be filled anew after its surface was repaired: " + *faults[k]);
                 }
                 grown = grown || faults[k];
             }
@@ -273,9 +274,9 @@ class Remesher {
         }
     }
 
-    TetrahedralFilling filling_of(const Cavity& cavity) const {
+    tetrahedralise::Tetrahedra filling_of(const Cavity& cavity) const {
         if (!closed(cavity.border)) {
-            throw MeshingFailed("the cavity is not closed");
+            throw tetrahedralise::MeshingFailed("the cavity is not closed");
         }
         std::vector<Vec3> points;
         std::unordered_map<int, int> number;
@@ -291,7 +292,8 @@ class Remesher {
             }
             triangles.push_back(own);
         }
-        TetrahedralFilling filling = fill(points, triangles, grading_factor_, progress_);
+        tetrahedralise::Tetrahedra filling =
+            tetrahedralise::tetrahedralise(points, triangles, grading_factor_, progress_);
         std::vector<int> vertex(points.size());
         for (const auto& [v, own] : number) {
             vertex[static_cast<std::size_t>(own)] = v;
@@ -356,7 +358,7 @@ class Remesher {
         }
     }
 
-    TetrahedralMesh assembled(const std::vector<std::pair<Cavity, TetrahedralFilling>>& filled) {
+    TetrahedralMesh assembled(const std::vector<std::pair<Cavity, tetrahedralise::Tetrahedra>>& filled) {
         TetrahedralMesh mesh(surface_);
         for (std::size_t t = 0; t < stale_.size(); ++t) {
             if (stale_[t]) {
@@ -460,7 +462,7 @@ void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& su
                 done.cavities += tried.cavities;
                 continue;
             }
-        } catch (const MeshingFailed&) {  // the tetrahedra of before are as good
+        } catch (const tetrahedralise::MeshingFailed&) {  // the tetrahedra of before are as good
         }
         surface = std::move(kept);
         volume.emplace(surface, tetrahedra);

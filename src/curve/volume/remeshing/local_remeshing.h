@@ -31,7 +31,7 @@ struct LocalRemeshing {
 /// other tetrahedra are filled anew. A cavity that cannot be filled grows by a layer of tetrahedra, up to the whole
 /// volume.
 /// @param triangles_before  how many triangles of the surface, dead or alive, are older than its repair
-/// @throws MeshingFailed naming the solid that cannot be filled.
+/// @throws tetrahedralise::MeshingFailed naming the solid that cannot be filled.
 TetrahedralMesh remesh_locally(CurvedSurface& surface, std::size_t triangles_before, const TetrahedraInside& inside,
                                LocalRemeshing& done, const Progress& progress);
 

@@ -27,10 +27,10 @@ TEST(SurfaceCrossings, CoarseTrianglesOfThinWallsAreRefined) {
     const mesh::TriangleMesh crossing = PlacedCurvedSurface::straight(geometry::make_shape_model(faces), 0.9);
     PlacedCurvedSurface placed(geometry::make_shape_model(shell), 2, crossing);
     const Progress progress;
-    ASSERT_FALSE(crossings(placed.surface, 0, progress).empty());
+    ASSERT_FALSE(find_self_intersections(placed.surface, 0, progress).empty());
     EXPECT_NE(first_fault(placed.surface, placed.session.topology(), 0, progress).find("meet near"), std::string::npos);
     EXPECT_GT(refine_crossings(placed.editor, placed.session.topology(), progress), 0);
-    EXPECT_TRUE(crossings(placed.surface, 0, progress).empty());
+    EXPECT_TRUE(find_self_intersections(placed.surface, 0, progress).empty());
     EXPECT_EQ(placed.invalid(), 0);
     placed.expect_closed();
 }

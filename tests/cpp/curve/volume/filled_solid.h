@@ -12,9 +12,9 @@
 #include "curve/checks.h"
 #include "curve/surface/editor.h"
 #include "curve/volume/editor.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
-#include "curve/volume/remeshing/volume_filling.h"
+#include "curve/volume/remeshing/tetrahedralise_and_repair.h"
 #include "geometry/occt/shape_model.h"
+#include "tetrahedralise/tetrahedra.h"
 
 namespace mq::curve {
 
@@ -73,11 +73,10 @@ class Filled {
         return triangulate::triangulate(engine, model, options).mesh;
     }
     TetrahedralMesh filled() {
-        use_fill_program();
         std::vector<int> all(surface.triangles.size());
         std::iota(all.begin(), all.end(), 0);
         surface_editor.placement.place(all);
-        return fill_solids(surface, surface.shapes, session.topology(), progress);
+        return tetrahedralise_solids(surface, surface.shapes, session.topology(), progress);
     }
 };
 

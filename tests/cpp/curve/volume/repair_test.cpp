@@ -2,21 +2,14 @@
 #include "curve/volume/repair.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
-#include <cerrno>
-#include <chrono>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <future>
 #include <gp_Trsf.hxx>
-#include <thread>
 
 #include "base/parallel.h"
 #include "curve/volume/filled_solid.h"
@@ -114,46 +107,25 @@ struct OpenSolids {
         }
     }
 
-    TetrahedralMesh fill(const Progress& progress) { return fill_solids(surface, surface.shapes, topology, progress); }
+    TetrahedralMesh fill(const Progress& progress) {
+        return tetrahedralise_solids(surface, surface.shapes, topology, progress);
+    }
 
     CurvedSurface surface;
     geometry::Topology topology;
 };
 
-TEST(FillSolids, TheFirstSolidThatCannotBeFilledIsNamed) {
-    use_fill_program();
+TEST(TetrahedraliseSolids, TheFirstSolidThatCannotBeFilledIsNamed) {
     OpenSolids solids;
     for (const int threads : {1, 2, 8}) {
         const ThreadLimit limit(threads);
         try {
             solids.fill(Progress());
             FAIL() << "nothing was thrown";
-        } catch (const MeshingFailed& error) {
+        } catch (const tetrahedralise::MeshingFailed& error) {
             EXPECT_NE(std::string(error.what()).find("Solid2"), std::string::npos) << error.what();
         }
     }
-}
-
-TEST(FillSolids, CancellingEndsAllProcesses) {
-    const std::filesystem::path program = std::filesystem::temp_directory_path() / "meshquality_sleep_test";
-    std::ofstream(program) << "#!/bin/sh\nexec sleep 100\n";
-    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-    set_fill_program(program.string());
-    OpenSolids solids;
-    Progress progress;
-    auto filling = std::async(std::launch::async, [&] {
-        const ThreadLimit limit(3);
-        EXPECT_THROW(solids.fill(progress), Cancelled);
-    });
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    const auto start = std::chrono::steady_clock::now();
-    progress.cancel();
-    filling.get();
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
-    EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
-    EXPECT_EQ(errno, ECHILD) << "a process is left";
-    std::filesystem::remove(program);
-    use_fill_program();
 }
 
 TEST(TetrahedralMesh, AFlatElementIsToHaveTheJacobianOfOneThatIsNot) {

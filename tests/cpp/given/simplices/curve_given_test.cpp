@@ -24,7 +24,6 @@ namespace mq::curve {
 namespace {
 
 CurvedMesh curved_anew(const std::shared_ptr<geometry::Model>& model, const GivenMesh& given, int order) {
-    use_fill_program();
     geometry::Engine engine(geometry::Engine::Mode::Direct);
     return curve_given(engine, model, given, of_order(order));
 }

@@ -68,7 +68,7 @@ TEST(FillAndRepair, WhatStaysInvalidLeavesAMesh) {
     Progress progress;
     CurveReport report;
     StageTimer clock(report.seconds);
-    const FilledTetrahedralMesh filled = fill_and_repair(placed.session, placed.surface, progress, clock);
+    const RepairedTetrahedralMesh filled = tetrahedralise_and_repair(placed.session, placed.surface, progress, clock);
     EXPECT_GT(filled.repairs.invalid_after, 0);
     EXPECT_EQ(static_cast<std::size_t>(filled.repairs.invalid_after), filled.volume.invalid());
     EXPECT_NEAR(straight_volume(filled.volume), 1.0, 1e-9);

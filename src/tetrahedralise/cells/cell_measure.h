@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tetrahedralise/cells/end_tangents.h"
+#include "tetrahedralise/cells/tetrahedralisation.h"
+
+namespace mq::tetrahedralise {
+
+/// How good a cell will be once the surface is curved: the least of a fraction of the mean ratio (Liu and Joe 1994),
+/// which sees short and long cells that have good angles, and of the sines of the dihedral angles, those at its corners
+/// also by the tangents of the curved edges of the surface. Two edges of a smooth face that meet in an obtuse angle
+/// become nearly collinear, and then no curving inside makes a tetrahedron between them valid.
+class CellMeasure {
+  public:
+    CellMeasure(const Tetrahedralisation& mesh, const EndTangents& tangents);
+
+    /// The measure of cells with a corner that curving flattens: cells with a smaller measure are folded.
+    static double folded();
+
+    /// Positive if and only if the volume is.
+    double at(const std::array<int, 4>& v) const;
+    /// The measure of a face and an inner point that is no vertex yet.
+    double at(const std::array<int, 3>& face, const Vec3& place) const;
+
+  private:
+    using Corners = std::array<const Vec3*, 4>;
+    double value(const std::array<int, 4>& v, const Corners& p) const;
+    double corner_sine(const std::array<int, 4>& v, const Corners& p, int corner) const;
+    bool curved(int v) const { return v >= 0 && v < static_cast<int>(curved_.size()) && curved_[v] != 0; }
+
+    const Tetrahedralisation& mesh_;
+    const EndTangents& tangents_;
+    std::vector<char> curved_;  // vertices of curved edges
+};
+
+}  // namespace mq::tetrahedralise

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/tuning.h"
+
+namespace mq::tetrahedralise {
+
+/// The constants that tune how cells are measured.
+struct CellTuning {
+    /// Fraction of the mean ratio (1: regular) that counts beside the least sine of the dihedral angles (0.94:
+    /// regular).
+    MESHQUALITY_TUNED(double, kMeanRatioFraction, 0.7);
+    /// Sine of a dihedral angle by the tangents of curved edges, from which on it counts as it is; smaller ones, and
+    /// folds, by an exponential function.
+    MESHQUALITY_TUNED(double, kFoldedSine, 0.1);
+};
+
+}  // namespace mq::tetrahedralise
