@@ -20,7 +20,7 @@
 #include "geometry/occt/shape_distance.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/solid_volume.h"
-#include "tetrahedralise/tetrahedra.h"
+#include "tetrahedralise/cells/tetrahedra.h"
 #include "triangulate/triangulate.h"
 
 namespace mq::workflows {

@@ -16,7 +16,7 @@
 #include "curve/measuring.h"
 #include "curve/volume/remeshing/local_remeshing.h"
 #include "curve/volume/straighten.h"
-#include "tetrahedralise/tetrahedra.h"
+#include "tetrahedralise/cells/tetrahedra.h"
 
 namespace mq::curve {
 
