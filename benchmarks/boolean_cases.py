@@ -107,7 +107,7 @@ def describe(row, result):
 def beside(ours, best, peer):
     """A peer's figures, and the distance of the two results."""
     from MeshQuality.compat import extension
-    from MeshQuality.core.convert import surface_of_arrays
+    from MeshQuality.core.sources.convert import surface_of_arrays
 
     if best.cpu is None:
         return {"peer": peer.name, "failed": best.result}

@@ -71,7 +71,7 @@ def parser():
 def inspected(mesh):
     """Number of triangles, volume, and faults of an operand by an exact verification."""
     from MeshQuality.compat import extension
-    from MeshQuality.core.convert import surface_of_arrays
+    from MeshQuality.core.sources.convert import surface_of_arrays
     from pair_meshes import volume
 
     found = extension().verify(surface_of_arrays(extension(), *mesh, measured=False))

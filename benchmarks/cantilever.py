@@ -136,7 +136,7 @@ def largest_stress(name, folder, **values):
     """
     import MeshQuality as mq
     from MeshQuality import fem_options, options
-    from MeshQuality.core import fem_size
+    from MeshQuality.core.fem import fem_size
 
     make, clamped, end = {"cantilever": (bored, ("x", -1), ("x", 1)),
                           "bracket": (angle_bracket, ("z", -1), ("z", 1)),

@@ -119,7 +119,7 @@ def brepmesh(shape, distance):
 
 def work():
     import MeshQuality as mq  # noqa: PLC0415  a build that does not load is a result, too
-    from MeshQuality.core import verdict  # noqa: PLC0415
+    from MeshQuality.core.certify import verdict  # noqa: PLC0415
 
     start = time.monotonic()
     shape = read_shape(Path(JOB["file"]))

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "curve/bezier/validity.h"
 #include "curve/curve.h"
+#include "elements/bezier/validity.h"
 #include "geometry/occt/shape_model.h"
 #include "triangulate/triangulate.h"
 

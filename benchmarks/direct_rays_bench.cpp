@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "base/stopwatch.h"
-#include "boolean/layered_depth/samples/layered_depth_image.h"
 #include "geometry/occt/brep_text.h"
+#include "layered_depth/samples/layered_depth_image.h"
 
 /// What rays cost and miss that are shot at trimmed faces without a mesh, by OpenCASCADE's intersections of lines with
 /// faces, which trims them by the curves of edges in (u, v):   direct_rays_bench RAYS [PART.brep]...

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "curve/elements/check_elements.h"
-#include "curve/elements/reference_nodes.h"
+#include "elements/product/check_elements.h"
+#include "elements/product/reference_nodes.h"
 
 /// What the check of given elements costs by kind and order, on one thread.
 namespace {

@@ -108,7 +108,7 @@ def campaign(seed):
     import fuzz_shapes  # noqa: PLC0415  needs FreeCAD
 
     import MeshQuality as mq  # noqa: PLC0415
-    from MeshQuality.core import convert  # noqa: PLC0415
+    from MeshQuality.core.sources import convert  # noqa: PLC0415
 
     dice = random.Random(f"{seed}:edits")
     shape, _ = fuzz_shapes.random_part(seed)

@@ -69,7 +69,7 @@ def measure(name, mesh):
     import MeshQuality as mq
     import numpy as np
     from MeshQuality.compat import extension
-    from MeshQuality.core import convert
+    from MeshQuality.core.sources import convert
 
     vertices, triangles = convert.arrays_of_mesh(mesh)
     given = mq.SurfaceMesh(convert.surface_of_arrays(extension(), vertices, triangles, measured=False))

@@ -45,7 +45,7 @@ def measure(kind, mesh, tolerance, runs):
     import MeshQuality as mq
     import numpy as np
     from MeshQuality.compat import extension
-    from MeshQuality.core import convert
+    from MeshQuality.core.sources import convert
 
     vertices, triangles = mesh
     given = mq.SurfaceMesh(convert.surface_of_arrays(

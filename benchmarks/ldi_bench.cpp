@@ -8,7 +8,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "boolean/layered_depth/layered_depth_boolean.h"
+#include "layered_depth/layered_depth_boolean.h"
 #include "mesh/intersection/self_intersection.h"
 #include "mesh/io/io.h"
 #include "mesh/quality/mesh_report.h"
@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
         const mesh::TriangleMesh a = read_ply(argv[1]), b = read_ply(argv[2]);
         const boolean::Operation operation = boolean::operation_from(argv[3]);
         for (const int resolution : resolutions) {
-            boolean::UniformOptions options;
+            boolean::LayeredDepthOptions options;
             options.resolution = resolution;
             const auto start = std::chrono::steady_clock::now();
             const double cpu = cpu_seconds();

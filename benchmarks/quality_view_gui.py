@@ -65,7 +65,7 @@ class Frames:
 def measure(triangles):
     """(triangles, seconds to open, FreeCAD's frame, all triangles, moving)."""
     from MeshQuality.compat import extension
-    from MeshQuality.core import convert
+    from MeshQuality.core.sources import convert
     from MeshQuality.gui.panels import quality_panel
     from MeshQuality.gui.view import quality_scene
 

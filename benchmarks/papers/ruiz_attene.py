@@ -68,7 +68,7 @@ def sampled(face, method):
 
 def first_triangulated(face, deflection):
     import MeshPart
-    from MeshQuality.core import convert
+    from MeshQuality.core.sources import convert
 
     return convert.arrays_of_mesh(MeshPart.meshFromShape(Shape=face, LinearDeflection=deflection, AngularDeflection=0.5))
 

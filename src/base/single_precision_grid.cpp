@@ -68,9 +68,9 @@ SinglePrecisionGrid::SinglePrecisionGrid(const Box& box) {
 
 // Multiples of the quantum below 2^24 quanta are single-precision numbers, and single-precision numbers above are
 // multiples of the quantum. So one rounding is enough, and finds the nearest of the numbers that are both.
-Vec3 SinglePrecisionGrid::snap(const Vec3& point_of_part) const {
+Vec3 SinglePrecisionGrid::snap(const Vec3& point_of_shape) const {
     const double small = std::ldexp(quantum_, kSingleBits);
-    return (point_of_part - origin_).unaryExpr([&](double x) {
+    return (point_of_shape - origin_).unaryExpr([&](double x) {
         const double rounded =
             std::abs(x) < small ? std::nearbyint(x / quantum_) * quantum_ : double(static_cast<float>(x));
         return rounded + 0.0;  // no negative zero: equal points have equal bits

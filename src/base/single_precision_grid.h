@@ -18,9 +18,9 @@ class SinglePrecisionGrid {
     /// too.
     const Vec3& origin() const { return origin_; }
     /// The nearest representable point, in the local frame.
-    Vec3 snap(const Vec3& point_of_part) const;
+    Vec3 snap(const Vec3& point_of_shape) const;
     /// Transforms a point from the local frame to the model's coordinates.
-    Vec3 to_part(const Vec3& local) const { return local + origin_; }
+    Vec3 to_shape(const Vec3& local) const { return local + origin_; }
     /// The largest distance between a point of the model and its snapped image, mm.
     double resolution() const { return resolution_; }
     /// The length below which sides of triangles would collapse or make angles that are mostly rounding error, mm.

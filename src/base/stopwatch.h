@@ -41,9 +41,9 @@ inline void add_time(StageTimes& times, const std::string& stage, double seconds
 }
 
 /// Records how long consecutive stages take. The first stage begins when the clock is made.
-class StageClock {
+class StageTimer {
   public:
-    explicit StageClock(StageTimes& times) : times_(times) {}
+    explicit StageTimer(StageTimes& times) : times_(times) {}
 
     /// Ends the running stage and gives it its name. A stage that runs again adds to its time.
     void end(const std::string& stage) {
@@ -75,9 +75,9 @@ class StageClock {
 };
 
 /// Tells the watcher of an operation which stage runs, and records how long each takes.
-class StageWatch {
+class WatchedStageTimer {
   public:
-    StageWatch(Progress& progress, StageTimes& times) : progress_(progress), times_(times) {}
+    WatchedStageTimer(Progress& progress, StageTimes& times) : progress_(progress), times_(times) {}
 
     /// Ends the running stage and starts stage `name` (a string literal), which covers the fractions [from, to] of the
     /// whole.

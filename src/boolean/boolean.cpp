@@ -325,7 +325,7 @@ class BooleanPipeline {
     std::vector<Box> boxes_;  ///< boxes that contain the operands
     std::vector<CoincidentTriangle> twins_;
     std::vector<std::array<std::int32_t, 2>> crossing_;
-    StageWatch stages_{progress_, result_.seconds};
+    WatchedStageTimer stages_{progress_, result_.seconds};
 };
 
 /// The symmetric difference of operands with common faces, one operand after the other: the union of both

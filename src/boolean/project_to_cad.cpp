@@ -357,9 +357,9 @@ class Fitting {
 
 }  // namespace
 
-CadProjection fit_to_native_surfaces(TriangleMesh& result, const std::vector<std::array<std::int32_t, 2>>& source,
-                                     const std::vector<CadOperand>& operands, geometry::Engine& engine, double near,
-                                     double limit, Progress& progress) {
+CadProjection project_to_cad(TriangleMesh& result, const std::vector<std::array<std::int32_t, 2>>& source,
+                             const std::vector<CadOperand>& operands, geometry::Engine& engine, double near,
+                             double limit, Progress& progress) {
     Fitting fitting(result, operands, engine, progress);
     fitting.find_candidates(source, near);
     fitting.approach();

@@ -39,8 +39,8 @@ struct CadProjection {
 /// @param near     how far vertices may be from the meshes they lie on, mm
 /// @param limit    no vertex moves farther, mm
 /// @throws Cancelled
-CadProjection fit_to_native_surfaces(mesh::TriangleMesh& result, const std::vector<std::array<std::int32_t, 2>>& source,
-                                     const std::vector<CadOperand>& operands, geometry::Engine& engine, double near,
-                                     double limit, Progress& progress);
+CadProjection project_to_cad(mesh::TriangleMesh& result, const std::vector<std::array<std::int32_t, 2>>& source,
+                             const std::vector<CadOperand>& operands, geometry::Engine& engine, double near,
+                             double limit, Progress& progress);
 
 }  // namespace mq::boolean

@@ -76,7 +76,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
     CurveReport report;
-    StageClock clock(report.seconds);
+    StageTimer clock(report.seconds);
     const double start = cpu_seconds();
 
     geometry::Session session(engine, model, &watched);

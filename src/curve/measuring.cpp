@@ -8,10 +8,10 @@
 #include <set>
 
 #include "base/parallel.h"
-#include "curve/bezier/validity.h"
 #include "curve/output/shape_distortion.h"
 #include "curve/surface/enclosed_volume.h"
 #include "curve/volume/straighten.h"
+#include "elements/bezier/validity.h"
 
 namespace mq::curve {
 

@@ -145,7 +145,7 @@ Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, P
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
     StageTimes seconds;
-    StageClock clock(seconds);
+    StageTimer clock(seconds);
     watched.stage("improving", 0.0, 1.0);
     // Vertices are rounded to single precision after they were tested.
     double rounding = 0.0;

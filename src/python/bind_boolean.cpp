@@ -78,10 +78,10 @@ std::shared_ptr<BooleanSurface> run_boolean(const std::vector<PythonOperand>& op
     options.validate();
     const boolean::Expression wanted = expression_from(operation, operands.size());
     const BooleanMethod by = method_from(method);
-    std::vector<PartShape> shapes;  // keeps them alive
+    std::vector<FreecadShape> shapes;  // keeps them alive
     std::vector<workflows::BooleanOperand> taken;
     for (const auto& [surface, round, shape] : operands) {
-        shapes.push_back(shape.is_none() ? PartShape() : part_shape(shape));
+        shapes.push_back(shape.is_none() ? FreecadShape() : part_shape(shape));
         taken.push_back({surface.get(), round, shapes.back().shape});
     }
     geometry::Engine& engine = shared_engine();
@@ -251,7 +251,7 @@ void name_faces(BooleanSurface& result, const std::vector<SurfacePointer>& opera
 }
 
 void name_corner_normals(BooleanSurface& surface, const py::object& shape, const py::object& progress) {
-    const PartShape part = part_shape(shape);
+    const FreecadShape part = part_shape(shape);
     geometry::Engine& engine = shared_engine();
     watch(progress, [&](Progress& handle) {
         surface.corner_normals = workflows::corner_normals(engine, surface.mesh, *part.shape, handle);

@@ -25,7 +25,7 @@ using curve::CurvedMesh;
 using curve::CurveReport;
 using CurvedPointer = std::shared_ptr<CurvedMesh>;
 
-CurvedPointer curve_shape(const PartShape& part, const curve::CurveOptions& options,
+CurvedPointer curve_shape(const FreecadShape& part, const curve::CurveOptions& options,
                           const triangulate::TriangulateOptions& straight, const py::object& progress) {
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
@@ -33,7 +33,7 @@ CurvedPointer curve_shape(const PartShape& part, const curve::CurveOptions& opti
     });
 }
 
-CurvedPointer curve_surface(const triangulate::Result& surface, const PartShape& part,
+CurvedPointer curve_surface(const triangulate::Result& surface, const FreecadShape& part,
                             const curve::CurveOptions& options, const py::object& progress) {
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {

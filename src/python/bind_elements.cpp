@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/error.h"
-#include "curve/elements/check_elements.h"
 #include "curve/injectivity/common_points.h"
 #include "curve/injectivity/curved_crossings.h"
-#include "curve/mixed/inner_nodes.h"
+#include "elements/product/check_elements.h"
+#include "given/mixed/transfinite_blending.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/progress_watch.h"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "curve/given/given_mesh.h"
-#include "curve/mixed/curve_mixed.h"
+#include "given/matching/given_mesh.h"
+#include "given/mixed/curve_mixed.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/freecad/freecad_shape.h"
@@ -45,7 +45,7 @@ std::vector<std::array<int, N>> rows_of(const Indices& array, const char* name) 
 }
 
 CurvedPointer curve_given(const PointArray& nodes, const Indices& triangles, const Indices& tetrahedra,
-                          const Indices& regions, const PartShape& part, const curve::CurveOptions& options,
+                          const Indices& regions, const FreecadShape& part, const curve::CurveOptions& options,
                           bool imprint, const py::object& progress) {
     curve::GivenMesh given;
     given.nodes = points_of(nodes);
@@ -80,8 +80,8 @@ void add_elements(const std::vector<CornerBlock>& blocks, std::vector<curve::Mix
 }
 
 py::dict curve_mixed(const PointArray& nodes, const std::vector<CornerBlock>& elements,
-                     const std::vector<CornerBlock>& listed, const PartShape& part, const curve::CurveOptions& options,
-                     bool imprint, const py::object& progress) {
+                     const std::vector<CornerBlock>& listed, const FreecadShape& part,
+                     const curve::CurveOptions& options, bool imprint, const py::object& progress) {
     curve::MixedMesh given;
     given.nodes = points_of(nodes);
     add_elements(elements, given.elements);
@@ -110,7 +110,7 @@ py::dict curve_mixed(const PointArray& nodes, const std::vector<CornerBlock>& el
     return result;
 }
 
-py::tuple measure_given_surface(const PointArray& nodes, int order, const Indices& triangles, const PartShape& part,
+py::tuple measure_given_surface(const PointArray& nodes, int order, const Indices& triangles, const FreecadShape& part,
                                 const py::object& progress) {
     const std::vector<Vec3> points = points_of(nodes);
     const std::vector<std::int32_t> rows(triangles.data(), triangles.data() + triangles.size());
@@ -121,7 +121,7 @@ py::tuple measure_given_surface(const PointArray& nodes, int order, const Indice
     return py::make_tuple(array_of(found.face), array_of(found.quality), array_of(found.deviation));
 }
 
-py::tuple cad_distances(const PointArray& nodes, int order, const Indices& triangles, const PartShape& part,
+py::tuple cad_distances(const PointArray& nodes, int order, const Indices& triangles, const FreecadShape& part,
                         const py::object& progress) {
     const std::vector<Vec3> points = points_of(nodes);
     const std::vector<std::int32_t> rows(triangles.data(), triangles.data() + triangles.size());
@@ -144,7 +144,7 @@ py::tuple cad_distances(const PointArray& nodes, int order, const Indices& trian
                           edges);
 }
 
-py::array distances_to_faces(const PartShape& part, const PointArray& points, const py::object& progress) {
+py::array distances_to_faces(const FreecadShape& part, const PointArray& points, const py::object& progress) {
     const std::vector<Vec3> places = points_of(points);
     geometry::Engine& engine = shared_engine();
     return array_of(watch(progress, [&](Progress& handle) {

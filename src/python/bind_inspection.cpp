@@ -110,7 +110,7 @@ using workflows::DraftSurface;
 std::shared_ptr<DraftSurface> measure_draft(const Surface& given, const py::object& shape,
                                             const std::array<double, 3>& pull, double offset,
                                             const py::object& progress) {
-    const PartShape part = shape.is_none() ? PartShape() : part_shape(shape);
+    const FreecadShape part = shape.is_none() ? FreecadShape() : part_shape(shape);
     inspection::DraftOptions options;
     options.pull = Vec3(pull[0], pull[1], pull[2]);
     options.offset = offset;

@@ -32,7 +32,7 @@ using triangulate::TriangulateOptions;
 constexpr const char* kCopied =
     "this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text";
 
-std::shared_ptr<Result> triangulate_shape(const PartShape& part, const TriangulateOptions& options,
+std::shared_ptr<Result> triangulate_shape(const FreecadShape& part, const TriangulateOptions& options,
                                           const py::object& progress, triangulate::MeshCache* cache) {
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
@@ -49,12 +49,12 @@ mesh::MeshReport report_with_crossings(const Result& surface, const py::object& 
     return watch(progress, [&](Progress& handle) { return workflows::report_with_crossings(surface, handle); });
 }
 
-mesh::MeshReport measure_against(const Result& surface, const PartShape& part, const py::object& progress) {
+mesh::MeshReport measure_against(const Result& surface, const FreecadShape& part, const py::object& progress) {
     return watch(progress,
                  [&](Progress& handle) { return workflows::measure_against_shape(surface, *part.shape, handle); });
 }
 
-py::array_t<double> triangle_deviations(const Result& surface, const PartShape& part, const py::object& progress) {
+py::array_t<double> triangle_deviations(const Result& surface, const FreecadShape& part, const py::object& progress) {
     const std::vector<double> found = watch(
         progress, [&](Progress& handle) { return workflows::triangle_deviations(surface.mesh, *part.shape, handle); });
     return py::array_t<double>(static_cast<py::ssize_t>(found.size()), found.data());
@@ -64,7 +64,7 @@ template <typename Value>
 using Names = std::vector<std::pair<Value, const char*>>;
 
 const Names<triangulate::Insertion> kInsertions{{triangulate::Insertion::OffCentre, "off-centre"},
-                                                {triangulate::Insertion::Paper, "paper"}};
+                                                {triangulate::Insertion::Circumcentre, "paper"}};
 const Names<triangulate::KeepEdges> kKeepEdges{{triangulate::KeepEdges::All, "all"},
                                                {triangulate::KeepEdges::Feature, "feature"}};
 const Names<triangulate::Method> kMethods{{triangulate::Method::Refine, "refine"},
@@ -114,7 +114,7 @@ py::tuple shape_identity(const py::object& shape, bool copy) {
     return py::make_tuple(identity.tshape, identity.hash);
 }
 
-py::bytes brep_text(const PartShape& part) {
+py::bytes brep_text(const FreecadShape& part) {
     std::string text;
     {
         const FreedLock free;
@@ -173,7 +173,7 @@ void bind_triangulate(py::module_& m) {
           "float64 (T,): the largest distance of each triangle's corners, edge middles and centroid from the faces of "
           "a Part.Shape, mm.");
     m.def(
-        "add_surfaces", [](const PartShape& part) { geometry::add_surfaces(*part.shape); }, py::arg("shape"),
+        "add_surfaces", [](const FreecadShape& part) { geometry::add_surfaces(*part.shape); }, py::arg("shape"),
         "Gives the faces of a Part.Shape that have triangles alone a surface, in place, so that FreeCAD can copy it.");
     m.def("brep_text", &brep_text, py::arg("shape"),
           "A Part.Shape as BREP text without triangulations: the same before and after it was shown.");

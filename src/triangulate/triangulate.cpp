@@ -14,13 +14,13 @@
 #include "base/stopwatch.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/quality/exemptions.h"
-#include "triangulate/assemble.h"
-#include "triangulate/component_refinement.h"
 #include "triangulate/incremental/cache_restore.h"
 #include "triangulate/incremental/cache_store.h"
+#include "triangulate/pipeline/assemble.h"
+#include "triangulate/pipeline/component_refinement.h"
+#include "triangulate/pipeline/refinement.h"
 #include "triangulate/refine/doubled_edges.h"
 #include "triangulate/refine/tuning.h"
-#include "triangulate/refinement.h"
 #include "triangulate/report/costly_slivers.h"
 #include "triangulate/report/final_report.h"
 #include "triangulate/report/joined_corners.h"
@@ -37,8 +37,8 @@ std::string in_mm(double length) {
     return in_digits(length, 4) + " mm";
 }
 
-void check_against_part(const TriangulateOptions& options, const geometry::Topology& topology,
-                        const SinglePrecisionGrid& grid) {
+void check_against_shape(const TriangulateOptions& options, const geometry::Topology& topology,
+                         const SinglePrecisionGrid& grid) {
     const auto something = [](const geometry::Face& face) { return !face.no_area; };
     if (std::none_of(topology.faces.begin(), topology.faces.end(), something)) {
         throw InvalidInput(Message{phrases::kNoFaces});
@@ -70,18 +70,18 @@ std::string failed_faces(const InitialTriangulation& initial, const geometry::To
 
 // Triangulates the faces over shared edges: coarsely, or over samples.
 SampledTriangulation initial_or_sampled(geometry::Session& session, const SinglePrecisionGrid& grid,
-                                        const TriangulateOptions& options, double chord, CacheRestore* recall,
-                                        Progress& progress, StageClock& clock) {
+                                        const TriangulateOptions& options, double chord, CacheRestore* restore,
+                                        Progress& progress, StageTimer& clock) {
     const bool sampled = options.method != Method::Refine;
     progress.stage("initial triangulation", 0.0, sampled ? 0.05 : share_before_refinement(options));
-    InitialTriangulation coarse = recall != nullptr ? triangulate_the_rest(session, grid, recall->begin(), progress)
-                                                    : triangulate_initially(session, grid, progress);
+    InitialTriangulation coarse = restore != nullptr ? triangulate_the_rest(session, grid, restore->begin(), progress)
+                                                     : triangulate_initially(session, grid, progress);
     clock.end("initial triangulation");
     if (!sampled) {
         return {std::move(coarse), {}, true};
     }
     progress.stage("sampling", 0.05, share_before_refinement(options));
-    SampledTriangulation samples = sample_part(session, grid, options, chord, std::move(coarse), progress);
+    SampledTriangulation samples = sample_shape(session, grid, options, chord, std::move(coarse), progress);
     clock.end("sampling");
     return samples;
 }
@@ -101,7 +101,7 @@ void check_failures(const InitialTriangulation& faces, const geometry::Topology&
 
 // Whether faces can be cached: samples are drawn anew, and triangles over removed smooth edges belong to no single
 // face.
-bool can_be_recalled(const TriangulateOptions& options) {
+bool is_cacheable(const TriangulateOptions& options) {
     return options.method == Method::Refine && options.keep_edges == KeepEdges::All;
 }
 
@@ -158,7 +158,7 @@ class Costs {
         predicate_count() = {};
     }
 
-    StageClock& clock() { return clock_; }
+    StageTimer& clock() { return clock_; }
 
     void report(mesh::MeshReport& report) {
         report.seconds = std::move(seconds_);
@@ -171,7 +171,7 @@ class Costs {
   private:
     const geometry::Session& session_;
     StageTimes seconds_;
-    StageClock clock_{seconds_};
+    StageTimer clock_{seconds_};
     double cpu_before_;
 };
 
@@ -229,13 +229,13 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
 
 // @param recall  the cached run to start with; null: none
 // @param left  receives the data to be cached; null: nothing is cached
-Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& keys, CacheRestore* recall,
-                 CachedRun* left) {
+Result mesh_shape(const Task& task, const std::vector<geometry::Fingerprint>& keys, CacheRestore* restore,
+                  CachedRun* left) {
     const TriangulateOptions& options = task.options;
     const geometry::Topology& topology = task.session.topology();
-    StageClock& clock = task.costs.clock();
+    StageTimer& clock = task.costs.clock();
     SampledTriangulation first =
-        initial_or_sampled(task.session, task.grid, options, task.chord, recall, task.progress, clock);
+        initial_or_sampled(task.session, task.grid, options, task.chord, restore, task.progress, clock);
     check_failures(first.faces, topology, options);
     ClassifiedMesh surface = assemble(first.faces, topology);
     first.faces.faces = {};  // samples may be many
@@ -245,8 +245,8 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     MeasurementCache findings(work);
     std::vector<int> touched;
     std::string released;
-    if (recall != nullptr) {
-        recall->settle(first.faces.chains, work, findings.chords, options.min_angle);
+    if (restore != nullptr) {
+        restore->settle(first.faces.chains, work, findings.chords, options.min_angle);
     }
     separate_doubled_edges(work, touched);
     work.budget = options.budget();  // from here on, so that the first mesh may have any number of triangles
@@ -268,12 +268,12 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     result.report = final_report(work, findings, farthest, out, joined, options, task.chord);
     result.mesh = std::move(out.mesh);
     result.angle_history = work.angle_history.entries();
-    result.report.reused_faces = recall != nullptr ? count(recall->kept(surface), topology) : 0;
+    result.report.reused_faces = restore != nullptr ? count(restore->kept(surface), topology) : 0;
     add_note(result.report, released);
     add_note(result.report, costly_slivers(result.mesh, topology.box.largest_side()));
     report_first(first, topology, options, result.report);
-    if (left != nullptr && can_be_recalled(options) && result.report.complete) {
-        left->faces = remember(work, findings.chords, first.faces.chains, keys, task.chord, recall);
+    if (left != nullptr && is_cacheable(options) && result.report.complete) {
+        left->faces = store(work, findings.chords, first.faces.chains, keys, task.chord, restore);
     }
     clock.end("checking");
     task.costs.report(result.report);
@@ -282,7 +282,7 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
 
 // Whether a mesh keeps no face of the cached one, or is worse in any measure. Faces that had to be meshed again leave
 // more triangles around them than meshing from scratch.
-bool in_vain(const mesh::MeshReport& now, const mesh::MeshReport& before) {
+bool is_worse_than_cached(const mesh::MeshReport& now, const mesh::MeshReport& before) {
     const bool too_far = now.chord_height_asked > 0.0 && now.max_chord_height > now.chord_height_asked;
     return now.reused_faces == 0 || now.exempt.size() > before.exempt.size() ||
            now.self_intersections > before.self_intersections ||
@@ -295,29 +295,29 @@ Result triangulate_in_place(geometry::Session& session, const TriangulateOptions
                             MeshCache* memory) {
     Costs costs(session);
     const SinglePrecisionGrid grid(session.topology().box);
-    check_against_part(asked, session.topology(), grid);
+    check_against_shape(asked, session.topology(), grid);
     TriangulateOptions options = asked;
     options.local_sizes = sizes_of_pieces(asked.local_sizes, session.topology());
     const double chord = options.chord_height_of(session.topology().box);
     const Task task{session, grid, options, chord, progress, costs};
     if (memory == nullptr) {
-        return mesh_part(task, {}, nullptr, nullptr);
+        return mesh_shape(task, {}, nullptr, nullptr);
     }
     const CacheKeys keys = keys_of(session, options);
     if (const auto same = memory->run_on(keys.input)) {
         return reuse_result(same->result, costs);
     }
-    const auto before = can_be_recalled(options) ? memory->nearest(keys.faces, options) : nullptr;
+    const auto before = is_cacheable(options) ? memory->nearest(keys.faces, options) : nullptr;
     auto run =
         std::make_shared<CachedRun>(CachedRun{keys.input, {}, options, chord, grid.resolution(), session.place(), {}});
-    std::optional<CacheRestore> recall;
+    std::optional<CacheRestore> restore;
     if (before != nullptr) {
-        recall.emplace(session, grid, before, keys.faces, chord);
+        restore.emplace(session, grid, before, keys.faces, chord);
     }
-    run->result = mesh_part(task, keys.faces, recall ? &*recall : nullptr, run.get());
-    if (recall && recall->began() && in_vain(run->result.report, before->result.report)) {
+    run->result = mesh_shape(task, keys.faces, restore ? &*restore : nullptr, run.get());
+    if (restore && restore->began() && is_worse_than_cached(run->result.report, before->result.report)) {
         run->faces.clear();
-        run->result = mesh_part(task, keys.faces, nullptr, run.get());
+        run->result = mesh_shape(task, keys.faces, nullptr, run.get());
     }
     memory->add(run);
     return run->result;

@@ -11,9 +11,9 @@
 #include "base/stopwatch.h"
 #include "boolean/input/operand_repair.h"
 #include "boolean/project_to_cad.h"
-#include "boolean/sound_layered_depth.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/shape_model.h"
+#include "layered_depth/sound_layered_depth.h"
 #include "workflows/operand_frame.h"
 
 namespace mq::workflows {
@@ -138,7 +138,7 @@ boolean::CadOperands cad_of(const std::vector<BooleanOperand>& operands, geometr
 void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const std::vector<BooleanOperand>& operands,
                  geometry::Engine& engine, const Expression& expression, const BooleanOptions& options,
                  Progress& progress) {
-    boolean::UniformOptions uniform;
+    boolean::LayeredDepthOptions uniform;
     uniform.resolution = options.resolution;
     uniform.full = options.full;
     double tolerance = options.tolerance;
@@ -187,7 +187,7 @@ void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std
     BooleanReport& figures = surface.figures;
     const double near = figures.error_bound + kRounding * frame.size();
     const boolean::CadProjection fit =
-        boolean::fit_to_native_surfaces(surface.mesh, surface.triangle_source, native, engine, near, limit, progress);
+        boolean::project_to_cad(surface.mesh, surface.triangle_source, native, engine, near, limit, progress);
     figures.fitted_vertices = fit.moved;
     figures.unfitted_vertices = fit.reverted + fit.left;
     figures.error_bound += fit.largest_move;

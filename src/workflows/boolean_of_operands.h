@@ -21,7 +21,7 @@ namespace mq::workflows {
 enum class BooleanMethod {
     Default,  ///< Exact; Uniform where the operands have no exact result
     Exact,    ///< exact arrangements (boolean/boolean.h)
-    Uniform,  ///< layered depth images (boolean/layered_depth)
+    Uniform,  ///< layered depth images (layered_depth)
 };
 
 /// An operand: its mesh, and the shape from which it was meshed.

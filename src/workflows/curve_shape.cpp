@@ -13,13 +13,13 @@
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "curve/given/curve_given.h"
-#include "curve/given/edge_discretisation.h"
-#include "curve/given/matching.h"
 #include "curve/injectivity/curved_crossings.h"
-#include "geometry/occt/shape_distance.h"
+#include "geometry/occt/distance/shape_distance.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/solid_volume.h"
+#include "given/matching/edge_paths.h"
+#include "given/matching/matching.h"
+#include "given/simplices/curve_given.h"
 #include "tetrahedralise/cells/tetrahedra.h"
 #include "triangulate/triangulate.h"
 
@@ -61,7 +61,7 @@ CurvedMesh attempt(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
                    const triangulate::TriangulateOptions& straight, const curve::CurveOptions& options,
                    std::optional<double>& asked, Progress& progress) {
     StageTimes seconds;
-    StageClock clock(seconds);
+    StageTimer clock(seconds);
     triangulate::Result mesh = triangulate::triangulate(engine, model, straight, &progress);
     clock.end("straight mesh");
     asked = asked.value_or(mesh.report.chord_height_asked);
@@ -139,7 +139,7 @@ std::int64_t count_of_bodies(const CurvedMesh& mesh, const std::vector<curve::Cu
 /// Counts the curved triangles that cross, and names the place of the first pair.
 void find_crossings(CurvedMesh& mesh, Progress& progress) {
     progress.stage("comparing curved triangles", 1.0, 1.0);
-    StageClock clock(mesh.report.seconds);
+    StageTimer clock(mesh.report.seconds);
     const curve::CurvedCrossings found = curve::curved_crossings(mesh, &progress, curve::kQuickEffort);
     clock.end("comparing curved triangles");
     mesh.report.curved_intersections = static_cast<std::int64_t>(found.crossing.size());
@@ -179,7 +179,7 @@ CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, cons
     const ThreadLimit threads(options.threads);
     const Stopwatch watch_all;
     StageTimes seconds;
-    StageClock clock(seconds);
+    StageTimer clock(seconds);
     progress.stage("reading the shape", 0.0, 0.0);
     const auto model =
         model_of(engine, shape, geometry::Creases::Cut,

@@ -3,11 +3,11 @@
 
 #include "base/progress.h"
 #include "curve/curve.h"
-#include "curve/given/cad_distance.h"
-#include "curve/given/given_mesh.h"
-#include "curve/given/measure_given.h"
-#include "curve/mixed/curve_mixed.h"
 #include "geometry/engine.h"
+#include "given/matching/given_mesh.h"
+#include "given/mixed/curve_mixed.h"
+#include "given/simplices/cad_distance.h"
+#include "given/simplices/measure_given.h"
 #include "triangulate/work_mesh/options.h"
 #include "triangulate/work_mesh/result.h"
 

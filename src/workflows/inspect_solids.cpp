@@ -59,7 +59,7 @@ ThicknessSurface measure_thickness(const triangulate::Result& given, const inspe
     options.validate();
     const Stopwatch watch;
     ThicknessSurface found;
-    StageClock clock(found.seconds);
+    StageTimer clock(found.seconds);
     progress.stage("preparing the solids", 0.0, 0.1);
     found.solids = solid_surface(given, progress);
     clock.end("preparing the solids");

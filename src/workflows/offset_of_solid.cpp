@@ -11,8 +11,8 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "boolean/offset/opening_extension.h"
-#include "offset/contoured_offset.h"
+#include "offset/contoured/contoured_offset.h"
+#include "offset/trimmed/opening_extension.h"
 
 namespace mq::workflows {
 

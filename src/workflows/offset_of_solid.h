@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "boolean/offset/offset.h"
+#include "offset/trimmed/trimmed_offset.h"
 #include "workflows/boolean_of_operands.h"
 
 namespace mq::workflows {

@@ -10,7 +10,7 @@
 #include "base/single_precision_grid.h"
 #include "base/stopwatch.h"
 #include "base/threads/schedule_trace.h"
-#include "geometry/occt/shape_distance.h"
+#include "geometry/occt/distance/shape_distance.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/solid_volume.h"
 #include "mesh/intersection/self_intersection.h"

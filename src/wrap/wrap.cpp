@@ -59,7 +59,7 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     require(!input.triangles.empty(), "there is nothing to wrap: no triangle is given");
     const ThreadLimit limit(options.threads);
     WrapResult result;
-    StageWatch watch(progress, result.seconds);
+    WatchedStageTimer watch(progress, result.seconds);
 
     watch.start("classifying nodes", 0.0, 0.25);
     const InputSurface surface(input.vertices, input.triangles);

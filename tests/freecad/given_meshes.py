@@ -4,7 +4,7 @@
 import numpy as np
 
 import MeshQuality as mq
-from MeshQuality.core import fem
+from MeshQuality.core.fem import fem
 from MeshQuality.core.elements import kinds
 
 

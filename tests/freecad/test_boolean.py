@@ -15,7 +15,7 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality.compat import extension
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 
 Vector = FreeCAD.Vector
 

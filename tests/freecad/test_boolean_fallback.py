@@ -15,7 +15,7 @@ from test_cli import run
 
 import MeshQuality as mq
 from MeshQuality.compat import extension
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 
 
 def points_of(points):

@@ -8,7 +8,7 @@ import FreeCAD
 import Part
 
 import MeshQuality as mq
-from MeshQuality.core import operands
+from MeshQuality.core.operands import operands
 
 
 class Volumes(unittest.TestCase):

@@ -11,7 +11,7 @@ import Part
 from test_cli import run
 
 import MeshQuality as mq
-from MeshQuality.core import verifier
+from MeshQuality.core.verify import verifier
 from MeshQuality.core.element_mesh import ElementMesh
 from MeshQuality.core.elements import kinds
 from MeshQuality.core.elements.assembly import Content, ElementBlock

@@ -14,7 +14,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 
 COMMAND = os.path.join(helpers.ROOT, "bin", "meshquality")
 V = FreeCAD.Vector

@@ -10,7 +10,7 @@ import unittest
 import Part
 
 import MeshQuality as mq
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 from MeshQuality.version import __version__
 
 

@@ -11,7 +11,8 @@ import test_cli
 import test_placement
 
 import MeshQuality as mq
-from MeshQuality.core import convert, hidden_parts
+from MeshQuality.core.sources import convert
+from MeshQuality.core.operands import hidden_parts
 
 
 class LeftOut(test_placement.PlacementTest):

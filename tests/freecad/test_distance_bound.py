@@ -16,7 +16,7 @@ from test_cli import run
 
 import MeshQuality as mq
 from MeshQuality import options
-from MeshQuality.core import convert
+from MeshQuality.core.sources import convert
 from MeshQuality.features import mesh_object, properties
 
 DIAMETER, HEIGHT = 10.0, 30.0

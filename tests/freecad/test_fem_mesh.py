@@ -15,7 +15,8 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality import fem_options, options
-from MeshQuality.core import fem, fem_size, frames
+from MeshQuality.core.fem import fem, fem_size
+from MeshQuality.core.sources import frames
 from MeshQuality.features import fem_mesh
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))

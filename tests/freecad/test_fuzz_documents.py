@@ -22,7 +22,7 @@ from MeshQuality import element_names, options
 from MeshQuality.batch.ledger import Ledger
 from MeshQuality.cli import parser
 from MeshQuality.compat import extension
-from MeshQuality.core import convert
+from MeshQuality.core.sources import convert
 from MeshQuality.gui.quality_data import QualityData
 
 ROUNDS = int(os.environ.get("MESHQUALITY_FUZZ_ROUNDS", "0"))

@@ -7,7 +7,7 @@ import unittest
 import FreeCAD
 import MeshQuality as mq
 import Part
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 
 
 def notched(step, radius, turn):

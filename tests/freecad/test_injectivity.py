@@ -11,7 +11,8 @@ import Part
 from test_certify import mesh_of
 
 import MeshQuality as mq
-from MeshQuality.core import crossing_verifier, verdict
+from MeshQuality.core.verify import crossing_verifier
+from MeshQuality.core.certify import verdict
 
 
 def nearly_touching(turn, gap):

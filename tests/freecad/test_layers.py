@@ -14,7 +14,7 @@ from test_cli import run
 from test_curved_files import PYTHON, has
 
 import MeshQuality as mq
-from MeshQuality.core import fem
+from MeshQuality.core.fem import fem
 from MeshQuality.core.element_mesh import ElementMesh
 from MeshQuality.core.elements import kinds, polynomials
 from MeshQuality.core.elements.assembly import Content

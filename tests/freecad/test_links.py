@@ -8,7 +8,7 @@ import test_placement
 from FreeCAD import Placement, Rotation, Vector
 
 import MeshQuality as mq
-from MeshQuality.core import convert, frames
+from MeshQuality.core.sources import convert, frames
 
 
 class ThroughLinks(test_placement.PlacementTest):

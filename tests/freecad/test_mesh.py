@@ -12,7 +12,7 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality.compat import extension
-from MeshQuality.core import convert
+from MeshQuality.core.sources import convert
 
 
 class ToMesh(unittest.TestCase):

@@ -12,7 +12,7 @@ import helpers
 import Part
 
 import MeshQuality as mq
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 
 COMMAND = os.path.join(helpers.ROOT, "bin", "meshquality")
 V = FreeCAD.Vector

@@ -14,7 +14,7 @@ from FreeCAD import Placement, Rotation, Vector
 
 import MeshQuality as mq
 from MeshQuality.cli import worker
-from MeshQuality.core import convert, frames
+from MeshQuality.core.sources import convert, frames
 
 TURNED = Placement(Vector(20, -30, 40), Rotation(Vector(1, 2, 3), 50))
 ASSEMBLY = os.path.join(os.environ.get("MESHQUALITY_DATA", os.path.join(helpers.ROOT, "..", "shared", "data")),

@@ -7,7 +7,7 @@ import Mesh
 import numpy as np
 
 import MeshQuality as mq
-from MeshQuality.core.faults import find_faults
+from MeshQuality.core.certify.faults import find_faults
 from MeshQuality.core.surface_mesh import surface_of
 
 

@@ -16,7 +16,7 @@ import Part
 import parts
 
 import MeshQuality as mq
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 
 
 def several_bodies():

@@ -10,7 +10,7 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality import inspection_options, offset_options, options, phrases, wrap_options
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 from MeshQuality.features import mesh_object
 
 

@@ -11,7 +11,7 @@ import Part
 from FreeCAD import Vector
 
 import MeshQuality as mq
-from MeshQuality.core.distance_meshes import _tessellated, mesh_within
+from MeshQuality.core.operands.distance_meshes import _tessellated, mesh_within
 
 
 def shell_of(*solids, without=()):

@@ -13,8 +13,8 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality import wrap_options
-from MeshQuality.core.patch_names import suggested_for
-from MeshQuality.core.source_faces import own_names
+from MeshQuality.core.patches.patch_names import suggested_for
+from MeshQuality.core.patches.source_faces import own_names
 from MeshQuality.features.export import flat_maker_of
 
 GAP, TOLERANCE = 2.0, 1.0

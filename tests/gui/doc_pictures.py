@@ -15,7 +15,7 @@ from PySide import QtCore, QtGui
 
 import MeshQuality as mq
 from MeshQuality.compat import extension
-from MeshQuality.core import convert
+from MeshQuality.core.sources import convert
 from MeshQuality.gui import commands, curved_view, quality_data
 from MeshQuality.gui.panels import quality_panel
 from MeshQuality.gui.panels.mesh_panel import MeshPanel

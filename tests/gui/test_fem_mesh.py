@@ -14,7 +14,7 @@ import helpers
 from PySide import QtCore, QtGui
 
 import MeshQuality as mq
-from MeshQuality.core import fem
+from MeshQuality.core.fem import fem
 from MeshQuality.features import mesh_object
 from MeshQuality.gui import background_recompute, commands, jobs, trial
 

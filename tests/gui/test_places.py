@@ -8,7 +8,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality.core import convert
+from MeshQuality.core.sources import convert
 from MeshQuality.gui import commands, sub_elements
 from MeshQuality.gui.panels import mesh_panel
 from MeshQuality.gui.quality_data import QualityData

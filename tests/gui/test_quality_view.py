@@ -14,7 +14,7 @@ from PySide import QtGui
 
 import MeshQuality as mq
 from MeshQuality.compat import extension
-from MeshQuality.core import convert
+from MeshQuality.core.sources import convert
 from MeshQuality.gui import commands, quality_data
 from MeshQuality.gui.panels import quality_panel
 from MeshQuality.gui.view import legend, quality_scene

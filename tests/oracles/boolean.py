@@ -6,7 +6,7 @@ import measures
 import MeshQuality as mq
 import numpy as np
 from judge import Judge, dice_of
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 
 KINDS = [*bodies.BODIES]
 POINTS = 300

@@ -7,7 +7,7 @@ import numpy as np
 import offset
 import solids
 from judge import Judge, dice_of
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 
 KINDS = [kind for kind in solids.SOLIDS if kind not in ("thread", "pattern", "hollow body")]
 POINTS = 200

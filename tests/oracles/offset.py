@@ -6,7 +6,7 @@ import MeshQuality as mq
 import numpy as np
 import solids
 from judge import Judge, dice_of
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 
 KINDS = [kind for kind in solids.SOLIDS if kind not in ("thread", "pattern")]
 SAMPLES, POINTS = 60, 150

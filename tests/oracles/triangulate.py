@@ -7,7 +7,7 @@ import MeshQuality as mq
 import numpy as np
 import solids
 from judge import Judge, dice_of
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 
 KINDS = [*solids.SOLIDS, *bodies.BODIES]
 SAMPLES = 60

@@ -7,7 +7,7 @@ import MeshQuality as mq
 import numpy as np
 import solids
 from judge import Judge, dice_of
-from MeshQuality.core import verdict
+from MeshQuality.core.certify import verdict
 
 KINDS = [kind for kind in (*solids.PLAIN, *bodies.BODIES) if kind not in ("thread", "pattern", "thin plate", "thin tube")]
 SAMPLES, POINTS = 60, 100

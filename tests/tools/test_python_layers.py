@@ -74,7 +74,7 @@ class SmallTree(unittest.TestCase):
 
     def test_the_package_itself_is_no_way_around(self):
         found = self.faults(python_layers.check_layers, core__convert="import MeshQuality as mq\n")
-        self.assertEqual(found, ["MeshQuality.core.convert:1: core may not import MeshQuality"])
+        self.assertEqual(found, ["MeshQuality.core.sources.convert:1: core may not import MeshQuality"])
 
     def test_a_layer_beside(self):
         found = self.faults(python_layers.check_layers, cli__job="from ..gui.panel import x\n")

@@ -15,7 +15,9 @@ from MeshQuality import files, limits
 from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
 from MeshQuality.cli.parser import MESH_SUFFIXES
 from MeshQuality.compat import extension
-from MeshQuality.core import convert, hidden_parts, verdict
+from MeshQuality.core.sources import convert
+from MeshQuality.core.operands import hidden_parts
+from MeshQuality.core.certify import verdict
 from MeshQuality.formats import CURVED_SUFFIXES
 from MeshQuality.phrases import Text, upper_first
 

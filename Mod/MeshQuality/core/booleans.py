@@ -4,7 +4,7 @@
 from .. import options
 from ..compat import extension
 from ..errors import Error, InvalidInput
-from .operands import Operands, part_of
+from .operands.operands import Operands, part_of
 from .surface_mesh import SurfaceMesh
 
 # Share of the progress that meshing shapes has, where there are any.

@@ -8,11 +8,14 @@ from .. import options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, curved_elements, fem, fem_places, frames, given, hidden_parts, orders, writing
-from .certification import given_mesh
+from .sources import convert, frames
+from . import curved_elements, given, orders, writing
+from .fem import fem, fem_places
+from .operands import hidden_parts
+from .certify.certification import given_mesh
 from .curved_arrays import ARRAYS
 from .element_mesh import ElementMesh
-from .patches import division_for, kept
+from .patches.patches import division_for, kept
 from .surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patches
 
 

@@ -2,7 +2,8 @@
 """ElementMesh: elements of any kind and order that come from elsewhere."""
 
 from ..listing import Public
-from . import convert, element_writing, frames, reading
+from .sources import convert, frames
+from . import element_writing, reading
 from .elements import kinds
 from .elements.boundary import boundary_of
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from .. import formats
 from ..errors import InvalidInput, IoError
-from . import convert, writing
+from .sources import convert
+from . import writing
 from .element_writers import hopr_file
 from .element_writers.numbered import Numbered
 from .elements import kinds

@@ -10,8 +10,8 @@ from ..compat import extension
 from ..errors import Error, InvalidInput
 from ..listing import Public
 from .booleans import BooleanMesh
-from .operands import Operands, part_of
-from .patches import division_for
+from .operands.operands import Operands, part_of
+from .patches.patches import division_for
 
 # Shares of the tolerance: of the mesh of a shape, of the union of what is given, of cutting the hollow out; what is left is
 # for the offset.

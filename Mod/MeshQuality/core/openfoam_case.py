@@ -12,7 +12,7 @@ from .. import phrases
 from ..errors import InvalidInput, IoError
 from ..phrases import Text
 from . import writing
-from .patches import patches_of
+from .patches.patches import patches_of
 
 FLOWS = ("internal", "external")
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.+\-]*")

@@ -3,7 +3,7 @@
 
 from .. import options
 from ..compat import extension
-from . import convert
+from .sources import convert
 from .surface_mesh import surface_of
 
 

@@ -9,7 +9,7 @@ import zlib
 
 from .. import formats
 from ..errors import Error, InvalidInput, IoError
-from . import convert
+from .sources import convert
 from .elements import freecad_mesh
 from .elements.assembly import assembled
 from .writing import checked_scale

@@ -3,7 +3,7 @@
 
 from .. import options, repair_options
 from .booleans import run
-from .operands import Operands
+from .operands.operands import Operands
 
 
 def repair(mesh, tolerance=None, progress=None, threads=0):

@@ -5,7 +5,7 @@ from .. import options
 from ..errors import InvalidInput
 from ..listing import Public
 from .booleans import run
-from .operands import Operands
+from .operands.operands import Operands
 
 # Tokens of the core's expressions.
 _TOKENS = {"union": -1, "intersection": -2, "difference": -3, "symmetric_difference": -4}

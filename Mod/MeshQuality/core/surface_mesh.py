@@ -6,8 +6,9 @@ import numpy as np
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, writing
-from .patches import kept
+from .sources import convert
+from . import writing
+from .patches.patches import kept
 
 
 class SurfaceMesh(metaclass=Public):

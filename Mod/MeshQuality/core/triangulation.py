@@ -5,8 +5,9 @@ from .. import element_names, options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, hidden_parts
-from .patches import division_for, kept
+from .sources import convert
+from .operands import hidden_parts
+from .patches.patches import division_for, kept
 from .surface_mesh import SurfaceMesh
 
 

@@ -9,11 +9,12 @@ from .. import options, phrases, wrap_options
 from ..compat import extension
 from ..errors import Error, InvalidInput
 from ..listing import Public
-from . import frames, hidden_parts
+from .sources import frames
+from .operands import hidden_parts
 from .booleans import BooleanMesh
-from .operands import Operands, is_arrays, part_of
-from .patches import Division, patches_of
-from .source_faces import GAPS, own_names
+from .operands.operands import Operands, is_arrays, part_of
+from .patches.patches import Division, patches_of
+from .patches.source_faces import GAPS, own_names
 
 _RELATIVE = 2e-2  # the tolerance as a fraction of the size, where none is given, ...
 _OF_GAP = 0.25  # ... and of the gap, at most

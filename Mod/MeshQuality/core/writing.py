@@ -13,11 +13,12 @@ import numpy as np
 
 from .. import files, formats
 from ..errors import InvalidInput, IoError
-from . import cgns_file, convert, exodus_file, mfem_file, nektar_file
+from . import cgns_file, exodus_file, mfem_file, nektar_file
+from .sources import convert
 from .contact_sheets import SHEET, with_sheets
 from .element_arrays import element_blocks, points_of
 from .element_writers import hopr_file
-from .patches import Division, colour_of, division_of, patches_of, require_faces, with_interfaces
+from .patches.patches import Division, colour_of, division_of, patches_of, require_faces, with_interfaces
 
 _3MF_MODEL = "3D/3dmodel.model"
 _3MF_PARTS = {

@@ -4,7 +4,8 @@
 import os
 
 from .. import phrases
-from ..core import convert, frames, openfoam_case
+from ..core.sources import convert, frames
+from ..core import openfoam_case
 from ..core.surface_mesh import SurfaceMesh
 from ..errors import InvalidInput, IoError
 from .export import flat_maker_of

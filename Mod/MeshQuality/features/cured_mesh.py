@@ -13,8 +13,10 @@ import FreeCAD
 
 from .. import fem_options, options, phrases
 from ..compat import fem_source_property
-from ..core import convert, fem, fem_places, frames, given
-from ..core.certification import certify
+from ..core.sources import convert, frames
+from ..core.fem import fem, fem_places
+from ..core import given
+from ..core.certify.certification import certify
 from ..core.curving import curve
 from ..errors import InvalidInput
 from . import curved_mesh, fem_mesh, mesh_object, transactions

@@ -10,7 +10,8 @@ from functools import partial
 
 from .. import options
 from ..compat import property_of
-from ..core import convert, verdict
+from ..core.sources import convert
+from ..core.certify import verdict
 from ..core.curving import ARRAYS, CurvedMesh, curve, lists_of, loader_of, store_in
 from . import mesh_object, properties, transactions
 from .gui_hooks import window

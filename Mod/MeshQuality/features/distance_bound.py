@@ -10,7 +10,7 @@ from contextlib import contextmanager
 
 from .. import options
 from ..compat import property_of
-from ..core import convert
+from ..core.sources import convert
 
 PROPERTY = "DistanceBound"
 _VALUES = {options.ABSOLUTE: "ChordHeight", options.RELATIVE: "ChordHeightRelative"}

@@ -9,10 +9,10 @@ import numpy as np
 
 from .. import files, formats, phrases
 from ..compat import extension, property_of
-from ..core import convert, frames
+from ..core.sources import convert, frames
 from ..core.curving import holds_elements, taken_from
 from ..core.element_mesh import ElementMesh
-from ..core.patches import division_of, kept
+from ..core.patches.patches import division_of, kept
 from ..core.surface_mesh import SurfaceMesh
 from ..errors import Error, InvalidInput, IoError
 from ..phrases import Text

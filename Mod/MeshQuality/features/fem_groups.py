@@ -10,8 +10,9 @@ import re
 import FreeCAD
 
 from .. import phrases
-from ..core import fem, frames
-from ..core.patches import division_for
+from ..core.fem import fem
+from ..core.sources import frames
+from ..core.patches.patches import division_for
 from ..errors import InvalidInput
 from .patches import patches_of_object
 

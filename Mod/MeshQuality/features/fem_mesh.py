@@ -13,7 +13,9 @@ import FreeCAD
 
 from .. import fem_options, options, phrases
 from ..compat import fem_source_property
-from ..core import fem, fem_size, frames, hidden_parts
+from ..core.fem import fem, fem_size
+from ..core.sources import frames
+from ..core.operands import hidden_parts
 from ..core.curving import curve
 from ..errors import InvalidInput
 from . import curved_mesh, fem_groups, mesh_object, transactions

@@ -8,7 +8,8 @@ import numpy as np
 
 from .. import offset_options, phrases
 from ..compat import property_of
-from ..core import convert, verdict
+from ..core.sources import convert
+from ..core.certify import verdict
 from ..core.offsets import run_hollow
 from ..errors import InvalidInput
 from . import face_matching, offset, transactions

@@ -7,7 +7,8 @@ from functools import partial
 
 from .. import options, phrases
 from ..compat import extension
-from ..core import convert, verdict
+from ..core.sources import convert
+from ..core.certify import verdict
 from ..core.improvement import improve
 from ..core.surface_mesh import SurfaceMesh
 from ..errors import InvalidInput

@@ -8,12 +8,12 @@ import numpy as np
 
 from .. import inspection_options, phrases
 from ..compat import extension
-from ..core import verdict
-from ..core.clearance import APART, COMMON, TOUCHING, clearance
-from ..core.draft import draft
+from ..core.certify import verdict
+from ..core.inspect.clearance import APART, COMMON, TOUCHING, clearance
+from ..core.inspect.draft import draft
 from ..core.surface_mesh import SurfaceMesh
-from ..core.thickness import thickness
-from ..core.voids import voids
+from ..core.inspect.thickness import thickness
+from ..core.inspect.voids import voids
 from . import mesh_object, offset, properties, transactions
 from .gui_hooks import window
 

@@ -5,9 +5,10 @@ import json
 from functools import partial
 
 from .. import offset_options, options, phrases
-from ..core import convert, verdict
+from ..core.sources import convert
+from ..core.certify import verdict
 from ..core.offsets import run_offset
-from ..core.operands import Operands
+from ..core.operands.operands import Operands
 from ..errors import InvalidInput
 from . import mesh_object, properties, transactions
 from .recompute_work import Work

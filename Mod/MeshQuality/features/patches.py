@@ -6,7 +6,7 @@ import re
 
 from .. import phrases
 from ..compat import property_of
-from ..core import convert, frames
+from ..core.sources import convert, frames
 from ..errors import InvalidInput
 from . import face_matching
 from .properties import add_hidden, add_property

@@ -10,7 +10,7 @@ import FreeCAD
 
 from .. import phrases
 from ..compat import attribute_of, property_of
-from ..core import frames
+from ..core.sources import frames
 from ..errors import Error, InvalidInput
 from .gui_hooks import window
 

@@ -4,7 +4,7 @@
 from functools import partial
 
 from .. import options
-from ..core import verdict
+from ..core.certify import verdict
 from ..core.triangulation import MeshCache, triangulate
 from . import mesh_cache_limit, mesh_object, properties, transactions
 

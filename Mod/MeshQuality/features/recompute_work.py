@@ -3,7 +3,7 @@
 
 from functools import cached_property
 
-from ..core.frames import arrangement_of, frame_of
+from ..core.sources.frames import arrangement_of, frame_of
 from ..phrases import WAITS_FOR_KERNEL, Text
 
 _COMPARING = Text(WAITS_FOR_KERNEL, stage="comparing the shape")

@@ -4,7 +4,8 @@
 import re
 
 from .. import fault_phrases, phrases, repair_options
-from ..core import convert, verdict
+from ..core.sources import convert
+from ..core.certify import verdict
 from ..core.repair import run_repair
 from ..errors import InvalidInput
 from . import offset, transactions

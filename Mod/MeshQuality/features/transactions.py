@@ -6,7 +6,7 @@ from contextlib import contextmanager
 import FreeCAD
 
 from .. import label_phrases, options
-from ..core import convert, frames
+from ..core.sources import convert, frames
 from ..errors import Error, InvalidInput
 from ..phrases import Text
 from . import bindings

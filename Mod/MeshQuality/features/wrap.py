@@ -2,8 +2,8 @@
 """The document object "Wrap": a closed mesh around objects of the document."""
 
 from .. import options, phrases, wrap_options
-from ..core import verdict
-from ..core.source_faces import FacesOfSeveral
+from ..core.certify import verdict
+from ..core.patches.source_faces import FacesOfSeveral
 from ..core.wraps import Wrapped, run
 from ..errors import InvalidInput
 from . import boolean, mesh_object, properties

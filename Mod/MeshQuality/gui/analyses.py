@@ -4,7 +4,7 @@
 import FemGui
 import FreeCADGui
 
-from ..core import frames
+from ..core.sources import frames
 from ..features import fem_mesh
 
 

@@ -7,7 +7,8 @@ import numpy as np
 from PySide import QtGui
 
 from .. import phrases
-from ..core import convert, frames, verdict
+from ..core.sources import convert, frames
+from ..core.certify import verdict
 from ..features import mesh_object
 from .sub_elements import Mark, select_face
 from .translation import translated, translated_certificate

@@ -8,7 +8,7 @@ import FreeCADGui
 import Part
 
 from ..compat import why_no_extension
-from ..core import convert, frames
+from ..core.sources import convert, frames
 from ..core.curving import holds_elements
 from ..errors import Error
 from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,

@@ -10,8 +10,9 @@ import FreeCAD
 import numpy as np
 
 from .. import phrases
-from ..core import fem_places, frames
-from ..core.certification import certify
+from ..core.fem import fem_places
+from ..core.sources import frames
+from ..core.certify.certification import certify
 from ..core.element_mesh import ElementMesh
 from ..core.elements import boundary, kinds, shapes
 from ..errors import Error, InvalidInput

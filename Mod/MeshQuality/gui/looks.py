@@ -4,7 +4,7 @@
 import FreeCAD
 
 from ..compat import PlainState
-from ..core import frames
+from ..core.sources import frames
 from ..features import cfd_surface, cured_mesh, mesh_object
 from .view import badge
 

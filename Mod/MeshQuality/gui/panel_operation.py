@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from .. import options, phrases
-from ..core import frames
+from ..core.sources import frames
 from ..errors import InvalidInput
 from ..features import bindings, mesh_object, properties
 

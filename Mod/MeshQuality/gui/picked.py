@@ -6,7 +6,7 @@ import re
 import FreeCADGui
 
 from .. import element_names
-from ..core import convert, frames
+from ..core.sources import convert, frames
 from ..errors import InvalidInput
 
 _ELEMENT = re.compile(r"(Face|Edge|Vertex)\d+")

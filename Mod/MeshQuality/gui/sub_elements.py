@@ -5,7 +5,7 @@ import FreeCADGui
 import Part
 from pivy import coin
 
-from ..core import convert, frames
+from ..core.sources import convert, frames
 
 _NEAR = 1e-6  # of the size: the same point
 _COLOUR, _WIDTH = (1.0, 0.125, 1.0), 4.0  # as what the quality view lights up; pixels

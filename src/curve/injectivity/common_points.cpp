@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "base/error.h"
-#include "curve/elements/element_derivatives.h"
-#include "curve/elements/node_cells.h"
-#include "curve/elements/reference_nodes.h"
 #include "curve/injectivity/winding_number.h"
+#include "elements/product/element_derivatives.h"
+#include "elements/product/node_cells.h"
+#include "elements/product/reference_nodes.h"
 #include "mesh/intersection/aabb_tree.h"
 
 namespace mq::curve {

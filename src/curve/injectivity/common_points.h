@@ -7,8 +7,8 @@
 
 #include "base/progress.h"
 #include "base/vec.h"
-#include "curve/elements/element_kind.h"
 #include "curve/injectivity/surface_patches.h"
+#include "elements/product/element_kind.h"
 
 namespace mq::curve {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "curve/bezier/simplex_lattice.h"
+#include "elements/bezier/simplex_lattice.h"
 
 /// Whether two Bezier triangles meet outside of the vertices and edges that they share. Proofs use the convex hulls of
 /// control points and of their differences, on pieces that are halved until a proof succeeds.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "curve/bezier/bernstein.h"
+#include "elements/bezier/bernstein.h"
 
 namespace mq::curve {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "curve/bezier/simplex_lattice.h"
-#include "curve/bezier/sub_simplex.h"
+#include "elements/bezier/simplex_lattice.h"
+#include "elements/bezier/sub_simplex.h"
 
 namespace mq::curve {
 

@@ -9,9 +9,9 @@
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
-#include "curve/bezier/bernstein.h"
-#include "curve/bezier/node_orders.h"
-#include "curve/elements/tensor_patch.h"
+#include "elements/bezier/bernstein.h"
+#include "elements/bezier/node_orders.h"
+#include "elements/product/tensor_patch.h"
 #include "mesh/weld_vertices.h"
 
 namespace mq::curve {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "curve/bezier/simplex_lattice.h"
-#include "curve/elements/element_kind.h"
 #include "curve/injectivity/patch_pair.h"
+#include "elements/bezier/simplex_lattice.h"
+#include "elements/product/element_kind.h"
 
 namespace mq::curve {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "curve/bezier/bernstein.h"
+#include "elements/bezier/bernstein.h"
 #include "mesh/intersection/triangle_distance.h"
 
 namespace mq::curve {

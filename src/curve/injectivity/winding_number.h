@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "curve/bezier/simplex_lattice.h"
+#include "elements/bezier/simplex_lattice.h"
 
 namespace mq::curve {
 

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/single_precision_grid.h"
-#include "curve/bezier/node_orders.h"
+#include "elements/bezier/node_orders.h"
 
 namespace mq::curve {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "curve/bezier/node_orders.h"
 #include "curve/output/curved_mesh.h"
+#include "elements/bezier/node_orders.h"
 #include "mesh/io/io.h"
 #include "mesh/io/io_formats.h"
 

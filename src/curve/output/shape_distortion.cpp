@@ -10,9 +10,9 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "curve/bezier/jacobian.h"
-#include "curve/bezier/node_orders.h"
-#include "curve/bezier/sub_simplex.h"
+#include "elements/bezier/jacobian.h"
+#include "elements/bezier/node_orders.h"
+#include "elements/bezier/sub_simplex.h"
 
 namespace mq::curve {
 

@@ -11,9 +11,9 @@
 #include "base/segment_distance.h"
 #include "base/single_precision_grid.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "curve/bezier/curved_shapes.h"
-#include "curve/bezier/node_orders.h"
-#include "curve/bezier/sub_simplex.h"
+#include "elements/bezier/curved_shapes.h"
+#include "elements/bezier/node_orders.h"
+#include "elements/bezier/sub_simplex.h"
 
 namespace mq::curve {
 

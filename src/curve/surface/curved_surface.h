@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "curve/bezier/curved_shapes.h"
+#include "elements/bezier/curved_shapes.h"
 #include "geometry/session.h"
 
 namespace mq::curve {

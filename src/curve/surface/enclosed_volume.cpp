@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
-#include "curve/bezier/jacobian.h"
+#include "elements/bezier/jacobian.h"
 
 namespace mq::curve {
 

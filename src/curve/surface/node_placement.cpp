@@ -6,8 +6,8 @@
 #include <cstring>
 #include <set>
 
-#include "curve/bezier/validity.h"
 #include "curve/surface/tuning.h"
+#include "elements/bezier/validity.h"
 
 namespace mq::curve {
 

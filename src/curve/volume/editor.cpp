@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curve/bezier/jacobian.h"
 #include "curve/volume/tuning.h"
+#include "elements/bezier/jacobian.h"
 
 namespace mq::curve {
 

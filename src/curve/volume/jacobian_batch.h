@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "curve/bezier/bernstein.h"
+#include "elements/bezier/bernstein.h"
 
 namespace mq::curve {
 

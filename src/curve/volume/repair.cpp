@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "curve/bezier/locality.h"
 #include "curve/volume/editor.h"
 #include "curve/volume/tuning.h"
 #include "curve/volume/untangle.h"
+#include "elements/bezier/candidate_edges.h"
 
 namespace mq::curve {
 

@@ -8,9 +8,9 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "curve/bezier/validity.h"
 #include "curve/surface/self_intersections.h"
 #include "curve/volume/tuning.h"
+#include "elements/bezier/validity.h"
 #include "tetrahedralise/tetrahedralise.h"
 
 namespace mq::curve {

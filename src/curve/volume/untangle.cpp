@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "curve/bezier/blending.h"
 #include "curve/volume/jacobian_batch.h"
 #include "curve/volume/tuning.h"
+#include "elements/bezier/blending.h"
 
 namespace mq::curve {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "curve/bezier/blending.h"
+#include "elements/bezier/blending.h"
 
 namespace mq::curve {
 

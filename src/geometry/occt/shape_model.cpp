@@ -168,9 +168,9 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     }
     topology_.detail = join.detail ? join.detail(topology_.box) : 0.0;
     const OpenCascadeWait wait(progress, "reading the shape");
-    sew_collapsed_pieces(entities, topology_, live_, progress);
+    remove_degenerate_faces(entities, topology_, live_, progress);
     if (remove_spikes(topology_, live_, progress)) {
-        sew_collapsed_pieces(entities, topology_, live_, progress);  // what remains of a face can be thin, too
+        remove_degenerate_faces(entities, topology_, live_, progress);  // what remains of a face can be thin, too
     }
     topology_.sewn = join.sew && topology_.detail > 0.0;
     if (topology_.sewn) {

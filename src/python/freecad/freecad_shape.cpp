@@ -33,7 +33,7 @@ swig_type_info* shape_type() {
 }
 
 /// Leaves `shape` null when the interoperability call does not work in this build of FreeCAD.
-void take_live(py::handle object, PartShape& result) {
+void take_live(py::handle object, FreecadShape& result) {
     swig_type_info* type = shape_type();
     if (type == nullptr) {
         return;
@@ -56,11 +56,11 @@ bool is_part_shape(py::handle object) {
     return modules.contains("Part") && py::isinstance(object, modules["Part"].attr("Shape"));
 }
 
-PartShape part_shape(py::handle object, bool force_copy) {
+FreecadShape part_shape(py::handle object, bool force_copy) {
     if (object.attr("isNull")().cast<bool>()) {
         throw InvalidInput("the shape is null: it has no geometry");
     }
-    PartShape result;
+    FreecadShape result;
     if (!force_copy) {
         take_live(object, result);
     }

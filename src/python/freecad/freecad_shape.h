@@ -10,7 +10,7 @@ class TopoDS_Shape;
 namespace mq::python {
 
 /// A Part.Shape in the form that the core uses.
-struct PartShape {
+struct FreecadShape {
     const TopoDS_Shape* shape = nullptr;       ///< shares its TShape with the document's shape when `live`
     bool live = true;                          ///< false: a copy that came as BREP text
     pybind11::object proxy;                    ///< keeps a live shape alive
@@ -22,16 +22,16 @@ bool is_part_shape(pybind11::handle object);
 
 /// Takes the live shape through FreeCAD's interoperability call, or a copy where this build of FreeCAD cannot give it.
 /// @throws InvalidInput for a null shape.
-PartShape part_shape(pybind11::handle object, bool force_copy = false);
+FreecadShape part_shape(pybind11::handle object, bool force_copy = false);
 
 }  // namespace mq::python
 
 namespace pybind11::detail {
 
-/// Functions that take `const PartShape&` accept Part.Shape objects.
+/// Functions that take `const FreecadShape&` accept Part.Shape objects.
 template <>
-struct type_caster<mq::python::PartShape> {
-    PYBIND11_TYPE_CASTER(mq::python::PartShape, const_name("Part.Shape"));
+struct type_caster<mq::python::FreecadShape> {
+    PYBIND11_TYPE_CASTER(mq::python::FreecadShape, const_name("Part.Shape"));
 
     bool load(handle source, bool) {
         if (!mq::python::is_part_shape(source)) {

@@ -27,8 +27,8 @@ class Placement {
     void add_to(MeshComponent& component) const;
 
   private:
-    bool near(const Vec3& placed, const Vec3& point_of_part) const {
-        return (grid_.to_part(placed) - point_of_part).norm() <= kOffPlace * grid_.resolution();
+    bool near(const Vec3& placed, const Vec3& point_of_shape) const {
+        return (grid_.to_shape(placed) - point_of_shape).norm() <= kOffPlace * grid_.resolution();
     }
 
     const SinglePrecisionGrid& grid_;
@@ -44,7 +44,7 @@ class Placement {
 bool Placement::place(const ClassifiedMesh& whole, const std::map<int, int>& nodes) {
     for (int v = 0; v < original_.vertex_count(); ++v) {
         const ClassifiedMesh::Vertex vertex = original_.vertex(v);
-        const Vec3 moved = motion_.of_point(grid_.to_part(vertex.point));
+        const Vec3 moved = motion_.of_point(grid_.to_shape(vertex.point));
         former_.push_back(-1);
         points_.push_back(grid_.snap(moved));
         if (vertex.entity[0] == 0) {

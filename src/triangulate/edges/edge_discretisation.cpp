@@ -62,7 +62,7 @@ EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SingleP
     chains_.resize(topology.edges.size());
     points_.resize(topology.edges.size());
     sample(session);
-    collapse_short_edges(topology);
+    contract_short_edges(topology);
     collapse_small_faces(session);
     std::vector<double> lengths;
     for (std::size_t e = 0; e < chains_.size(); ++e) {
@@ -136,7 +136,7 @@ void EdgeDiscretisation::sample(geometry::Session& session) {
     }
 }
 
-void EdgeDiscretisation::collapse_short_edges(const geometry::Topology& topology) {
+void EdgeDiscretisation::contract_short_edges(const geometry::Topology& topology) {
     for (std::size_t e = 0; e < chains_.size(); ++e) {
         const geometry::Edge& edge = topology.edges[e];
         const double length = length_of(points_[e]);
@@ -221,7 +221,7 @@ std::set<int> EdgeDiscretisation::suppress_near_nodes(const geometry::Topology& 
     for (const int e : edges) {
         std::vector<Vec3> points;
         for (const int v : chains_[e].vertices) {
-            points.push_back(grid_.to_part(vertices_[v].point));
+            points.push_back(grid_.to_shape(vertices_[v].point));
         }
         if (suppress_near_nodes(topology, e, tolerances, points)) {
             changed.insert(e);

@@ -64,7 +64,7 @@ class EdgeDiscretisation {
     void place_nodes(const geometry::Topology& topology);
     void place_points(const geometry::Topology& topology);
     void sample(geometry::Session& session);
-    void collapse_short_edges(const geometry::Topology& topology);
+    void contract_short_edges(const geometry::Topology& topology);
     void collapse_small_faces(geometry::Session& session);
     void collapse(int edge, const geometry::Edge& data);
     bool suppress_near_nodes(const geometry::Topology& topology, int edge, double tolerances,

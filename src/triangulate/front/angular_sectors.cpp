@@ -12,19 +12,19 @@ constexpr double kSame = 1e-7;  // Radians: rounding between two computations of
 
 }  // namespace
 
-CornerFan::CornerFan(const Vec3& normal) : x_(normal.unitOrthogonal()), y_(normal.normalized().cross(x_)) {}
+AngularSectors::AngularSectors(const Vec3& normal) : x_(normal.unitOrthogonal()), y_(normal.normalized().cross(x_)) {}
 
-double CornerFan::angle_of(const Vec3& direction) const {
+double AngularSectors::angle_of(const Vec3& direction) const {
     return std::atan2(direction.dot(y_), direction.dot(x_));
 }
 
-double CornerFan::turn(double from, double to) {
+double AngularSectors::turn(double from, double to) {
     const double angle = to - from;
     const double wrapped = angle - 2.0 * M_PI * std::floor(angle / (2.0 * M_PI));
     return wrapped > 2.0 * M_PI - kSame ? 0.0 : wrapped;
 }
 
-bool CornerFan::free(double from, double to) const {
+bool AngularSectors::free(double from, double to) const {
     const double width = turn(from, to);
     if (width <= kSame || width >= M_PI) {
         return false;

@@ -9,9 +9,9 @@ namespace mq::triangulate {
 
 /// Stores the sectors of directions around a vertex, projected along its normal, that triangles or the outside of the
 /// face occupy already.
-class CornerFan {
+class AngularSectors {
   public:
-    explicit CornerFan(const Vec3& normal);
+    explicit AngularSectors(const Vec3& normal);
 
     /// Returns the counter-clockwise angle of a direction in radians; the direction must not be along the normal.
     double angle_of(const Vec3& direction) const;

@@ -71,7 +71,7 @@ void FrontBorder::check_angles() {
     }
 }
 
-void FrontBorder::take_outside(int site, CornerFan& fan) const {
+void FrontBorder::take_outside(int site, AngularSectors& fan) const {
     const Vec3& here = border_.sites[site].point;
     for (const int b : before_[site]) {
         const double in = fan.angle_of(border_.sites[b].point - here);
@@ -79,8 +79,8 @@ void FrontBorder::take_outside(int site, CornerFan& fan) const {
         double least = 1e300;
         for (const int a : after_[site]) {
             const double angle = fan.angle_of(border_.sites[a].point - here);
-            if (CornerFan::turn(in, angle) < least) {
-                least = CornerFan::turn(in, angle);
+            if (AngularSectors::turn(in, angle) < least) {
+                least = AngularSectors::turn(in, angle);
                 out = angle;
             }
         }

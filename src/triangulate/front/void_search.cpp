@@ -44,8 +44,8 @@ Vec2 dart(const Triangle2& t, std::mt19937_64& random) {
 
 }  // namespace
 
-GapSearch::GapSearch(const std::array<Vec3, 3>& triangle, const std::array<double, 3>& radii,
-                     const std::vector<Ball>& balls, const Outline& outline) {
+VoidSearch::VoidSearch(const std::array<Vec3, 3>& triangle, const std::array<double, 3>& radii,
+                       const std::vector<Ball>& balls, const Outline& outline) {
     const Vec3 first = triangle[1] - triangle[0];
     const Vec3 second = triangle[2] - triangle[0];
     const double width = first.norm();
@@ -74,7 +74,7 @@ GapSearch::GapSearch(const std::array<Vec3, 3>& triangle, const std::array<doubl
     }
 }
 
-bool GapSearch::inside(const Vec2& p) const {
+bool VoidSearch::inside(const Vec2& p) const {
     bool found = outline_.inside;
     for (const Segment2& s : outline_.segments) {
         found = found != crosses(outline_.reference, p, s);
@@ -82,13 +82,13 @@ bool GapSearch::inside(const Vec2& p) const {
     return found;
 }
 
-bool GapSearch::outside(const Fragment& fragment) const {
+bool VoidSearch::outside(const Fragment& fragment) const {
     return !outline_.segments.empty() && !inside((fragment[0] + fragment[1] + fragment[2]) / 3.0) &&
            std::none_of(outline_.segments.begin(), outline_.segments.end(),
                         [&](const Segment2& s) { return meets(fragment, s); });
 }
 
-bool GapSearch::free(const Vec2& p) const {
+bool VoidSearch::free(const Vec2& p) const {
     const double here = radius_at(p);
     return inside(p) && std::none_of(discs_.begin(), discs_.end(), [&](const Cavity& d) {
                const double radius = d.radius > 0.0 ? d.radius : here;
@@ -96,7 +96,7 @@ bool GapSearch::free(const Vec2& p) const {
            });
 }
 
-bool GapSearch::covered(const Fragment& fragment) {
+bool VoidSearch::covered(const Fragment& fragment) {
     const double least = std::min({radius_at(fragment[0]), radius_at(fragment[1]), radius_at(fragment[2])});
     covers_.clear();
     unsigned all = 0;
@@ -118,7 +118,7 @@ bool GapSearch::covered(const Fragment& fragment) {
 }
 
 // Returns the fraction of a side, from the first end, which the disc holds, that lies in the disc.
-double GapSearch::part_held(const Cover& cover, const Vec2& from, const Vec2& to) {
+double VoidSearch::part_held(const Cover& cover, const Vec2& from, const Vec2& to) {
     const Vec2 along = to - from;
     const Vec2 arm = from - cover.centre;
     const double square = along.squaredNorm();
@@ -127,13 +127,13 @@ double GapSearch::part_held(const Cover& cover, const Vec2& from, const Vec2& to
 }
 
 // Whether disc a, which holds one end of a side, and disc b, which holds the other end, cover the whole side.
-bool GapSearch::hold_side(const Cover& a, const Vec2& from, const Cover& b, const Vec2& to) {
+bool VoidSearch::hold_side(const Cover& a, const Vec2& from, const Cover& b, const Vec2& to) {
     return part_held(a, from, to) + part_held(b, to, from) > 1.0;
 }
 
 // One disc holds a corner, another the two other corners, and both sides at the first corner have a point in both
 // discs: the line through these points separates the fragment into two convex pieces, each of which lies in one disc.
-bool GapSearch::covered_by_two(const Fragment& fragment) const {
+bool VoidSearch::covered_by_two(const Fragment& fragment) const {
     for (const Cover& most : covers_) {
         for (int i = 0; i < 3; ++i) {
             if ((most.corners | 1U << i) != kAll) {
@@ -152,7 +152,7 @@ bool GapSearch::covered_by_two(const Fragment& fragment) const {
 
 // Each of three discs holds one corner and the fragment's centre, and any two of them cover the side between their
 // corners: the discs then cover three convex pieces around the centre.
-bool GapSearch::covered_by_three(const Fragment& fragment) const {
+bool VoidSearch::covered_by_three(const Fragment& fragment) const {
     const Vec2 centre = (fragment[0] + fragment[1] + fragment[2]) / 3.0;
     const auto holds = [&](const Cover& c, unsigned i) { return (c.corners >> i & 1U) != 0 && c.holds(centre); };
     for (const Cover& a : covers_) {
@@ -174,7 +174,7 @@ bool GapSearch::covered_by_three(const Fragment& fragment) const {
     return false;
 }
 
-std::optional<Vec2> GapSearch::find(double least, std::mt19937_64& random) {
+std::optional<Vec2> VoidSearch::find(double least, std::mt19937_64& random) {
     if (size_ == 0.0) {
         return std::nullopt;
     }

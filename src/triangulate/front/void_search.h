@@ -22,7 +22,7 @@ inline double uniform(std::mt19937_64& random) {
 /// Darts are thrown at the triangle; while they fail it is halved into ever smaller fragments, and covered fragments
 /// receive no more darts (Ebeida, Mitchell, Patney, Davidson, Owens 2012). Two or three balls may cover a fragment
 /// together, so that the borders between balls need few fragments.
-class GapSearch {
+class VoidSearch {
   public:
     struct Ball {
         Vec3 centre;
@@ -37,8 +37,8 @@ class GapSearch {
     };
 
     /// @param radii  mm, at the corners: the radii, linear in between, for balls that have none of their own
-    GapSearch(const std::array<Vec3, 3>& triangle, const std::array<double, 3>& radii, const std::vector<Ball>& balls,
-              const Outline& outline);
+    VoidSearch(const std::array<Vec3, 3>& triangle, const std::array<double, 3>& radii, const std::vector<Ball>& balls,
+               const Outline& outline);
 
     /// Returns a random place, evenly distributed over the inner region that no ball covers. Returns none once only
     /// fragments remain whose longest side is `least` (mm) or shorter.

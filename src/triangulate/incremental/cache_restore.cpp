@@ -191,7 +191,7 @@ FaceMesh CacheRestore::restored(const EdgeDiscretisation& chains, int face) {
             site.point = grid_.snap(motion_.of_point(before));
         }
         site.normal = motion_.of_direction(site.normal);
-        if (motion_ != geometry::RigidMotion() || grid_.to_part(site.point) != before) {
+        if (motion_ != geometry::RigidMotion() || grid_.to_shape(site.point) != before) {
             exact_[face] = 0;
         }
     }
@@ -210,12 +210,12 @@ void CacheRestore::settle(const EdgeDiscretisation& chains, Workspace& work, Cho
             settled_[f] = corners(work.mesh, triangles[f]);
         }
     }
-    settle_what_was_given_up(chains, triangles, work);
+    mark_given_up(chains, triangles, work);
 }
 
 // Triangles beside newly meshed faces are tried again, since a new neighbourhood may allow a change there.
-void CacheRestore::settle_what_was_given_up(const EdgeDiscretisation& chains,
-                                            const std::vector<std::vector<int>>& triangles, Workspace& work) const {
+void CacheRestore::mark_given_up(const EdgeDiscretisation& chains, const std::vector<std::vector<int>>& triangles,
+                                 Workspace& work) const {
     const Topology& topology = session_.topology();
     std::vector<char> beside_new(static_cast<std::size_t>(work.mesh.vertex_count()), 0);
     for (std::size_t f = 0; f < faces_.size(); ++f) {

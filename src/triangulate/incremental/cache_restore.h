@@ -50,8 +50,8 @@ class CacheRestore {
     FaceMesh restored(const EdgeDiscretisation& chains, int face);
     void settle_face(int face, const std::vector<int>& triangles, double bound, Workspace& work,
                      ChordErrorCache& measure) const;
-    void settle_what_was_given_up(const EdgeDiscretisation& chains, const std::vector<std::vector<int>>& triangles,
-                                  Workspace& work) const;
+    void mark_given_up(const EdgeDiscretisation& chains, const std::vector<std::vector<int>>& triangles,
+                       Workspace& work) const;
     static std::vector<Corners> corners(const ClassifiedMesh& mesh, const std::vector<int>& triangles);
 
     geometry::Session& session_;

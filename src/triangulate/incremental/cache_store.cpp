@@ -49,14 +49,14 @@ std::vector<Chain> final_chains(const ClassifiedMesh& mesh, const EdgeDiscretisa
 /// Writes one face of the mesh as a CachedFace, independent of the shape's numbering.
 class FaceWriter {
   public:
-    FaceWriter(const Workspace& work, const std::vector<Chain>& chains, int face, const CacheRestore* recall)
+    FaceWriter(const Workspace& work, const std::vector<Chain>& chains, int face, const CacheRestore* restore)
         : work_(work), mesh_(work.mesh), topology_(work.session.topology()), chains_(chains) {
         const std::vector<int> uses = uses_in_order(topology_.faces[face]);
         for (int k = 0; k < static_cast<int>(uses.size()); ++k) {
             const Chain& chain = chains[topology_.uses[uses[k]].edge];
             place_of_use_[uses[k]] = k;
             result_.parameters.push_back(chain.t);
-            result_.min_sample_count.push_back(min_sample_count(topology_.uses[uses[k]].edge, recall));
+            result_.min_sample_count.push_back(min_sample_count(topology_.uses[uses[k]].edge, restore));
             for (int i = 0; i < static_cast<int>(chain.vertices.size()); ++i) {
                 edge_parameter_at_.emplace(chain.vertices[i], CachedFace::EdgeParameter{k, i});
             }
@@ -88,8 +88,8 @@ class FaceWriter {
     CachedFace take() { return std::move(result_); }
 
   private:
-    std::size_t min_sample_count(int edge, const CacheRestore* recall) const {
-        const std::size_t before = recall != nullptr ? recall->min_sample_count(edge) : 0;
+    std::size_t min_sample_count(int edge, const CacheRestore* restore) const {
+        const std::size_t before = restore != nullptr ? restore->min_sample_count(edge) : 0;
         const std::size_t now = chains_[edge].t.size();
         return before > 0 ? std::min(before, now) : now;
     }
@@ -110,7 +110,7 @@ class FaceWriter {
             edge_parameter = static_cast<int>(result_.edge_parameters.size());
             result_.edge_parameters.push_back(found->second);
         }
-        result_.mesh.sites.push_back({edge_parameter, s.uv, s.normal, work_.grid.to_part(s.point)});
+        result_.mesh.sites.push_back({edge_parameter, s.uv, s.normal, work_.grid.to_shape(s.point)});
         return true;
     }
 
@@ -167,21 +167,23 @@ class FaceWriter {
 
 }  // namespace
 
-std::map<geometry::Fingerprint, std::shared_ptr<const CachedFace>> remember(
-    const Workspace& work, const ChordErrorCache& measure, const EdgeDiscretisation& chains,
-    const std::vector<geometry::Fingerprint>& keys, double chord, const CacheRestore* recall) {
+std::map<geometry::Fingerprint, std::shared_ptr<const CachedFace>> store(const Workspace& work,
+                                                                         const ChordErrorCache& measure,
+                                                                         const EdgeDiscretisation& chains,
+                                                                         const std::vector<geometry::Fingerprint>& keys,
+                                                                         double chord, const CacheRestore* restore) {
     const std::vector<Chain> all = final_chains(work.mesh, chains, work.session.topology().edges.size());
     const std::vector<std::vector<int>> triangles = work.mesh.triangles_by_face(keys.size());
     const auto kept =
-        recall != nullptr ? recall->kept(work.mesh) : std::vector<std::shared_ptr<const CachedFace>>(keys.size());
+        restore != nullptr ? restore->kept(work.mesh) : std::vector<std::shared_ptr<const CachedFace>>(keys.size());
     std::map<geometry::Fingerprint, std::shared_ptr<const CachedFace>> faces;
     for (int f = 0; f < static_cast<int>(keys.size()); ++f) {
         work.progress.check();
-        if (kept[f] != nullptr && recall->exact(f)) {
+        if (kept[f] != nullptr && restore->exact(f)) {
             faces.emplace(keys[f], kept[f]);
             continue;
         }
-        FaceWriter writer(work, all, f, recall);
+        FaceWriter writer(work, all, f, restore);
         if (triangles[f].empty() || !writer.write(triangles[f])) {
             continue;
         }
@@ -191,7 +193,7 @@ std::map<geometry::Fingerprint, std::shared_ptr<const CachedFace>> remember(
                 face->measured.push_back(measure.measured(h));
             }
         }
-        const CachedFace* beginning = recall != nullptr ? recall->beginning(f) : nullptr;
+        const CachedFace* beginning = restore != nullptr ? restore->beginning(f) : nullptr;
         face->chord = beginning != nullptr ? beginning->chord : chord;
         faces.emplace(keys[f], std::move(face));
     }

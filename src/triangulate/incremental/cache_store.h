@@ -10,8 +10,10 @@ namespace mq::triangulate {
 /// Returns the faces of a finished mesh, by `keys`, for later runs (CachedRun::faces). `chains` tell which edges are
 /// collapsed. Faces whose triangles are linked to triangles of other faces are omitted. `chord`: chord tolerance in
 /// mm; `recall`: null if nothing was restored.
-std::map<geometry::Fingerprint, std::shared_ptr<const CachedFace>> remember(
-    const Workspace& work, const ChordErrorCache& measure, const EdgeDiscretisation& chains,
-    const std::vector<geometry::Fingerprint>& keys, double chord, const CacheRestore* recall);
+std::map<geometry::Fingerprint, std::shared_ptr<const CachedFace>> store(const Workspace& work,
+                                                                         const ChordErrorCache& measure,
+                                                                         const EdgeDiscretisation& chains,
+                                                                         const std::vector<geometry::Fingerprint>& keys,
+                                                                         double chord, const CacheRestore* restore);
 
 }  // namespace mq::triangulate

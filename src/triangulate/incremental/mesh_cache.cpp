@@ -101,10 +101,10 @@ void MeshCache::add(std::shared_ptr<const CachedRun> run) {
     const auto same = [&](const auto& other) { return other->input == run->input; };
     runs_.erase(std::remove_if(runs_.begin(), runs_.end(), same), runs_.end());
     runs_.push_back(std::move(run));
-    forget_what_is_too_much();
+    evict();
 }
 
-void MeshCache::forget_what_is_too_much() {
+void MeshCache::evict() {
     std::size_t count = 0;
     bytes_from_back(runs_, most_bytes_, count);
     count = std::min(count, most_runs_);

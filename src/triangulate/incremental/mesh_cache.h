@@ -85,7 +85,7 @@ class MeshCache {
     std::size_t bytes() const;
 
   private:
-    void forget_what_is_too_much();
+    void evict();
 
     std::size_t most_runs_;
     std::size_t most_bytes_;

@@ -91,7 +91,7 @@ std::vector<Run> collect_runs(geometry::Oracle& oracle, const EdgeDiscretisation
             site.normal = answer.normal;
             site.point = chains.vertices()[site.vertex].point;
             if (!run.collapsed && answer.found()) {
-                border.deviation = std::max(border.deviation, (grid.to_part(site.point) - answer.point).norm());
+                border.deviation = std::max(border.deviation, (grid.to_shape(site.point) - answer.point).norm());
             }
         }
     }
@@ -310,7 +310,7 @@ std::vector<VertexUse> sites_of_points(geometry::Oracle& oracle, const EdgeDiscr
         site.point = chains.vertices()[site.vertex].point;
         const bool on_border = std::any_of(border.sites.begin(), border.sites.end(),
                                            [&](const VertexUse& s) { return s.vertex == site.vertex; });
-        const geometry::Answer foot = oracle.ask(geometry::Query::face_nearest_global(face, grid.to_part(site.point)));
+        const geometry::Answer foot = oracle.ask(geometry::Query::face_nearest_global(face, grid.to_shape(site.point)));
         if (!on_border && foot.found()) {
             site.uv = Vec2(foot.u, foot.v);
             site.normal = foot.normal;

@@ -169,7 +169,7 @@ BodyContacts::Place BodyContacts::place_of(const std::array<int, 2>& pair, doubl
     Place place;
     if (std::abs(normal_of(first).dot(normal_of(second))) >= kParallel) {
         const auto [common, depth] = common_in_plane(first, second);
-        place.common = work_.grid.to_part(common);
+        place.common = work_.grid.to_shape(common);
         place.depth = std::min(depth, common_in_plane(second, first).second);
     } else {
         const Vec3 common = common_middle(first, second);
@@ -177,7 +177,7 @@ BodyContacts::Place BodyContacts::place_of(const std::array<int, 2>& pair, doubl
                                       end_of(second, common, normal_of(first))};
         place.ends = ends[1].way < ends[0].way ? 1 : 0;
         const End& end = ends[static_cast<std::size_t>(place.ends)];
-        place.common = work_.grid.to_part(common);
+        place.common = work_.grid.to_shape(common);
         place.depth = end.way;
         place.segment = end.side < 0 ? -1 : mesh.segment_of(3 * pair[static_cast<std::size_t>(place.ends)] + end.side);
     }
@@ -232,8 +232,8 @@ void BodyContacts::find_heights(const Pairs& pairs, std::vector<Place>& places) 
         const int other = pairs[asked[k]][static_cast<std::size_t>(1 - place.ends)];
         const Vec2 uv = mesh.site(mesh.site_of(3 * other)).uv;
         const auto& ends = mesh.segment(place.segment).vertices;
-        for (const Vec3& p : {on_edges[k].point, work_.grid.to_part(mesh.vertex(ends[0]).point),
-                              work_.grid.to_part(mesh.vertex(ends[1]).point)}) {
+        for (const Vec3& p : {on_edges[k].point, work_.grid.to_shape(mesh.vertex(ends[0]).point),
+                              work_.grid.to_shape(mesh.vertex(ends[1]).point)}) {
             over_faces.push_back(Query::face_nearest(mesh.face_of(other), p, uv.x(), uv.y()));
             over_points.push_back(p);
         }

@@ -141,9 +141,9 @@ std::vector<Distance> ChordErrorCache::of_segments(const std::vector<int>& segme
         const ClassifiedMesh::Segment& s = mesh.segment(segments[i]);
         const Vec3 p = between(mesh.vertex(s.vertices[0]).point, mesh.vertex(s.vertices[1]).point, at);
         const double guess = (1.0 - at) * s.t[0] + at * s.t[1];
-        const Answer foot = answerer.answer(Query::edge_nearest(s.edge, work_.grid.to_part(p), guess, s.t[0], s.t[1]));
+        const Answer foot = answerer.answer(Query::edge_nearest(s.edge, work_.grid.to_shape(p), guess, s.t[0], s.t[1]));
         take_answer(results[i], foot, p, 0.0, tolerance);
-        const Vec3 way = foot.found() ? Vec3(work_.grid.to_part(p) - foot.point) : Vec3::Zero();
+        const Vec3 way = foot.found() ? Vec3(work_.grid.to_shape(p) - foot.point) : Vec3::Zero();
         return Offset{way.x(), way.y(), way.z()};
     };
     std::vector<std::optional<Offset>> ways(segments.size());
@@ -205,9 +205,9 @@ std::vector<Distance> ChordErrorCache::of_edges(const std::vector<int>& half_edg
             keep(half_edges[i], tolerance, results[i]);
         }
     });
-    feet_.clear();
+    projections_.clear();
     for (const std::vector<SurfaceProjection>& of_chunk : far) {
-        feet_.insert(feet_.end(), of_chunk.begin(), of_chunk.end());
+        projections_.insert(projections_.end(), of_chunk.begin(), of_chunk.end());
     }
     return results;
 }
@@ -224,7 +224,7 @@ std::optional<Answer> ChordErrorCache::measure_edge(Answerer& answerer, int half
         const Vec3 p = between(a, b, at);
         const Vec2 uv = (1.0 - at) * mesh.site(mesh.site_of(half_edge)).uv + at * mesh.site(mesh.site_of(next)).uv;
         Answer foot =
-            answerer.answer(Query::face_nearest(mesh.face_of(half_edge / 3), work_.grid.to_part(p), uv.x(), uv.y()));
+            answerer.answer(Query::face_nearest(mesh.face_of(half_edge / 3), work_.grid.to_shape(p), uv.x(), uv.y()));
         take_answer(result, foot, p, unavoidable(offset(half_edge), offset(next), at, tolerance), tolerance);
         return foot;
     };
@@ -253,7 +253,7 @@ std::optional<Answer> ChordErrorCache::measure_edge(Answerer& answerer, int half
 
 // Stores the signed height of an edge's middle over its surface.
 void ChordErrorCache::keep_height(int half_edge, const Vec3& middle, const Answer& foot) {
-    const double side = (work_.grid.to_part(middle) - foot.point).dot(foot.normal);
+    const double side = (work_.grid.to_shape(middle) - foot.point).dot(foot.normal);
     known_[static_cast<std::size_t>(work_.mesh.number_of(half_edge))].height =
         foot.found() ? static_cast<float>(std::copysign(foot.distance, side)) : 0.0F;
 }
@@ -300,7 +300,7 @@ void ChordErrorCache::measure_sites(const std::vector<int>& half_edges) {
     }
     const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
     for (std::size_t i = 0; i < sites.size(); ++i) {
-        const Vec3 p = work_.grid.to_part(mesh.vertex(mesh.site(sites[i]).vertex).point);
+        const Vec3 p = work_.grid.to_shape(mesh.vertex(mesh.site(sites[i]).vertex).point);
         site_offsets_[sites[i]] = answers[i].found() ? (answers[i].point - p).norm() : 0.0;
     }
 }
@@ -352,7 +352,7 @@ std::vector<Distance> ChordErrorCache::of_triangles(const std::vector<int>& tria
     for_chunks(static_cast<int>(triangles.size()), kWorthAThread, [&](int k) {
         const auto i = static_cast<std::size_t>(k);
         if (results[i].distance <= tolerance) {
-            see_way_back(triangles[i], tolerance, results[i]);
+            measure_backward(triangles[i], tolerance, results[i]);
         }
     });
     return results;
@@ -374,7 +374,7 @@ void ChordErrorCache::measure_triangle(Answerer& answerer, int triangle, double 
             farthest = std::max(farthest, offset(h + k));
         }
         const Answer foot =
-            answerer.answer(Query::face_nearest(mesh.face_of(triangle), work_.grid.to_part(p), uv.x(), uv.y()));
+            answerer.answer(Query::face_nearest(mesh.face_of(triangle), work_.grid.to_shape(p), uv.x(), uv.y()));
         take_answer(result, foot, p, farthest > tolerance ? unavoidable : 0.0, tolerance);
     };
     const TriangleHeights over = heights(h);
@@ -399,7 +399,7 @@ void ChordErrorCache::measure_triangle(Answerer& answerer, int triangle, double 
     }
 }
 
-void ChordErrorCache::see_way_back(int triangle, double tolerance, Distance& result) {
+void ChordErrorCache::measure_backward(int triangle, double tolerance, Distance& result) {
     for_each_cad_sample_over(work_, triangle, [&](const CadSampleOverTriangle& p) {
         double unavoidable = 0.0;
         double farthest = 0.0;

@@ -44,7 +44,7 @@ class ChordErrorCache {
     };
     /// Returns the projections of those edges of the last `of_edges` whose middles were queried and exceed the
     /// tolerance, ascending.
-    const std::vector<SurfaceProjection>& projections_of_far_midpoints() const { return feet_; }
+    const std::vector<SurfaceProjection>& projections_of_far_midpoints() const { return projections_; }
     /// Measures triangles, whose sides must have been measured.
     std::vector<Distance> of_triangles(const std::vector<int>& triangles, double tolerance);
 
@@ -94,7 +94,7 @@ class ChordErrorCache {
     std::optional<geometry::Answer> measure_edge(geometry::Answerer& answerer, int half_edge, double tolerance,
                                                  Distance& result);
     void measure_triangle(geometry::Answerer& answerer, int triangle, double tolerance, Distance& result) const;
-    void see_way_back(int triangle, double tolerance, Distance& result);
+    void measure_backward(int triangle, double tolerance, Distance& result);
     void measure_sites(const std::vector<int>& half_edges);
     double offset(int half_edge) const { return site_offsets_[work_.mesh.site_of(half_edge)]; }
 
@@ -102,7 +102,7 @@ class ChordErrorCache {
     // By site: distance of vertices on CAD edges from the surface, mm; below 0: not measured.
     LargeVector<double> site_offsets_;
     LargeVector<Known> known_;  // by the number of the edge; for a segment, of its first half-edge
-    std::vector<SurfaceProjection> feet_;
+    std::vector<SurfaceProjection> projections_;
     using Offset = std::array<double, 3>;
     KeyMap<Offset> offsets_;  // by their vertices: offsets of the middles of segments from their curves, mm
 };

@@ -13,7 +13,7 @@ using geometry::Query;
 using VertexUse = ClassifiedMesh::VertexUse;
 
 void add_on_face(const Workspace& work, int face, const Vec3& p, const Vec2& uv, geometry::Engine::Batch& batch) {
-    batch.push_back(Query::face_nearest(face, work.grid.to_part(p), uv.x(), uv.y()));
+    batch.push_back(Query::face_nearest(face, work.grid.to_shape(p), uv.x(), uv.y()));
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ void add_triangle_probe(const Workspace& work, int face, const VertexUse& a, con
 void add_segment_probes(const Workspace& work, int edge, const PointOfEdge& a, const PointOfEdge& b,
                         geometry::Engine::Batch& batch) {
     for (const double at : {0.35, 0.5, 0.65}) {
-        batch.push_back(Query::edge_nearest(edge, work.grid.to_part((1.0 - at) * a.point + at * b.point),
+        batch.push_back(Query::edge_nearest(edge, work.grid.to_shape((1.0 - at) * a.point + at * b.point),
                                             (1.0 - at) * a.t + at * b.t, a.t, b.t));
     }
 }

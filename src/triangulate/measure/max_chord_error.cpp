@@ -76,7 +76,7 @@ MaxChordError max_distance_of_spanning(Workspace& work) {
         const std::vector<SurfaceProjection> feet = project_onto(work, points, span.sheets);
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (feet[i].found() && (worst.triangle < 0 || feet[i].distance > worst.distance)) {
-                worst = {feet[i].distance, triangle, work.grid.to_part(points[i])};
+                worst = {feet[i].distance, triangle, work.grid.to_shape(points[i])};
             }
         }
     }
@@ -119,7 +119,7 @@ class Farthest {
   private:
     void see(const Distance& distance, int triangle) {
         if (worst_.triangle < 0 || distance.distance > worst_.distance) {
-            worst_ = {distance.distance, triangle, work_.grid.to_part(distance.point),
+            worst_ = {distance.distance, triangle, work_.grid.to_shape(distance.point),
                       distance.avoidable < distance.distance};
         }
     }

@@ -53,7 +53,7 @@ void ask_edges(Workspace& work, const std::vector<Vec3>& points, const Candidate
             const geometry::Edge& edge = topology.edges[static_cast<std::size_t>(edges[k])];
             for (const double part : kGuesses) {
                 const double guess = edge.t0 + part * (edge.t1 - edge.t0);
-                batch.push_back(Query::edge_nearest(edges[k], work.grid.to_part(points[i]), guess, edge.t0, edge.t1));
+                batch.push_back(Query::edge_nearest(edges[k], work.grid.to_shape(points[i]), guess, edge.t0, edge.t1));
                 owner.push_back(i);
             }
         }
@@ -72,7 +72,7 @@ std::vector<SurfaceProjection> project_onto(Workspace& work, const std::vector<V
     Engine::Batch batch;
     for (const Vec3& point : points) {
         for (std::size_t k = 0; k < count; ++k) {
-            const Vec3 p = work.grid.to_part(point);
+            const Vec3 p = work.grid.to_shape(point);
             const std::optional<Vec2>& guess = sheets.guesses[k];
             batch.push_back(guess ? Query::face_nearest(sheets.faces[k], p, guess->x(), guess->y())
                                   : Query::face_nearest_global(sheets.faces[k], p));

@@ -51,7 +51,7 @@ std::optional<Vec3> interior_normal(const Workspace& work, int face, const Class
     const double part = std::min(OperatorTuning::kPartOfWay, work.unseen / length);
     const Vec2 uv = site.uv + part * way.uv_step;
     const geometry::Answer there =
-        work.session.ask(Query::face_nearest(face, work.grid.to_part(site.point + part * way.step), uv.x(), uv.y()));
+        work.session.ask(Query::face_nearest(face, work.grid.to_shape(site.point + part * way.step), uv.x(), uv.y()));
     const bool turned = there.found() && there.normal.squaredNorm() > 0.0 && there.normal.dot(site.normal) < kAligned;
     return turned ? std::optional<Vec3>(there.normal) : std::nullopt;
 }

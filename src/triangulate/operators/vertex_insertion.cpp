@@ -93,7 +93,7 @@ bool too_close(const ClassifiedMesh& mesh, int triangle, const Vec3& p, double l
 
 }  // namespace
 
-std::optional<Candidate> paper_site(const ClassifiedMesh& mesh, int triangle, int& blocking_segment) {
+std::optional<Candidate> circumcentre_site(const ClassifiedMesh& mesh, int triangle, int& blocking_segment) {
     const Vec3& a = mesh.point_of(3 * triangle);
     const Vec3& b = mesh.point_of(3 * triangle + 1);
     const Vec3& c = mesh.point_of(3 * triangle + 2);
@@ -153,10 +153,10 @@ std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const s
         for (std::size_t i = from; i < to; ++i) {
             const Candidate& c = candidates[i];
             const int face = work.mesh.face_of(c.triangle);
-            Answer answer = answerer.answer(Query::face_nearest(face, work.grid.to_part(c.point), c.uv.x(), c.uv.y()));
+            Answer answer = answerer.answer(Query::face_nearest(face, work.grid.to_shape(c.point), c.uv.x(), c.uv.y()));
             if (c.uv_is_near && (!answer.found() || answer.distance > c.reach)) {
                 answer = answerer.answer(Query::face_point(face, c.uv.x(), c.uv.y()));
-                answer.distance = (answer.point - work.grid.to_part(c.point)).norm();
+                answer.distance = (answer.point - work.grid.to_shape(c.point)).norm();
             }
             result[i] = surface_point(work, c, answer);
         }

@@ -21,7 +21,7 @@ struct Candidate {
 /// The paper's site (Aftosmis 1999, section 3.3): the circumcentre of a triangle that is not obtuse; otherwise the
 /// centroid of the triangle across the edge opposite the obtuse angle. No value when that edge is a segment, which
 /// is then `blocking_segment`.
-std::optional<Candidate> paper_site(const ClassifiedMesh& mesh, int triangle, int& blocking_segment);
+std::optional<Candidate> circumcentre_site(const ClassifiedMesh& mesh, int triangle, int& blocking_segment);
 /// The off-centre (Ungor 2004): the point on the perpendicular bisector of the shortest edge from which that edge is
 /// seen under `angle` (radians), or the circumcentre if that is nearer. It may fall into another triangle: see
 /// `locate`. Unlike the paper's centroid it never lies closer to the shortest edge than good angles allow, so that

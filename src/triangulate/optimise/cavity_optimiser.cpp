@@ -382,7 +382,8 @@ double CavityOptimiser::distance_of_disc(const Cavity& disc) const {
     const ClassifiedMesh& mesh = work_.mesh;
     geometry::Engine::Batch batch;
     const auto add = [&](const Candidate& c) {
-        batch.push_back(Query::face_nearest(mesh.face_of(c.triangle), work_.grid.to_part(c.point), c.uv.x(), c.uv.y()));
+        batch.push_back(
+            Query::face_nearest(mesh.face_of(c.triangle), work_.grid.to_shape(c.point), c.uv.x(), c.uv.y()));
     };
     double back = 0.0;
     for (const int t : disc.triangles) {

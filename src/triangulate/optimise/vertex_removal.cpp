@@ -264,7 +264,7 @@ void VertexRemoval::add_old(const RemovalPlan& plan, geometry::Engine::Batch& ba
 }
 
 // Returns the backward distance to the joined segment and to the triangles of the fans, mm.
-double VertexRemoval::way_back_to_new(const RemovalPlan& plan) const {
+double VertexRemoval::backward_to_new(const RemovalPlan& plan) const {
     const ClassifiedMesh& mesh = work_.mesh;
     double farthest = 0.0;
     for (std::size_t k = 0; k < plan.cavities.size(); ++k) {
@@ -329,7 +329,7 @@ std::vector<char> VertexRemoval::within_tolerance(const std::vector<RemovalPlan>
     std::vector<char> good(plans.size(), 0);
     for_chunks(static_cast<int>(plans.size()), [&](int k) {
         const auto i = static_cast<std::size_t>(k);
-        good[i] = kept[i] && (!(sizing_.tolerance > 0.0) || way_back_to_new(plans[i]) <= *kept[i]) ? 1 : 0;
+        good[i] = kept[i] && (!(sizing_.tolerance > 0.0) || backward_to_new(plans[i]) <= *kept[i]) ? 1 : 0;
     });
     return good;
 }

@@ -50,7 +50,7 @@ class VertexRemoval {
     bool remove_some(std::vector<int>& candidates);
     static void choose(RemovalPlan plan, LargeVector<char>& taken, std::vector<RemovalPlan>& chosen,
                        std::vector<int>& later);
-    double way_back_to_new(const RemovalPlan& plan) const;
+    double backward_to_new(const RemovalPlan& plan) const;
     std::optional<double> distance_kept(geometry::Answerer& answerer, const RemovalPlan& plan) const;
     void compute_samples(const RemovalPlan& plan);
     std::vector<char> within_tolerance(const std::vector<RemovalPlan>& plans);

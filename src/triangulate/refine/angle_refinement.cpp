@@ -203,8 +203,8 @@ std::vector<AngleRefinement::Job> AngleRefinement::take_jobs() {
 }
 
 std::optional<Candidate> AngleRefinement::site_by_rule(int triangle, int attempt, int& blocking_segment) const {
-    if ((attempt == 0) == (insertion_ == Insertion::Paper)) {
-        return paper_site(work_.mesh, triangle, blocking_segment);
+    if ((attempt == 0) == (insertion_ == Insertion::Circumcentre)) {
+        return circumcentre_site(work_.mesh, triangle, blocking_segment);
     }
     return off_centre_site(work_.mesh, triangle, bound_);
 }
@@ -290,7 +290,7 @@ bool AngleRefinement::slender_apex(int h) const {
 }
 
 bool AngleRefinement::insert_apex_ring(const QueuedTriangle& bad) {
-    if (insertion_ == Insertion::Paper ||
+    if (insertion_ == Insertion::Circumcentre ||
         !apex_rings_.insert_ring(smallest_angle(work_.mesh, bad.triangle).half_edge, touched_)) {
         return false;
     }

@@ -82,7 +82,7 @@ std::map<int, double> IntersectionRefinement::heights_of_segments(const Pairs& p
     for (const auto& entry : heights) {
         const ClassifiedMesh::Segment& piece = mesh.segment(entry.first);
         const Vec3 middle = 0.5 * (mesh.vertex(piece.vertices[0]).point + mesh.vertex(piece.vertices[1]).point);
-        batch.push_back(Query::edge_nearest(piece.edge, work_.grid.to_part(middle), 0.5 * (piece.t[0] + piece.t[1]),
+        batch.push_back(Query::edge_nearest(piece.edge, work_.grid.to_shape(middle), 0.5 * (piece.t[0] + piece.t[1]),
                                             piece.t[0], piece.t[1]));
     }
     const geometry::Engine::Answers feet = work_.session.ask(std::move(batch));

@@ -114,7 +114,7 @@ void report_chord_height(const Workspace& work, const MaxChordError& worst, cons
         report.notes.push_back("max. deviation " + in_digits(worst.distance, 3) + " mm instead of the requested " +
                                in_digits(asked, 3) + " mm: " +
                                (!keeps_bounds ? "refine_samples is off, so that the samples alone decide"
-                                : worst.of_the_part
+                                : worst.of_the_shape
                                     ? "edges of " + face + " deviate from it by more than that"
                                     : "some edges cannot be split without folding or crowding the mesh"));
     }

@@ -12,7 +12,7 @@
 namespace mq::triangulate {
 
 StageMeshes::StageMeshes(const ClassifiedMesh& mesh, const geometry::Topology& topology, const Vec3& origin,
-                         StageClock& clock)
+                         StageTimer& clock)
     : mesh_(mesh), topology_(topology), origin_(origin), clock_(clock) {
     const char* folder = std::getenv("MESHQUALITY_STAGES");
     folder_ = folder != nullptr ? folder : "";

@@ -16,11 +16,11 @@ class StageMeshes {
   public:
     /// Writes the initial triangulation.
     /// @throws IoError naming the file that cannot be written, as does `end`
-    StageMeshes(const ClassifiedMesh& mesh, const geometry::Topology& topology, const Vec3& origin, StageClock& clock);
+    StageMeshes(const ClassifiedMesh& mesh, const geometry::Topology& topology, const Vec3& origin, StageTimer& clock);
 
     /// Ends the running stage and names it, and releases memory. The time for writing counts for the next one.
     void end(const char* stage);
-    /// Ends the running stage, in which stages ran side by side (see StageClock::end_together), and writes one mesh.
+    /// Ends the running stage, in which stages ran side by side (see StageTimer::end_together), and writes one mesh.
     void end_together(const StageTimes& stages);
 
   private:
@@ -31,7 +31,7 @@ class StageMeshes {
     const ClassifiedMesh& mesh_;
     const geometry::Topology& topology_;
     Vec3 origin_;
-    StageClock& clock_;
+    StageTimer& clock_;
     std::string folder_;
     int written_ = 0;
 };

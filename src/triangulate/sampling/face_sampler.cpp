@@ -28,7 +28,7 @@ FaceSampler::FaceSampler(const SamplingContext& context, int face, const FaceBou
 }
 
 double FaceSampler::spacing_at(const Vec3& local) const {
-    return context_.field.at(context_.grid.to_part(local), context_.bounds.most);
+    return context_.field.at(context_.grid.to_shape(local), context_.bounds.most);
 }
 
 Vec2 FaceSampler::into_bounds(Vec2 uv) const {
@@ -51,7 +51,7 @@ bool FaceSampler::crowded(const Vec3& point, double spacing) const {
 }
 
 void FaceSampler::balls_around(const Vec3& point, double radius, double spacing,
-                               std::vector<GapSearch::Ball>& balls) const {
+                               std::vector<VoidSearch::Ball>& balls) const {
     balls.clear();
     const double reach = radius + closest(spacing);
     index_.any_near(point, reach, [&](int i) {

@@ -54,7 +54,7 @@ class FaceSampler {
     /// border.
     bool crowded(const Vec3& point, double spacing) const;
     /// Collects the balls that exclude places within `radius` of a point, where the spacing is at most `spacing`.
-    void balls_around(const Vec3& point, double radius, double spacing, std::vector<GapSearch::Ball>& balls) const;
+    void balls_around(const Vec3& point, double radius, double spacing, std::vector<VoidSearch::Ball>& balls) const;
     /// Returns the least distance between samples for a spacing, mm.
     double closest(double spacing) const { return closest_ * spacing; }
     void accept(const Candidate& candidate);
@@ -71,7 +71,7 @@ class FaceSampler {
     const SamplingContext& context_;
     int face_;
     double closest_;
-    SampleIndex index_;
+    PointOctree index_;
     std::vector<double> half_piece_;  // by number in the index: half the length of a piece for its middle, otherwise 0
     std::vector<Candidate> samples_;
 };

@@ -76,9 +76,9 @@ class Front {
     FrontBorder outline_;
     std::vector<VertexUse> sites_;
     std::vector<Vec3> normals_;    // never zero
-    SampleIndex index_;            // has the numbers of the sites
+    PointOctree index_;            // has the numbers of the sites
     std::vector<double> spacing_;  // by site, mm
-    std::vector<CornerFan> fans_;
+    std::vector<AngularSectors> fans_;
     KeyMap<int> open_;                    // front edges: index of the piece of the border under them, or -1
     KeyMap<int> half_edge_;               // edges of triangles: their half-edge
     std::vector<std::vector<int>> next_;  // by site: ends of the open edges that begin there
@@ -287,7 +287,7 @@ void Front::add_triangle(int a, int b, int c) {
     for (int i = 0; i < 3; ++i) {
         const int s = corners[i];
         const int right = corners[(i + 1) % 3];
-        CornerFan& fan = fans_[s];
+        AngularSectors& fan = fans_[s];
         fan.take(fan.angle_of(point(right) - point(s)), fan.angle_of(point(corners[(i + 2) % 3]) - point(s)));
         close_or_open(s, right, 3 * t + i);
     }

@@ -46,7 +46,7 @@ std::vector<VertexUse> along_curve(const std::vector<FaceSampler::Candidate>& sa
     const double size = std::max((high - low).maxCoeff(), 1e-300);
     std::vector<std::pair<std::uint32_t, std::size_t>> order;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        order.emplace_back(along_z_curve((border.scaled(samples[i].site.uv) - low) / size), i);
+        order.emplace_back(morton_order((border.scaled(samples[i].site.uv) - low) / size), i);
     }
     std::sort(order.begin(), order.end());
     std::vector<VertexUse> sites;
@@ -179,9 +179,9 @@ void PartSampler::sample_face(int face, bool border_may_change) {
 
 }  // namespace
 
-SampledTriangulation sample_part(geometry::Session& session, const SinglePrecisionGrid& grid,
-                                 const TriangulateOptions& options, double chord, InitialTriangulation coarse,
-                                 Progress& progress) {
+SampledTriangulation sample_shape(geometry::Session& session, const SinglePrecisionGrid& grid,
+                                  const TriangulateOptions& options, double chord, InitialTriangulation coarse,
+                                  Progress& progress) {
     return PartSampler(session, grid, options, chord, std::move(coarse), progress).run();
 }
 

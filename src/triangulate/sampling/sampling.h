@@ -21,8 +21,8 @@ struct SampledTriangulation {
 /// Sampling after Ruiz et al.: edges first, then every face by the Star or the Sprinkle algorithm, then the
 /// connectivity. `coarse` is the shape's initial triangulation and `chord` the chord tolerance in mm, 0: no bound.
 /// Faces without a coarse triangulation are omitted, with the failures named there.
-SampledTriangulation sample_part(geometry::Session& session, const SinglePrecisionGrid& grid,
-                                 const TriangulateOptions& options, double chord, InitialTriangulation coarse,
-                                 Progress& progress);
+SampledTriangulation sample_shape(geometry::Session& session, const SinglePrecisionGrid& grid,
+                                  const TriangulateOptions& options, double chord, InitialTriangulation coarse,
+                                  Progress& progress);
 
 }  // namespace mq::triangulate

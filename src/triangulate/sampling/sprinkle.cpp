@@ -57,7 +57,7 @@ class Sprinkler {
     FaceSampler sampler_;
     FaceCells cells_;
     std::mt19937_64 random_;
-    std::vector<GapSearch::Ball> balls_;
+    std::vector<VoidSearch::Ball> balls_;
 };
 
 // Returns (u, v) of a place in the cell without a sample nearby, judged without querying the surface there.
@@ -91,12 +91,12 @@ std::optional<Vec2> Sprinkler::dart(std::size_t cell, int half) {
     sides << corners[1]->uv - origin, corners[2]->uv - origin;
     const Eigen::Matrix2d weights = sides.inverse();
     const auto to_place = [&](const Vec2& uv) { return Vec2(weights * (uv - origin)); };
-    GapSearch::Outline outline{{}, to_place(cells_.reference(cell)), cells_.inside(cell)};
+    VoidSearch::Outline outline{{}, to_place(cells_.reference(cell)), cells_.inside(cell)};
     for (const Segment2& s : cells_.outline(cell)) {
         outline.segments.push_back({to_place(s[0]), to_place(s[1])});
     }
     const double least = SamplingTuning::kLeastGap * cells_.least_spacing(cell);
-    const std::optional<Vec2> place = GapSearch(points, radii, balls_, outline).find(least, random_);
+    const std::optional<Vec2> place = VoidSearch(points, radii, balls_, outline).find(least, random_);
     return place ? std::optional<Vec2>(origin + sides * *place) : std::nullopt;
 }
 

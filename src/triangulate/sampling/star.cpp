@@ -84,7 +84,7 @@ std::vector<Corner> Star::project(const std::vector<Corner>& corners, std::vecto
     Engine::Batch batch;
     for (const Corner& c : corners) {
         const Vec2& guess = queue_[c.seed].sample.site.uv;
-        batch.push_back(Query::face_nearest(sampler_.face(), context.grid.to_part(c.point), guess.x(), guess.y()));
+        batch.push_back(Query::face_nearest(sampler_.face(), context.grid.to_shape(c.point), guess.x(), guess.y()));
     }
     const Engine::Answers answers = context.session.ask(std::move(batch));
     std::vector<Corner> found;

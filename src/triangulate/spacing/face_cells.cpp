@@ -144,7 +144,7 @@ std::vector<std::size_t> FaceCells::all() const {
     std::vector<std::pair<std::uint32_t, std::size_t>> order;
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         if (!outside(cells_[c])) {
-            order.emplace_back(along_z_curve((reference(c) - low_).cwiseQuotient(size)), c);
+            order.emplace_back(morton_order((reference(c) - low_).cwiseQuotient(size)), c);
         }
     }
     std::sort(order.begin(), order.end());

@@ -3,7 +3,7 @@
 
 namespace mq::triangulate {
 
-int SampleIndex::add(const Vec3& point, double spacing) {
+int PointOctree::add(const Vec3& point, double spacing) {
     const int i = size();
     const int k = level_of(spacing);
     points_.push_back(point);
@@ -18,12 +18,12 @@ int SampleIndex::add(const Vec3& point, double spacing) {
 }
 
 // Marks the cells above a point, on all levels up to the highest one.
-void SampleIndex::mark_parents(const Vec3& point, int from) {
+void PointOctree::mark_parents(const Vec3& point, int from) {
     for (int k = from; k <= top() && level(k).parents.insert(key(cell_of(point, k))).second; ++k) {
     }
 }
 
-void SampleIndex::add_levels(int k) {
+void PointOctree::add_levels(int k) {
     if (levels_.empty()) {
         lowest_ = k;
         levels_.resize(1);

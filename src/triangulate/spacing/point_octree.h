@@ -14,7 +14,7 @@ namespace mq::triangulate {
 
 /// Finds points near a point among points whose density varies by orders of magnitude: an octree of hashed cells, in
 /// which a point lies in a cell about as large as its spacing.
-class SampleIndex {
+class PointOctree {
   public:
     /// @return the point's number, counted from 0. `spacing` > 0 is about the distance to its neighbours.
     int add(const Vec3& point, double spacing);

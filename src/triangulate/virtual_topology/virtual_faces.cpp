@@ -168,7 +168,7 @@ std::vector<CadSample> VirtualFaces::passengers(Workspace& work, const std::vect
                     p += w[k] * mesh_.point_of(3 * t + static_cast<int>(k));
                     uv += w[k] * mesh_.site(sites[k]).uv;
                 }
-                batch.push_back(geometry::Query::face_nearest(mesh_.face_of(t), work.grid.to_part(p), uv.x(), uv.y()));
+                batch.push_back(geometry::Query::face_nearest(mesh_.face_of(t), work.grid.to_shape(p), uv.x(), uv.y()));
             }
             std::vector<CadSample>& feet = samples_of_unchanged_[t];
             for (const geometry::Answer& a : work.session.ask(std::move(batch))) {

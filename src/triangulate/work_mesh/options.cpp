@@ -30,7 +30,7 @@ double TriangulateOptions::chord_height_of(const Box& box) const {
 
 // The mesh of the paper keeps all edges.
 double TriangulateOptions::detail_of(const Box& box) const {
-    if (insertion == Insertion::Paper) {
+    if (insertion == Insertion::Circumcentre) {
         return 0.0;
     }
     std::vector<double> asked{chord_height_of(box), max_edge};

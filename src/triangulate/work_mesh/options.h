@@ -13,8 +13,9 @@ namespace mq::triangulate {
 
 /// Rules for the new vertex of a triangle whose angle is below the bound.
 enum class Insertion {
-    OffCentre,  ///< at the off-centre: fewer triangles, and no cascades along finely split edges
-    Paper,  ///< as Aftosmis 1999, section 3.3: circumcentre, or the centroid of the triangle across the longest edge
+    OffCentre,     ///< at the off-centre: fewer triangles, and no cascades along finely split edges
+    Circumcentre,  ///< as Aftosmis 1999, section 3.3: circumcentre, or the centroid of the triangle across the longest
+                   ///< edge
 };
 
 /// Sources of the vertices.

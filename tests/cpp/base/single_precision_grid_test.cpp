@@ -65,7 +65,7 @@ TEST_P(SingleGridTest, SnapsToSinglePrecisionMultiplesOfTheQuantum) {
         const Vec3 quanta = local / quantum;
         ASSERT_EQ(quanta, quanta.array().round().matrix()) << local.transpose();
         ASSERT_LE(quanta.cwiseAbs().maxCoeff(), std::ldexp(1.0, 48));
-        ASSERT_LE((grid.to_part(local) - p).norm(), grid.resolution());
+        ASSERT_LE((grid.to_shape(local) - p).norm(), grid.resolution());
         for (int k = 0; k < 3; ++k) {
             ASSERT_FALSE(local[k] == 0.0 && std::signbit(local[k]));
         }
@@ -127,10 +127,10 @@ TEST(SinglePrecisionGrid, MovesAPartFromFarAway) {
     const SinglePrecisionGrid grid(box);
     EXPECT_TRUE(is_single(grid.origin()));
     EXPECT_LE((grid.origin() - box.center()).cwiseAbs().maxCoeff(), 2.0);
-    EXPECT_EQ(grid.to_part(grid.snap(box.low)), box.low);
+    EXPECT_EQ(grid.to_shape(grid.snap(box.low)), box.low);
     EXPECT_LT(grid.resolution(), 1e-6);
     const Vec3 inside(1e6 + 3, -1e6 + 4, 5);
-    EXPECT_EQ(grid.to_part(grid.snap(inside)), inside);
+    EXPECT_EQ(grid.to_shape(grid.snap(inside)), inside);
 }
 
 TEST(SinglePrecisionGrid, ResolutionIsHalfAUnitInTheLastPlace) {

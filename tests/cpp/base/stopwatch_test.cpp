@@ -35,9 +35,9 @@ TEST(Stopwatch, WaitingTakesWallClockTimeOnly) {
     EXPECT_LT(watch.cpu(), watch.wall());
 }
 
-TEST(StageClock, AStageThatRunsAgainAddsToItsTime) {
+TEST(StageTimer, AStageThatRunsAgainAddsToItsTime) {
     StageTimes times;
-    StageClock clock(times);
+    StageTimer clock(times);
     clock.end("first");
     clock.end("second");
     const double before = times[0].second;
@@ -48,9 +48,9 @@ TEST(StageClock, AStageThatRunsAgainAddsToItsTime) {
     EXPECT_GE(times[0].second, before + 0.005);
 }
 
-TEST(StageClock, StagesThatRanSideBySideShareTheTime) {
+TEST(StageTimer, StagesThatRanSideBySideShareTheTime) {
     StageTimes times;
-    StageClock clock(times);
+    StageTimer clock(times);
     std::this_thread::sleep_for(std::chrono::milliseconds(8));
     clock.end_together({{"first", 1.0}, {"second", 2.0}, {"first", 1.0}});
     ASSERT_EQ(times.size(), 2U);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "boolean/boolean.h"
-#include "boolean/offset/offset.h"
 #include "mesh/quality/surface_verification.h"
+#include "offset/trimmed/trimmed_offset.h"
 
 /// What the tests of trimmed and of contoured offsets share.
 namespace mq::boolean::offsets {

@@ -29,7 +29,7 @@ class BallAndBox : public testing::Test {
         std::vector<CadOperand> operands(2);
         operands[0] = {&ball_, ball_is_shape ? geometry::make_sphere(kRadius) : nullptr, &ball_faces_};
         operands[1] = {&box_, box_is_shape ? geometry::make_box(kSide, kSide, kSide) : nullptr, &box_faces_};
-        return fit_to_native_surfaces(result_.mesh, result_.triangle_source, operands, engine_, 1e-6, limit, progress_);
+        return project_to_cad(result_.mesh, result_.triangle_source, operands, engine_, 1e-6, limit, progress_);
     }
     /// The vertices that belong only to triangles made by the Boolean.
     std::set<std::int32_t> made() const {

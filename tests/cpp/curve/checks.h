@@ -8,9 +8,9 @@
 #include <set>
 #include <vector>
 
-#include "curve/bezier/node_orders.h"
-#include "curve/bezier/validity.h"
 #include "curve/curve.h"
+#include "elements/bezier/node_orders.h"
+#include "elements/bezier/validity.h"
 #include "triangulate/triangulate.h"
 
 /// Makes curved meshes, and checks the properties of every one, measured from its nodes alone.

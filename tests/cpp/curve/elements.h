@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "curve/bezier/bernstein.h"
+#include "elements/bezier/bernstein.h"
 
 /// Elements with known maps, to test against.
 namespace mq::curve {

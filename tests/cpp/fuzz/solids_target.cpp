@@ -109,7 +109,8 @@ triangulate::TriangulateOptions options_from(fuzz::Bytes& bytes) {
     if ((bounds & 16) != 0) {
         options.keep_edges = triangulate::KeepEdges::Feature;
     }
-    options.insertion = bytes.number(0, 3) == 0 ? triangulate::Insertion::Paper : triangulate::Insertion::OffCentre;
+    options.insertion =
+        bytes.number(0, 3) == 0 ? triangulate::Insertion::Circumcentre : triangulate::Insertion::OffCentre;
     return options;
 }
 

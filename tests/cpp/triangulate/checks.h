@@ -13,8 +13,8 @@
 
 #include "geometry/parts.h"
 #include "mesh/quality/mesh_report.h"
-#include "triangulate/assemble.h"
 #include "triangulate/initial/initial_triangulation.h"
+#include "triangulate/pipeline/assemble.h"
 #include "triangulate/refine/angle_refinement.h"
 #include "triangulate/triangulate.h"
 
@@ -86,7 +86,7 @@ inline void expect_on_curves(Pipeline& pipeline) {
         for (int end = 0; end < 2; ++end) {
             const Vec3& local = surface.vertex(segment.vertices[end]).point;
             EXPECT_TRUE(single_precision(local));
-            const Vec3 point = pipeline.grid.to_part(local);
+            const Vec3 point = pipeline.grid.to_shape(local);
             const auto curve = pipeline.session.ask(geometry::Query::edge_point(segment.edge, segment.t[end]));
             EXPECT_LE((point - curve.point).norm(), slack);
             for (const ClassifiedMesh::SegmentUse& use : segment.uses) {

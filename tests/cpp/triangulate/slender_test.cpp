@@ -18,7 +18,7 @@ TriangulateOptions with(Insertion insertion) {
 }
 
 TEST(Slender, RodsNeedNoExemptions) {
-    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Paper}) {
+    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Circumcentre}) {
         for (const double length : {5.0, 20.0, 100.0}) {
             SCOPED_TRACE(length);
             const Result result = mesh_of(geometry::make_cylinder(1.0, length), with(insertion));

@@ -10,9 +10,9 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "boolean/layered_depth/samples/face_samples.h"
-#include "boolean/layered_depth/samples/rasterise.h"
 #include "geometry/parts.h"
+#include "layered_depth/samples/face_samples.h"
+#include "layered_depth/samples/rasterise.h"
 #include "triangulate/triangulate.h"
 #include "workflows/boolean_of_operands.h"
 #include "workflows/triangulate_shape.h"

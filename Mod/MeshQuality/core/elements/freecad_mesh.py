@@ -5,7 +5,7 @@ import FreeCAD
 import numpy as np
 
 from ...errors import InvalidInput
-from .. import frames
+from ..sources import frames
 from . import kinds
 from .parts import Parts, Section
 

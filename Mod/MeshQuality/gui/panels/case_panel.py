@@ -10,7 +10,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from ...core import frames
+from ...core.sources import frames
 from ...errors import InvalidInput
 from ...features import cfd
 from ..panel_operation import name_of

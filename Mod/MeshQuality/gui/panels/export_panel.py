@@ -9,7 +9,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from ... import formats
-from ...core import frames
+from ...core.sources import frames
 from ...core.curving import holds_elements
 from ...errors import Error, IoError
 from ...features import export, mesh_object

@@ -7,7 +7,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from ... import element_names, options
-from ...core import convert, frames
+from ...core.sources import convert, frames
 from ...errors import Error
 from ...features import distance_bound
 from ..picked import picked

@@ -5,9 +5,9 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from ...core import frames
-from ...core.patch_names import suggested_for
-from ...core.patches import distinct_colour
+from ...core.sources import frames
+from ...core.patches.patch_names import suggested_for
+from ...core.patches.patches import distinct_colour
 from ...errors import Error
 from ...features.patches import patches_of_lines
 from ..patch_colours import SourceColours

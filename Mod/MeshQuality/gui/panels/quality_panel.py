@@ -11,7 +11,7 @@ from PySide import QtCore, QtGui
 
 from ... import fault_phrases, phrases
 from ...compat import flags
-from ...core import convert, frames
+from ...core.sources import convert, frames
 from ...errors import Error
 from .. import jobs, looks
 from ..fem_quality_data import FemQualityData

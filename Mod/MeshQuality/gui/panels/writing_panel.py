@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from ...core import frames
+from ...core.sources import frames
 from ...errors import Error
 from .. import background, jobs, preferences
 from ..panel_operation import is_there

@@ -7,7 +7,7 @@ from functools import lru_cache
 from PySide import QtCore, QtGui, QtSvg
 
 from ...compat import HOME
-from ...core import verdict
+from ...core.certify import verdict
 from ...features import mesh_object
 
 ICONS = os.path.join(HOME, "Resources", "icons")

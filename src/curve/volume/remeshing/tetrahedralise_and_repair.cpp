@@ -10,7 +10,7 @@
 namespace mq::curve {
 
 RepairedTetrahedralMesh tetrahedralise_and_repair(geometry::Session& session, CurvedSurface& surface,
-                                                  Progress& progress, StageClock& clock) {
+                                                  Progress& progress, StageTimer& clock) {
     progress.stage("filling", 0.5, 0.6);
     std::optional<CurvedShapes> quadratic;
     if (surface.shapes.order() != 2) {

@@ -20,6 +20,6 @@ struct RepairedTetrahedralMesh {
 /// @param surface gets the vertices and shapes inside.
 /// @throws tetrahedralise::MeshingFailed where the filling fails; Cancelled.
 RepairedTetrahedralMesh tetrahedralise_and_repair(geometry::Session& session, CurvedSurface& surface,
-                                                  Progress& progress, StageClock& clock);
+                                                  Progress& progress, StageTimer& clock);
 
 }  // namespace mq::curve

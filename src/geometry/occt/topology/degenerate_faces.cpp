@@ -23,9 +23,9 @@ namespace mq::geometry {
 
 namespace {
 
-class CollapsedPieces : EdgeJoining {
+class DegenerateFaces : EdgeJoining {
   public:
-    CollapsedPieces(const OrderedShape& shape, Topology& topology, ShapeMap& live, const Progress* progress)
+    DegenerateFaces(const OrderedShape& shape, Topology& topology, ShapeMap& live, const Progress* progress)
         : EdgeJoining(topology, live), shape_(shape), progress_(progress) {}
 
     void run() {
@@ -285,8 +285,8 @@ class CollapsedPieces : EdgeJoining {
 
 }  // namespace
 
-void sew_collapsed_pieces(const OrderedShape& shape, Topology& topology, ShapeMap& live, const Progress* progress) {
-    CollapsedPieces(shape, topology, live, progress).run();
+void remove_degenerate_faces(const OrderedShape& shape, Topology& topology, ShapeMap& live, const Progress* progress) {
+    DegenerateFaces(shape, topology, live, progress).run();
 }
 
 }  // namespace mq::geometry

@@ -13,6 +13,6 @@ namespace mq::geometry {
 /// between edges that run along each other in pairs, with or without edges shorter than that at its ends, if the faces
 /// beside it still make an edge, and those beyond its ends a corner or are as thin.
 /// @throws Cancelled
-void sew_collapsed_pieces(const OrderedShape& shape, Topology& topology, ShapeMap& live, const Progress* progress);
+void remove_degenerate_faces(const OrderedShape& shape, Topology& topology, ShapeMap& live, const Progress* progress);
 
 }  // namespace mq::geometry

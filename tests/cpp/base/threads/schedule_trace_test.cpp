@@ -92,10 +92,10 @@ TEST(ScheduleTrace, StagesOfTasksAreNotNamed) {
     ScheduleTrace::start();
     parallel_for(2, [](int) {
         StageTimes times;
-        StageClock(times).end("inner");
+        StageTimer(times).end("inner");
     });
     StageTimes times;
-    StageClock(times).end("outer");
+    StageTimer(times).end("outer");
     const ScheduleRecord record = ScheduleTrace::stop();
     ASSERT_EQ(record.stages.size(), 1U);
     EXPECT_EQ(record.stages[0].first, "outer");

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "curve/bezier/node_orders.h"
 #include "curve/output/curved_mesh.h"
+#include "elements/bezier/node_orders.h"
 
 namespace mq::curve {
 

@@ -8,8 +8,8 @@
 #include <map>
 #include <optional>
 
-#include "curve/elements.h"
 #include "curve/injectivity/straight_piercing.h"
+#include "elements/product.h"
 
 namespace mq::curve {
 namespace {

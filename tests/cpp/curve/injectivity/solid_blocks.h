@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "curve/elements/reference_nodes.h"
 #include "curve/injectivity/common_points.h"
+#include "elements/product/reference_nodes.h"
 
 namespace mq::curve {
 

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "curve/elements/reference_nodes.h"
 #include "curve/injectivity/curved_crossings.h"
 #include "curve/injectivity/solid_blocks.h"
+#include "elements/product/reference_nodes.h"
 
 namespace mq::curve {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "base/error.h"
 #include "curve/checks.h"
-#include "curve/elements.h"
 #include "curve/output/curved_mesh.h"
+#include "elements/product.h"
 #include "geometry/occt/shape_model.h"
 
 namespace mq::curve {

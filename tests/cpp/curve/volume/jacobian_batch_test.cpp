@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "curve/bezier/jacobian.h"
+#include "elements/bezier/jacobian.h"
 
 namespace mq::curve {
 namespace {

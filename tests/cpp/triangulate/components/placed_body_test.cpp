@@ -52,10 +52,10 @@ TEST_F(TwoCones, TheCopyHasTheMovedMesh) {
     ASSERT_EQ(placed.vertices.size(), static_cast<std::size_t>(original.vertex_count()));
     int nodes = 0;
     for (int v = 0; v < original.vertex_count(); ++v) {
-        const Vec3 moved = equal_.motion[1].of_point(pipeline_.grid.to_part(original.vertex(v).point));
+        const Vec3 moved = equal_.motion[1].of_point(pipeline_.grid.to_shape(original.vertex(v).point));
         const Vec3 point = placed.mesh.vertex(v).point;
-        EXPECT_LE((pipeline_.grid.to_part(point) - moved).norm(), 2.0 * pipeline_.grid.resolution());
-        EXPECT_EQ(point, pipeline_.grid.snap(pipeline_.grid.to_part(point)));
+        EXPECT_LE((pipeline_.grid.to_shape(point) - moved).norm(), 2.0 * pipeline_.grid.resolution());
+        EXPECT_EQ(point, pipeline_.grid.snap(pipeline_.grid.to_shape(point)));
         EXPECT_EQ(placed.mesh.vertex(v).entity[0], original.vertex(v).entity[0]);
         const int former = placed.vertices[static_cast<std::size_t>(v)];
         EXPECT_EQ(former >= 0, original.vertex(v).entity[0] == 0);

@@ -8,8 +8,8 @@
 namespace mq::triangulate {
 namespace {
 
-TEST(CornerFan, KnowsWhatIsFree) {
-    CornerFan fan(Vec3::UnitZ());
+TEST(AngularSectors, KnowsWhatIsFree) {
+    AngularSectors fan(Vec3::UnitZ());
     const auto at = [&](double degrees) {
         return fan.angle_of(Vec3(std::cos(degrees * M_PI / 180.0), std::sin(degrees * M_PI / 180.0), 0.3));
     };

@@ -21,14 +21,14 @@ double radius_at(const Vec2& place) {
     return kRadii[0] + place.x() * (kRadii[1] - kRadii[0]) + place.y() * (kRadii[2] - kRadii[0]);
 }
 
-bool covered(const Vec2& place, const std::vector<GapSearch::Ball>& balls) {
-    return std::any_of(balls.begin(), balls.end(), [&](const GapSearch::Ball& b) {
+bool covered(const Vec2& place, const std::vector<VoidSearch::Ball>& balls) {
+    return std::any_of(balls.begin(), balls.end(), [&](const VoidSearch::Ball& b) {
         return (point_at(place) - b.centre).norm() < (b.radius > 0.0 ? b.radius : radius_at(place));
     });
 }
 
-std::vector<GapSearch::Ball> random_balls(int count, std::mt19937_64& random) {
-    std::vector<GapSearch::Ball> balls;
+std::vector<VoidSearch::Ball> random_balls(int count, std::mt19937_64& random) {
+    std::vector<VoidSearch::Ball> balls;
     for (int i = 0; i < count; ++i) {
         const Vec2 place(1.4 * uniform(random) - 0.2, 1.4 * uniform(random) - 0.2);
         const Vec3 lift(0.0, 0.0, 0.2 * uniform(random) - 0.1);
@@ -38,7 +38,7 @@ std::vector<GapSearch::Ball> random_balls(int count, std::mt19937_64& random) {
 }
 
 // Returns the fraction of a fine grid that no ball covers.
-double free_share(const std::vector<GapSearch::Ball>& balls) {
+double free_share(const std::vector<VoidSearch::Ball>& balls) {
     constexpr int kSteps = 200;  // Steps of the grid along each side.
     int free = 0;
     for (int i = 0; i < kSteps; ++i) {
@@ -49,14 +49,14 @@ double free_share(const std::vector<GapSearch::Ball>& balls) {
     return free / (0.5 * kSteps * (kSteps + 1));
 }
 
-TEST(GapSearch, FindsOnlyGapsAndMissesNoLargeOne) {
+TEST(VoidSearch, FindsOnlyGapsAndMissesNoLargeOne) {
     std::mt19937_64 random(11);
-    const GapSearch::Outline all{{}, Vec2(0.3, 0.3), true};
+    const VoidSearch::Outline all{{}, Vec2(0.3, 0.3), true};
     int gaps = 0;
     int none = 0;
     for (int run = 0; run < 400; ++run) {
         const auto balls = random_balls(4 + run % 12, random);
-        const auto place = GapSearch(kTriangle, kRadii, balls, all).find(0.02, random);
+        const auto place = VoidSearch(kTriangle, kRadii, balls, all).find(0.02, random);
         if (place) {
             ++gaps;
             EXPECT_GE(place->minCoeff(), 0.0);
@@ -71,11 +71,11 @@ TEST(GapSearch, FindsOnlyGapsAndMissesNoLargeOne) {
     EXPECT_GT(none, 50);
 }
 
-TEST(GapSearch, DartsAreEvenlyDistributedOverTheGap) {
+TEST(VoidSearch, DartsAreEvenlyDistributedOverTheGap) {
     std::mt19937_64 random(12);
-    const std::vector<GapSearch::Ball> balls{{point_at({0.2, 0.2}), 0.3}, {point_at({0.8, 0.1}), 0.2}};
-    const GapSearch::Outline all{{}, Vec2(0.3, 0.3), true};
-    GapSearch search(kTriangle, kRadii, balls, all);
+    const std::vector<VoidSearch::Ball> balls{{point_at({0.2, 0.2}), 0.3}, {point_at({0.8, 0.1}), 0.2}};
+    const VoidSearch::Outline all{{}, Vec2(0.3, 0.3), true};
+    VoidSearch search(kTriangle, kRadii, balls, all);
     constexpr int kDarts = 20000;  // Darts, for a mean with an error below the tolerance.
     Vec2 sum = Vec2::Zero();
     for (int i = 0; i < kDarts; ++i) {
@@ -95,24 +95,24 @@ TEST(GapSearch, DartsAreEvenlyDistributedOverTheGap) {
     EXPECT_NEAR((sum / kDarts - expected / free).norm(), 0.0, 0.01);
 }
 
-TEST(GapSearch, LooksOnlyInsideOfTheOutline) {
+TEST(VoidSearch, LooksOnlyInsideOfTheOutline) {
     std::mt19937_64 random(13);
     // The region with x + 2 y > 0.5, without any ball.
-    const GapSearch::Outline half{{{Vec2(0.5, 0.0), Vec2(0.0, 0.25)}}, Vec2(0.4, 0.4), true};
-    GapSearch search(kTriangle, kRadii, {}, half);
+    const VoidSearch::Outline half{{{Vec2(0.5, 0.0), Vec2(0.0, 0.25)}}, Vec2(0.4, 0.4), true};
+    VoidSearch search(kTriangle, kRadii, {}, half);
     for (int i = 0; i < 1000; ++i) {
         const auto place = search.find(0.02, random);
         ASSERT_TRUE(place);
         EXPECT_GT(place->x() + 2.0 * place->y(), 0.5);
     }
-    const GapSearch::Outline nothing{{}, Vec2(0.4, 0.4), false};
-    EXPECT_FALSE(GapSearch(kTriangle, kRadii, {}, nothing).find(0.02, random));
+    const VoidSearch::Outline nothing{{}, Vec2(0.4, 0.4), false};
+    EXPECT_FALSE(VoidSearch(kTriangle, kRadii, {}, nothing).find(0.02, random));
 }
 
-TEST(GapSearch, ATriangleWithoutAreaHasNoGap) {
+TEST(VoidSearch, ATriangleWithoutAreaHasNoGap) {
     std::mt19937_64 random(14);
     const std::array<Vec3, 3> line{Vec3::Zero(), Vec3::UnitX(), Vec3(0.5, 0.0, 0.0)};
-    EXPECT_FALSE(GapSearch(line, kRadii, {}, {{}, Vec2(0.3, 0.3), true}).find(0.02, random));
+    EXPECT_FALSE(VoidSearch(line, kRadii, {}, {{}, Vec2(0.3, 0.3), true}).find(0.02, random));
 }
 
 TEST(Outline, MeetsIsExactOnTheBorder) {

@@ -285,7 +285,7 @@ TEST(CacheRestore, OtherSettingsKeepTheGuarantees) {
     TriangulateOptions round = asked();
     round.edges_per_circle = 24.0;
     TriangulateOptions paper = asked();
-    paper.insertion = Insertion::Paper;
+    paper.insertion = Insertion::Circumcentre;
     TriangulateOptions released = asked();
     released.keep_edges = KeepEdges::Feature;
     TriangulateOptions sampled = asked();

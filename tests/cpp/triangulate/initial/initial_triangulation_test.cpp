@@ -37,7 +37,7 @@ struct Case {
     const geometry::Topology& topology() const { return model.topology(); }
     /// Returns the point of a site in the shape's coordinates.
     Vec3 point_of(const FaceMesh::VertexUse& site) const {
-        return grid.to_part(site.vertex >= 0 ? initial.chains.vertices()[site.vertex].point : site.point);
+        return grid.to_shape(site.vertex >= 0 ? initial.chains.vertices()[site.vertex].point : site.point);
     }
 
     geometry::Model& model;
@@ -62,7 +62,7 @@ void expect_chains_follow_curves(const Case& c) {
         EXPECT_EQ(chain.vertices.back(), c.initial.chains.vertex_of_node(edge.nodes[1]));
         for (std::size_t i = 0; !chain.collapsed && i < chain.t.size(); ++i) {
             const geometry::Answer here = c.model.answer(geometry::Query::edge_point(e, chain.t[i]));
-            const Vec3 vertex = c.grid.to_part(c.initial.chains.vertices()[chain.vertices[i]].point);
+            const Vec3 vertex = c.grid.to_shape(c.initial.chains.vertices()[chain.vertices[i]].point);
             EXPECT_LE((vertex - here.point).norm(), slack) << "edge " << e;
             if (i > 0) {
                 EXPECT_LT(chain.t[i - 1], chain.t[i]);
@@ -287,7 +287,7 @@ TEST(EdgeDiscretisation, HalvesMarkedPiecesOnTheirCurve) {
         const EdgePolyline& after = chains.chain(e);
         ASSERT_EQ(after.t.size(), before.t.size() + 1);
         EXPECT_NEAR(after.t[1], 0.5 * (before.t[0] + before.t[1]), 1e-9);  // holds for a line and for circles
-        const Vec3 added = grid.to_part(chains.vertices()[after.vertices[1]].point);
+        const Vec3 added = grid.to_shape(chains.vertices()[after.vertices[1]].point);
         EXPECT_LE((added - model->answer(geometry::Query::edge_point(e, after.t[1])).point).norm(), grid.resolution());
         EXPECT_EQ(after.vertices.front(), before.vertices.front());
         EXPECT_EQ(after.vertices.back(), before.vertices.back());

@@ -28,9 +28,9 @@ INSTANTIATE_TEST_SUITE_P(Settings, RefineTest,
                          testing::Values(Setting{"OffCentre20", 20.0, Insertion::OffCentre},
                                          Setting{"OffCentre25", 25.0, Insertion::OffCentre},
                                          Setting{"OffCentre30", 30.0, Insertion::OffCentre},
-                                         Setting{"Paper20", 20.0, Insertion::Paper},
-                                         Setting{"Paper25", 25.0, Insertion::Paper},
-                                         Setting{"Paper30", 30.0, Insertion::Paper}),
+                                         Setting{"Paper20", 20.0, Insertion::Circumcentre},
+                                         Setting{"Paper25", 25.0, Insertion::Circumcentre},
+                                         Setting{"Paper30", 30.0, Insertion::Circumcentre}),
                          [](const auto& setting) { return setting.param.name; });
 
 TEST_P(RefineTest, EveryPartGetsAGoodMesh) {

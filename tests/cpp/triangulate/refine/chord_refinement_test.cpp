@@ -17,7 +17,7 @@
 #include <random>
 
 #include "base/error.h"
-#include "geometry/occt/shape_distance.h"
+#include "geometry/occt/distance/shape_distance.h"
 #include "mesh/quality/deviation_samples.h"
 #include "triangulate/checks.h"
 #include "triangulate/measure/deviation_estimate.h"
@@ -201,7 +201,7 @@ TEST(Chord, SkewIsThatOfTheSurface) {
 }
 
 TEST(Chord, HoldsOnEveryPart) {
-    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Paper}) {
+    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Circumcentre}) {
         for (const geometry::Part& part : geometry::all_parts()) {
             for (const double bound : {0.02, 0.002}) {
                 SCOPED_TRACE(part.name + " to " + std::to_string(bound));

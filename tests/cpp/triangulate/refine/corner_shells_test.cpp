@@ -61,7 +61,7 @@ TEST_P(WedgeTest, OnlyItsTipIsExempt) {
 TEST_P(WedgeTest, ThePapersRuleEndsToo) {
     for (const double bound : {20.0, 25.0, 30.0}) {
         SCOPED_TRACE(bound);
-        const Result result = mesh_wedge(bound, Insertion::Paper);
+        const Result result = mesh_wedge(bound, Insertion::Circumcentre);
         EXPECT_LT(result.mesh.triangles.size(), 10000u);
         EXPECT_LT(result.report.exempt.size(), result.mesh.triangles.size() / 10 + 3);
     }
@@ -118,7 +118,7 @@ TEST(Cusp, ASickleEndsToo) {
     const TopoDS_Shape half = geometry::planar_face(
         {geometry::arc(outer, 0.0, M_PI), geometry::line(-10.0, 0.0, -2.0, 0.0), geometry::arc(inner, 0.0, M_PI)});
     const auto model = geometry::make_shape_model(geometry::extruded(half, 2.0));
-    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Paper}) {
+    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Circumcentre}) {
         TriangulateOptions options;
         options.insertion = insertion;
         const Result result = mesh_of(model, options);

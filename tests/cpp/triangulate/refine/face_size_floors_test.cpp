@@ -52,7 +52,7 @@ TEST(FaceSizeFloors, ARingWithoutAHoleIsNoRunAway) {
         BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle).Edge()).Wire()).Face();
     const TopoDS_Shape ring = BRepPrimAPI_MakeRevol(disc, gp_Ax1(gp_Pnt(), gp_Dir(0.0, 0.0, 1.0))).Shape();
     TriangulateOptions options;
-    options.insertion = Insertion::Paper;
+    options.insertion = Insertion::Circumcentre;
     const Result result = mesh_of(geometry::make_shape_model(ring, nullptr), options);
     EXPECT_TRUE(result.report.complete);
     EXPECT_TRUE(result.report.closed && result.report.oriented);

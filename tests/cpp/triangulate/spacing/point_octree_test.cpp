@@ -11,11 +11,11 @@
 namespace mq::triangulate {
 namespace {
 
-TEST(SampleIndex, MissesNoPoint) {
+TEST(PointOctree, MissesNoPoint) {
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> exponent(-4.0, 1.0);
     const std::vector<Vec3> points = random_points(800, 4);
-    SampleIndex index;
+    PointOctree index;
     for (const Vec3& p : points) {
         index.add(p, std::pow(10.0, exponent(random)));
     }

@@ -87,7 +87,7 @@ TEST(VirtualFaces, CadSamplesOfATriangleLieOnItsFaceAndGoToTheNearestNewOne) {
         EXPECT_EQ(samples[i].face, part.surface.face_of(triangle));
         const auto on_face =
             part.session.ask(geometry::Query::face_point(samples[i].face, samples[i].uv.x(), samples[i].uv.y()));
-        EXPECT_LT((part.grid.to_part(samples[i].point) - on_face.point).norm(), 1e-6);
+        EXPECT_LT((part.grid.to_shape(samples[i].point) - on_face.point).norm(), 1e-6);
     }
     EXPECT_FALSE(faces.changed(0));
     faces.replaced({0, 1}, samples);

@@ -36,7 +36,7 @@ TEST(AngleHistory, EndsAtTheMeshAndChangesNothing) {
     for (const Part& part : geometry::all_parts()) {
         SCOPED_TRACE(part.name);
         TriangulateOptions options;
-        options.insertion = Insertion::Paper;  // no other step changes the mesh afterwards
+        options.insertion = Insertion::Circumcentre;  // no other step changes the mesh afterwards
         const Result plain = mesh_of(part.model, options);
         EXPECT_TRUE(plain.angle_history.empty());
         options.record_angles = true;

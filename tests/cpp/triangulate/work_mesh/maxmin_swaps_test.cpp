@@ -84,7 +84,7 @@ TEST(MaxMinSwaps, HoldsAfterASweep) {
 }
 
 TEST(MaxMinSwaps, HoldsAfterRefinement) {
-    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Paper}) {
+    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Circumcentre}) {
         for (const Part& part : geometry::all_parts()) {
             SCOPED_TRACE(part.name);
             Pipeline pipeline(part.model);

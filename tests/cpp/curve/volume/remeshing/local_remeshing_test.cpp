@@ -67,7 +67,7 @@ TEST(FillAndRepair, WhatStaysInvalidLeavesAMesh) {
     placed.surface.shapes.set_edge(corners[0], corners[1], {Vec3(5.0, 5.0, 5.0)});
     Progress progress;
     CurveReport report;
-    StageClock clock(report.seconds);
+    StageTimer clock(report.seconds);
     const RepairedTetrahedralMesh filled = tetrahedralise_and_repair(placed.session, placed.surface, progress, clock);
     EXPECT_GT(filled.repairs.invalid_after, 0);
     EXPECT_EQ(static_cast<std::size_t>(filled.repairs.invalid_after), filled.volume.invalid());

@@ -55,7 +55,7 @@ int shared_edges(const Topology& topology) {
     return count;
 }
 
-TEST(CollapsedPieces, SliversWithinTheToleranceOfTheirEdgesAreOneEdge) {
+TEST(DegenerateFaces, SliversWithinTheToleranceOfTheirEdgesAreOneEdge) {
     const auto model = make_shape_model(Slivered(4e-3, 5e-3).shell);
     const Topology& topology = model->topology();
     EXPECT_TRUE(topology.faces[1].no_area);
@@ -78,7 +78,7 @@ TEST(CollapsedPieces, SliversWithinTheToleranceOfTheirEdgesAreOneEdge) {
 }
 
 /// Surfaces that are a curve, which translators write between two copies of one edge.
-TEST(CollapsedPieces, SidesOfAFaceWithoutAreaAreOneEdge) {
+TEST(DegenerateFaces, SidesOfAFaceWithoutAreaAreOneEdge) {
     const TopoDS_Vertex start = BRepBuilderAPI_MakeVertex(gp_Pnt(0.0, 0.0, 0.0)).Vertex();
     const TopoDS_Vertex end = BRepBuilderAPI_MakeVertex(gp_Pnt(1.0, 0.0, 0.0)).Vertex();
     const TopoDS_Edge lower = BRepBuilderAPI_MakeEdge(start, end).Edge();
@@ -113,7 +113,7 @@ TEST(CollapsedPieces, SidesOfAFaceWithoutAreaAreOneEdge) {
 }
 
 /// Points of the joined edge, seen from either side, lie beside each other.
-TEST(CollapsedPieces, BothFacesSeeTheEdgeWhereItIs) {
+TEST(DegenerateFaces, BothFacesSeeTheEdgeWhereItIs) {
     const auto model = make_shape_model(Slivered(4e-3, 5e-3).shell);
     for (const Edge& edge : model->topology().edges) {
         for (int i = 0; edge.uses.size() == 2 && i <= 200; ++i) {
@@ -126,7 +126,7 @@ TEST(CollapsedPieces, BothFacesSeeTheEdgeWhereItIs) {
     }
 }
 
-TEST(CollapsedPieces, WiderSliversStayFaces) {
+TEST(DegenerateFaces, WiderSliversStayFaces) {
     for (const double tolerance : {1e-7, 1e-3}) {
         const auto model = make_shape_model(Slivered(4e-3 + 4.0 * tolerance, tolerance).shell);
         EXPECT_FALSE(model->topology().faces[1].no_area);
@@ -147,7 +147,7 @@ std::shared_ptr<Model> with_detail(const TopoDS_Shape& shape, double detail) {
 }
 
 /// A strip of 0.001 mm around a corner of a square, whose sides have two edges each.
-TEST(CollapsedPieces, SliversBetweenSeveralEdgesAreThoseEdges) {
+TEST(DegenerateFaces, SliversBetweenSeveralEdgesAreThoseEdges) {
     constexpr double kWidth = 1e-3;
     const TopoDS_Vertex a[3] = {vertex(0.0, 0.0, 0.0), vertex(1.0, 0.0, 0.0), vertex(1.0, 1.0, 0.0)};
     const TopoDS_Vertex b[3] = {vertex(0.0, kWidth, 0.0), vertex(1.0 - kWidth, kWidth, 0.0),
@@ -179,7 +179,7 @@ TEST(CollapsedPieces, SliversBetweenSeveralEdgesAreThoseEdges) {
 }
 
 /// Two strips at a right angle: each has no corner beside the edge where the other one ends.
-TEST(CollapsedPieces, SliversThatEndAtEachOtherAreEdges) {
+TEST(DegenerateFaces, SliversThatEndAtEachOtherAreEdges) {
     constexpr double kWidth = 1e-3;
     TopoDS_Vertex low[2] = {vertex(0.0, 0.0, 0.0), vertex(0.0, kWidth, 0.0)};
     TopoDS_Vertex middle[2] = {vertex(1.0, 0.0, 0.0), vertex(1.0, kWidth, 0.0)};

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "offset/proof/distance_bounds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "boolean/closed_solids.h"
+
+namespace mq::boolean {
+namespace {
+
+const Progress kUnwatched;
+
+TEST(OffsetError, AFlatTriangleAboveAFaceIsAtItsDistance) {
+    const mesh::TriangleMesh box = solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
+    const SearchedSurface surface(box.vertices, box.triangles);
+    const std::vector<Corners> above{{Vec3(1, 1, 12), Vec3(9, 1, 12), Vec3(1, 9, 12)}};
+    EXPECT_NEAR(deviation_from_distance(above, surface, 2.0, 1e-5, kUnwatched).bound, 0.0, 1e-4);
+    EXPECT_NEAR(deviation_from_distance(above, surface, 1.5, 1e-5, kUnwatched).bound, 0.5, 1e-4);
+    EXPECT_NEAR(deviation_from_distance(above, surface, 2.75, 1e-5, kUnwatched).bound, 0.75, 1e-4);
+}
+
+TEST(OffsetError, ANearMissAmidATriangleIsFound) {
+    // The corners are far from the box; the triangle's inside passes a corner of it at 0.5.
+    const mesh::TriangleMesh box = solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
+    const SearchedSurface surface(box.vertices, box.triangles);
+    const std::vector<Corners> triangle{{Vec3(-30, -30, 10.5), Vec3(60, -30, 10.5), Vec3(5, 70, 10.5)}};
+    const ProvenBound bound = deviation_from_distance(triangle, surface, 40.0, 1e-3, kUnwatched);
+    EXPECT_GE(bound.bound, 39.5 - 1e-9);
+}
+
+TEST(OffsetError, PointsBehindTheSurfaceAndInThinGapsAreNoPartOfTheOffset) {
+    const mesh::TriangleMesh box = solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
+    const mesh::TriangleMesh far = solids::box(Vec3(100, 0, 0), Vec3(110, 10, 10));
+    const SearchedSurface surface(box.vertices, box.triangles);
+    const SearchedSurface result(far.vertices, far.triangles);
+    const std::vector<Corners> inside{{Vec3(4, 4, 8), Vec3(6, 4, 8), Vec3(4, 6, 8)}};
+    EXPECT_EQ(distance_of_outer_points(inside, surface, 1.9, 0.1, result, 0.01, kUnwatched).bound, 0.0);
+    const std::vector<Corners> outside{{Vec3(4, 4, 12), Vec3(6, 4, 12), Vec3(4, 6, 12)}};
+    EXPECT_GT(distance_of_outer_points(outside, surface, 1.9, 0.1, result, 0.01, kUnwatched).bound, 90.0);
+    // A result without triangles lacks all of it.
+    const mesh::TriangleMesh none;
+    const SearchedSurface nothing(none.vertices, none.triangles);
+    EXPECT_TRUE(std::isinf(distance_of_outer_points(outside, surface, 1.9, 0.1, nothing, 0.01, kUnwatched).bound));
+    EXPECT_EQ(distance_of_outer_points(inside, surface, 1.9, 0.1, nothing, 0.01, kUnwatched).bound, 0.0);
+    // A lid 4.1 above the box: what is moved on from 2 by 0.2 comes nearer to the lid.
+    mesh::TriangleMesh with_lid = box;
+    const mesh::TriangleMesh lid = solids::box(Vec3(-20, -20, 14.1), Vec3(30, 30, 20));
+    for (const mesh::Triangle& t : lid.triangles) {
+        with_lid.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+    }
+    with_lid.vertices.insert(with_lid.vertices.end(), lid.vertices.begin(), lid.vertices.end());
+    const SearchedSurface both(with_lid.vertices, with_lid.triangles);
+    EXPECT_EQ(distance_of_outer_points(outside, both, 1.95, 0.2, result, 0.01, kUnwatched).bound, 0.0);
+    EXPECT_GT(distance_of_outer_points(outside, both, 1.95, 0.01, result, 0.01, kUnwatched).bound, 90.0);
+}
+
+TEST(OffsetError, AllNearerIsAProof) {
+    const mesh::TriangleMesh box = solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
+    const SearchedSurface surface(box.vertices, box.triangles);
+    EXPECT_TRUE(all_nearer({Vec3(1, 1, 11), Vec3(9, 1, 11), Vec3(1, 9, 11)}, surface, 1.2));
+    EXPECT_FALSE(all_nearer({Vec3(1, 1, 11), Vec3(9, 1, 11), Vec3(1, 9, 11)}, surface, 0.99));
+    EXPECT_FALSE(all_nearer({Vec3(1, 1, 11), Vec3(9, 1, 11), Vec3(1, 40, 11)}, surface, 2.0));
+}
+
+TEST(OffsetError, ATriangleThatCrossesTheSurfaceIsAtNoDistance) {
+    // Its corners and edges are far from the edges and corners of the face that it goes through.
+    const mesh::TriangleMesh box = solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
+    const SearchedSurface surface(box.vertices, box.triangles);
+    const std::vector<Corners> through{{Vec3(6, 2, 8), Vec3(6.5, 2, 13), Vec3(7, 3, 13)}};
+    EXPECT_NEAR(deviation_from_distance(through, surface, 2.0, 1e-3, kUnwatched).bound, 2.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace mq::boolean
