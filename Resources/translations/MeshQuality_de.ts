@@ -1719,10 +1719,6 @@
         <translation>Die Oberfläche ließ sich nicht mit Tetraedern füllen: sie schneidet sich selbst, oder Wände sind zu dünn für ihre Dreiecke. Wählen Sie eine kleinere max. Abweichung ({value})</translation>
     </message>
     <message>
-        <source>The surface could not be filled with tetrahedra: its triangles do not fit each other across thin walls. Choose a smaller max. deviation or shorter edges</source>
-        <translation>Die Oberfläche ließ sich nicht mit Tetraedern füllen: ihre Dreiecke passen an dünnen Wänden nicht zueinander. Wählen Sie eine kleinere max. Abweichung oder kürzere Kanten</translation>
-    </message>
-    <message>
         <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, circumcentre is the rule of Aftosmis 1999</source>
         <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: neben der Umkreismitte braucht weniger Dreiecke, in der Umkreismitte ist die Regel von Aftosmis 1999</translation>
     </message>

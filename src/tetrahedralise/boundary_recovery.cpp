@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "tetrahedralise/delaunay.h"
+#include "tetrahedralise/cells/delaunay.h"
+#include "tetrahedralise/cells/tetrahedra.h"
 #include "tetrahedralise/star_cavity.h"
-#include "tetrahedralise/tetrahedra.h"
 
 namespace mq::tetrahedralise {
 

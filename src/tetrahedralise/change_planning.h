@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "tetrahedralise/cells/cell_measure.h"
+#include "tetrahedralise/cells/delaunay.h"
 #include "tetrahedralise/cells/flips.h"
 #include "tetrahedralise/cells/tetrahedralisation.h"
-#include "tetrahedralise/delaunay.h"
 #include "tetrahedralise/vertex_placing.h"
 
 namespace mq::tetrahedralise {

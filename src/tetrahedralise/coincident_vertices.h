@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "tetrahedralise/tetrahedra.h"
+#include "tetrahedralise/cells/tetrahedra.h"
 
 namespace mq::tetrahedralise {
 

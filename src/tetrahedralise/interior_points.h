@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "tetrahedralise/cells/delaunay.h"
 #include "tetrahedralise/cells/tetrahedralisation.h"
-#include "tetrahedralise/delaunay.h"
 
 namespace mq::tetrahedralise {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "tetrahedralise/cells/flips.h"
+#include "tetrahedralise/cells/tetrahedra.h"
 #include "tetrahedralise/star_cavity.h"
-#include "tetrahedralise/tetrahedra.h"
 
 namespace mq::tetrahedralise {
 
@@ -97,7 +97,7 @@ std::vector<Vec3> ways_inside(const Tetrahedralisation& mesh, const SurfaceConst
 /// A plane that the point must stay on the positive side of.
 struct Plane {
     Vec3 normal;    ///< unit
-    double height;  ///< of the point now
+    double height;  ///< the point's height above it, before it moves
 };
 
 /// The planes of the faces opposite a vertex, and of the triangles that its own triangles on the surface came of.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "tetrahedralise/tetrahedra.h"
+#include "tetrahedralise/cells/tetrahedra.h"
 
 namespace mq::tetrahedralise {
 

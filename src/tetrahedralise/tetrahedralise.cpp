@@ -5,8 +5,8 @@
 
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "tetrahedralise/boundary_recovery.h"
+#include "tetrahedralise/cells/delaunay.h"
 #include "tetrahedralise/coincident_vertices.h"
-#include "tetrahedralise/delaunay.h"
 #include "tetrahedralise/interior_points.h"
 #include "tetrahedralise/is_bounded_by.h"
 #include "tetrahedralise/optimisation.h"
@@ -67,7 +67,7 @@ Tetrahedralisation inside_of(const std::vector<Vec3>& points, const std::vector<
     throw *first;
 }
 
-/// Of a surface whose vertices all differ.
+/// Takes a surface whose vertices all differ.
 Tetrahedra tetrahedralise_distinct(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
                                    double grading_factor, const Progress& progress, const EndTangents& tangents) {
     Tetrahedralisation mesh = inside_of(points, triangles, progress);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "tetrahedralise/tetrahedra.h"
+#include "tetrahedralise/cells/tetrahedra.h"
 
 namespace mq::tetrahedralise {
 

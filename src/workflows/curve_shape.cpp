@@ -20,7 +20,7 @@
 #include "given/matching/edge_paths.h"
 #include "given/matching/matching.h"
 #include "given/simplices/curve_given.h"
-#include "tetrahedralise/tetrahedra.h"
+#include "tetrahedralise/cells/tetrahedra.h"
 #include "triangulate/triangulate.h"
 
 namespace mq::workflows {

@@ -16,7 +16,7 @@
 #include "curve/volume/straighten.h"
 #include "given/matching/matching.h"
 #include "given/simplices/degree_raising.h"
-#include "tetrahedralise/tetrahedra.h"
+#include "tetrahedralise/cells/tetrahedra.h"
 
 namespace mq::curve {
 

@@ -14,7 +14,7 @@
 #include "curve/volume/editor.h"
 #include "curve/volume/remeshing/tetrahedralise_and_repair.h"
 #include "geometry/occt/shape_model.h"
-#include "tetrahedralise/tetrahedra.h"
+#include "tetrahedralise/cells/tetrahedra.h"
 
 namespace mq::curve {
 

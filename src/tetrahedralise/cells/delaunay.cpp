@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "tetrahedralise/delaunay.h"
+#include "tetrahedralise/cells/delaunay.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "base/key_set.h"
 #include "base/predicates.h"
-#include "tetrahedralise/tetrahedra.h"
+#include "tetrahedralise/cells/tetrahedra.h"
 
 namespace mq::tetrahedralise {
 
