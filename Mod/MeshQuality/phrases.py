@@ -170,8 +170,6 @@ NO_BOUND_AND_BOUND = "chord_height = 'none' and chord_height_relative = {number}
 MIN_ABOVE_MAX = "min_edge = {length} is longer than max_edge = {length2}"
 NO_SOURCE = "Source is empty: choose an object with a shape"
 NO_SOURCES = "Sources is empty: choose objects with a mesh or a shape"
-ABOVE_DISTANCE = "tolerance is {length}: at most the distance of {length2} is possible; give a smaller one"
-HALF_OF_GAP = "tolerance is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap"
 GIVEN_DELETED = "Given is empty: the FEM mesh was deleted; choose another one, or delete this mesh"
 NOT_MEASURED = "the surface of the mesh is not measured: it is not of triangles of one order"
 NO_PART = "{name} does not say of which part it is a mesh: give part=, or select the part beside it"
@@ -196,7 +194,7 @@ DOCUMENT_CLOSED = "The document was closed. Close this panel."
 ERRORS = (
     IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES, FEM_BESIDE, FEM_BESIDE_ANY,
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
-    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, ABOVE_DISTANCE, HALF_OF_GAP, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
+    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
     *fault_phrases.TEXTS, *label_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
@@ -254,6 +252,8 @@ CORE_ERRORS = {
         "chord_height is {length}: single precision holds this shape to {length2} only; choose a larger value",
     "fine_tolerance":
         "tolerance is {length}: single precision holds these operands to {length2} only; choose a larger value",
+    "above_distance": "tolerance is {length}: at most the distance of {length2} is possible; give a smaller one",
+    "half_of_gap": "tolerance is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap",
     "fine_deviation":
         "deviation is {length}: single precision holds this mesh to {length2} only; choose a larger value",
     "short_edges": "{option} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value",
@@ -315,8 +315,6 @@ _SHOWN = {
     TWO_BOUNDS: "The max. deviation is given twice, as {length} and as {number} of the size: give one of them",
     NO_BOUND_AND_BOUND: "The max. deviation is given twice, as unlimited and as {number} of the size: give one of them",
     NOT_GIVEN: "{option}: give a length that is not 0",
-    ABOVE_DISTANCE: "The max. deviation is {length}: at most the distance of {length2} is possible; give a smaller one",
-    HALF_OF_GAP: "The max. deviation is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap",
     MIN_ABOVE_MAX: "The shortest edge of {length} is longer than the longest edge of {length2}",
     "greater than {length}, or 'none'": "greater than {length}, or without a limit",
     CASE_SOLIDS: "The mesh has {count} solids, and one space is meshed at a time: unite them first, or take one alone",
@@ -338,6 +336,8 @@ _SHOWN = {
         "fine_tolerance":
             "A max. deviation of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger "
             "value",
+        "above_distance": "The max. deviation is {length}: at most the distance of {length2} is possible; give a smaller one",
+        "half_of_gap": "The max. deviation is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap",
         "fine_deviation":
             "A display accuracy of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a "
             "larger value",

@@ -24,8 +24,8 @@ class Progress {
     /// is left, as in a second attempt, it covers that.
     void stage(const char* name, double from, double to) {
         name_.store(name, std::memory_order_release);
-        from_.store(from, std::memory_order_relaxed);
-        to_.store(to, std::memory_order_relaxed);
+        from_.store(low_ + from * (high_ - low_), std::memory_order_relaxed);
+        to_.store(low_ + to * (high_ - low_), std::memory_order_relaxed);
         advance(0.0);
     }
     /// Worker, in any of its threads: `done` in [0, 1] of the current stage. The fraction never runs backwards.
@@ -51,12 +51,37 @@ class Progress {
     const char* name() const { return name_.load(std::memory_order_acquire); }
 
   private:
+    friend class ProgressShare;
+
     std::atomic<const char*> name_{"start"};
     std::atomic<double> from_{0.0};
     std::atomic<double> to_{1.0};
     std::atomic<double> fraction_{0.0};
     std::atomic<bool> cancelled_{false};
     const Progress* whole_ = nullptr;
+    double low_ = 0.0;  // what the stages' fractions are of: the worker's alone
+    double high_ = 1.0;
+};
+
+/// While it lives, the stages of an operation cover its fractions [from, to] alone: those of one step of several.
+class ProgressShare {
+  public:
+    ProgressShare(Progress& progress, double from, double to)
+        : progress_(progress), low_(progress.low_), high_(progress.high_) {
+        progress.low_ = low_ + from * (high_ - low_);
+        progress.high_ = low_ + to * (high_ - low_);
+    }
+    ~ProgressShare() {
+        progress_.low_ = low_;
+        progress_.high_ = high_;
+    }
+    ProgressShare(const ProgressShare&) = delete;
+    ProgressShare& operator=(const ProgressShare&) = delete;
+
+  private:
+    Progress& progress_;
+    double low_;
+    double high_;
 };
 
 /// Checks for a cancellation where there may be no watcher.

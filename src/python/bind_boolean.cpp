@@ -8,13 +8,14 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/error.h"
+#include "geometry/occt/shape_measures.h"
 #include "mesh/quality/surface_distance.h"
 #include "mesh/quality/surface_verification.h"
 #include "python/array_view.h"
@@ -23,8 +24,7 @@
 #include "python/progress_watch.h"
 #include "python/shared_engine.h"
 #include "workflows/boolean_of_operands.h"
-#include "workflows/cad_normals.h"
-#include "workflows/offset_of_solid.h"
+#include "workflows/offset_shape.h"
 #include "workflows/wrap_objects.h"
 
 namespace py = pybind11;
@@ -37,15 +37,19 @@ using boolean::BooleanOptions;
 using workflows::BooleanMethod;
 using workflows::BooleanReport;
 using workflows::BooleanSurface;
-using workflows::WorkBefore;
+using workflows::Operands;
 using Surface = triangulate::Result;
 using SurfacePointer = std::shared_ptr<Surface>;
 
 static_assert(sizeof(std::array<std::int32_t, 2>) == 2 * sizeof(std::int32_t), "handed to NumPy as it lies in memory");
 
-/// An operand from Python: whether it may be rounded to single precision, and the Part.Shape from which it was meshed,
-/// or None.
-using PythonOperand = std::tuple<SurfacePointer, bool, py::object>;
+void add_operand(Operands& operands, const std::string& name, const SurfacePointer& surface, bool round,
+                 const py::object& shape) {
+    if (surface == nullptr && shape.is_none()) {
+        throw InvalidInput(name + " has neither a surface nor a shape");
+    }
+    operands.add({name, surface, round, shape.is_none() ? nullptr : geometry::kept(*part_shape(shape).shape)});
+}
 
 BooleanMethod method_from(const std::string& name) {
     if (name == "default") {
@@ -71,23 +75,15 @@ boolean::Expression expression_from(const PythonExpression& expression, std::siz
     return boolean::Expression::from(std::get<std::vector<std::int32_t>>(expression), count);
 }
 
-std::shared_ptr<BooleanSurface> run_boolean(const std::vector<PythonOperand>& operands,
-                                            const PythonExpression& operation, const BooleanOptions& options,
-                                            const std::string& method, const WorkBefore& before,
+std::shared_ptr<BooleanSurface> run_boolean(const Operands& operands, const PythonExpression& operation,
+                                            const BooleanOptions& options, const std::string& method,
                                             const py::object& progress) {
-    options.validate();
-    const boolean::Expression wanted = expression_from(operation, operands.size());
+    const boolean::Expression wanted = expression_from(operation, operands.given().size());
     const BooleanMethod by = method_from(method);
-    std::vector<FreecadShape> shapes;  // keeps them alive
-    std::vector<workflows::BooleanOperand> taken;
-    for (const auto& [surface, round, shape] : operands) {
-        shapes.push_back(shape.is_none() ? FreecadShape() : part_shape(shape));
-        taken.push_back({surface.get(), round, shapes.back().shape});
-    }
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
         return std::make_shared<BooleanSurface>(
-            workflows::boolean_of_operands(engine, taken, wanted, options, by, before, handle));
+            workflows::boolean_of_operands(engine, operands, wanted, options, by, handle));
     });
 }
 
@@ -198,104 +194,41 @@ void bind_boolean_report(py::module_& m) {
         .def("__str__", [](const BooleanReport& report) { return workflows::to_text(report); });
 }
 
-std::shared_ptr<BooleanSurface> offset_surface(const BooleanSurface& solid, double distance, double tolerance,
-                                               int threads, const WorkBefore& before, const py::object& progress) {
-    return watch(progress, [&](Progress& handle) {
-        return std::make_shared<BooleanSurface>(
-            workflows::offset_of_solid(solid, {distance, tolerance, threads}, before, handle));
-    });
-}
-
-using OpenTriangles = py::array_t<bool, py::array::c_style | py::array::forcecast>;
-
-std::vector<char> open_triangles(const BooleanSurface& solid, const OpenTriangles& open) {
-    if (static_cast<std::size_t>(open.size()) != solid.mesh.triangles.size()) {
-        throw InvalidInput("openings are marked for " + std::to_string(open.size()) + " triangles of " +
-                           std::to_string(solid.mesh.triangles.size()));
-    }
-    return {open.data(), open.data() + open.size()};
-}
-
-std::shared_ptr<BooleanSurface> thicken_walls(const BooleanSurface& solid, const OpenTriangles& open, double distance,
-                                              double tolerance, int threads, const WorkBefore& before,
-                                              const py::object& progress) {
-    const std::vector<char> left_out = open_triangles(solid, open);
-    return watch(progress, [&](Progress& handle) {
-        return std::make_shared<BooleanSurface>(
-            workflows::thickened_walls(solid, left_out, {distance, tolerance, threads}, before, handle));
-    });
-}
-
-std::shared_ptr<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid, const OpenTriangles& open,
-                                                       double thickness, double tolerance, int threads,
-                                                       const WorkBefore& before, const py::object& progress) {
-    const std::vector<char> left_out = open_triangles(solid, open);
-    return watch(progress, [&](Progress& handle) {
-        std::optional<BooleanSurface> hollow =
-            workflows::hollow_beyond_openings(solid, left_out, {thickness, tolerance, threads}, before, handle);
-        return hollow ? std::make_shared<BooleanSurface>(std::move(*hollow)) : nullptr;
-    });
-}
-
-void name_faces(BooleanSurface& result, const std::vector<SurfacePointer>& operands) {
-    std::vector<const Surface*> taken;
-    for (const SurfacePointer& operand : operands) {
-        taken.push_back(operand.get());
-    }
-    for (const auto& origin : result.triangle_origin) {
-        if (origin[0] >= static_cast<std::int32_t>(taken.size())) {
-            throw InvalidInput("the operands of the Boolean are needed, in their order");
-        }
-    }
-    workflows::name_faces(result, taken);
-}
-
-void name_corner_normals(BooleanSurface& surface, const py::object& shape, const py::object& progress) {
-    const FreecadShape part = part_shape(shape);
+std::shared_ptr<BooleanSurface> offset_shape(const Operands& solid, double distance, double tolerance, int threads,
+                                             const py::object& progress) {
     geometry::Engine& engine = shared_engine();
-    watch(progress, [&](Progress& handle) {
-        surface.corner_normals = workflows::corner_normals(engine, surface.mesh, *part.shape, handle);
-        return 0;
+    return watch(progress, [&](Progress& handle) {
+        return std::make_shared<BooleanSurface>(
+            workflows::offset_shape(engine, solid, {distance, tolerance, threads}, handle));
+    });
+}
+
+std::shared_ptr<BooleanSurface> hollow_shape(const Operands& solid, double thickness,
+                                             const std::optional<std::vector<std::int32_t>>& openings, double tolerance,
+                                             int threads, const py::object& progress) {
+    geometry::Engine& engine = shared_engine();
+    return watch(progress, [&](Progress& handle) {
+        return std::make_shared<BooleanSurface>(
+            workflows::hollow_shape(engine, solid, openings, {thickness, tolerance, threads}, handle));
     });
 }
 
 void bind_offsets(py::module_& m) {
-    m.def("name_corner_normals", &name_corner_normals, py::arg("surface"), py::arg("shape"),
-          py::arg("progress") = py::none(),
-          "Gives the corners of the triangles of a BooleanSurface that knows its faces the normals of these, by which "
-          "they are offset.");
-    m.def("name_faces", &name_faces, py::arg("result"), py::arg("operands"),
-          "Gives the triangles of a BooleanSurface the CAD faces of those of its operands, all made of one shape, of "
-          "which they are pieces.");
-    m.def(
-        "offset_surface", &offset_surface, py::arg("solid"), py::arg("distance"), py::arg("tolerance"),
-        py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
-        "The offset of a BooleanSurface; distances in mm, inward below 0. Returns a BooleanSurface on the CAD faces of "
-        "the solid.");
-    m.def(
-        "thicken_walls", &thicken_walls, py::arg("solid"), py::arg("open"), py::arg("distance"), py::arg("tolerance"),
-        py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
-        "All that is within a distance (mm) of the triangles of a BooleanSurface that are not marked as open. Returns "
-        "a BooleanSurface.");
-    m.def(
-        "hollow_beyond_openings", &hollow_beyond_openings, py::arg("solid"), py::arg("open"), py::arg("thickness"),
-        py::arg("tolerance"), py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
-        "What is deeper in a BooleanSurface than a thickness (mm), from its triangles that are not marked as open; it "
-        "reaches out of the openings. Returns a BooleanSurface, or None where openings are not plane, or are in "
-        "pockets.");
+    m.def("offset_shape", &offset_shape, py::arg("solid"), py::arg("distance"), py::arg("tolerance"),
+          py::arg("threads"), py::arg("progress") = py::none(),
+          "The offset of one of Operands; distances in mm, inward below 0; tolerance 0: the default. Returns a "
+          "BooleanSurface on the CAD faces of the solid.");
+    m.def("hollow_shape", &hollow_shape, py::arg("solid"), py::arg("thickness"), py::arg("openings"),
+          py::arg("tolerance"), py::arg("threads"), py::arg("progress") = py::none(),
+          "The wall of one of Operands, open at faces of its shape by their indices; None: closed. Lengths in mm; "
+          "tolerance 0: the default. Returns a BooleanSurface.");
 }
 
 using workflows::WrapSurface;
-/// An object: its surface, and whether its coordinates may be rounded to single precision.
-using Object = std::pair<std::shared_ptr<Surface>, bool>;
 
-std::shared_ptr<WrapSurface> wrap_objects(const std::vector<Object>& objects, const std::vector<std::int32_t>& faces,
-                                          double gap, double tolerance, const std::vector<std::array<double, 3>>& dry,
-                                          int threads, const WorkBefore& before, const py::object& progress) {
-    std::vector<workflows::BooleanOperand> given;
-    for (const auto& [surface, round] : objects) {
-        given.push_back({surface.get(), round, nullptr});
-    }
+std::shared_ptr<WrapSurface> wrap_objects(const Operands& objects, double gap, double tolerance,
+                                          const std::vector<std::array<double, 3>>& dry, int threads,
+                                          const py::object& progress) {
     wrap::WrapOptions options;
     options.gap = gap;
     options.spacing = tolerance;
@@ -303,8 +236,9 @@ std::shared_ptr<WrapSurface> wrap_objects(const std::vector<Object>& objects, co
     for (const std::array<double, 3>& place : dry) {
         options.dry.emplace_back(place[0], place[1], place[2]);
     }
+    geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
-        return std::make_shared<WrapSurface>(workflows::wrap_objects(given, faces, options, before, handle));
+        return std::make_shared<WrapSurface>(workflows::wrap_objects(engine, objects, options, handle));
     });
 }
 
@@ -326,6 +260,7 @@ void bind_wrap(py::module_& m) {
         .def_property_readonly("distance_from_input", [](const WrapSurface& self) { return self.distance.from_input; })
         .def_readonly("gap_triangles", &WrapSurface::gap_triangles)
         .def_readonly("gap_area", &WrapSurface::gap_area, "mm2")
+        .def_readonly("faces", &WrapSurface::faces, "how many each object has; 0: that is not known")
         .def_property_readonly(
             "leaks",
             [](const WrapSurface& self) {
@@ -336,11 +271,10 @@ void bind_wrap(py::module_& m) {
                 return leaks;
             },
             "[(dry place, path, narrowest place, width in mm), ...]");
-    m.def("wrap_objects", &wrap_objects, py::arg("objects"), py::arg("faces"), py::arg("gap"), py::arg("tolerance"),
-          py::arg("dry"), py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
-          "The outer surface of objects [(Surface, round), ...] with so many faces without openings narrower than the "
-          "gap; lengths in mm. "
-          "Returns a WrapSurface.");
+    m.def("wrap_objects", &wrap_objects, py::arg("objects"), py::arg("gap"), py::arg("tolerance"), py::arg("dry"),
+          py::arg("threads"), py::arg("progress") = py::none(),
+          "The outer surface of Operands without openings narrower than the gap; lengths in mm; tolerance 0: the "
+          "default. Returns a WrapSurface.");
 }
 
 }  // namespace
@@ -364,19 +298,16 @@ void bind_boolean(py::module_& m) {
         .def("tolerance_for", &BooleanOptions::tolerance_for, py::arg("size"),
              "The tolerance in mm for operands whose box has this longest side: that which was requested, else that of "
              "the resolution.");
-    py::class_<WorkBefore>(m, "WorkBefore", "What was done before the core was called: stages, notes, time.")
+    py::class_<Operands>(m, "Operands", "Operands in their order, from their construction on being read.")
         .def(py::init<>())
-        .def_readwrite("seconds", &WorkBefore::seconds)
-        .def_readwrite("notes", &WorkBefore::notes)
-        .def_readwrite("repaired", &WorkBefore::repaired)
-        .def_readwrite("cpu_seconds", &WorkBefore::cpu_seconds)
-        .def_readwrite("error_bound", &WorkBefore::error_bound)
-        .def_readwrite("tolerance", &WorkBefore::tolerance);
+        .def("add", &add_operand, py::arg("name"), py::arg("surface"), py::arg("round"), py::arg("shape"),
+             "A Surface or None, whether it may be rounded to single precision, and a Part.Shape or None.")
+        .def("size", &Operands::size, "Longest side of the box of all, mm.")
+        .def("divided_length", &Operands::divided_length, "mm; what a resolution divides, where the method is exact.");
     m.def("boolean", &run_boolean, py::arg("operands"), py::arg("operation"), py::arg("options"), py::arg("method"),
-          py::arg("before"), py::arg("progress") = py::none(),
-          "A Boolean of [(Surface, whether it may be rounded to single precision, the Part.Shape it was made of or "
-          "None), ...]. The operation: a name, or an expression in postfix order: operand k as k, union, intersection, "
-          "difference and symmetric difference as -1 to -4. Returns a BooleanSurface.");
+          py::arg("progress") = py::none(),
+          "A Boolean of Operands. The operation: a name, or an expression in postfix order: operand k as k, union, "
+          "intersection, difference and symmetric difference as -1 to -4. Returns a BooleanSurface.");
     m.def("verify", &verify_surface, py::arg("surface"), py::arg("progress") = py::none(),
           "{kind of fault: how many} of a Surface, found exactly; contacts are counted up to 1000.");
     m.def("faults", &faults_of, py::arg("surface"), py::arg("limit"), py::arg("progress") = py::none(),

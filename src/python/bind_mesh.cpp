@@ -373,9 +373,6 @@ void bind_mesh(py::module_& m) {
                                })
         .def_property_readonly("origin", [](const Surface& self) { return point(self.mesh.origin); })
         .def_readonly("report", &Surface::report)
-        .def(
-            "mean_thickness", [](const Surface& self) { return mesh::mean_thickness(self.mesh); },
-            "Twice the volume by the area, mm.")
         .def_property_readonly("angle_history", &angle_history,
                                "(int64 (n,), float64 (n,)): numbers of triangles, and the smallest angle with each in "
                                "degrees, while Algorithm M ran; of TriangulateOptions.record_angles")

@@ -17,7 +17,7 @@
 #include "python/python_lock.h"
 #include "python/shared_engine.h"
 #include "triangulate/incremental/mesh_cache.h"
-#include "workflows/triangulate_shape.h"
+#include "workflows/operands/triangulate_shape.h"
 
 namespace py = pybind11;
 

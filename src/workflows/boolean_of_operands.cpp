@@ -14,7 +14,7 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/shape_model.h"
 #include "layered_depth/sound_layered_depth.h"
-#include "workflows/operand_frame.h"
+#include "workflows/operands/operand_frame.h"
 
 namespace mq::workflows {
 
@@ -224,6 +224,13 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
 
 namespace {
 
+void require_valid(const BooleanOptions& options, BooleanMethod method) {
+    options.validate();
+    if (options.full && method != BooleanMethod::Uniform) {
+        throw InvalidInput(Message::of(phrases::kFullBySampling, {}));
+    }
+}
+
 /// One Boolean by either method.
 class BooleanRun {
   public:
@@ -294,10 +301,7 @@ class BooleanRun {
 BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,
                                    const Expression& expression, const BooleanOptions& options, BooleanMethod method,
                                    const WorkBefore& before, Progress& progress) {
-    options.validate();
-    if (options.full && method != BooleanMethod::Uniform) {
-        throw InvalidInput(Message::of(phrases::kFullBySampling, {}));
-    }
+    require_valid(options, method);
     const ThreadLimit threads(options.threads);
     const Stopwatch watch_all;
     std::vector<FramedOperand> framed;
@@ -328,6 +332,30 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
     result.figures.cpu_seconds = before.cpu_seconds + watch_all.cpu();
     result.report = result.figures;
     return result;
+}
+
+BooleanSurface boolean_of_operands(geometry::Engine& engine, const Operands& operands, const Expression& expression,
+                                   BooleanOptions options, BooleanMethod method, Progress& progress) {
+    constexpr double kMeshing = 0.4;  // fraction of the progress
+    constexpr double kShare = 0.25;
+    constexpr double kShareUniform = 1.0 / 16.0;
+    // The tolerance of a resolution goes by the largest operand, and may be a tenth of the radius of a slender one.
+    constexpr double kVolumeError = 0.002;
+    require_valid(options, method);
+    const bool is_uniform = method == BooleanMethod::Uniform;
+    const bool is_given = options.tolerance > 0.0;
+    if (!is_uniform && !is_given) {
+        options.length = operands.divided_length();
+    }
+    OperandMeshing meshing;
+    meshing.tolerance = options.tolerance_for(operands.size());
+    meshing.share = is_uniform ? kShareUniform : kShare;
+    meshing.volume_error = is_given ? 0.0 : kVolumeError;
+    meshing.threads = options.threads;
+    MeshedOperands meshed = operands.meshed(engine, meshing, progress, 0.0, kMeshing);
+    meshed.work.error_bound = 0.0;  // notes tell it, as the bound is that of the Boolean of the meshes
+    const ProgressShare rest(progress, operands.any_shapes() ? kMeshing : 0.0, 1.0);
+    return boolean_of_operands(engine, meshed.operands, expression, options, method, meshed.work, progress);
 }
 
 void name_faces(BooleanSurface& result, const std::vector<const triangulate::Result*>& operands) {

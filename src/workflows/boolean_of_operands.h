@@ -7,14 +7,12 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "base/stopwatch.h"
 #include "boolean/boolean.h"
 #include "boolean/input/operation.h"
 #include "geometry/engine.h"
 #include "triangulate/work_mesh/result.h"
 #include "workflows/boolean_report.h"
-
-class TopoDS_Shape;
+#include "workflows/operands/mesh_operands.h"
 
 namespace mq::workflows {
 
@@ -22,24 +20,6 @@ enum class BooleanMethod {
     Default,  ///< Exact; Uniform where the operands have no exact result
     Exact,    ///< exact arrangements (boolean/boolean.h)
     Uniform,  ///< layered depth images (layered_depth)
-};
-
-/// An operand: its mesh, and the shape from which it was meshed.
-struct BooleanOperand {
-    const triangulate::Result* surface = nullptr;
-    bool round = false;                   ///< true: its coordinates may be rounded to single precision
-    const TopoDS_Shape* shape = nullptr;  ///< null: the operand is nothing but a mesh
-};
-
-/// The work before the Boolean: stages, notes and processor time of reading and meshing the operands.
-struct WorkBefore {
-    StageTimes seconds;
-    std::vector<std::string> notes;
-    double cpu_seconds = 0.0;
-    /// mm: how far that work may have moved surfaces; the reported bound includes it.
-    double error_bound = 0.0;
-    double tolerance = 0.0;  ///< mm: the tolerance for all of the work, where it is not that of the last step
-    std::vector<std::string> repaired{};  ///< a sentence for each operand that was repaired before
 };
 
 /// `report` of the base class holds the measured fields of `figures`.
@@ -73,6 +53,15 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
 BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,
                                    const boolean::Expression& expression, const boolean::BooleanOptions& options,
                                    BooleanMethod method, const WorkBefore& before, Progress& progress);
+
+/// The same of operands that may be shapes: these are meshed first, within a quarter of the tolerance, of the method
+/// Uniform within a sixteenth: the finer meshes are, the fewer rays pass between mesh and face. Where no tolerance is
+/// given, the resolution divides Operands::divided_length (Uniform: the size), and meshes keep the volume of each shape
+/// to 0.2 %, too.
+/// @throws as Operands::meshed, too
+BooleanSurface boolean_of_operands(geometry::Engine& engine, const Operands& operands,
+                                   const boolean::Expression& expression, boolean::BooleanOptions options,
+                                   BooleanMethod method, Progress& progress);
 
 /// Gives a result's triangles the CAD faces of those triangles of its operands of which they are pieces, -1 where there
 /// is none; nothing where no operand knows faces.

@@ -8,8 +8,10 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "geometry/occt/shape_measures.h"
 #include "mesh/intersection/self_intersection.h"
-#include "workflows/operand_frame.h"
+#include "workflows/operands/operand_frame.h"
 
 namespace mq::workflows {
 
@@ -39,10 +41,10 @@ Joined joined(const std::vector<const mesh::TriangleMesh*>& meshes, const std::v
         for (std::size_t t = 0; t < meshes[i]->triangles.size(); ++t) {
             const mesh::Triangle& c = meshes[i]->triangles[t];
             result.mesh.triangles.push_back({first + c[0], first + c[1], first + c[2]});
-            result.mesh.triangle_face.push_back(first_face + (faces[i] == 1 ? 0 : its_faces[t]));
+            result.mesh.triangle_face.push_back(first_face + (faces[i] <= 1 ? 0 : its_faces[t]));
             result.source.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(t)});
         }
-        first_face += faces[i];
+        first_face += std::max(faces[i], 1);
     }
     return result;
 }
@@ -75,23 +77,32 @@ void sort_by_face(wrap::WrapResult& wrapped, const std::vector<std::int32_t>& fa
     }
 }
 
-}  // namespace
+/// How many CAD faces an object has; 0: not all of its triangles know theirs.
+std::int32_t faces_of(const BooleanOperand& object) {
+    const std::vector<std::int32_t>& faces = object.surface->mesh.triangle_face;
+    if (object.shape != nullptr) {
+        return static_cast<std::int32_t>(geometry::face_count(*object.shape));
+    }
+    const auto [least, most] = std::minmax_element(faces.begin(), faces.end());
+    return faces.empty() || *least < 0 ? 0 : *most + 1;
+}
 
-WrapSurface wrap_objects(const std::vector<BooleanOperand>& objects, const std::vector<std::int32_t>& faces,
-                         const wrap::WrapOptions& options, const WorkBefore& before, Progress& progress) {
+WrapSurface wrap_meshes(const std::vector<BooleanOperand>& objects, const wrap::WrapOptions& options,
+                        const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
+    WrapSurface result;
     std::vector<FramedOperand> framed;
     for (const BooleanOperand& object : objects) {
         framed.push_back({&object.surface->mesh, object.round});
+        result.faces.push_back(faces_of(object));
     }
     const OperandFrame frame(framed);
-    const Joined input = joined(frame.meshes(), objects, faces);
+    const Joined input = joined(frame.meshes(), objects, result.faces);
     wrap::WrapOptions in_frame = options;
     for (Vec3& dry : in_frame.dry) {
         dry -= input.mesh.origin;
     }
     wrap::WrapResult wrapped = wrap::wrap(input.mesh, in_frame, progress);
-    WrapSurface result;
     sort_by_face(wrapped, input.mesh.triangle_face);
     result.mesh = std::move(wrapped.mesh);
     for (const std::int32_t t : wrapped.triangle_source) {
@@ -123,6 +134,34 @@ WrapSurface wrap_objects(const std::vector<BooleanOperand>& objects, const std::
     figures.cpu_seconds = before.cpu_seconds + watch.cpu();
     result.report = figures;
     return result;
+}
+
+}  // namespace
+
+WrapSurface wrap_objects(geometry::Engine& engine, const Operands& objects, wrap::WrapOptions options,
+                         Progress& progress) {
+    constexpr double kRelative = 2e-2;   // the tolerance as a fraction of the size, where none is given, ...
+    constexpr double kOfGap = 0.25;      // ... and at most as one of the gap
+    constexpr double kLargest = 0.5;     // fraction of the gap: the lattice must not pass openings
+    constexpr double kDeviation = 0.05;  // meshes of shapes, as a fraction of the tolerance
+    constexpr double kMeshing = 0.1;     // fraction of the progress
+    const double size = objects.size();  // what has none is refused below
+    if (options.spacing <= 0.0) {
+        options.spacing = std::min(kRelative * (size > 0.0 ? size : options.gap), kOfGap * options.gap);
+    }
+    if (options.spacing > kLargest * options.gap) {
+        throw InvalidInput(Message::of(phrases::kHalfOfGap, {{"length", in_digits(options.spacing, 6) + " mm"},
+                                                             {"length2", in_digits(options.gap, 6) + " mm"}}));
+    }
+    OperandMeshing meshing;
+    meshing.tolerance = options.spacing;
+    meshing.share = kDeviation;
+    meshing.any_faces = true;
+    meshing.threads = options.threads;
+    MeshedOperands meshed = objects.meshed(engine, meshing, progress, 0.0, kMeshing);
+    meshed.work.tolerance = options.spacing;
+    const ProgressShare rest(progress, objects.any_shapes() ? kMeshing : 0.0, 1.0);
+    return wrap_meshes(meshed.operands, options, meshed.work, progress);
 }
 
 }  // namespace mq::workflows

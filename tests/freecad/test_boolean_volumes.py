@@ -2,13 +2,11 @@
 """mq.boolean of shapes without a tolerance: how fine they are meshed, and what is told of it."""
 
 import unittest
-from unittest import mock
 
 import FreeCAD
 import Part
 
 import MeshQuality as mq
-from MeshQuality.core.operands import operands
 
 
 class Volumes(unittest.TestCase):
@@ -55,7 +53,10 @@ class Volumes(unittest.TestCase):
         self.assertEqual(len(notes), 1, notes)
         self.assertRegex(notes[0], r"^12 operands are shapes: their meshes deviate by at most \S+ mm from them; ")
 
-    def test_what_would_take_too_many_triangles_is_told(self):
-        with mock.patch.object(operands, "_MOST", 1000):
-            report = mq.boolean(Part.makeCylinder(5, 200), Part.makeBox(20, 20, 20, FreeCAD.Vector(50, 0, 0)), "union").report
-        self.assertRegex(report.notes[0], r"operand A .* and its volume by about \d.*%;")
+    def test_the_tolerance_does_not_change_once_a_shape_was_shown(self):
+        torus = Part.makeTorus(10, 3)
+        shown = torus.copy()
+        shown.tessellate(1.0)
+        plain, after = (mq.boolean(shape, Part.makeBox(5, 5, 5), "union", resolution=64, method="uniform").report.tolerance_asked
+                        for shape in (torus, shown))
+        self.assertEqual(plain, after)

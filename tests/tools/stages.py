@@ -49,7 +49,7 @@ STAGES = {
     "contour": [["contour"]],
     "offset": [["offset/proof"], ["offset/trimmed"], ["offset/contoured"]],
     "wrap": [["wrap/lattice"], ["wrap/outside"], ["wrap/surface"], ["wrap/measure"], ["wrap"]],
-    "workflows": [["workflows"]],
+    "workflows": [["workflows/operands"], ["workflows"]],
     "view": [["view"]],
     "python": [["python/freecad"], ["python"]],
 }

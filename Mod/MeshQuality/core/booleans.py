@@ -3,18 +3,9 @@
 
 from .. import options
 from ..compat import extension
-from ..errors import Error, InvalidInput
-from .operands.operands import Operands, part_of
+from ..errors import InvalidInput
+from .operands.operands import Operands
 from .surface_mesh import SurfaceMesh
-
-# Share of the progress that meshing shapes has, where there are any.
-_MESHING = 0.4
-# Largest deviation of the meshes of shapes by method, as a fraction of the tolerance. Rays take from the meshes which
-# CAD faces they meet: the finer these are, the fewer rays pass between mesh and face.
-_DEVIATION = {"default": 0.25, "exact": 0.25, "uniform": 1.0 / 16.0}
-# Largest relative error of the volume of a shape by its mesh, where no tolerance is given: the tolerance of a resolution goes by the
-# largest operand, and may be a tenth of the radius of a slender one.
-_VOLUME_ERROR = 0.002
 
 
 class BooleanMesh(SurfaceMesh):
@@ -103,17 +94,5 @@ def _core_options(values):
 
 def run(operands, values, progress=None):
     """The BooleanMesh of operands that were read, with checked options."""
-    module = extension()
-    core_options, before = _core_options(values), module.WorkBefore()
-    if values["method"] != "uniform" and not values["tolerance"]:
-        core_options.length = operands.divided_length()
-    meshing = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHING), _DEVIATION[values["method"]],
-                                 volume_error=None if values["tolerance"] else _VOLUME_ERROR)
-    before.seconds, before.notes = operands.seconds, operands.notes
-    before.cpu_seconds = operands.cpu_seconds
-    try:
-        return BooleanMesh(module.boolean(
-            operands.surfaces, values["operation"], core_options, values["method"], before,
-            part_of(progress, _MESHING if meshing else 0.0, 1.0)))
-    except Error as error:
-        raise operands.explain(error) from error
+    return BooleanMesh(operands.given_to(lambda core: extension().boolean(
+        core, values["operation"], _core_options(values), values["method"], progress)))

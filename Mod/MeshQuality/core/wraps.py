@@ -5,22 +5,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .. import options, phrases, wrap_options
+from .. import options, wrap_options
 from ..compat import extension
-from ..errors import Error, InvalidInput
+from ..errors import InvalidInput
 from ..listing import Public
 from .sources import frames
 from .operands import hidden_parts
 from .booleans import BooleanMesh
-from .operands.operands import Operands, is_arrays, part_of
+from .operands.operands import Operands, is_arrays
 from .patches.patches import Division, patches_of
 from .patches.source_faces import GAPS, own_names
-
-_RELATIVE = 2e-2  # the tolerance as a fraction of the size, where none is given, ...
-_OF_GAP = 0.25  # ... and of the gap, at most
-_LARGEST = 0.5  # of the gap: the lattice must not pass openings
-_DEVIATION = 0.05  # of the meshes of shapes, as a fraction of the tolerance
-_MESHED = 0.1  # fraction of the progress at which shapes are meshed
 
 
 @dataclass(frozen=True)
@@ -123,28 +117,11 @@ class Wrapped:
 
 def run(wrapped, values, progress=None, dry=()):
     """The WrapMesh with checked options."""
-    module, operands = extension(), wrapped.operands
-    gap = values["gap"]
-    size = operands.size() or gap  # what has none is refused below
-    tolerance = values["tolerance"] or min(_RELATIVE * size, _OF_GAP * gap)
-    if tolerance > _LARGEST * gap:
-        raise InvalidInput(phrases.Text(phrases.HALF_OF_GAP, length=f"{tolerance:g} mm", length2=f"{gap:g} mm"))
-    core_options, before = module.BooleanOptions(), module.WorkBefore()
-    core_options.tolerance, core_options.threads = tolerance, values["threads"]
-    meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION, any_faces=True)
-    before.seconds, before.notes, before.cpu_seconds = operands.seconds, operands.notes, operands.cpu_seconds
-    before.tolerance = tolerance
-    before.error_bound = operands.deviation
-    try:
-        counts = operands.face_counts()
-        surface = module.wrap_objects(
-            [(surface, rounded) for surface, rounded, _ in operands.surfaces], [1 if n is None else n for n in counts], gap,
-            tolerance, [*dry], values["threads"], before, part_of(progress, _MESHED if meshed else 0.0, 1.0))
-    except Error as error:
-        raise operands.explain(error) from error
+    surface = wrapped.operands.given_to(lambda core: extension().wrap_objects(
+        core, values["gap"], values["tolerance"] or 0.0, [*dry], values["threads"], progress))
     leaks = [Leak(np.array(place), np.array(path), np.array(narrowest), width)
              for place, path, narrowest, width in surface.leaks]
-    division = Division(face_names=own_names(wrapped.labels, counts), no_face=GAPS)
+    division = Division(face_names=own_names(wrapped.labels, [count or None for count in surface.faces]), no_face=GAPS)
     return WrapMesh(surface, patches_of(division, surface.triangle_face, len(surface.triangles)), leaks)
 
 

@@ -28,6 +28,21 @@ TEST(Progress, MapsAStageToItsShareOfTheWhole) {
     EXPECT_DOUBLE_EQ(progress.fraction(), 0.6);
 }
 
+TEST(Progress, StagesOfAStepCoverTheShareOfIt) {
+    Progress progress;
+    {
+        const ProgressShare step(progress, 0.2, 0.6);
+        const ProgressShare piece(progress, 0.5, 1.0);
+        progress.stage("surfaces", 0.0, 0.5);
+        EXPECT_DOUBLE_EQ(progress.fraction(), 0.4);
+        progress.advance(1.0);
+        EXPECT_DOUBLE_EQ(progress.fraction(), 0.5);
+    }
+    progress.stage("measuring", 0.5, 1.0);
+    progress.advance(1.0);
+    EXPECT_DOUBLE_EQ(progress.fraction(), 1.0);
+}
+
 TEST(Progress, NeverRunsBackwardsWithinAStage) {
     Progress progress;
     progress.stage("surfaces", 0.0, 1.0);

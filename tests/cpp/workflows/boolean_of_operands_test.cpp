@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "boolean/closed_solids.h"
-#include "workflows/triangulate_shape.h"
+#include "workflows/operands/triangulate_shape.h"
 
 namespace mq::workflows {
 namespace {

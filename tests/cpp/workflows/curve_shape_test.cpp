@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "workflows/triangulate_shape.h"
+#include "workflows/operands/triangulate_shape.h"
 
 namespace mq::workflows {
 namespace {

@@ -15,7 +15,7 @@
 #include "layered_depth/samples/rasterise.h"
 #include "triangulate/triangulate.h"
 #include "workflows/boolean_of_operands.h"
-#include "workflows/triangulate_shape.h"
+#include "workflows/operands/triangulate_shape.h"
 
 /// Rays that meet the CAD faces of shapes, from their meshes on: the parts that triangulations are tested on, and
 /// Booleans.

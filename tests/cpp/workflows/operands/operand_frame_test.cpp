@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "workflows/operand_frame.h"
+#include "workflows/operands/operand_frame.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "workflows/triangulate_shape.h"
+#include "workflows/operands/triangulate_shape.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "workflows/offset_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "offset/contoured/contoured_offset.h"
+#include "offset/trimmed/opening_extension.h"
+#include "offset/trimmed/trimmed_offset.h"
+#include "workflows/cad_normals.h"
+
+namespace mq::workflows {
+
+namespace {
+
+using boolean::Expression;
+using boolean::Operation;
+
+std::string empty_offset(double distance) {
+    std::array<char, 120> text;
+    std::snprintf(text.data(), text.size(),
+                  "the result is empty: no point of the solid is %.4g mm away from its surface", std::abs(distance));
+    return text.data();
+}
+
+BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& solid,
+                        const boolean::OffsetOptions& options, const WorkBefore& before, const Stopwatch& watch,
+                        Progress& progress) {
+    BooleanSurface result;
+    result.mesh = std::move(found.mesh);
+    if (!solid.mesh.triangle_face.empty()) {
+        for (const std::int32_t t : found.triangle_source) {
+            result.mesh.triangle_face.push_back(solid.mesh.triangle_face[static_cast<std::size_t>(t)]);
+        }
+    }
+    result.triangle_source.assign(result.mesh.triangles.size(), {-1, -1});
+    BooleanReport& figures = result.figures;
+    figures.error_bound = found.error_bound;
+    figures.tolerance_asked = options.tolerance;
+    figures.reconstructed = result.mesh.triangles.size();
+    figures.crossing_pairs = found.crossing_pairs;
+    figures.self_intersections = 0;
+    figures.seconds = std::move(found.seconds);
+    complete_report(result, before, empty_offset(options.distance), progress);
+    figures.cpu_seconds = before.cpu_seconds + watch.cpu();
+    result.report = figures;
+    return result;
+}
+
+/// The options with the normals of the solid's corners; triangles that were appended to the solid's own have none.
+boolean::OffsetOptions by_normals_of(const BooleanSurface& solid, boolean::OffsetOptions options) {
+    options.corner_normals = solid.corner_normals;
+    if (!options.corner_normals.empty()) {
+        options.corner_normals.resize(3 * solid.mesh.triangles.size(), Vec3::Zero());
+    }
+    return options;
+}
+
+/// Takes the trimmed raw offset if few of its triangles cross. Else it makes the contour of the distance, which takes
+/// longer in general, but not for features smaller than the distance. If both miss the tolerance, or the contour fails,
+/// the one with the smaller bound is taken.
+template <typename Trimmed, typename Contoured>
+boolean::OffsetResult first_within(const boolean::OffsetOptions& options, const Trimmed& trimmed,
+                                   const Contoured& contoured) {
+    const Stopwatch watch;
+    std::optional<boolean::OffsetResult> first;
+    try {
+        first = trimmed(options);
+        if (first->error_bound <= options.tolerance) {
+            return std::move(*first);
+        }
+    } catch (const TopologyError&) {
+        // The contour's answer on the same surface counts.
+    }
+    StageTimes seconds = first ? first->seconds : StageTimes{{"trimming the raw offset", watch.wall()}};
+    boolean::OffsetResult second;
+    try {
+        second = contoured(options);
+    } catch (const Error&) {
+        if (!first) {
+            throw;
+        }
+        return std::move(*first);  // its bound says that it misses the tolerance
+    }
+    seconds.insert(seconds.end(), second.seconds.begin(), second.seconds.end());
+    if (first && first->error_bound <= second.error_bound) {
+        second = std::move(*first);
+    }
+    second.seconds = std::move(seconds);
+    return second;
+}
+
+/// The offset of a solid with its report: boolean::offset, and where too many triangles of the raw offset cross for
+/// that, or where it fails or misses the tolerance, offset::contoured_offset (its report has no crossing pairs). Each
+/// triangle is on the CAD face of the one from which it is offset, where those are known.
+BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::OffsetOptions& options,
+                               const WorkBefore& before, Progress& progress) {
+    const Stopwatch watch;
+    boolean::OffsetResult found = first_within(
+        by_normals_of(solid, options),
+        [&](const boolean::OffsetOptions& how) { return boolean::offset(solid.mesh, how, progress); },
+        [&](const boolean::OffsetOptions& how) { return offset::contoured_offset(solid.mesh, how, progress); });
+    return reported(std::move(found), solid, options, before, watch, progress);
+}
+
+/// What is deeper in a solid than a distance, from those of its triangles that are not open (boolean::extend_openings),
+/// with its report and CAD faces likewise. It reaches out of the openings.
+/// @return nothing where openings are not plane, or are in pockets that are too narrow
+std::optional<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid, const std::vector<char>& open,
+                                                     const boolean::OffsetOptions& options, const WorkBefore& before,
+                                                     Progress& progress) {
+    options.validate();
+    constexpr double kFlat = 0.1;  // fraction of the tolerance
+    BooleanSurface extended;
+    std::optional<mesh::TriangleMesh> mesh =
+        boolean::extend_openings(solid.mesh, open, {options.distance, kFlat * options.tolerance});
+    if (!mesh) {
+        return std::nullopt;
+    }
+    extended.mesh = std::move(*mesh);
+    extended.corner_normals = solid.corner_normals;
+    boolean::OffsetOptions inward = options;
+    inward.distance = -options.distance;
+    inward.tolerance = (1.0 - kFlat) * options.tolerance;
+    WorkBefore extending = before;
+    extending.error_bound += kFlat * options.tolerance;
+    return offset_of_solid(extended, inward, extending, progress);
+}
+
+/// All that is within a distance of some triangles of a solid (boolean::thicken, offset::contoured_walls) with its
+/// report and CAD faces likewise.
+BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,
+                               const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
+    const Stopwatch watch;
+    boolean::OffsetResult found = first_within(
+        by_normals_of(solid, options),
+        [&](const boolean::OffsetOptions& how) { return boolean::thicken(solid.mesh, left_out, how, progress); },
+        [&](const boolean::OffsetOptions& how) {
+            return offset::contoured_walls(solid.mesh, left_out, how, progress);
+        });
+    return reported(std::move(found), solid, options, before, watch, progress);
+}
+
+// Shares of the tolerance: of the mesh of a shape, of the union of what is given, of cutting the hollow out; what is
+// left is for the offset.
+constexpr double kChord = 0.15;
+constexpr double kUnion = 0.05;
+constexpr double kCutting = 0.05;
+// Fractions of the progress at which the steps end: meshing, union, offset.
+constexpr double kMeshed = 0.3;
+constexpr double kUnited = 0.4;
+constexpr double kOffset = 0.9;
+/// Degrees, of the mesh of a shape: needles have short edges, where the raw offset gets many strips; larger bounds take
+/// more triangles (docs/measurements/offset.md).
+constexpr double kSmallestAngle = 1.0;
+
+/// What the steps of an offset share.
+class OffsetWork {
+  public:
+    OffsetWork(geometry::Engine& engine, const Operands& operands, const OffsetShapeOptions& options,
+               Progress& progress)
+        : engine_(engine), operands_(operands), options_(options), progress_(progress) {
+        const double size = operands.size();
+        const double distance = std::abs(options.distance);
+        if (options_.tolerance <= 0.0) {
+            // An offset outward is larger than the model: by its own size its triangles are counted.
+            options_.tolerance = std::min(1e-3 * (size + 2.0 * std::max(options.distance, 0.0)), 0.1 * distance);
+        }
+        finest_ = 4.0 * std::ldexp(1.0, -23) * size;  // that a Boolean can keep
+        if (options_.tolerance > distance) {
+            throw InvalidInput(Message::of(
+                phrases::kAboveDistance,
+                {{"length", in_digits(options_.tolerance, 6) + " mm"}, {"length2", in_digits(distance, 6) + " mm"}}));
+        }
+    }
+
+    /// Makes the union of the operand's bodies, on the faces of the shape.
+    void unite(double min_angle) {
+        OperandMeshing meshing;
+        meshing.tolerance = 2.0 * kChord * options_.tolerance;
+        meshing.min_angle = min_angle;
+        meshing.threads = options_.threads;
+        const MeshedOperands meshed = operands_.meshed(engine_, meshing, progress_, 0.0, kMeshed);
+        BooleanOperand operand = meshed.operands.front();
+        operand.shape = nullptr;  // offsets follow the normals of faces, and triangles stay plane
+        {
+            const ProgressShare part(progress_, operands_.any_shapes() ? kMeshed : 0.0, kUnited);
+            WorkBefore before = meshed.work;
+            before.notes.clear();
+            solid_ = boolean_of({operand}, Operation::Union, kUnion, before);
+        }
+        name_faces(solid_, {operand.surface});
+        add(solid_.figures);
+        if (meshed.operands.front().shape != nullptr) {
+            const ProgressShare part(progress_, kUnited, kUnited);
+            const Stopwatch watch;
+            solid_.corner_normals = corner_normals(engine_, solid_.mesh, *meshed.operands.front().shape, progress_);
+            work_.seconds.emplace_back("reading the shape", watch.wall());
+            work_.cpu_seconds += watch.cpu();
+        }
+        const std::string of_operand = "operand A: ";
+        for (const std::string& sentence : solid_.figures.repaired) {
+            repaired_.push_back(sentence.rfind(of_operand, 0) == 0 ? sentence.substr(of_operand.size()) : sentence);
+            work_.notes.push_back("repaired before: " + repaired_.back());
+        }
+    }
+
+    /// @param last  whether no step follows
+    BooleanSurface offset(bool last, double distance, double until) const {
+        const ProgressShare part(progress_, kUnited, until);
+        return offset_of_solid(solid_, left_for(distance), before(last), progress_);
+    }
+
+    BooleanSurface hollowed(const std::optional<std::vector<std::int32_t>>& openings) {
+        bool cuts = true;  // what is inside the wall, or keeps the wall
+        const BooleanSurface inside =
+            openings ? inside_of(*openings, cuts) : offset(false, -options_.distance, kOffset);
+        add(inside.figures);
+        const bool is_whole = inside.mesh.triangles.empty();
+        if (is_whole) {
+            work_.notes.emplace_back("there is no hollow: the solid is nowhere thicker than two walls");
+        } else if (!openings) {
+            work_.notes.emplace_back(
+                "the hollow is closed: powder, resin or air cannot leave it; name openings, or cut holes by boolean");
+        }
+        std::vector<BooleanOperand> operands{{&solid_}};
+        std::vector<const triangulate::Result*> surfaces{&solid_};
+        if (!is_whole) {
+            operands.push_back({&inside});
+            surfaces.push_back(&inside);
+        }
+        const ProgressShare part(progress_, kOffset, 1.0);
+        BooleanSurface result =
+            boolean_of(operands, cuts ? Operation::Difference : Operation::Intersection, kCutting, before(true));
+        name_faces(result, surfaces);
+        return result;
+    }
+
+  private:
+    BooleanSurface boolean_of(const std::vector<BooleanOperand>& operands, Operation operation, double share,
+                              const WorkBefore& before) const {
+        boolean::BooleanOptions options;
+        options.tolerance = std::max(share * options_.tolerance, finest_);
+        options.threads = options_.threads;
+        return boolean_of_operands(engine_, operands, Expression::chain(operation, static_cast<int>(operands.size())),
+                                   options, BooleanMethod::Exact, before, progress_);
+    }
+
+    /// With the tolerance that meshing, union and cutting have left.
+    boolean::OffsetOptions left_for(double distance) const {
+        const double left = (1.0 - kUnion - kCutting) * options_.tolerance - work_.error_bound;
+        if (left <= 0.0) {
+            throw InvalidInput("the mesh that was made of the operand deviates by up to " +
+                               in_digits(work_.error_bound, 4) + " mm, and the tolerance is " +
+                               in_digits(options_.tolerance, 4) + " mm: give a larger tolerance");
+        }
+        return {distance, left, options_.threads};
+    }
+
+    BooleanSurface inside_of(const std::vector<std::int32_t>& openings, bool& cuts) const {
+        std::vector<char> open;
+        for (const std::int32_t face : solid_.mesh.triangle_face) {
+            open.push_back(std::find(openings.begin(), openings.end(), face) != openings.end() ? 1 : 0);
+        }
+        const boolean::OffsetOptions options = left_for(options_.distance);
+        if (std::find(open.begin(), open.end(), 0) == open.end()) {
+            throw InvalidInput("all faces are left out: at least one is needed");
+        }
+        // Plane openings are extended by prisms, so that the hollow is an offset inward. Elsewhere both sides of all
+        // walls are offset, which takes many times as long.
+        const ProgressShare part(progress_, kUnited, kOffset);
+        std::optional<BooleanSurface> inside = hollow_beyond_openings(solid_, open, options, before(false), progress_);
+        cuts = inside.has_value();
+        return cuts ? std::move(*inside) : thickened_walls(solid_, open, options, before(false), progress_);
+    }
+
+    /// Takes over what the report of a step says.
+    void add(const BooleanReport& report) {
+        work_.error_bound = report.error_bound;
+        work_.seconds = report.seconds;
+        work_.cpu_seconds = report.cpu_seconds;
+        if (report.triangles > 0) {  // a step without a result tells nothing of what is left
+            work_.notes = report.notes;
+        }
+    }
+
+    WorkBefore before(bool last) const {
+        WorkBefore before = work_;
+        if (last) {
+            before.repaired = repaired_;
+            before.tolerance = options_.tolerance;
+        }
+        return before;
+    }
+
+    geometry::Engine& engine_;
+    const Operands& operands_;
+    OffsetShapeOptions options_;
+    Progress& progress_;
+    double finest_ = 0.0;
+    BooleanSurface solid_;
+    WorkBefore work_;
+    std::vector<std::string> repaired_;
+};
+
+}  // namespace
+
+BooleanSurface offset_shape(geometry::Engine& engine, const Operands& solid, const OffsetShapeOptions& options,
+                            Progress& progress) {
+    OffsetWork work(engine, solid, options, progress);
+    work.unite(kSmallestAngle);
+    return work.offset(true, options.distance, 1.0);
+}
+
+BooleanSurface hollow_shape(geometry::Engine& engine, const Operands& solid,
+                            const std::optional<std::vector<std::int32_t>>& openings, OffsetShapeOptions options,
+                            Progress& progress) {
+    constexpr double kShareOfWall = 40.0;  // the thickness over the tolerance, where none is given
+    if (openings && !solid.given().front().is_shape()) {
+        throw InvalidInput(
+            "openings are faces of a shape, and a mesh is given: hollow it without openings, and cut them by boolean");
+    }
+    if (options.tolerance <= 0.0) {
+        options.tolerance = options.distance / kShareOfWall;
+    }
+    OffsetWork work(engine, solid, options, progress);
+    work.unite(OperandMeshing().min_angle);
+    return work.hollowed(openings);
+}
+
+}  // namespace mq::workflows

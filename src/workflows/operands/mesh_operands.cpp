@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "workflows/operands/mesh_operands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "geometry/occt/shape_measures.h"
+#include "workflows/operands/distance_mesh.h"
+#include "workflows/operands/triangulate_shape.h"
+
+namespace mq::workflows {
+
+namespace {
+
+using triangulate::Result;
+
+// Triangulating asks for at least 4 times the rounding error of single precision, which is sqrt(3) times 2^-24 of the
+// largest coordinate in the local frame of the shape. That frame keeps coordinates within 4 times the shape's size.
+const double kFinestChord = 4.0 * std::sqrt(3.0) * std::ldexp(1.0, -24);
+constexpr double kFrame = 4.0;
+/// Fraction of the size of all operands that a tolerance must be at least.
+const double kFinestTolerance = 4.0 * std::ldexp(1.0, -23);
+constexpr const char* kOfMeshes = "; the max. deviation is that of the Boolean of the meshes";
+
+/// The error with the name of the operand before it, unless that is in it.
+template <typename Kind>
+Kind named(const std::string& name, const Kind& error) {
+    const bool says = std::string(error.what()).find(name) != std::string::npos;
+    return says ? error
+                : Kind(Message{"{name}: {phrase}", {{"name", Message::value(name)}, {"phrase", error.message()}}});
+}
+
+Result complete(geometry::Engine& engine, const TopoDS_Shape& shape, const triangulate::TriangulateOptions& options,
+                Progress& progress) {
+    Result mesh = triangulate_shape(engine, shape, options, progress);
+    require_complete(mesh.report, options.chord_height);
+    return mesh;
+}
+
+/// (a mesh as fine as a relative error of the volume of the shape needs, and that error). The volume of a mesh errs by
+/// a multiple of its chord height: two meshes tell by which (Richardson's extrapolation).
+std::pair<Result, double> keeping_volume(geometry::Engine& engine, const TopoDS_Shape& shape,
+                                         triangulate::TriangulateOptions options, const OperandMeshing& how,
+                                         Progress& progress) {
+    constexpr double kCoarse = 4.0;       // how much coarser the first mesh is, by which the error is found
+    constexpr int kMostFiner = 3;         // how often a finer one is made
+    constexpr double kAccepted = 0.85;    // the error that is accepted, as a fraction of the one that is allowed, ...
+    constexpr double kAim = 0.75;         // ... and the one that is aimed at
+    constexpr double kStep = 1.0 / 32.0;  // how much finer at most in one step
+    const double error = how.volume_error;
+    const double chord_height = options.chord_height;
+    const auto meshed = [&](int step, double height) {
+        const double share = 1.0 / (kMostFiner + 2);
+        const ProgressShare part(progress, step * share, (step + 1) * share);
+        options.chord_height = height;
+        return complete(engine, shape, options, progress);
+    };
+    Result coarse = meshed(0, kCoarse * chord_height);
+    if (coarse.report.max_chord_height <= 0.0) {
+        return {std::move(coarse), 0.0};  // all faces are plane, and their edges straight
+    }
+    if (!coarse.report.closed) {
+        return {meshed(1, chord_height), 0.0};
+    }
+    double longer = kCoarse * chord_height;
+    double height = chord_height;
+    for (int step = 1;; ++step) {
+        Result mesh = meshed(step, height);
+        const double volume = std::abs(mesh.report.volume);
+        const double found = std::abs(volume - std::abs(coarse.report.volume)) * height / (longer - height);
+        const double finer = std::max(kAim * error * volume / found, kStep);
+        if (found <= kAccepted * error * volume || step > kMostFiner ||
+            static_cast<double>(mesh.report.triangles) > finer * how.most_triangles) {
+            return {std::move(mesh), found / volume};
+        }
+        coarse = std::move(mesh);
+        longer = height;
+        height *= finer;
+    }
+}
+
+/// A mesh that overlaps another one: both enclose together what each of them does.
+Result joined(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
+    Result result;
+    append(result.mesh, a);
+    append(result.mesh, b);
+    result.mesh.triangle_face.clear();
+    return result;
+}
+
+/// Meshes the shapes one after the other, and tells how far they deviate.
+class ShapeMesher {
+  public:
+    ShapeMesher(geometry::Engine& engine, const OperandMeshing& how, Progress& progress)
+        : engine_(engine), how_(how), progress_(progress) {}
+
+    void mesh(const GivenOperand& given, MeshedOperands& result) {
+        const Box box = geometry::box_of(*given.shape);
+        const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+        const double chord_height =
+            std::max(how_.share * how_.tolerance, kFinestChord * std::min(largest, kFrame * box.largest_side()));
+        DistanceMesh found;
+        try {
+            found = how_.any_faces ? mesh_within(engine_, *given.shape, chord_height, how_.threads, progress_)
+                                   : of_all_faces(given, chord_height);
+        } catch (const InvalidInput& error) {
+            throw named(given.name, error);
+        } catch (const TopologyError& error) {
+            throw named(given.name, error);
+        }
+        if (how_.any_faces && !found.note.empty()) {
+            found.note = given.name + ", " + found.note;
+        }
+        result.work.error_bound = std::max(result.work.error_bound, found.deviation);
+        if (!found.note.empty()) {
+            result.work.notes.push_back(std::move(found.note));
+        }
+        const bool is_mixed = given.surface != nullptr;
+        result.surfaces.push_back(std::make_shared<Result>(is_mixed ? joined(found.surface.mesh, given.surface->mesh)
+                                                                    : std::move(found.surface)));
+        result.operands.push_back({nullptr, is_mixed || found.round, is_mixed ? nullptr : given.shape.get()});
+    }
+
+    /// A note for each operand that has nothing else to tell, for many of them one.
+    void note_deviations(std::vector<std::string>& notes) const {
+        constexpr std::size_t kMostNotes = 3;
+        if (deviations_.size() > kMostNotes) {
+            double largest = 0.0;
+            for (const auto& [name, deviation] : deviations_) {
+                largest = std::max(largest, deviation);
+            }
+            notes.push_back(std::to_string(deviations_.size()) +
+                            " operands are shapes: their meshes deviate by at most " + in_digits(largest, 3) +
+                            " mm from them" + kOfMeshes);
+            return;
+        }
+        for (const auto& [name, deviation] : deviations_) {
+            notes.push_back(name + " is a shape: its mesh deviates by at most " + in_digits(deviation, 3) +
+                            " mm from it" + kOfMeshes);
+        }
+    }
+
+  private:
+    DistanceMesh of_all_faces(const GivenOperand& given, double chord_height) {
+        triangulate::TriangulateOptions options;
+        options.min_angle = how_.min_angle;
+        options.chord_height = chord_height;
+        options.threads = how_.threads;
+        DistanceMesh found;
+        double volume_error = 0.0;
+        if (how_.volume_error > 0.0) {
+            std::tie(found.surface, volume_error) = keeping_volume(engine_, *given.shape, options, how_, progress_);
+        } else {
+            found.surface = complete(engine_, *given.shape, options, progress_);
+        }
+        found.deviation = found.surface.report.max_chord_height;
+        const bool errs = volume_error > (how_.volume_error > 0.0 ? how_.volume_error : 1.0);
+        const bool is_mixed = given.surface != nullptr;
+        if (!is_mixed && !errs) {
+            deviations_.emplace_back(given.name, found.deviation);
+            return found;
+        }
+        found.note =
+            given.name + (is_mixed ? " holds shapes and meshes: the mesh of the shapes" : " is a shape: its mesh") +
+            " deviates by at most " + in_digits(found.deviation, 3) + " mm from " + (is_mixed ? "them" : "it") +
+            (errs ? ", and its volume by about " + in_digits(100.0 * volume_error, 2) + " %" : "") + kOfMeshes;
+        return found;
+    }
+
+    geometry::Engine& engine_;
+    const OperandMeshing& how_;
+    Progress& progress_;
+    std::vector<std::pair<std::string, double>> deviations_;
+};
+
+/// Before shapes are meshed as finely.
+void require_possible(double tolerance, double size) {
+    if (tolerance < kFinestTolerance * size) {
+        throw InvalidInput(Message::of(
+            phrases::kFineTolerance,
+            {{"length", in_digits(tolerance, 4) + " mm"}, {"length2", in_digits(kFinestTolerance * size, 4) + " mm"}}));
+    }
+}
+
+}  // namespace
+
+void Operands::add(GivenOperand operand) {
+    given_.push_back(std::move(operand));
+    read_wall_ = watch_.wall();
+    read_cpu_ = watch_.cpu();
+}
+
+bool Operands::any_shapes() const {
+    return std::any_of(given_.begin(), given_.end(), [](const GivenOperand& o) { return o.shape != nullptr; });
+}
+
+double Operands::size() const {
+    Box box;
+    for (const GivenOperand& operand : given_) {
+        if (operand.shape) {
+            box.add(geometry::box_of(*operand.shape));
+        }
+        if (operand.surface) {
+            for (const Vec3& p : operand.surface->mesh.vertices) {
+                // Coordinates that are not finite are left to the operation, which names the operand and the vertex.
+                if (p.allFinite()) {
+                    box.add(p + operand.surface->mesh.origin);
+                }
+            }
+        }
+    }
+    return box.largest_side();
+}
+
+double Operands::divided_length() const {
+    constexpr double kThicknesses = 8.0;
+    constexpr double kShortest = 1.0 / 16.0;  // bounds what slender operands cost
+    const double whole = size();
+    double thin = whole;
+    for (const GivenOperand& operand : given_) {
+        std::vector<double> found;
+        if (operand.shape) {
+            found = geometry::mean_thicknesses(*operand.shape);
+        }
+        if (operand.surface) {
+            found.push_back(mesh::mean_thickness(operand.surface->mesh));
+        }
+        for (const double thickness : found) {
+            thin = thickness > 0.0 ? std::min(thin, thickness) : thin;
+        }
+    }
+    return std::min(whole, std::max(kThicknesses * thin, kShortest * whole));
+}
+
+MeshedOperands Operands::meshed(geometry::Engine& engine, const OperandMeshing& meshing, Progress& progress,
+                                double from, double to) const {
+    const ProgressShare all(progress, from, to);
+    MeshedOperands result;
+    result.work.seconds.emplace_back("reading the operands", read_wall_);
+    const Stopwatch watch;
+    if (any_shapes()) {
+        require_possible(meshing.tolerance, size());
+    }
+    ShapeMesher mesher(engine, meshing, progress);
+    const auto shapes = static_cast<double>(
+        std::count_if(given_.begin(), given_.end(), [](const GivenOperand& o) { return o.shape != nullptr; }));
+    double done = 0.0;
+    for (const GivenOperand& operand : given_) {
+        if (operand.shape) {
+            const ProgressShare part(progress, done / shapes, (done + 1.0) / shapes);
+            mesher.mesh(operand, result);
+            done += 1.0;
+        } else {
+            result.surfaces.push_back(operand.surface);
+            result.operands.push_back({nullptr, operand.round, nullptr});
+        }
+        result.operands.back().surface = result.surfaces.back().get();
+    }
+    mesher.note_deviations(result.work.notes);
+    if (shapes > 0.0) {
+        result.work.seconds.emplace_back("meshing shapes", watch.wall());
+    }
+    result.work.cpu_seconds = read_cpu_ + watch.cpu();
+    return result;
+}
+
+}  // namespace mq::workflows
