@@ -292,7 +292,6 @@ void bind_boolean(py::module_& m) {
         .def(py::init<>())
         .def_readwrite("tolerance", &BooleanOptions::tolerance)
         .def_readwrite("resolution", &BooleanOptions::resolution)
-        .def_readwrite("length", &BooleanOptions::length)
         .def_readwrite("threads", &BooleanOptions::threads)
         .def_readwrite("full", &BooleanOptions::full)
         .def("tolerance_for", &BooleanOptions::tolerance_for, py::arg("size"),
