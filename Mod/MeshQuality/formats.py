@@ -80,26 +80,25 @@ FORMATS = {
 SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if not form.volumes)
 CURVED_SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if form.curved)
 FLAT_ONLY_SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if not form.curved)
-# By extension that files of elements are read from: what errors call the format, and the module of core/elements.
+# By extension that files of elements are read from: what errors call the format, and the module of core/formats.
 READABLE = {
-    ".msh": ("a file of Gmsh", "gmsh_file"),
-    ".msh2": ("a file of Gmsh", "gmsh_file"),
-    ".inp": ("a file of Abaqus", "abaqus_file"),
-    ".unv": ("an I-DEAS universal file", "universal_file"),
-    ".vtu": ("a VTK unstructured grid", "vtu_file"),
-    ".vtk": ("a legacy file of VTK", "vtk_file"),
-    ".med": ("a file of Salome", "med_file"),
-    ".cgns": ("a CGNS file", "cgns_file"),
-    ".su2": ("a file of SU2", "su2_file"),
-    ".nas": ("Nastran bulk data", "nastran_file"),
-    ".bdf": ("Nastran bulk data", "nastran_file"),
-    ".exo": ("an Exodus file", "exodus_file"),
-    ".e": ("an Exodus file", "exodus_file"),
-    ".h5": ("a file of HOPR", "hopr_file"),
+    ".msh": ("a file of Gmsh", "gmsh"),
+    ".msh2": ("a file of Gmsh", "gmsh"),
+    ".inp": ("a file of Abaqus", "abaqus"),
+    ".unv": ("an I-DEAS universal file", "universal"),
+    ".vtu": ("a VTK unstructured grid", "vtu"),
+    ".vtk": ("a legacy file of VTK", "vtk"),
+    ".med": ("a file of Salome", "med"),
+    ".cgns": ("a CGNS file", "cgns"),
+    ".su2": ("a file of SU2", "su2"),
+    ".nas": ("Nastran bulk data", "nastran"),
+    ".bdf": ("Nastran bulk data", "nastran"),
+    ".exo": ("an Exodus file", "exodus"),
+    ".e": ("an Exodus file", "exodus"),
+    ".h5": ("a file of HOPR", "hopr"),
 }
-# By extension that elements of all kinds are written into: the module of core/element_writers.
-ELEMENTS_WRITTEN = {".msh": "gmsh_file", ".vtu": "vtu_file", ".inp": "abaqus_file", ".unv": "universal_file",
-                    ".nas": "nastran_file", ".bdf": "nastran_file", ".su2": "su2_file", ".h5": "hopr_file", ".re2": "nek_file"}
+# That elements of all kinds are written into.
+ELEMENTS_WRITTEN = (".msh", ".vtu", ".inp", ".unv", ".nas", ".bdf", ".su2", ".h5", ".re2")
 # Of these what FORMATS does not have: no mesh that this package makes has such elements.
 ELEMENTS_ONLY = {".re2": Format("Nek5000")}
 _TEXT_ONLY = Format("STL as text", names=_ONE_WORD)

@@ -8,6 +8,7 @@
 #include "curve/output/curved_mesh.h"
 #include "curve/output/shape_distortion.h"
 #include "curve/output/tessellation.h"
+#include "mesh/io/io.h"
 #include "mesh/quality/mesh_report.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
@@ -115,7 +116,7 @@ void write(const CurvedMesh& mesh, const std::string& path, const std::string& f
            const Colours& colours, const Indices& patch, bool given, double scale) {
     const mesh::Patches patches = patches_of(names, colours, patch, given);
     const FreedLock free;
-    curve::write_curved(curve::exported(mesh, patches, scale), path, format);
+    mesh::write(curve::exported(mesh, patches, scale), path, format);
 }
 
 void bind_tessellation(py::module_& m) {

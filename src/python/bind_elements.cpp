@@ -13,9 +13,11 @@
 #include "curve/injectivity/curved_crossings.h"
 #include "elements/product/check_elements.h"
 #include "given/mixed/transfinite_blending.h"
+#include "mesh/io/io.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/progress_watch.h"
+#include "python/python_lock.h"
 
 namespace py = pybind11;
 
@@ -110,6 +112,46 @@ std::vector<std::tuple<std::int32_t, std::int32_t, std::array<double, 3>>> commo
     return listed;
 }
 
+/// {format: (below, {(kind, nodes of an element)})}
+py::dict element_formats() {
+    py::dict found;
+    for (const mesh::ElementFormat& format : mesh::element_formats()) {
+        py::set types;
+        for (const mesh::ElementType* type : format.types) {
+            types.add(py::make_tuple(std::string(type->kind), type->nodes));
+        }
+        found[py::str(format.name)] = py::make_tuple(format.below, types);
+    }
+    return found;
+}
+
+using Blocks = std::vector<std::tuple<std::string, Rows, Rows, std::vector<std::size_t>>>;
+using Groups = std::vector<std::pair<std::string, std::vector<std::pair<std::size_t, Rows>>>>;
+
+void write_elements(const std::string& path, const std::string& format, const PointArray& nodes, const Blocks& blocks,
+                    const Groups& groups, double scale) {
+    mesh::ExportMesh made;
+    made.scale = scale;
+    made.nodes = points_of(nodes);
+    for (const auto& [kind, rows, entity, lagrange] : blocks) {
+        mesh::Elements& elements = made.blocks.emplace_back();
+        elements.nodes = flat(rows);
+        elements.type = &mesh::element_type(kind, static_cast<std::size_t>(rows.shape(1)));
+        elements.entity.assign(entity.data(), entity.data() + entity.size());
+        elements.lagrange = lagrange;
+    }
+    std::vector<mesh::NamedRows> named;
+    for (const auto& [name, parts] : groups) {
+        mesh::NamedRows& group = named.emplace_back(name, mesh::NamedRows::second_type());
+        for (const auto& [block, rows] : parts) {
+            group.second.emplace_back(block, std::vector<std::int32_t>(rows.data(), rows.data() + rows.size()));
+        }
+    }
+    const FreedLock free;
+    mesh::set_groups(made, named);
+    mesh::write(made, path, format);
+}
+
 }  // namespace
 
 void bind_elements(py::module_& m) {
@@ -118,6 +160,14 @@ void bind_elements(py::module_& m) {
           "(low, high, verdict) by element: proven bounds of min J / max |J|, and 0 valid, 1 folded, 2 inverted, 3 not "
           "proven. kind: triangle, quadrilateral, tetrahedron, pyramid, prism or hexahedron; nodes: float64 (N, 3); "
           "connectivity: int32 (E, n) in Gmsh's order; raises InvalidInput.");
+    m.def("element_formats", &element_formats,
+          "{format: (below, {(kind, nodes of an element)})}: what formats hold, and how much lower the dimensions of "
+          "elements in them may be than the highest one; those of lower ones are left out.");
+    m.def("write_elements", &write_elements, py::arg("path"), py::arg("format"), py::arg("nodes"), py::arg("blocks"),
+          py::arg("groups"), py::arg("scale"),
+          "Writes a file of a format of element_formats. nodes: float64 (N, 3); blocks: [(kind, int32 (E, n) in Gmsh's "
+          "order, int32 (E,) the CAD entity of each or -1, by place in VTK's Lagrange cells the place in Gmsh's "
+          "order)]; groups: [(name, [(block, int32 elements)])]; raises IoError.");
     m.def("blending", &blending, py::arg("kind"), py::arg("order"),
           "(inner nodes, weights of all nodes at each of them): those inside of an element from those on its sides.");
     m.def(

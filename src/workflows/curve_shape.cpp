@@ -146,7 +146,7 @@ void find_crossings(CurvedMesh& mesh, Progress& progress) {
     mesh.report.curved_overlaps = count_of_bodies(mesh, found.crossing);
     mesh.report.not_proven_apart = static_cast<std::int64_t>(found.not_proven.size());
     const auto face_of = [&](std::int32_t triangle) {
-        return curve::name_of(2, mesh.triangle_face[static_cast<std::size_t>(triangle)]);
+        return mesh::entity_name(2, mesh.triangle_face[static_cast<std::size_t>(triangle)]);
     };
     if (!found.crossing.empty()) {
         const curve::CurvedCrossings::Crossing& first = found.crossing.front();

@@ -19,7 +19,7 @@ from MeshQuality import formats
 from MeshQuality.core.element_mesh import ElementMesh
 from MeshQuality.core.elements import kinds
 from MeshQuality.core.elements.assembly import assembled
-from MeshQuality.core.elements.hopr_order import of_gmsh
+from MeshQuality.core.formats.hopr_order import of_gmsh
 from MeshQuality.core.elements.parts import Parts, Section
 
 HAS_H5PY = importlib.util.find_spec("h5py") is not None

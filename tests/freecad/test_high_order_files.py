@@ -21,9 +21,9 @@ from test_curved_files import READ_BY_GMSH, READ_BY_VTK, has
 import MeshQuality as mq
 from MeshQuality import formats
 from MeshQuality.compat import extension
-from MeshQuality.core import cgns_file
+from MeshQuality.core.formats import cgns
 from MeshQuality.core.curving import ARRAYS, CurvedMesh
-from MeshQuality.core.elements import kinds, lagrange
+from MeshQuality.core.elements import kinds, lagrange, polynomials
 
 
 def bent_tetrahedron():
@@ -105,7 +105,7 @@ class Orders(unittest.TestCase):
                 lowered = mesh.with_order(order)
                 self.same_groups(mesh, lowered)
                 kind = "tetrahedron" if len(mesh.tetrahedra) else "triangle"
-                expected = lagrange.between(kind, mesh.order, order) @ mesh.nodes[mesh.elements]
+                expected = polynomials.between(kind, mesh.order, order) @ mesh.nodes[mesh.elements]
                 self.assertLess(np.abs(lowered.nodes[lowered.elements] - expected).max(), 1e-13)
                 quality = lowered.tetrahedron_quality if kind == "tetrahedron" else lowered.triangle_quality
                 low, _, verdict = extension().check_elements(kind, order, lowered.nodes, lowered.elements)
@@ -379,7 +379,7 @@ class Nektar(TextTest):
 
 def has_cgns():
     try:
-        return cgns_file.library() is not None
+        return cgns.library() is not None
     except mq.IoError:
         return False
 

@@ -252,7 +252,7 @@ class FilesOfGmsh(ReadingTest):
                               check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         counts = json.loads(done.stdout.splitlines()[-1])
-        from MeshQuality.core.elements.gmsh_file import TYPES
+        from MeshQuality.core.formats.gmsh import TYPES
 
         names = [name for name in sorted(os.listdir(self.folder)) if name.split("_")[0] in counts]
         self.assertGreater(len(names), 80)

@@ -5,7 +5,7 @@ import numpy as np
 
 from ..compat import extension
 from ..errors import InvalidInput
-from .elements import kinds, lagrange, skeleton
+from .elements import kinds, lagrange, polynomials, skeleton
 
 _HIGHEST = {"line": 5, "triangle": 5, "tetrahedron": 4}
 _LISTS = {"tetrahedron": ("tetrahedra", "tetrahedron_solid"), "triangle": ("triangles", "triangle_face"),
@@ -65,7 +65,7 @@ class _Nodes:
     def _add(self, kind, nodes, entity):
         """Numbers (n, inner nodes) of new nodes inside of n parts of elements with these nodes."""
         inner = _inner(kind, self._order)
-        found = np.einsum("ij,njk->nik", lagrange.between(kind, self._old, self._order)[inner], nodes)
+        found = np.einsum("ij,njk->nik", polynomials.between(kind, self._old, self._order)[inner], nodes)
         numbers = self._count + np.arange(found.shape[0] * found.shape[1]).reshape(found.shape[:2])
         self._points.append(found.reshape(-1, 3))
         self._entities.append(np.repeat(entity, found.shape[1], axis=0))

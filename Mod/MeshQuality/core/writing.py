@@ -13,11 +13,10 @@ import numpy as np
 
 from .. import files, formats
 from ..errors import InvalidInput, IoError
-from . import cgns_file, exodus_file, mfem_file, nektar_file
 from .sources import convert
 from .contact_sheets import SHEET, with_sheets
-from .element_arrays import element_blocks, points_of
-from .element_writers import hopr_file
+from .formats import cgns, exodus, hopr, mfem, nektar
+from .formats.arrays import element_blocks, points_of
 from .patches.patches import Division, colour_of, division_of, patches_of, require_faces, with_interfaces
 
 _3MF_MODEL = "3D/3dmodel.model"
@@ -61,21 +60,23 @@ def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, for
 
 def _suffix_of(mesh, path, name):
     order = getattr(mesh, "order", 0)
-    known = formats.CURVED_SUFFIXES if order else formats.SUFFIXES
-    kind = "curved elements are" if order else "a mesh is"
-    if name is not None:
-        suffix = formats.known_suffix(f".{str(name).lstrip('.')}", known)
-        if suffix is None:
-            raise InvalidInput(f"format = {name!r} is not known: {kind} written as one of "
-                               + ", ".join(other[1:] for other in known))
-    else:
-        suffix = formats.known_suffix(os.path.splitext(path)[1], known)
-        if suffix is None:
-            flat = formats.known_suffix(os.path.splitext(path)[1]) and "; tessellate() gives flat triangles"
-            raise IoError(f"cannot write '{path}': {kind} written into files with a name that ends in one of "
-                          f"{' '.join(known)}{flat or ''}")
+    flat = "; tessellate() gives flat triangles" if formats.known_suffix(os.path.splitext(path)[1]) else ""
+    suffix = suffix_of(path, name, formats.CURVED_SUFFIXES if order else formats.SUFFIXES,
+                       ("curved elements are" if order else "a mesh is", flat))
     if order:
         formats.check_order(suffix, order)
+    return suffix
+
+
+def suffix_of(path, name, known, words):
+    """The extension among those known that a format, or where it is None the path, says; words are what is written, and what is
+    said besides of a path. Raises InvalidInput, IoError.
+    """
+    suffix = formats.known_suffix(os.path.splitext(path)[1] if name is None else f".{str(name).lstrip('.')}", known)
+    if suffix is None and name is not None:
+        raise InvalidInput(f"format = {name!r} is not known: {words[0]} written as one of " + ", ".join(other[1:] for other in known))
+    if suffix is None:
+        raise IoError(f"cannot write '{path}': {words[0]} written into files with a name that ends in one of {' '.join(known)}{words[1]}")
     return suffix
 
 
@@ -118,15 +119,15 @@ def _solids_of(mesh):
 
 def _write_as(mesh, path, suffix, patches, scale, ascii):  # noqa: A002
     if suffix == ".cgns":
-        cgns_file.write(mesh, path, patches, _solids_of(mesh), scale)
+        cgns.write(mesh, path, patches, _solids_of(mesh), scale)
     elif suffix == ".exo":
-        exodus_file.write(mesh, path, patches, _solids_of(mesh), scale)
+        exodus.write(mesh, path, patches, _solids_of(mesh), scale)
     elif suffix == ".h5":
         _write_hopr(mesh, path, patches, scale)
     elif suffix == ".mesh":
-        mfem_file.write(mesh, path, patches, scale)
+        mfem.write(mesh, path, patches, scale)
     elif suffix == ".xml":
-        nektar_file.write(mesh, path, patches, _solids_of(mesh), scale)
+        nektar.write(mesh, path, patches, _solids_of(mesh), scale)
     elif suffix == ".3mf":
         _write_3mf(mesh, path, patches, scale)
     else:
@@ -138,7 +139,7 @@ def _write_hopr(mesh, path, patches, scale):
     if len(getattr(mesh, "tetrahedra", ())):
         volumes = [("tetrahedron", mesh.tetrahedra, np.unique(mesh.tetrahedron_solid, return_inverse=True)[1].ravel() + 1)]
     faces = [(name, mesh.triangles[members, :3]) for name, members in element_blocks(patches.names, patches.of_triangle)]
-    hopr_file.write(path, points_of(mesh, scale), volumes, faces)
+    hopr.write(path, points_of(mesh, scale), volumes, faces)
 
 
 def _write_3mf(mesh, path, patches, scale):

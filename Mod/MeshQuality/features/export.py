@@ -76,7 +76,7 @@ def export_curved_mesh(obj, path):
 def suffixes_for(obj):
     """The extensions of the formats that hold the mesh of an object."""
     if holds_fem_mesh(obj):
-        return tuple(formats.ELEMENTS_WRITTEN)
+        return formats.ELEMENTS_WRITTEN
     order = _order_of(obj)
     return tuple(suffix for suffix, form in formats.FORMATS.items()
                  if (not order and not form.volumes) or (order and (not form.curved or form.curved >= order)))

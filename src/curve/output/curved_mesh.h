@@ -104,31 +104,9 @@ void classify_on_original_entities(CurvedMesh& mesh, const geometry::Topology& t
 /// @throws InvalidInput naming the list that is wrong.
 void require_sound(const CurvedMesh& mesh);
 
-/// FreeCAD's name of a CAD entity: "Face7" of (2, 6).
-std::string name_of(int dimension, int index);
-
 /// The mesh as writers see it, with its patches; without any each face is one by its own name, as are edges and solids.
 /// @throws InvalidInput where there is not one patch for each triangle
 mesh::ExportMesh exported(const CurvedMesh& mesh, const mesh::Patches& patches = {}, double scale = 1.0);
-
-/// Writes .msh or .vtu by extension. @throws IoError naming the path.
-void write(const CurvedMesh& mesh, const std::string& path);
-
-/// Writes "msh", "vtu" or another format of mesh/io/io.h that knows elements of the order. @throws IoError naming the
-/// path, InvalidInput for a format that does not
-void write_curved(const mesh::ExportMesh& mesh, const std::string& path, const std::string& format);
-
-/// Appends a Gmsh .msh file, 4.1 ASCII, with a physical group for each CAD edge, patch and volume.
-void curved_msh(mesh::Output& out, const mesh::ExportMesh& mesh);
-inline std::string to_msh(const CurvedMesh& mesh) {
-    return mesh::text_of(curved_msh, exported(mesh));
-}
-
-/// Appends a VTK .vtu file: tetrahedra where there are any, triangles otherwise; as Lagrange cells from order 3 on.
-void curved_vtu(mesh::Output& out, const mesh::ExportMesh& mesh);
-inline std::string to_vtu(const CurvedMesh& mesh) {
-    return mesh::text_of(curved_vtu, exported(mesh));
-}
 
 /// A text of a dozen lines for people.
 std::string to_text(const CurveReport& report);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "mesh/io/element_type.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::mesh {
@@ -24,49 +27,121 @@ struct Patches {
     bool given = false;
 };
 
-/// Elements of one dimension and order in Gmsh's node order.
+/// Elements of one type in Gmsh's node order.
 struct Elements {
-    std::size_t width = 0;             ///< nodes of one element
-    std::vector<std::int32_t> nodes;   ///< flat, `width` numbers an element
-    std::vector<std::int32_t> entity;  ///< the CAD entity of each; empty when the mesh has no CAD
-    std::vector<std::int32_t> group;   ///< index into the groups of the dimension
+    const ElementType* type = nullptr;
+    std::vector<std::int32_t> nodes;    ///< flat, `type->nodes` numbers an element
+    std::vector<std::int32_t> entity;   ///< the CAD entity of each, -1: none; empty when the mesh has no CAD
+    std::vector<std::int32_t> group;    ///< index into the groups of the dimension, or into ExportMesh::sets
+    std::vector<std::size_t> lagrange;  ///< order of the nodes in VTK's Lagrange cells, as in ElementType::orders
 
-    std::size_t size() const { return group.size(); }
-    const std::int32_t* of(std::size_t k) const { return nodes.data() + k * width; }
-    /// The elements of each group, in ascending order.
-    std::vector<std::vector<std::int32_t>> by_group(std::size_t groups) const;
+    std::size_t size() const { return nodes.size() / type->nodes; }
+    const std::int32_t* of(std::size_t k) const { return nodes.data() + k * type->nodes; }
 };
 
-/// What the writers of all formats see of a mesh, flat or curved, surface or volume.
+/// Elements, and the number in a file of their first one, from 1.
+struct NumberedElements {
+    const Elements* elements;
+    std::size_t first;
+};
+
+/// How many there are in all blocks.
+inline std::size_t count_of(const std::vector<NumberedElements>& blocks) {
+    return blocks.empty() ? 0 : blocks.back().first - 1 + blocks.back().elements->size();
+}
+
+/// A piece of a list of indices.
+struct Indices {
+    const std::int32_t* first;
+    const std::int32_t* last;
+
+    const std::int32_t* begin() const { return first; }
+    const std::int32_t* end() const { return last; }
+};
+
+/// What the writers of all formats see of a mesh, flat or curved, surface or volume, of one kind of elements or of
+/// many.
 struct ExportMesh {
     Vec3 origin = Vec3::Zero();
     double scale = 1.0;       ///< factor of the file's coordinates: 0.001 makes metres of mm
     std::vector<Vec3> nodes;  ///< mm, relative to origin
     std::vector<VertexEntity> node_entity;
-    std::size_t corners = 0;  ///< the first nodes, which are corners of elements; the others lie inside of curved ones
-    int order = 1;
-    std::array<Elements, 4> elements;          ///< by dimension; those of dimension 0 are not used
-    std::array<std::vector<Group>, 4> groups;  ///< likewise
+    bool nodes_by_entity = false;  ///< whether formats with CAD entities list each node with its own, of any dimension
+    std::vector<Elements> blocks;
+    std::array<std::vector<Group>, 4> groups;  ///< by dimension; those of dimension 0 are not used
     bool patches_given = false;                ///< Patches::given
-    std::vector<std::int32_t> behind;          ///< by triangle: a tetrahedron that it is a face of, -1: none
+    /// For a mesh from elsewhere, whose groups have elements of any dimension, and whose elements may be in several
+    /// groups or in none: sets of groups, which Elements::group are indices of. The groups of all dimensions are the
+    /// same then. Empty: each element is in one group of its dimension.
+    std::vector<std::vector<std::int32_t>> sets;
 
     /// The node as it stands in the file.
     Vec3 point(std::size_t i) const { return (nodes[i] + origin) * scale; }
-    const Elements& triangles() const { return elements[2]; }
-    const Elements& tetrahedra() const { return elements[3]; }
+    bool is_given() const { return !sets.empty(); }
+    int dimension() const;  ///< the highest one of the elements; 2 without any
+    int order() const;      ///< likewise
+    /// The triangles of a mesh of triangles.
+    const Elements& triangles() const { return blocks.front(); }
     const std::vector<Group>& patches() const { return groups[2]; }
-    const std::string& patch_of(std::size_t triangle) const {
-        return groups[2][static_cast<std::size_t>(elements[2].group[triangle])].name;
+    /// The number from 0 of the first group that an element is in; -1: it is in none.
+    std::int32_t first_group(const Elements& block, std::size_t k) const {
+        const Indices all = groups_of(block, k);
+        return all.first == all.last ? -1 : *all.first;
     }
-    /// The nodes of each patch, ascending.
-    std::vector<std::vector<std::int32_t>> nodes_by_patch() const;
+    /// All that an element is in.
+    Indices groups_of(const Elements& block, std::size_t k) const;
+    /// The blocks of these dimensions, numbered from one to the next.
+    std::vector<NumberedElements> numbered(int lowest, int highest = 3) const;
+    /// The lowest dimension of the elements in a format that has such of `below` dimensions less than the highest one.
+    /// Formats of solvers have no lines on CAD edges, but those of a mesh from elsewhere.
+    int lowest(int below) const { return is_given() ? std::max(1, dimension() - below) : 2; }
+};
+
+/// The elements of a group.
+struct Members {
+    std::string name;
+    std::vector<std::pair<const NumberedElements*, std::int32_t>> elements;
+    std::vector<std::int32_t> nodes;  ///< all of its elements that are not volumes, ascending
+};
+
+/// The elements of these blocks by the first group that each is in; of a mesh from elsewhere without groups that have
+/// none, and with those in none as "others" at the end.
+std::vector<Members> divided(const ExportMesh& mesh, const std::vector<NumberedElements>& numbered);
+
+/// The groups of faces, then those of volumes; of a mesh from elsewhere all of them.
+std::vector<Members> members_of(const ExportMesh& mesh, const std::vector<NumberedElements>& numbered);
+
+/// The numbers of properties, from 1, by which solvers know groups: each element has that of its first one. Those of a
+/// mesh from elsewhere are the ones that elements have.
+class Properties {
+  public:
+    Properties(const ExportMesh& mesh, const std::vector<NumberedElements>& blocks);
+    std::size_t of(const Elements& block, std::size_t k) const { return number_[slot_of(block, k)]; }
+    const std::vector<std::string>& names() const { return names_; }  ///< that of number 1 first
+
+  private:
+    std::size_t slot_of(const Elements& block, std::size_t k) const;
+
+    const ExportMesh& mesh_;
+    std::vector<std::size_t> number_;  ///< by slot: groups of lines, lines in none, the same of faces and of solids
+    std::vector<std::string> names_;
 };
 
 /// The mesh with its patches; without any all triangles are one patch, "Surface".
 /// @throws InvalidInput for a mesh that require_valid refuses, and for patches that do not fit it
 ExportMesh exported(const TriangleMesh& mesh, const Patches& patches = {}, double scale = 1.0);
 
-/// Puts the patches into a mesh whose triangles are all but named. @throws InvalidInput where they do not fit
+/// Puts the patches into a mesh whose triangles, the last block of dimension 2, are all but named.
+/// @throws InvalidInput where they do not fit
 void set_patches(ExportMesh& mesh, const Patches& patches);
+
+/// Names the groups of a mesh from elsewhere, which is all but that.
+/// @param groups  the names, each with rows of blocks: (index of the block, elements of it)
+/// @throws std::out_of_range for blocks and rows that there are not
+using NamedRows = std::pair<std::string, std::vector<std::pair<std::size_t, std::vector<std::int32_t>>>>;
+void set_groups(ExportMesh& mesh, const std::vector<NamedRows>& groups);
+
+/// FreeCAD's name of a CAD entity: "Face7" of (2, 6).
+std::string entity_name(int dimension, int index);
 
 }  // namespace mq::mesh

@@ -15,31 +15,41 @@ namespace mq::mesh {
 
 namespace {
 
+/// How a format is written, and which elements it holds: those with a number or name there.
 struct Format {
     const char* name;
     void (*write)(Output&, const ExportMesh&);
-    int most_order;
+    bool (*holds)(const ElementType&);
+    int below = -1;  ///< how much lower dimensions of elements may be than the highest; -1: for triangulations alone
 };
+
+constexpr auto is_flat = [](const ElementType& type) { return type.kind == "triangle" && type.order == 1; };
+constexpr auto is_straight = [](const ElementType& type) { return type.nodes == type.corners; };
+constexpr auto has_gmsh = [](const ElementType& type) { return type.gmsh > 0; };
+constexpr auto has_vtk = [](const ElementType& type) { return type.vtk > 0; };
+constexpr auto has_unv = [](const ElementType& type) { return type.unv > 0; };
+constexpr auto has_nastran = [](const ElementType& type) { return !type.nastran.empty(); };
+constexpr auto has_abaqus = [](const ElementType& type) { return !type.abaqus.empty(); };
 
 /// The writers by extension. The first ones can do without patches.
 constexpr std::size_t kPlain = 6;
-constexpr std::array<Format, 17> kFormats{{{"stl", to_stl, 1},
-                                           {"ply", to_ply, 1},
-                                           {"obj", to_obj, 1},
-                                           {"off", to_off, 1},
-                                           {"msh", to_msh, 1},
-                                           {"vtu", to_vtu, 1},
-                                           {"3mf", to_3mf_model, 1},
-                                           {"amf", to_amf, 1},
-                                           {"tri", to_tri, 1},
-                                           {"emesh", to_emesh, 1},
-                                           {"fms", to_fms, 1},
-                                           {"su2", to_su2, 1},
-                                           {"nas", to_nastran, 2},
-                                           {"bdf", to_nastran, 2},
-                                           {"inp", to_abaqus, 2},
-                                           {"unv", to_unv, 2},
-                                           {"msh2", to_msh2, 5}}};
+constexpr std::array<Format, 17> kFormats{{{"stl", to_stl, is_flat},
+                                           {"ply", to_ply, is_flat},
+                                           {"obj", to_obj, is_flat},
+                                           {"off", to_off, is_flat},
+                                           {"msh", to_msh, has_gmsh, 2},
+                                           {"vtu", to_vtu, has_vtk, 2},
+                                           {"3mf", to_3mf_model, is_flat},
+                                           {"amf", to_amf, is_flat},
+                                           {"tri", to_tri, is_flat},
+                                           {"emesh", to_emesh, is_flat},
+                                           {"fms", to_fms, is_flat},
+                                           {"su2", to_su2, is_straight, 1},
+                                           {"nas", to_nastran, has_nastran, 1},
+                                           {"bdf", to_nastran, has_nastran, 1},
+                                           {"inp", to_abaqus, has_abaqus, 0},
+                                           {"unv", to_unv, has_unv, 2},
+                                           {"msh2", to_msh2, has_gmsh, 2}}};
 
 const Format* format_of(const std::string& name, std::size_t among) {
     const auto end = kFormats.begin() + static_cast<std::ptrdiff_t>(among);
@@ -92,15 +102,31 @@ void write(const TriangleMesh& mesh, const std::string& path) {
     save(path, [&](Output& out) { format->write(out, whole); });
 }
 
+std::vector<ElementFormat> element_formats() {
+    std::vector<ElementFormat> found;
+    for (const Format& format : kFormats) {
+        if (format.below >= 0) {
+            ElementFormat& of_elements = found.emplace_back(ElementFormat{format.name, format.below, {}});
+            for (const ElementType& type : element_types()) {
+                if (format.holds(type)) {
+                    of_elements.types.push_back(&type);
+                }
+            }
+        }
+    }
+    return found;
+}
+
 void write(const ExportMesh& mesh, const std::string& path, const std::string& format, bool ascii) {
     const Format* found = format_of(format, kFormats.size());
     if (found == nullptr) {
         throw IoError("cannot write '" + path + "': " + format + " is no format of meshes that is known here");
     }
-    if (mesh.order > found->most_order) {
-        throw InvalidInput("." + format + " files hold elements of an order up to " +
-                           std::to_string(found->most_order) + ", not " + std::to_string(mesh.order) +
-                           ": use .msh or .vtu");
+    for (const auto& [block, first] : mesh.numbered(mesh.lowest(std::max(found->below, 0)))) {
+        if (!found->holds(*block->type)) {
+            throw InvalidInput("." + format + " files do not hold elements of kind " + std::string(block->type->kind) +
+                               " and order " + std::to_string(block->type->order) + ": use .msh or .vtu");
+        }
     }
     const auto to_format = ascii && format == "stl" ? to_stl_text : found->write;
     save(path, [&](Output& out) { to_format(out, mesh); });

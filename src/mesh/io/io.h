@@ -22,6 +22,15 @@ void write(const TriangleMesh& mesh, const std::string& path);
 /// @throws InvalidInput where the format does not know elements of the order
 void write(const ExportMesh& mesh, const std::string& path, const std::string& format, bool ascii = false);
 
+/// A format that holds elements of several types.
+struct ElementFormat {
+    std::string name;
+    int below = 0;  ///< by how much dimensions of its elements may be lower than the highest; what is lower is left out
+    std::vector<const ElementType*> types;
+};
+
+std::vector<ElementFormat> element_formats();
+
 /// The extension of a path in lower case with its full stop; empty without one.
 std::string extension_of(const std::string& path);
 

@@ -86,10 +86,10 @@ void to_stl(Output& out, const ExportMesh& mesh) {
 
 void to_stl_text(Output& out, const ExportMesh& mesh) {
     const PointTexts points(mesh);
-    const auto patches = mesh.triangles().by_group(mesh.patches().size());
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-        out += "solid " + mesh.patches()[p].name + "\n";
-        for (const std::int32_t k : patches[p]) {
+    const auto triangles = mesh.numbered(2);
+    for (const Members& patch : divided(mesh, triangles)) {
+        out += "solid " + patch.name + "\n";
+        for (const auto& [block, k] : patch.elements) {
             const std::int32_t* t = mesh.triangles().of(static_cast<std::size_t>(k));
             const Vec3 normal = normal_of(mesh, t);
             out += "facet normal";
@@ -104,7 +104,7 @@ void to_stl_text(Output& out, const ExportMesh& mesh) {
             }
             out += "endloop\nendfacet\n";
         }
-        out += "endsolid " + mesh.patches()[p].name + "\n";
+        out += "endsolid " + patch.name + "\n";
     }
 }
 

@@ -16,8 +16,6 @@ void to_stl(Output& out,
 void to_ply(Output& out, const ExportMesh& mesh);
 void to_obj(Output& out, const ExportMesh& mesh);
 void to_off(Output& out, const ExportMesh& mesh);
-void to_msh(Output& out, const ExportMesh& mesh);
-void to_vtu(Output& out, const ExportMesh& mesh);
 void to_3mf_model(Output& out, const ExportMesh& mesh);  ///< the XML part that a .3mf container holds
 void to_amf(Output& out, const ExportMesh& mesh);
 
@@ -27,22 +25,17 @@ void to_tri(Output& out, const ExportMesh& mesh);       ///< Cart3D; component i
 void to_emesh(Output& out, const ExportMesh& mesh);     ///< OpenFOAM: sharp edges and borders of patches
 void to_fms(Output& out, const ExportMesh& mesh);       ///< cfMesh: triangles, and the same edges as to_emesh
 
-// The following functions write triangles and tetrahedra by patches and solids.
-void to_su2(Output& out, const ExportMesh& mesh);      ///< order 1
-void to_nastran(Output& out, const ExportMesh& mesh);  ///< orders 1 and 2, as the following
+// The following functions write elements of any type that the format has (ElementType), by groups.
+void to_msh(Output& out, const ExportMesh& mesh);
+void to_vtu(Output& out, const ExportMesh& mesh);
+void to_su2(Output& out, const ExportMesh& mesh);
+void to_nastran(Output& out, const ExportMesh& mesh);
 void to_abaqus(Output& out, const ExportMesh& mesh);
 void to_unv(Output& out, const ExportMesh& mesh);
-void to_msh2(Output& out, const ExportMesh& mesh);  ///< Gmsh 2.2; all orders
+void to_msh2(Output& out, const ExportMesh& mesh);  ///< Gmsh 2.2
 
 /// True when every coordinate of the file is a single-precision number, so that float loses nothing.
 bool fits_single_precision(const ExportMesh& mesh);
-
-/// Gmsh's number of the type of elements of a dimension 1 to 3 and an order 1 to 5.
-int gmsh_type(int dimension, int order);
-
-/// Place of the nodes of a tetrahedron of order 2 in the order of Abaqus, Nastran, CGNS and Exodus: Gmsh exchanges the
-/// last two.
-constexpr std::array<std::size_t, 10> kTetrahedronOrder{0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
 
 /// Appends the bytes of a plain value. All binary formats here are little-endian, as is every platform of FreeCAD.
 template <typename T, typename Out>

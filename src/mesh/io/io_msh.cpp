@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <map>
-#include <unordered_map>
 #include <utility>
 
 #include "mesh/io/io_formats.h"
@@ -10,90 +9,153 @@ namespace mq::mesh {
 
 namespace {
 
-/// The nodes and triangles of one discrete surface of a Gmsh file.
-struct Surface {
+/// One entity of a Gmsh file: what lies on a CAD entity, or a piece of it that is in other groups.
+struct Entity {
+    std::vector<std::int32_t> groups;  ///< numbers of physical groups, from 1
     std::vector<std::int32_t> nodes;
-    std::vector<std::int32_t> triangles;
+    std::vector<std::pair<const NumberedElements*, std::vector<std::int32_t>>> elements;
     Box box;
 };
 
-/// Surfaces by Gmsh tag: the CAD face's number from 1. Triangles without a face share the tag after the last one.
-std::map<int, Surface> surfaces_of(const ExportMesh& mesh) {
-    const auto& faces = mesh.triangles().entity;
-    const int unknown = faces.empty() ? 1 : *std::max_element(faces.begin(), faces.end()) + 2;
-    std::map<int, Surface> surfaces;
-    std::unordered_map<int, std::int32_t> patch_of_face;
-    std::map<std::pair<int, std::int32_t>, int> pieces;
-    std::vector<bool> listed(mesh.nodes.size(), false);
-    for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
-        int tag = faces.empty() || faces[k] < 0 ? unknown : faces[k] + 1;
-        if (mesh.patches_given) {
-            // A patch may hold a piece of a face: that is a surface of its own, after all faces.
-            const auto patch = mesh.triangles().group[k];
-            const int own = patch_of_face.try_emplace(tag, patch).first->second;
-            tag = patch == own
-                      ? tag
-                      : pieces.emplace(std::make_pair(tag, patch), unknown + 1 + static_cast<int>(pieces.size()))
-                            .first->second;
+using Tag = std::pair<int, int>;  ///< dimension, and number from 1
+
+/// The entities by Gmsh's tags: the CAD entity's number from 1. Elements without one share the tag after the last one.
+class Entities {
+  public:
+    Entities(const ExportMesh& mesh, const std::vector<NumberedElements>& blocks) : mesh_(mesh) {
+        listed_.resize(mesh.nodes.size(), false);
+        for (const NumberedElements& block : blocks) {
+            int& unknown = unknown_[static_cast<std::size_t>(block.elements->type->dimension)];
+            for (const std::int32_t entity : block.elements->entity) {
+                unknown = std::max(unknown, entity + 2);
+            }
         }
-        Surface& surface = surfaces[tag];
-        surface.triangles.push_back(static_cast<std::int32_t>(k));
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto v = static_cast<std::size_t>(mesh.triangles().of(k)[i]);
-            surface.box.add(mesh.point(v));
-            if (!listed[v]) {
-                listed[v] = true;
-                surface.nodes.push_back(static_cast<std::int32_t>(v));
+        for (const NumberedElements& block : blocks) {
+            add(block);
+        }
+        for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+            if (mesh.nodes_by_entity) {
+                const VertexEntity& entity = mesh.node_entity[i];
+                add_node(at({entity[0], entity[1] + 1}), i);
+            } else if (!listed_[i] && !all_.empty()) {
+                all_.begin()->second.nodes.push_back(static_cast<std::int32_t>(i));  // Gmsh needs each under an entity
             }
         }
     }
-    // Gmsh needs every node under an entity: nodes of no triangle are listed with the first surface.
-    for (std::size_t v = 0; v < listed.size() && !surfaces.empty(); ++v) {
-        if (!listed[v]) {
-            surfaces.begin()->second.nodes.push_back(static_cast<std::int32_t>(v));
-        }
-    }
-    return surfaces;
-}
 
-/// The number from 1 of the physical group of a surface: its patch where there are such, its CAD face otherwise; 0:
-/// none.
-int group_of(const ExportMesh& mesh, const Surface& surface) {
-    const auto first = static_cast<std::size_t>(surface.triangles.front());
-    if (mesh.patches_given) {
-        return mesh.triangles().group[first] + 1;
-    }
-    return mesh.triangles().entity.empty() ? 0 : std::max(mesh.triangles().entity[first] + 1, 0);
-}
+    const std::map<Tag, Entity>& all() const { return all_; }
 
-void append_head(Output& out, const ExportMesh& mesh, const std::map<int, Surface>& surfaces) {
-    out += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
-    std::map<int, std::string> names;
-    for (const auto& [tag, surface] : surfaces) {
-        const int group = group_of(mesh, surface);
-        if (group > 0) {
-            names[group] = mesh.patches_given ? mesh.patches()[static_cast<std::size_t>(group) - 1].name
-                                              : "Face" + std::to_string(group);
-        }
-    }
-    if (!names.empty()) {
-        out += "$PhysicalNames\n" + std::to_string(names.size()) + "\n";
-        for (const auto& [group, name] : names) {
-            out += "2 " + std::to_string(group) + " \"" + name + "\"\n";
-        }
-        out += "$EndPhysicalNames\n";
-    }
-    out += "$Entities\n0 0 " + std::to_string(surfaces.size()) + " 0\n";
-    for (const auto& [tag, surface] : surfaces) {
-        out.append_number(static_cast<long long>(tag));
-        for (const Vec3* corner : {&surface.box.low, &surface.box.high}) {
-            for (int i = 0; i < 3; ++i) {
-                out += ' ';
-                out.append_number((*corner)[i]);
+    std::map<Tag, std::string> names() const {
+        std::map<Tag, std::string> found;
+        for (const auto& [tag, entity] : all_) {
+            for (const std::int32_t group : entity.groups) {
+                found[{tag.first, group}] =
+                    has_groups(tag.first)
+                        ? mesh_.groups[static_cast<std::size_t>(tag.first)][static_cast<std::size_t>(group) - 1].name
+                        : entity_name(tag.first, group - 1);
             }
         }
-        const int group = group_of(mesh, surface);
-        out += group > 0 ? " 1 " + std::to_string(group) + " 0\n" : std::string(" 0 0\n");
+        return found;
+    }
+
+  private:
+    /// Whether the groups of the mesh are the physical ones; else each CAD entity is one.
+    bool has_groups(int dimension) const { return mesh_.is_given() || (dimension == 2 && mesh_.patches_given); }
+
+    void add(const NumberedElements& block) {
+        const Elements& elements = *block.elements;
+        const int dimension = elements.type->dimension;
+        const int unknown = unknown_[static_cast<std::size_t>(dimension)];
+        Entity* entity = nullptr;
+        std::pair<int, std::int32_t> last;
+        for (std::size_t k = 0; k < elements.size(); ++k) {
+            const bool known = !elements.entity.empty() && elements.entity[k] >= 0;
+            const std::pair<int, std::int32_t> own{known ? elements.entity[k] + 1 : unknown,
+                                                   has_groups(dimension) ? elements.group[k] : 0};
+            if (entity == nullptr || own != last) {
+                last = own;
+                entity = &piece({dimension, own.first}, own.second);
+                if (entity->elements.empty()) {
+                    if (has_groups(dimension)) {
+                        for (const std::int32_t group : mesh_.groups_of(elements, k)) {
+                            entity->groups.push_back(group + 1);
+                        }
+                    } else if (known) {
+                        entity->groups = {own.first};
+                    }
+                }
+                if (entity->elements.empty() || entity->elements.back().first != &block) {
+                    entity->elements.push_back({&block, {}});
+                }
+            }
+            entity->elements.back().second.push_back(static_cast<std::int32_t>(k));
+            for (std::size_t i = 0; i < elements.type->nodes && !mesh_.nodes_by_entity; ++i) {
+                add_node(*entity, static_cast<std::size_t>(elements.of(k)[i]));
+            }
+        }
+    }
+
+    /// What is in one group, or in the same ones. What is in others than the first element of a CAD entity is an entity
+    /// of its own, after all others.
+    Entity& piece(const Tag& tag, std::int32_t group) {
+        if (group == first_group_.try_emplace(tag, group).first->second) {
+            return all_[tag];
+        }
+        int& pieces = pieces_[static_cast<std::size_t>(tag.first)];
+        const auto [found, is_new] = pieces_of_.try_emplace({tag, group}, pieces);
+        pieces += is_new ? 1 : 0;
+        return all_[{tag.first, unknown_[static_cast<std::size_t>(tag.first)] + 1 + found->second}];
+    }
+
+    /// The entity of a node. One without elements is a group as well, but not a vertex or a face in no patch.
+    Entity& at(const Tag& tag) {
+        const auto [found, is_new] = all_.try_emplace(tag);
+        if (is_new && tag.first > 0 && !has_groups(tag.first)) {
+            found->second.groups = {tag.second};
+        }
+        return found->second;
+    }
+
+    void add_node(Entity& entity, std::size_t node) {
+        entity.box.add(mesh_.point(node));
+        if (!listed_[node]) {
+            listed_[node] = true;
+            entity.nodes.push_back(static_cast<std::int32_t>(node));
+        }
+    }
+
+    const ExportMesh& mesh_;
+    std::vector<bool> listed_;
+    std::array<int, 4> unknown_{1, 1, 1, 1};
+    std::array<int, 4> pieces_{};
+    std::map<Tag, std::int32_t> first_group_;
+    std::map<std::pair<Tag, std::int32_t>, int> pieces_of_;
+    std::map<Tag, Entity> all_;
+};
+
+void append_entities(Output& out, const std::map<Tag, Entity>& entities) {
+    std::array<int, 4> counts{};
+    for (const auto& [tag, entity] : entities) {
+        ++counts[static_cast<std::size_t>(tag.first)];
+    }
+    out += "$Entities";
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        out += (i == 0 ? "\n" : " ") + std::to_string(counts[i]);
+    }
+    out += '\n';
+    for (const auto& [tag, entity] : entities) {
+        Box box = entity.box;
+        if (box.empty()) {
+            box.add(Vec3::Zero());
+        }
+        out.append_number(tag.second);
+        for (int i = 0; i < (tag.first > 0 ? 6 : 3); ++i) {
+            out += ' ';
+            out.append_number(i < 3 ? box.low[i] : box.high[i - 3]);
+        }
+        out += ' ';
+        out.append_number(entity.groups.size());
+        append_nodes(out, entity.groups.data(), entity.groups.size(), 0, ' ', tag.first > 0 ? " 0\n" : "\n");
     }
     out += "$EndEntities\n";
 }
@@ -101,33 +163,49 @@ void append_head(Output& out, const ExportMesh& mesh, const std::map<int, Surfac
 }  // namespace
 
 void to_msh(Output& out, const ExportMesh& mesh) {
-    const std::map<int, Surface> surfaces = surfaces_of(mesh);
-    append_head(out, mesh, surfaces);
-    const auto begin = [&](const char* section, std::size_t count) {
-        out += "$" + std::string(section) + "\n" + std::to_string(surfaces.size()) + " " + std::to_string(count) + " " +
+    const std::vector<NumberedElements> blocks = mesh.numbered(1);
+    const Entities made(mesh, blocks);
+    const std::map<Tag, Entity>& entities = made.all();
+    const std::map<Tag, std::string> names = made.names();
+    out += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+    if (!names.empty()) {
+        out += "$PhysicalNames\n" + std::to_string(names.size()) + "\n";
+        for (const auto& [group, name] : names) {
+            out += std::to_string(group.first) + " " + std::to_string(group.second) + " \"" + name + "\"\n";
+        }
+        out += "$EndPhysicalNames\n";
+    }
+    append_entities(out, entities);
+    const auto begin = [&](const char* section, std::size_t pieces, std::size_t count) {
+        out += "$" + std::string(section) + "\n" + std::to_string(pieces) + " " + std::to_string(count) + " " +
                (count > 0 ? "1 " : "0 ") + std::to_string(count) + "\n";
     };
-    begin("Nodes", surfaces.empty() ? 0 : mesh.nodes.size());
-    for (const auto& [tag, surface] : surfaces) {
-        out += "2 " + std::to_string(tag) + " 0 " + std::to_string(surface.nodes.size()) + "\n";
-        for (const std::int32_t v : surface.nodes) {
+    begin("Nodes", entities.size(), entities.empty() ? 0 : mesh.nodes.size());
+    std::size_t pieces = 0;
+    for (const auto& [tag, entity] : entities) {
+        pieces += entity.elements.size();
+        out += std::to_string(tag.first) + " " + std::to_string(tag.second) + " 0 " +
+               std::to_string(entity.nodes.size()) + "\n";
+        for (const std::int32_t v : entity.nodes) {
             out.append_number(static_cast<long long>(v) + 1);
             out += '\n';
         }
-        for (const std::int32_t v : surface.nodes) {
+        for (const std::int32_t v : entity.nodes) {
             append_point_text(out, mesh.point(static_cast<std::size_t>(v)));
         }
     }
     out += "$EndNodes\n";
-    begin("Elements", mesh.triangles().size());
-    // Gmsh's number of a triangle with three nodes.
-    constexpr const char* kThreeNodeTriangle = "2";
-    for (const auto& [tag, surface] : surfaces) {
-        out += "2 " + std::to_string(tag) + " " + kThreeNodeTriangle + " " + std::to_string(surface.triangles.size()) +
-               "\n";
-        for (const std::int32_t k : surface.triangles) {
-            out.append_number(static_cast<long long>(k) + 1);
-            append_nodes(out, mesh.triangles().of(static_cast<std::size_t>(k)), 3, 1);
+    begin("Elements", pieces, count_of(blocks));
+    std::size_t next = 1;  // by CAD entities; in other meshes elements keep their numbers
+    for (const auto& [tag, entity] : entities) {
+        for (const auto& [block, rows] : entity.elements) {
+            const ElementType& type = *block->elements->type;
+            out += std::to_string(tag.first) + " " + std::to_string(tag.second) + " " + std::to_string(type.gmsh) +
+                   " " + std::to_string(rows.size()) + "\n";
+            for (const std::int32_t k : rows) {
+                out.append_number(mesh.nodes_by_entity ? next++ : block->first + static_cast<std::size_t>(k));
+                append_nodes(out, block->elements->of(static_cast<std::size_t>(k)), type.nodes, 1);
+            }
         }
     }
     out += "$EndElements\n";

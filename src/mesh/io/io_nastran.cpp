@@ -46,54 +46,44 @@ void append_grid(Output& out, std::size_t i, const Vec3& p) {
     out += '\n';
 }
 
-/// One element: name, number, property and nodes, eight fields a line.
-void append_element(Output& out, const char* name, std::size_t id, std::size_t property,
-                    const std::vector<std::int32_t>& nodes) {
-    out += name;
-    append_column(out, static_cast<long long>(id), kSmall);
-    append_column(out, static_cast<long long>(property), kSmall);
-    std::size_t field = 2;
-    for (const std::int32_t node : nodes) {
-        if (field == 8) {
-            out += "+\n+       ";  // programs that go by columns look for the mark at the end, too
-            field = 0;
+/// Elements: name, number, property and nodes, eight fields a line.
+void append_elements(Output& out, const NumberedElements& block, const Properties& properties) {
+    const Elements& elements = *block.elements;
+    const std::string_view name = elements.type->nastran;
+    const std::vector<std::size_t> places = places_of(elements.type->orders.levels, elements.type->nodes);
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        out += name;
+        out.append(kSmall - name.size(), ' ');
+        append_column(out, static_cast<long long>(block.first + k), kSmall);
+        append_column(out, static_cast<long long>(properties.of(elements, k)), kSmall);
+        std::size_t field = 2;
+        for (const std::size_t place : places) {
+            if (field == 8) {
+                out += "+\n+       ";  // programs that go by columns look for the mark at the end, too
+                field = 0;
+            }
+            append_column(out, static_cast<long long>(elements.of(k)[place]) + 1, kSmall);
+            ++field;
         }
-        append_column(out, static_cast<long long>(node) + 1, kSmall);
-        ++field;
+        out += elements.type->dimension == 1 ? "0.      0.      1.\n" : "\n";  // the plane of a beam
     }
-    out += '\n';
 }
 
 }  // namespace
 
 void to_nastran(Output& out, const ExportMesh& mesh) {
-    const Elements& triangles = mesh.triangles();
-    const Elements& tetrahedra = mesh.tetrahedra();
+    const std::vector<NumberedElements> blocks = mesh.numbered(mesh.lowest(1));
+    const Properties properties(mesh, blocks);
     out += "$ MeshQuality\n";
-    for (std::size_t p = 0; p < mesh.patches().size(); ++p) {
-        out += "$ property " + std::to_string(p + 1) + ": patch " + mesh.patches()[p].name + "\n";
-    }
-    for (std::size_t s = 0; s < mesh.groups[3].size(); ++s) {
-        out +=
-            "$ property " + std::to_string(mesh.patches().size() + s + 1) + ": solid " + mesh.groups[3][s].name + "\n";
+    for (std::size_t i = 0; i < properties.names().size(); ++i) {
+        out += "$ property " + std::to_string(i + 1) + ": " + properties.names()[i] + "\n";
     }
     out += "BEGIN BULK\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
         append_grid(out, i, mesh.point(i));
     }
-    const char* triangle = mesh.order == 1 ? "CTRIA3  " : "CTRIA6  ";
-    for (std::size_t k = 0; k < triangles.size(); ++k) {
-        const std::int32_t* t = triangles.of(k);
-        append_element(out, triangle, k + 1, static_cast<std::size_t>(triangles.group[k]) + 1,
-                       {t, t + triangles.width});
-    }
-    for (std::size_t e = 0; e < tetrahedra.size(); ++e) {
-        std::vector<std::int32_t> nodes;
-        for (std::size_t i = 0; i < tetrahedra.width; ++i) {
-            nodes.push_back(tetrahedra.of(e)[kTetrahedronOrder[i]]);
-        }
-        append_element(out, "CTETRA  ", triangles.size() + e + 1,
-                       mesh.patches().size() + static_cast<std::size_t>(tetrahedra.group[e]) + 1, nodes);
+    for (const NumberedElements& block : blocks) {
+        append_elements(out, block, properties);
     }
     out += "ENDDATA\n";
 }

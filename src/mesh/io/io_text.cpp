@@ -49,10 +49,10 @@ void append_faces(Output& out, const ExportMesh& mesh) {
 }
 
 void append_patches(Output& out, const ExportMesh& mesh) {
-    const auto patches = mesh.triangles().by_group(mesh.patches().size());
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-        out += "g " + mesh.patches()[p].name + "\n";
-        for (const std::int32_t k : patches[p]) {
+    const auto triangles = mesh.numbered(2);
+    for (const Members& patch : divided(mesh, triangles)) {
+        out += "g " + patch.name + "\n";
+        for (const auto& [block, k] : patch.elements) {
             out += 'f';
             append_nodes(out, mesh.triangles().of(static_cast<std::size_t>(k)), 3, 1);
         }

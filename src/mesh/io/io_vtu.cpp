@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "mesh/io/io_formats.h"
@@ -65,47 +66,105 @@ void append_points(Output& out, const ExportMesh& mesh) {
     out += "</Points>\n";
 }
 
-void append_cells(Output& out, const ExportMesh& mesh) {
-    // VTK's cell type of a triangle.
-    constexpr std::uint8_t kVtkTriangle = 5;
-    const std::size_t count = mesh.triangles().size();
-    std::vector<std::int32_t> offsets;
-    offsets.reserve(count);
-    for (std::size_t k = 1; k <= count; ++k) {
-        offsets.push_back(static_cast<std::int32_t>(3 * k));
+/// Nodes of all cells, one after the other, in VTK's order.
+std::vector<std::int32_t> connectivity_of(const std::vector<NumberedElements>& blocks) {
+    std::vector<std::int32_t> found;
+    for (const auto& [block, first] : blocks) {
+        const std::vector<std::size_t> places =
+            block->type->order > 2 ? block->lagrange : places_of(block->type->orders.rings, block->type->nodes);
+        for (std::size_t k = 0; k < block->size(); ++k) {
+            for (const std::size_t place : places) {
+                found.push_back(block->of(k)[place]);
+            }
+        }
+    }
+    return found;
+}
+
+template <typename Integer>
+std::vector<Integer> offsets_of(const std::vector<NumberedElements>& blocks) {
+    std::vector<Integer> found;
+    Integer last = 0;
+    for (const auto& [block, first] : blocks) {
+        for (std::size_t k = 0; k < block->size(); ++k) {
+            found.push_back(last += static_cast<Integer>(block->type->nodes));
+        }
+    }
+    return found;
+}
+
+void append_cells(Output& out, const std::vector<NumberedElements>& blocks) {
+    const std::vector<std::int32_t> nodes = connectivity_of(blocks);
+    std::vector<std::uint8_t> types;
+    for (const auto& [block, first] : blocks) {
+        types.insert(types.end(), block->size(), static_cast<std::uint8_t>(block->type->vtk));
     }
     out += "<Cells>\n";
-    append_array(out, "type=\"Int32\" Name=\"connectivity\"", mesh.triangles().nodes);
-    append_array(out, "type=\"Int32\" Name=\"offsets\"", offsets);
-    append_array(out, "type=\"UInt8\" Name=\"types\"", std::vector<std::uint8_t>(count, kVtkTriangle));
+    append_array(out, "type=\"Int32\" Name=\"connectivity\"", nodes);
+    if (nodes.size() <= std::numeric_limits<std::int32_t>::max()) {
+        append_array(out, "type=\"Int32\" Name=\"offsets\"", offsets_of<std::int32_t>(blocks));
+    } else {
+        append_array(out, "type=\"Int64\" Name=\"offsets\"", offsets_of<std::int64_t>(blocks));
+    }
+    append_array(out, "type=\"UInt8\" Name=\"types\"", types);
     out += "</Cells>\n";
+}
+
+/// The CAD entity of each cell, and its patch where these were given; of a mesh from elsewhere its first group.
+void append_cell_data(Output& out, const ExportMesh& mesh, const std::vector<NumberedElements>& blocks) {
+    std::vector<std::int32_t> entities, groups;
+    for (const auto& [block, first] : blocks) {
+        entities.insert(entities.end(), block->entity.begin(), block->entity.end());
+        for (std::size_t k = 0; k < block->size(); ++k) {
+            groups.push_back(mesh.first_group(*block, k));
+        }
+    }
+    const bool solid = mesh.dimension() == 3;
+    const bool has_patch = mesh.patches_given && !solid;
+    if (mesh.is_given()) {
+        out += "<CellData>\n";
+        append_array(out, "type=\"Int32\" Name=\"group\"", groups);
+        out += "</CellData>\n";
+    } else if (!entities.empty() || has_patch) {
+        out += "<CellData>\n";
+        if (!entities.empty()) {
+            append_array(out, solid ? "type=\"Int32\" Name=\"cad_solid\"" : "type=\"Int32\" Name=\"cad_face\"",
+                         entities);
+        }
+        if (has_patch) {
+            append_array(out, "type=\"Int32\" Name=\"patch\"", groups);
+        }
+        out += "</CellData>\n";
+    }
 }
 
 }  // namespace
 
+// Cells of the highest dimension, of a mesh from elsewhere all. Orders of nodes are those of version 2.2.
 void to_vtu(Output& out, const ExportMesh& mesh) {
-    out +=
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-        std::to_string(mesh.nodes.size()) + "\" NumberOfCells=\"" + std::to_string(mesh.triangles().size()) + "\">\n";
+    const std::vector<NumberedElements> blocks = mesh.numbered(mesh.is_given() ? 1 : mesh.dimension());
+    out += std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"") +
+           (mesh.order() == 1 ? "1.0" : "2.2") +
+           "\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+    for (std::size_t g = 0; g < mesh.patches().size() && mesh.is_given(); ++g) {
+        out += "<!-- group " + std::to_string(g) + ": ";
+        char last = ' ';
+        for (const char c : mesh.patches()[g].name) {
+            out += c == '-' && last == '-' ? " -" : std::string(1, c);  // no comment has two in a row
+            last = c;
+        }
+        out += " -->\n";
+    }
+    out += "<Piece NumberOfPoints=\"" + std::to_string(mesh.nodes.size()) + "\" NumberOfCells=\"" +
+           std::to_string(count_of(blocks)) + "\">\n";
     if (!mesh.node_entity.empty()) {
         out += "<PointData>\n";
         append_array(out, "type=\"Int32\" Name=\"cad_entity\" NumberOfComponents=\"2\"", mesh.node_entity);
         out += "</PointData>\n";
     }
-    const Elements& triangles = mesh.triangles();
-    if (!triangles.entity.empty() || mesh.patches_given) {
-        out += "<CellData>\n";
-        if (!triangles.entity.empty()) {
-            append_array(out, "type=\"Int32\" Name=\"cad_face\"", triangles.entity);
-        }
-        if (mesh.patches_given) {
-            append_array(out, "type=\"Int32\" Name=\"patch\"", triangles.group);
-        }
-        out += "</CellData>\n";
-    }
+    append_cell_data(out, mesh, blocks);
     append_points(out, mesh);
-    append_cells(out, mesh);
+    append_cells(out, blocks);
     out += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 

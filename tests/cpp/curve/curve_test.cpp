@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "curve/checks.h"
+#include "curve/files.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/solid_volume.h"
 #include "geometry/parts.h"

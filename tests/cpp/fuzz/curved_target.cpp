@@ -6,6 +6,7 @@
 #include "curve/output/curved_mesh.h"
 #include "curve/output/shape_distortion.h"
 #include "curve/output/tessellation.h"
+#include "mesh/io/io_formats.h"
 #include "mesh/quality/mesh_report.h"
 
 namespace mq {
@@ -61,7 +62,9 @@ CurvedMesh curved_mesh(fuzz::Bytes& bytes) {
 
 void check(const CurvedMesh& mesh, double deviation) {
     fuzz::require(curve::tetrahedra_behind(mesh).size() == mesh.triangle_face.size(), "every triangle is looked at");
-    fuzz::require(!curve::to_msh(mesh).empty() && !curve::to_vtu(mesh).empty(), "both formats are written");
+    fuzz::require(!mesh::text_of(mesh::to_msh, curve::exported(mesh)).empty() &&
+                      !mesh::text_of(mesh::to_vtu, curve::exported(mesh)).empty(),
+                  "both formats are written");
     constexpr double kRounding = 1e-6;
     for (const double eta : curve::tetrahedron_distortions(mesh)) {
         fuzz::require(eta >= 1.0 - kRounding, "distortions of tetrahedra are at least 1");

@@ -43,6 +43,10 @@ CORNERS = {kind: len(corners) for kind, corners in _CORNERS.items()}
 PLURALS = {"line": "lines", "triangle": "triangles", "quadrilateral": "quadrilaterals", "tetrahedron": "tetrahedra",
            "pyramid": "pyramids", "prism": "prisms", "hexahedron": "hexahedra"}
 _FLAT = {3: "triangle", 4: "quadrilateral"}
+# Elements of orders 1 and 2 that most programs have, by number of nodes.
+FLAT_OF = {3: "triangle", 6: "triangle", 4: "quadrilateral", 8: "quadrilateral"}
+SOLID_OF = {4: "tetrahedron", 10: "tetrahedron", 5: "pyramid", 13: "pyramid", 6: "prism", 15: "prism", 8: "hexahedron",
+            20: "hexahedron"}
 _SHRINKS = {"line": 2, "triangle": 3, "quadrilateral": 2, "tetrahedron": 4, "pyramid": 3, "hexahedron": 2}
 _SERENDIPITY = {"quadrilateral": 8, "pyramid": 13, "prism": 15, "hexahedron": 20}
 _RING3, _RING4 = ((0, 1), (1, 2), (2, 0)), ((0, 1), (1, 2), (2, 3), (3, 0))

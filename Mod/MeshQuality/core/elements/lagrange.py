@@ -34,14 +34,6 @@ def values(kind, order, at):
 
 
 @functools.lru_cache(maxsize=None)
-def between(kind, order, wanted):
-    """float64 (nodes of `wanted`, nodes of `order`): by which nodes of one order make those of another one."""
-    found = values(kind, order, shares(kind, kinds.places(kind, kinds.count_of(kind, wanted))))
-    found.flags.writeable = False
-    return found
-
-
-@functools.lru_cache(maxsize=None)
 def _powers(kind, order):
     """int (nodes, corners): how many steps each node is away from the sides opposite to the corners."""
     at = shares(kind, kinds.places(kind, kinds.count_of(kind, order)))

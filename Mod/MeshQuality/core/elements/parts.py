@@ -47,10 +47,27 @@ class Parts:
     side_order: dict = field(default_factory=dict)
     notes: list = field(default_factory=list)
 
+    def add(self, kind, nodes, geometry=None):
+        """Adds a Section of elements that go on after those before; returns their numbers."""
+        last = int(self.sections[-1].numbers[-1]) if self.sections else 0
+        self.sections.append(Section(kind, nodes, np.arange(last + 1, last + 1 + len(nodes)), geometry))
+        return self.sections[-1].numbers
+
     def add_to_group(self, name, numbers):
         """Puts elements into a group."""
         if len(numbers):
             self.groups.setdefault(name, []).append(np.asarray(numbers))
+
+
+def hdf5(path, what, mode="r", **options):
+    """An h5py.File; raises IoError where h5py is missing, or where a file to read is no HDF5 file. `what` are the files."""
+    try:
+        import h5py
+    except ImportError as error:
+        raise IoError(f"{what} need h5py, which is not there: install it (Debian: python3-h5py)") from error
+    if mode == "r" and not h5py.is_hdf5(path):
+        raise IoError("it is no HDF5 file, which such files are: write it anew")
+    return h5py.File(path, mode, **options)
 
 
 def content(path):

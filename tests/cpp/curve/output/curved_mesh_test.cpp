@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "curve/files.h"
 
 namespace mq::curve {
 namespace {

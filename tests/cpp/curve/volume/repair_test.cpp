@@ -12,6 +12,7 @@
 #include <gp_Trsf.hxx>
 
 #include "base/parallel.h"
+#include "curve/files.h"
 #include "curve/volume/filled_solid.h"
 
 namespace mq::curve {

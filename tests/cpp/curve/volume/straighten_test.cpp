@@ -7,6 +7,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <set>
 
+#include "curve/files.h"
 #include "curve/surface/invalid_triangles.h"
 #include "curve/volume/filled_solid.h"
 

@@ -36,12 +36,31 @@ TEST(ExportMesh, PointsHaveOriginAndScale) {
 
 TEST(ExportMesh, ElementsAndNodesByPatch) {
     const ExportMesh mesh = exported(tetrahedron(), two_patches());
-    const auto triangles = mesh.triangles().by_group(2);
-    EXPECT_EQ(triangles[0], (std::vector<std::int32_t>{1}));
-    EXPECT_EQ(triangles[1], (std::vector<std::int32_t>{0, 2, 3}));
-    const auto nodes = mesh.nodes_by_patch();
-    EXPECT_EQ(nodes[0].size(), 3u);
-    EXPECT_EQ(nodes[1], (std::vector<std::int32_t>{0, 1, 2, 3}));
+    const auto numbered = mesh.numbered(2);
+    const auto patches = divided(mesh, numbered);
+    ASSERT_EQ(patches.size(), 2u);
+    EXPECT_EQ(patches[0].elements, (Members{"", {{&numbered[0], 1}}, {}}.elements));
+    EXPECT_EQ(patches[1].elements,
+              (Members{"", {{&numbered[0], 0}, {&numbered[0], 2}, {&numbered[0], 3}}, {}}.elements));
+    const auto members = members_of(mesh, numbered);
+    EXPECT_EQ(members[0].nodes.size(), 3u);
+    EXPECT_EQ(members[1].nodes, (std::vector<std::int32_t>{0, 1, 2, 3}));
+}
+
+TEST(ExportMesh, ElementsOfGivenMeshesAreInSeveralGroupsOrInNone) {
+    ExportMesh mesh = exported(tetrahedron());
+    mesh.groups = {};
+    set_groups(mesh, {{"both", {{0, {1, 2, 2}}}}, {"second", {{0, {2}}}}});
+    const auto numbered = mesh.numbered(1);
+    const auto members = members_of(mesh, numbered);
+    ASSERT_EQ(members.size(), 2u);
+    EXPECT_EQ(members[0].elements.size(), 2u);
+    EXPECT_EQ(members[1].elements.size(), 1u);
+    EXPECT_EQ(mesh.first_group(mesh.triangles(), 0), -1);
+    const auto parts = divided(mesh, numbered);
+    ASSERT_EQ(parts.size(), 2u) << "all of the second group are in the first one";
+    EXPECT_EQ(parts[1].name, "others");
+    EXPECT_EQ(Properties(mesh, numbered).names(), (std::vector<std::string>{"patch both", "other faces"}));
 }
 
 TEST(ExportMesh, PatchesThatDoNotFitAreRefused) {

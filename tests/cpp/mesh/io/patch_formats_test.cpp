@@ -26,12 +26,8 @@ ExportMesh patched(double scale = 1.0) {
 /// The corners of a tetrahedron, filled by one of order 1.
 ExportMesh filled() {
     ExportMesh mesh = patched();
-    mesh.elements[3].width = 4;
-    mesh.elements[3].nodes = {0, 1, 2, 3};
-    mesh.elements[3].entity = {0};
-    mesh.elements[3].group = {0};
+    mesh.blocks.push_back({&element_type("tetrahedron", 4), {0, 1, 2, 3}, {0}, {0}, {}});
     mesh.groups[3] = {{"Solid1"}};
-    mesh.behind = {0, 0, 0, 0};
     return mesh;
 }
 
@@ -141,7 +137,7 @@ TEST(PatchFormats, WhatAFormatDoesNotKnowIsRefused) {
     ExportMesh mesh = patched();
     EXPECT_THROW(write(mesh, "/nowhere/mesh.step", "step"), IoError);
     EXPECT_THROW(write(mesh, "/nowhere/mesh.su2", "su2"), IoError);
-    mesh.order = 2;
+    mesh.blocks[0].type = &element_type("triangle", 6);
     EXPECT_THROW(write(mesh, "/nowhere/mesh.su2", "su2"), InvalidInput);
 }
 

@@ -6,12 +6,11 @@ import re
 import numpy as np
 
 from ...errors import IoError
-from . import kinds, nastran_table
-from .parts import REMEDY, Parts, Section, content, unsupported, words_of
+from ..elements import kinds
+from ..elements.parts import REMEDY, Parts, Section, content, unsupported, words_of
+from . import nastran_table
 
 _SOLIDS = {b"CTETRA": (4, 10), b"CPYRAM": (5, 13), b"CPYRA": (5, 13), b"CPENTA": (6, 15), b"CHEXA": (8, 20)}
-_KIND = {4: "tetrahedron", 10: "tetrahedron", 5: "pyramid", 13: "pyramid", 6: "prism", 15: "prism", 8: "hexahedron",
-         20: "hexahedron"}
 _OTHERS = {b"CTRIA3": ("triangle", 3), b"CTRIAR": ("triangle", 3), b"CTRIA6": ("triangle", 6), b"CQUAD4": ("quadrilateral", 4),
            b"CQUADR": ("quadrilateral", 4), b"CSHEAR": ("quadrilateral", 4), b"CQUAD8": ("quadrilateral", 8),
            b"CQUAD": ("quadrilateral", 9), b"CBAR": ("line", 2), b"CBEAM": ("line", 2), b"CROD": ("line", 2),
@@ -73,7 +72,7 @@ def _rows_of(name, fields):
             raise nastran_table.Unusual
         mine = fields[which, :2 + count]
         mine[empty[which, 1], 1] = mine[empty[which, 1], 0]
-        kind = _KIND[count] if name in _SOLIDS else _OTHERS[name][0]
+        kind = kinds.SOLID_OF[count] if name in _SOLIDS else _OTHERS[name][0]
         found.append(((kind, count), nastran_table.whole_of(mine)))
     return found
 
@@ -141,7 +140,7 @@ def _element(name, fields):
         full = [node for node in nodes if node]
         low, high = _SOLIDS[name]
         count = low if len(full) <= low else high
-        kind = _KIND[count]
+        kind = kinds.SOLID_OF[count]
     else:
         kind, count = _OTHERS[name]
         full = nodes[:count]

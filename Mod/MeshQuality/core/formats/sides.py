@@ -24,20 +24,29 @@ def alike(keys):
     return order[begins], same, np.bincount(same)
 
 
+def faces_of_groups(mesh):
+    """[(name, int (F, corners)), ...]: the corners of the faces in the groups of an ElementMesh, by kind."""
+    return [(name, mesh.blocks[i].nodes[rows][:, :kinds.CORNERS[mesh.blocks[i].kind]])
+            for name, parts in mesh.group_members.items() for i, rows in parts
+            if kinds.DIMENSION[mesh.blocks[i].kind] == 2 and len(rows)]
+
+
 def sides_of(mesh, order):
-    """{name: (numbers of elements, their sides from 1)} of the groups of a Numbered mesh that have faces of volume elements; of
+    """{name: (numbers of volume elements from 1, their sides from 1)} of the groups of an ElementMesh that have faces of such; of
     one between two elements the side of the first.
 
     order  {kind: the face of kinds.FACES that each side is}
     """
-    keys, elements, sides = [], [], []
-    for i, (kind, nodes) in enumerate(mesh.blocks):
-        for face, corners in enumerate(kinds.FACES[kind] if kinds.DIMENSION[kind] == 3 else ()):
-            keys.append(keys_of(nodes[:, corners]))
-            elements.append(np.arange(len(nodes)) + mesh.first[i])
-            sides.append(np.full(len(nodes), order[kind].index(face) + 1))
-    wanted = {name: np.concatenate([keys_of(mesh.blocks[i][1][rows][:, :kinds.CORNERS[mesh.blocks[i][0]]]) for i, rows in parts])
-              for name, parts in mesh.groups_of(2).items()}
+    keys, elements, sides, number = [], [], [], 1
+    for block in (block for block in mesh.blocks if kinds.DIMENSION[block.kind] == 3):
+        for face, corners in enumerate(kinds.FACES[block.kind]):
+            keys.append(keys_of(block.nodes[:, corners]))
+            elements.append(np.arange(len(block.nodes)) + number)
+            sides.append(np.full(len(block.nodes), order[block.kind].index(face) + 1))
+        number += len(block.nodes)
+    wanted = {}
+    for name, corners in faces_of_groups(mesh):
+        wanted[name] = np.concatenate([wanted[name], keys_of(corners)]) if name in wanted else keys_of(corners)
     if not keys or not wanted:
         return {}
     at = sum(map(len, keys))

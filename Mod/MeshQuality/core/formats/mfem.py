@@ -3,8 +3,8 @@
 
 import numpy as np
 
-from .element_arrays import points_of
-from .elements import lagrange, skeleton
+from ..elements import lagrange, skeleton
+from .arrays import points_of
 
 _TYPES = {"line": 1, "triangle": 2, "tetrahedron": 4}
 

@@ -14,26 +14,23 @@ _MIDDLE, _CONDITION = b"m", b"MSH"  # the latter is for the case to replace by w
 _BENT = 1e-9  # of an edge's length: how far a middle node is from the middle
 
 TYPES = {("hexahedron", count) for count in (8, 20, 27)}
-BOUNDARIES = 0  # how many lower dimensions are elements, too
 
 
-def write(mesh, path):
-    """Writes a Numbered mesh."""
-    volumes = [(i, nodes) for i, (kind, nodes) in enumerate(mesh.blocks) if kinds.DIMENSION[kind] == 3]
+def write(mesh, path, scale):
+    """Writes an ElementMesh whose volumes are hexahedra."""
+    volumes, points = [block.nodes for block in mesh.blocks if kinds.DIMENSION[block.kind] == 3], mesh.nodes * scale
     if not volumes:
         raise InvalidInput(".re2 files hold hexahedra, of which the mesh has none")
-    number = {}
-    for i, nodes in volumes:
-        number[i] = sum(len(mesh.blocks[k][1]) for k in number) + 1
-    count = sum(len(nodes) for _, nodes in volumes)
+    count = sum(map(len, volumes))
     with open(path, "wb") as file:
         file.write(f"#v002{count:9d}{3:3d}{count:9d} this is the hdr".ljust(80).encode())
         file.write(np.array([6.54321], dtype="<f4").tobytes())
-        for _, nodes in volumes:
-            corners = mesh.points[nodes[:, :8]].transpose(0, 2, 1).reshape(-1, 24)
+        for nodes in volumes:
+            corners = points[nodes[:, :8]].transpose(0, 2, 1).reshape(-1, 24)
             file.write(np.column_stack([np.zeros(len(nodes)), corners]).astype("<f8").tobytes())
-        _write_records(file, np.concatenate([_bent(mesh.points, nodes, number[i]) for i, nodes in volumes]), _MIDDLE)
-        _write_records(file, _conditions(mesh, number), _CONDITION)
+        first = np.cumsum([1, *map(len, volumes)])
+        _write_records(file, np.concatenate([_bent(points, nodes, number) for nodes, number in zip(volumes, first)]), _MIDDLE)
+        _write_records(file, _conditions(mesh), _CONDITION)
 
 
 def _bent(points, nodes, first):
@@ -48,14 +45,11 @@ def _bent(points, nodes, first):
     return np.column_stack([element + first, edge + 1, middles[element, edge], np.zeros((len(element), 2))])
 
 
-def _conditions(mesh, number):
+def _conditions(mesh):
     """float64 (n, 7): element, side, four zeros and the number of the group of faces."""
     found = [np.zeros((0, 7))]
-    table = np.zeros(mesh.first[-1], dtype=np.int64)
-    for i, n in number.items():
-        table[mesh.first[i]:mesh.first[i + 1]] = n + np.arange(len(mesh.blocks[i][1]))
     for group, (elements, sides) in enumerate(sides_of(mesh, _SIDES).values(), 1):
-        found.append(np.column_stack([table[elements], sides, np.zeros((len(sides), 4)), np.full(len(sides), group)]))
+        found.append(np.column_stack([elements, sides, np.zeros((len(sides), 4)), np.full(len(sides), group)]))
     rows = np.concatenate(found)
     _, first = np.unique(rows[:, :2], axis=0, return_index=True)  # a side has one condition
     return rows[first]

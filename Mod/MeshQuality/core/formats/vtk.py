@@ -6,8 +6,8 @@ import re
 import numpy as np
 
 from ...errors import IoError
+from ..elements.parts import REMEDY, Parts, content, count_within, numbers_in, unsupported, whole
 from . import vtk_cells
-from .parts import REMEDY, Parts, content, count_within, numbers_in, unsupported, whole
 
 _TYPES = {b"float": "f4", b"double": "f8", b"int": "i4", b"unsigned_int": "u4", b"long": "i8", b"unsigned_long": "u8",
           b"vtktypeint64": "i8", b"vtkidtype": "i8", b"vtktypeint32": "i4", b"short": "i2", b"unsigned_char": "u1",

@@ -7,8 +7,8 @@ import re
 import numpy as np
 
 from ...errors import IoError
-from . import kinds
-from .parts import REMEDY, Parts, Section, content, count_within, equal_rows, numbers_in, unsupported, whole, words_of
+from ..elements import kinds
+from ..elements.parts import REMEDY, Parts, Section, content, count_within, equal_rows, numbers_in, unsupported, whole, words_of
 
 _NODES, _ELEMENTS = (b"2411", b"781"), (b"2412", b"780")
 # By dataset of groups the numbers for each member: its type, its number, and two that say nothing of elements.
@@ -16,9 +16,6 @@ _GROUPS = {b"2467": 4, b"2477": 4, b"2452": 4, b"2435": 4, b"2432": 2, b"2430": 
 _ELEMENT = 8
 _BEAMS = {11, 21, 22, 23, 24, 31, 32}
 _WITH_RECORD = {11, 21, 22, 23, 24}  # a line of three numbers, of orientation and section
-_FLAT = {3: "triangle", 6: "triangle", 4: "quadrilateral", 8: "quadrilateral"}
-_SOLID = {4: "tetrahedron", 10: "tetrahedron", 5: "pyramid", 13: "pyramid", 6: "prism", 15: "prism", 8: "hexahedron",
-          20: "hexahedron"}
 # Around the element: corners and the middles between them in turn, level by level.
 AROUND = {
     ("line", 3): (0, (0, 1), 1),
@@ -91,7 +88,7 @@ def _elements(body):
 
 
 def _kind(descriptor, count):
-    known = {2: "line", 3: "line"} if descriptor in _BEAMS else _FLAT if 40 <= descriptor < 100 else _SOLID
+    known = {2: "line", 3: "line"} if descriptor in _BEAMS else kinds.FLAT_OF if 40 <= descriptor < 100 else kinds.SOLID_OF
     if count not in known or descriptor < 0:
         raise unsupported(f"elements of type {descriptor} with {count} nodes")
     return known[count]

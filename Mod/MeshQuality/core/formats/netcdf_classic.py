@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from ...errors import IoError
-from .parts import REMEDY, count_within
+from ..elements.parts import REMEDY, count_within
 
 _TYPES = {1: "i1", 2: "S1", 3: ">i2", 4: ">i4", 5: ">f4", 6: ">f8", 7: "u1", 8: ">u2", 9: ">u4", 10: ">i8", 11: ">u8"}
 _LISTS = {"dimensions": 10, "variables": 11, "attributes": 12}

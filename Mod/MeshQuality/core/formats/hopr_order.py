@@ -5,7 +5,7 @@ import functools
 
 import numpy as np
 
-from . import kinds
+from ..elements import kinds
 
 # Corners of sides in CGNS' order, which begin at the corner that a neighbour's are counted from.
 SIDES = {

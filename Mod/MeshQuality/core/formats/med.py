@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Salome's .med by h5py, or by FreeCAD's FEM where that is missing; the first mesh in it, at its first step."""
 
+import importlib.util
+
 import numpy as np
 
 from ...errors import IoError
-from . import kinds
-from .freecad_mesh import of_fem_mesh
-from .parts import REMEDY, Parts, Section, count_within, unsupported, words_of
+from ..elements import kinds
+from ..elements.freecad_mesh import of_fem_mesh
+from ..elements.parts import REMEDY, Parts, count_within, hdf5, unsupported, words_of
 
 _TYPES = {"SE2": "line", "SE3": "line", "TR3": "triangle", "TR6": "triangle", "QU4": "quadrilateral", "QU8": "quadrilateral",
           "QU9": "quadrilateral", "TE4": "tetrahedron", "T10": "tetrahedron", "PY5": "pyramid", "P13": "pyramid",
@@ -16,17 +18,10 @@ _POINT = "PO1"
 
 def read(path):
     """The Parts of a file."""
-    try:
-        import h5py
-    except ImportError as missing:
-        try:
-            import Fem
-        except ImportError:
-            raise IoError("files of Salome need h5py, which is not there: install it (Debian: python3-h5py)") from missing
+    if importlib.util.find_spec("h5py") is None and importlib.util.find_spec("Fem") is not None:
+        import Fem
         return of_fem_mesh(Fem.read(path))
-    if not h5py.is_hdf5(path):
-        raise IoError("it is no HDF5 file, which .med files are: write it anew")
-    with h5py.File(path, "r") as file:
+    with hdf5(path, "files of Salome") as file:
         return _parts(file)
 
 
@@ -41,7 +36,7 @@ def _parts(file):
     parts = Parts(_columns(step["NOE"]["COO"], "nodes"), [])
     if len(names) > 1:
         parts.notes.append(f"{len(names):,} meshes in the file, of which {names[0]!r} was read")
-    families, last = _families(file, mesh, names[0]), 0
+    families = _families(file, mesh, names[0])
     for name, table in step["MAI"].items():
         if name == _POINT:
             continue
@@ -50,9 +45,7 @@ def _parts(file):
         kind, nodes = _TYPES[name], _columns(table["NOD"], "elements").astype(np.int64) - 1
         if kinds.order_of(kind, nodes.shape[1]) not in (1, 2):
             raise IoError(f"elements of type {name} have {nodes.shape[1]} nodes: {REMEDY}")
-        numbers = np.arange(last + 1, last + 1 + len(nodes))
-        last += len(nodes)
-        parts.sections.append(Section(kind, nodes[:, kinds.from_mirrored(kind, nodes.shape[1])], numbers))
+        numbers = parts.add(kind, nodes[:, kinds.from_mirrored(kind, nodes.shape[1])])
         if "FAM" in table:
             family = table["FAM"][()]
             for tag in np.unique(family).tolist():

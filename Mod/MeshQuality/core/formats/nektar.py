@@ -8,8 +8,8 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from .element_arrays import element_blocks, points_of
-from .elements import kinds, skeleton
+from ..elements import kinds, skeleton
+from .arrays import element_blocks, points_of
 
 
 def write(mesh, path, patches, solids, scale):

@@ -6,8 +6,8 @@ import re
 import numpy as np
 
 from ...errors import IoError
-from .kinds import DIMENSION, count_of
-from .parts import REMEDY, Parts, Section, content, count_within, equal_rows, numbers_in, unsupported, whole, words_of
+from ..elements.kinds import DIMENSION, count_of
+from ..elements.parts import REMEDY, Parts, Section, content, count_within, equal_rows, numbers_in, unsupported, whole, words_of
 
 _BY_ORDER = {"line": (1, 8, 26, 27, 28), "triangle": (2, 9, 21, 23, 25), "quadrilateral": (3, 10, 36, 37, 38),
              "tetrahedron": (4, 11, 29, 30, 31), "hexahedron": (5, 12, 92, 93, 94), "prism": (6, 13, 90, 91, 106),

@@ -4,8 +4,8 @@
 import numpy as np
 
 from ...errors import IoError
-from . import kinds
-from .parts import REMEDY, Section, runs, unsupported
+from ..elements import kinds
+from ..elements.parts import REMEDY, runs, unsupported
 
 # By VTK's number the kind and how many nodes; None: Lagrange cells, of any order.
 CELLS = {3: ("line", 2), 5: ("triangle", 3), 9: ("quadrilateral", 4), 10: ("tetrahedron", 4), 12: ("hexahedron", 8),
@@ -39,12 +39,11 @@ def add(parts, connectivity, offsets, types, place, known=CELLS):
         nodes = connectivity[offsets[begin] - count:offsets[end - 1]].reshape(-1, count)
         order = kinds.from_lagrange(kind, count) if known[number][1] is None else \
             kinds.from_convention(kind, count, kinds.RINGS)
-        section = Section(kind, nodes[:, order] + first, _next_numbers(parts, end - begin), _geometry(tables, kind, begin, end))
-        parts.sections.append(section)
+        numbers = parts.add(kind, nodes[:, order] + first, _geometry(tables, kind, begin, end))
         for name in ("patch", GROUP):
             group = tables[name][begin:end] if len(tables.get(name, ())) >= end else np.zeros(0, dtype=np.int64)
             for i in np.unique(group[group >= 0]).tolist():
-                parts.add_to_group(f"{name} {i}", section.numbers[group == i])
+                parts.add_to_group(f"{name} {i}", numbers[group == i])
 
 
 def _kind(number, count, known):
@@ -56,11 +55,6 @@ def _kind(number, count, known):
     if kinds.order_of(kind, count) is None:
         raise unsupported(f"{kinds.PLURALS[kind]} with {count} nodes")
     return kind
-
-
-def _next_numbers(parts, count):
-    last = int(parts.sections[-1].numbers[-1]) if parts.sections else 0
-    return np.arange(last + 1, last + 1 + count)
 
 
 def _geometry(tables, kind, begin, end):

@@ -7,12 +7,9 @@ import re
 import numpy as np
 
 from ...errors import IoError
-from . import kinds
-from .parts import REMEDY, Parts, Section, content, numbers_in, unsupported, whole, words_of
+from ..elements import kinds
+from ..elements.parts import REMEDY, Parts, Section, content, numbers_in, unsupported, whole, words_of
 
-_SOLID = {4: "tetrahedron", 10: "tetrahedron", 5: "pyramid", 13: "pyramid", 6: "prism", 15: "prism", 8: "hexahedron",
-          20: "hexahedron"}
-_FLAT = {3: "triangle", 6: "triangle", 4: "quadrilateral", 8: "quadrilateral", 9: "quadrilateral"}
 _LINES = {"B21": 2, "B31": 2, "B33": 2, "B23": 2, "B22": 3, "B32": 3, "T2D2": 2, "T3D2": 2, "T2D3": 3, "T3D3": 3, "R2D2": 2,
           "RB3D2": 2, "SAX1": 2, "SAX2": 3}
 _SOLIDS = re.compile(r"(?:A|D|Q|)C3D(\d+)|SC(\d)R?|COH3D(\d)|F3D(\d)")
@@ -201,7 +198,7 @@ def _type(name):
         return "line", _LINES[name]
     if name == "STRI65":
         return "triangle", 6
-    for pattern, known in ((_SOLIDS, _SOLID), (_FLATS, _FLAT)):
+    for pattern, known in ((_SOLIDS, kinds.SOLID_OF), (_FLATS, {**kinds.FLAT_OF, 9: "quadrilateral"})):
         found = pattern.match(name)
         count = int(next(filter(None, found.groups()))[:2]) if found else 0
         if count in known:

@@ -10,8 +10,8 @@ import zlib
 import numpy as np
 
 from ...errors import IoError
+from ..elements.parts import REMEDY, Parts, content, count_within, numbers_in, unsupported, whole
 from . import vtk_cells
-from .parts import REMEDY, Parts, content, count_within, numbers_in, unsupported, whole
 
 _TYPES = {"Float32": "f4", "Float64": "f8", "Int8": "i1", "Int16": "i2", "Int32": "i4", "Int64": "i8", "UInt8": "u1",
           "UInt16": "u2", "UInt32": "u4", "UInt64": "u8"}

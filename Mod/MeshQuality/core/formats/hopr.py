@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""HOPR's meshes (.h5) by h5py, as FLEXI and its relatives read them: each element has nodes and sides of its own.
+"""HOPR's meshes (.h5) by h5py, as FLEXI and its relatives read them: each element has nodes and sides of its own. Read are
+boundary conditions as groups and zones as CAD entities.
 
 The format: https://github.com/hopr-framework/hopr, docs/Meshformat.
 """
@@ -8,8 +9,9 @@ import numpy as np
 
 from ...errors import InvalidInput, IoError
 from ..elements import kinds
-from ..elements.hopr_order import SIDES, of_gmsh
+from ..elements.parts import REMEDY, Parts, Section, count_within, hdf5, unsupported, words_of
 from .completion import completed
+from .hopr_order import SIDE_FACES, SIDES, of_gmsh
 from .sides import alike, keys_of
 
 _STRAIGHT = {"tetrahedron": 104, "pyramid": 115, "prism": 116, "hexahedron": 118}
@@ -17,6 +19,8 @@ _CURVED = {"tetrahedron": 204, "pyramid": 205, "prism": 206, "hexahedron": 208}
 _COUNTED = (104, 204, 105, 115, 205, 106, 116, 206, 108, 118, 208)  # of ElemCounter
 _OTHERS = "others"  # the boundary condition of sides in no group
 _BC_TYPE = (2, 0, 0, 0)  # until the parameters of a solver say what each is
+_KINDS = {4: "tetrahedron", 5: "pyramid", 6: "prism", 8: "hexahedron"}  # by the last digit of the type
+_WHAT = "files of HOPR"
 _NAME = 255
 _BITS = 21  # of each coordinate along the curve by which elements are ordered
 _MOST = 2**31 - 1
@@ -29,10 +33,6 @@ def write(path, points, volumes, boundary):
     volumes   [(kind, int (E, nodes) in Gmsh's order, int (E,) zones from 1), ...]
     boundary  [(name, int (F, corners)), ...]: the corners of faces by boundary condition
     """
-    try:
-        import h5py
-    except ImportError as error:
-        raise IoError("files of HOPR need h5py, which is not there: install it (Debian: python3-h5py)") from error
     order, zones = _order_of(volumes), np.concatenate([part[2] for part in volumes])
     points, volumes = completed(points, [(kind, nodes.astype(np.int64)) for kind, nodes, _ in volumes])
     elements = _Elements(points, volumes, zones, order)
@@ -47,7 +47,7 @@ def write(path, points, volumes, boundary):
     counts = {"Ngeo": order, "nElems": len(zones), "nSides": len(sides.number), "nNodes": len(numbers),
               "nUniqueSides": np.abs(sides.number).max(), "nUniqueNodes": numbers.max(), "nBCs": len(names)}
     # In memory, as HDF5 ends the process where a disk is full.
-    with h5py.File(path, "w", driver="core", backing_store=False) as file:
+    with hdf5(path, _WHAT, "w", driver="core", backing_store=False) as file:
         file.attrs["Version"] = np.array([1.0])
         for name, count in counts.items():
             file.attrs[name] = np.array([count], dtype=np.int32)
@@ -173,3 +173,55 @@ def _along_curve(points):
         for axis in range(3):
             found |= (steps[:, axis] >> np.uint64(bit) & np.uint64(1)) << np.uint64(3 * bit + 2 - axis)
     return found
+
+
+def read(path):
+    """The Parts of a file."""
+    with hdf5(path, _WHAT) as file:
+        missing = [name for name in ("ElemInfo", "SideInfo", "NodeCoords", "GlobalNodeIDs") if name not in file]
+        if missing or "Ngeo" not in file.attrs:
+            raise IoError(f"it has no {(missing or ['Ngeo'])[0]}: it is no mesh of HOPR")
+        order = int(np.ravel(file.attrs["Ngeo"])[0])
+        info, sides, points, numbers = (file[name][()] for name in ("ElemInfo", "SideInfo", "NodeCoords", "GlobalNodeIDs"))
+        names = [words_of(bytes(name)) for name in file["BCNames"][()]] if "BCNames" in file else []
+    if not 1 <= order <= kinds.HIGHEST_ORDER:
+        raise unsupported(f"elements of order {order}")
+    return _parts(order, (info, sides.astype(np.int64)), (points, numbers.astype(np.int64)), names)
+
+
+def _parts(order, info_and_sides, nodes, names):
+    (info, sides), (points, numbers) = info_and_sides, nodes
+    if info.ndim != 2 or info.shape[1] != 6 or sides.ndim != 2 or sides.shape[1] < 5 or len(points) != len(numbers):
+        raise IoError(f"its arrays have other sizes than HOPR's have: {REMEDY}")
+    unique, first = np.unique(numbers, return_index=True)
+    parts = Parts(points[first], [], unique, side_order=SIDE_FACES)
+    info = info.astype(np.int64)
+    for last in np.unique(np.abs(info[:, 0]) % 10).tolist():
+        if last not in _KINDS:
+            raise unsupported(f"elements of HOPR's type {int(info[np.abs(info[:, 0]) % 10 == last, 0][0])}")
+        kind = _KINDS[last]
+        which = np.flatnonzero(np.abs(info[:, 0]) % 10 == last)
+        count = kinds.count_of(kind, order)
+        begins, ends = info[which, 4], info[which, 5]
+        if (ends - begins != count).any() or (begins < 0).any():
+            raise IoError(f"it has {kinds.PLURALS[kind]} without the {count} nodes of order {order}: {REMEDY}")
+        count_within(ends.max(), len(numbers), "nodes")
+        listed = numbers[begins[:, None] + np.arange(count)]
+        parts.sections.append(Section(kind, listed[:, np.argsort(of_gmsh(kind, order))], which + 1, info[which, 1] - 1))
+    _conditions(parts, info, sides, names)
+    return parts
+
+
+def _conditions(parts, info, sides, names):
+    """The sides with a boundary condition as groups."""
+    per_element = info[:, 3] - info[:, 2]
+    if (per_element < 0).any() or per_element.sum() != len(sides):
+        raise IoError(f"its elements have other numbers of sides than it lists: {REMEDY}")
+    if (sides[:, 2] < 0).any():
+        raise unsupported("sides with several smaller ones on them (mortars)")
+    element = np.repeat(np.arange(1, len(info) + 1), per_element)
+    local = np.arange(len(sides)) - np.repeat(info[:, 2], per_element) + 1
+    for number in np.unique(sides[sides[:, 4] > 0, 4]).tolist():
+        name = names[number - 1] if number <= len(names) else ""
+        which = sides[:, 4] == number
+        parts.sides.append((name or f"condition {number}", element[which], local[which]))

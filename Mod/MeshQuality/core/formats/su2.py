@@ -6,8 +6,8 @@ import re
 import numpy as np
 
 from ...errors import IoError
-from . import kinds
-from .parts import REMEDY, Parts, Section, content, count_within, equal_rows, numbers_in, unsupported, whole, words_of
+from ..elements import kinds
+from ..elements.parts import REMEDY, Parts, content, count_within, equal_rows, numbers_in, unsupported, whole, words_of
 from .vtk_cells import CELLS
 
 # VTK's numbers, with how many nodes.
@@ -18,7 +18,7 @@ def read(path):
     """The Parts of a file."""
     data = re.sub(rb"%.*", b"", content(path).replace(b"\r", b""))
     entries = list(re.finditer(rb"^[ \t]*([A-Z_]+)[ \t]*=[ \t]*(.*)$", data, re.M))
-    parts, dimension, marker, last = Parts(None, []), None, None, 0
+    parts, dimension, marker = Parts(None, []), None, None
     markers, announced = 0, None
     for entry, end in zip(entries, [*(entry.start() for entry in entries[1:]), len(data)]):
         name, value, body = entry[1], entry[2].strip(), data[entry.end():end]
@@ -35,9 +35,7 @@ def read(path):
             announced = int(value.split()[0])
         elif name in (b"NELEM", b"MARKER_ELEMS"):
             for kind, nodes in _elements(int(value.split()[0]), body):
-                numbers = np.arange(last + 1, last + 1 + len(nodes))
-                last += len(nodes)
-                parts.sections.append(Section(kind, nodes, numbers))
+                numbers = parts.add(kind, nodes)
                 if name == b"MARKER_ELEMS":
                     parts.add_to_group(marker or "marker", numbers)
     if dimension not in (2, 3) or parts.points is None:
