@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "curve/injectivity/straight_piercing.h"
-#include "elements/product.h"
+#include "curve/elements.h"
 
 namespace mq::curve {
 namespace {

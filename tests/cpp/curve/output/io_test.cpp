@@ -10,7 +10,7 @@
 
 #include "curve/checks.h"
 #include "curve/files.h"
-#include "elements/product.h"
+#include "curve/elements.h"
 #include "geometry/occt/shape_model.h"
 
 namespace mq::curve {

@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "curve/checks.h"
-#include "elements/product.h"
+#include "curve/elements.h"
 #include "geometry/occt/shape_model.h"
 #include "mesh/quality/mesh_report.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "elements/product.h"
+#include "curve/elements.h"
 
 namespace mq::curve {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "elements/product.h"
+#include "curve/elements.h"
 
 namespace mq::curve {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "elements/bezier/jacobian_of_nodes.h"
 #include "elements/bezier/validity.h"
-#include "elements/product.h"
+#include "curve/elements.h"
 
 namespace mq::curve {
 namespace {

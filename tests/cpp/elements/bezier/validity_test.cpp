@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "elements/bezier/jacobian_of_nodes.h"
-#include "elements/product.h"
+#include "curve/elements.h"
 
 namespace mq::curve {
 namespace {

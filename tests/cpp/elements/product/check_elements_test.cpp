@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "elements/product.h"
+#include "curve/elements.h"
 #include "elements/product/polynomial_map.h"
 
 namespace mq::curve {

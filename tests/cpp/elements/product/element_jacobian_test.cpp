@@ -7,7 +7,7 @@
 #include <random>
 
 #include "base/error.h"
-#include "elements/product.h"
+#include "curve/elements.h"
 #include "elements/product/polynomial_map.h"
 
 namespace mq::curve {

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "elements/product.h"
+#include "curve/elements.h"
 #include "elements/product/polynomial_map.h"
 
 namespace mq::curve {
