@@ -8,8 +8,8 @@
 #include <map>
 #include <optional>
 
-#include "curve/injectivity/straight_piercing.h"
 #include "curve/elements.h"
+#include "curve/injectivity/straight_piercing.h"
 
 namespace mq::curve {
 namespace {

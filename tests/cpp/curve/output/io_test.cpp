@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "curve/checks.h"
-#include "curve/files.h"
 #include "curve/elements.h"
+#include "curve/files.h"
 #include "geometry/occt/shape_model.h"
 
 namespace mq::curve {

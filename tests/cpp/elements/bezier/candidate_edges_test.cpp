@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "elements/bezier/jacobian.h"
 #include "curve/elements.h"
+#include "elements/bezier/jacobian.h"
 
 namespace mq::curve {
 namespace {

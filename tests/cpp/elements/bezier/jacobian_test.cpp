@@ -7,9 +7,9 @@
 #include <limits>
 #include <random>
 
+#include "curve/elements.h"
 #include "elements/bezier/jacobian_of_nodes.h"
 #include "elements/bezier/validity.h"
-#include "curve/elements.h"
 
 namespace mq::curve {
 namespace {

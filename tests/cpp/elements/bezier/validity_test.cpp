@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "elements/bezier/jacobian_of_nodes.h"
 #include "curve/elements.h"
+#include "elements/bezier/jacobian_of_nodes.h"
 
 namespace mq::curve {
 namespace {
