@@ -172,7 +172,7 @@ def _volume(mesh):
     """By quadrature, of the elements of an ElementMesh or a CurvedMesh."""
     import numpy as np
     import poisson
-    from MeshQuality.core.element_mesh import ElementMesh
+    from MeshQuality.core.meshes.element_mesh import ElementMesh
     from MeshQuality.core.elements import kinds
 
     mesh = ElementMesh.of(mesh)

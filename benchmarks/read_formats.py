@@ -20,7 +20,7 @@ def block(cells):
     import itertools
 
     import numpy as np
-    from MeshQuality.core.element_mesh import ElementMesh
+    from MeshQuality.core.meshes.element_mesh import ElementMesh
     from MeshQuality.core.elements.assembly import assembled
     from MeshQuality.core.elements.parts import Parts, Section
 

@@ -414,6 +414,22 @@ def counted(pair, count, **places):
     return Text(pair[count != 1], count=f"{count:,}", **places)
 
 
+def counted_sentence(pair, count, /, **places):
+    """The same as a sentence."""
+    return upper_first(counted(pair, count, **places))
+
+
+def counted_list(pair, names, /, **places):
+    """The same with the names of the first ones."""
+    return counted_sentence(pair, len(names), list=first_of(names), **places)
+
+
+def first_of(names, most=3):
+    """The first names, and how many there are more."""
+    listed = list(names[:most])
+    return Text(AND_MORE, list=listed, count=str(len(names) - most)) if len(names) > most else listed
+
+
 def joined(*parts):
     """The texts of sentences in one, with blanks between them."""
     parts = [part for text in parts for part in _sentences_of(text)]

@@ -4,8 +4,8 @@
 import numpy as np
 
 import MeshQuality as mq
-from MeshQuality.core.fem import fem
 from MeshQuality.core.elements import kinds
+from MeshQuality.core.fem import fem
 
 
 def inside(shape, size):

@@ -9,9 +9,9 @@ import Part
 from FreeCAD import Vector
 
 import MeshQuality as mq
-from MeshQuality.core.element_mesh import ElementMesh
 from MeshQuality.core.elements import kinds
 from MeshQuality.core.elements.assembly import Content, ElementBlock
+from MeshQuality.core.meshes.element_mesh import ElementMesh
 
 
 def mesh_of(nodes, *blocks):

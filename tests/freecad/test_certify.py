@@ -11,10 +11,10 @@ import Part
 from test_cli import run
 
 import MeshQuality as mq
-from MeshQuality.core.verify import verifier
-from MeshQuality.core.element_mesh import ElementMesh
 from MeshQuality.core.elements import kinds
 from MeshQuality.core.elements.assembly import Content, ElementBlock
+from MeshQuality.core.meshes.element_mesh import ElementMesh
+from MeshQuality.core.verify import verifier
 
 UNIT = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], dtype=float)
 

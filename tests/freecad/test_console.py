@@ -111,7 +111,7 @@ class Help(unittest.TestCase):
         # They are found as ever.
         importlib.invalidate_caches()
         self.assertIsNotNone(importlib.util.find_spec("MeshQuality.batch.worker_loop"))
-        self.assertIsNotNone(importlib.util.find_spec("MeshQuality.core.writing"))
+        self.assertIsNotNone(importlib.util.find_spec("MeshQuality.core.meshes.writing"))
         self.assertIsNone(importlib.util.find_spec("MeshQuality.nothing"))
 
     def test_the_page_names_every_function(self):

@@ -12,7 +12,7 @@ import test_placement
 
 import MeshQuality as mq
 from MeshQuality.core.sources import convert
-from MeshQuality.core.operands import hidden_parts
+from MeshQuality.core.sources import hidden_parts
 
 
 class LeftOut(test_placement.PlacementTest):

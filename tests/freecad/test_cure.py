@@ -14,7 +14,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality.core.element_mesh import ElementMesh
+from MeshQuality.core.meshes.element_mesh import ElementMesh
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
 import cantilever  # noqa: E402

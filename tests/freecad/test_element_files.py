@@ -16,11 +16,11 @@ from test_curved_files import PYTHON, has
 
 import MeshQuality as mq
 from MeshQuality import formats
-from MeshQuality.core.element_mesh import ElementMesh
 from MeshQuality.core.elements import kinds
 from MeshQuality.core.elements.assembly import assembled
-from MeshQuality.core.formats.hopr_order import of_gmsh
 from MeshQuality.core.elements.parts import Parts, Section
+from MeshQuality.core.formats.hopr_order import of_gmsh
+from MeshQuality.core.meshes.element_mesh import ElementMesh
 
 HAS_H5PY = importlib.util.find_spec("h5py") is not None
 SERENDIPITY = {"quadrilateral": 8, "pyramid": 13, "prism": 15, "hexahedron": 20}

@@ -21,9 +21,9 @@ from test_curved_files import READ_BY_GMSH, READ_BY_VTK, has
 import MeshQuality as mq
 from MeshQuality import formats
 from MeshQuality.compat import extension
-from MeshQuality.core.formats import cgns
 from MeshQuality.core.curving import ARRAYS, CurvedMesh
 from MeshQuality.core.elements import kinds, lagrange, polynomials
+from MeshQuality.core.formats import cgns
 
 
 def bent_tetrahedron():

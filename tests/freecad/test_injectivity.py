@@ -11,8 +11,8 @@ import Part
 from test_certify import mesh_of
 
 import MeshQuality as mq
-from MeshQuality.core.verify import crossing_verifier
 from MeshQuality.core.certify import verdict
+from MeshQuality.core.verify import crossing_verifier
 
 
 def nearly_touching(turn, gap):

@@ -14,10 +14,10 @@ from test_cli import run
 from test_curved_files import PYTHON, has
 
 import MeshQuality as mq
-from MeshQuality.core.fem import fem
-from MeshQuality.core.element_mesh import ElementMesh
 from MeshQuality.core.elements import kinds, polynomials
 from MeshQuality.core.elements.assembly import Content
+from MeshQuality.core.fem import fem
+from MeshQuality.core.meshes.element_mesh import ElementMesh
 
 NAIVE = {"shell of prisms": 50, "prisms around a sphere": 50, "pipe of hexahedra": 16, "pipe bend of hexahedra": 16,
          "blade of hexahedra": 8, "pipe with pyramids": 16}  # at least as many are invalid where the surface alone is curved

@@ -11,7 +11,7 @@ import Part
 from FreeCAD import Vector
 
 import MeshQuality as mq
-from MeshQuality.core.openfoam_case import case_of
+from MeshQuality.core.meshes.openfoam_case import case_of
 
 ENVIRONMENT = {**os.environ, "WM_PROJECT_DIR": os.environ.get("WM_PROJECT_DIR", "/usr/share/openfoam")}
 

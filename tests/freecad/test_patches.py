@@ -16,7 +16,7 @@ import test_cli
 
 import MeshQuality as mq
 from MeshQuality import formats
-from MeshQuality.core import writing
+from MeshQuality.core.meshes import writing
 
 
 def box():

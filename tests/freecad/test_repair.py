@@ -8,7 +8,7 @@ import numpy as np
 
 import MeshQuality as mq
 from MeshQuality.core.certify.faults import find_faults
-from MeshQuality.core.surface_mesh import surface_of
+from MeshQuality.core.meshes.surface_mesh import surface_of
 
 
 def arrays(mesh):

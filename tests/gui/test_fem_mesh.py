@@ -16,7 +16,7 @@ from PySide import QtCore, QtGui
 import MeshQuality as mq
 from MeshQuality.core.fem import fem
 from MeshQuality.features import mesh_object
-from MeshQuality.gui import background_recompute, commands, jobs, trial
+from MeshQuality.gui import background_recompute, commands, jobs, triangle_estimate
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
 import cantilever  # noqa: E402
@@ -72,7 +72,7 @@ class FemMesh(gui_helpers.PanelTest):
         self.until(lambda: "Counting" not in panel.estimate.text())
         shown = panel.estimate.text()
         self.assertRegex(shown, r"^(About )?[\d,]+ elements, with edges up to \d.* mm$")
-        with mock.patch.object(trial, "_MOMENT", 0.0):
+        with mock.patch.object(triangle_estimate, "_MOMENT", 0.0):
             panel.options.set_values({"elements_through": 3})
             self.until(lambda: panel.estimate.text().startswith("About"))
             panel.options.set_values({"elements_through": 2})

@@ -16,7 +16,7 @@ from PySide import QtCore, QtGui
 
 import MeshQuality as mq
 from MeshQuality.features import quality_mesh
-from MeshQuality.gui import background, commands, jobs, looks, trial
+from MeshQuality.gui import background, commands, jobs, visibility, triangle_estimate
 from MeshQuality.gui.panels import export_panel, quality_panel
 from MeshQuality.gui.view import badge
 
@@ -208,7 +208,7 @@ class InPlaceOfSources(gui_helpers.PanelTest):
         self.assertGreater(lines, (self.picture("window_shaded") < 60).all(axis=2).mean() + 0.01)
 
     def test_many_triangles_are_drawn_without_edges(self):
-        with mock.patch.object(looks, "MOST_WITH_EDGES", 11):
+        with mock.patch.object(visibility, "MOST_WITH_EDGES", 11):
             obj = mq.add_quality_mesh(self.box())
         self.assertEqual(obj.ViewObject.DisplayMode, "Shaded")
 
@@ -475,7 +475,7 @@ class Estimates(gui_helpers.PanelTest):
         self.assertAlmostEqual(self.document.Objects[-1].Mesh.BoundBox.ZLength, 20)
 
     def test_a_round_number_where_there_are_more(self):
-        with mock.patch.object(trial, "_MOMENT", 0.0), mock.patch.object(trial, "_LIMIT", 5000):
+        with mock.patch.object(triangle_estimate, "_MOMENT", 0.0), mock.patch.object(triangle_estimate, "_LIMIT", 5000):
             panel = self.panel(commands.Triangulate, self.box())
             panel.options.set_values({"max_edge": 0.1})
             self.until(lambda: "Counting" not in panel.estimate.text())

@@ -31,6 +31,18 @@ LAYER = {
     "batch": "batch",
     "__main__": "program",
 }
+# The folders and modules of `core` in rows, low to high: each imports lower rows, and itself.
+CORE = [
+    ["sources"],
+    ["elements", "patches"],
+    ["formats"],
+    ["meshes"],
+    ["triangulation", "improvement", "quality", "fem"],
+    ["curved", "certify"],
+    ["operands", "verify"],
+    ["booleans", "curving", "inspect"],
+    ["offsetting", "repair", "solid_expression", "wrapping"],
+]
 
 
 def layer_of(module):
@@ -102,6 +114,25 @@ def check_declared(_root):
             for below in allowed if order.index(below) >= order.index(layer)]
 
 
+def check_core(root):
+    """Within core, imports go to lower rows."""
+    row = {name: number for number, names in enumerate(CORE) for name in names}
+    faults = []
+    for module, targets in imports(root).items():
+        home = _part_of_core(module)
+        for line, target in dict.fromkeys((line, target) for line, target, _ in targets if home):
+            other = _part_of_core(target)
+            if other and other != home and row.get(other, len(CORE)) >= row.get(home, -1):
+                faults.append(f"{_named(module)}:{line}: core.{home} may not import {_named(target)}")
+    return faults
+
+
+def _part_of_core(module):
+    """The folder or module of core that a module belongs to; "" of others."""
+    first, _, rest = module.partition(".")
+    return rest.partition(".")[0] if first == "core" else ""
+
+
 def check_circles(root):
     """No module imports itself by way of others."""
     below = {module: {target for _, target, _ in targets} - {module} for module, targets in imports(root).items()}
@@ -142,4 +173,4 @@ def _named(module):
     return f"{PACKAGE}.{module}".rstrip(".")
 
 
-CHECKS = [check_declared, check_layers, check_circles, check_private_names]
+CHECKS = [check_declared, check_layers, check_core, check_circles, check_private_names]

@@ -11,10 +11,10 @@ ROOT = Path(__file__).resolve().parents[2]
 GOOD = {
     "__init__": "from .errors import Error\n",
     "errors": "import json\n",
-    "core/convert": "from ..errors import Error\n",
-    "core/api": "from .. import errors\nfrom . import convert\n",
+    "core/sources": "from ..errors import Error\n",
+    "core/curving": "from .. import errors\nfrom . import sources\n",
     "features/__init__": "",
-    "features/quality_mesh": "from ..core.api import triangulate\nfrom . import work\n",
+    "features/quality_mesh": "from ..core.curving import triangulate\nfrom . import work\n",
     "features/work": "import FreeCAD\n",
     "gui/__init__": "",
     "gui/panel": "from ..features import quality_mesh\nimport MeshQuality.errors\n",
@@ -33,6 +33,9 @@ class Tree(unittest.TestCase):
 
     def test_imports_follow_the_layers(self):
         self.assert_kept(python_layers.check_layers)
+
+    def test_core_has_rows(self):
+        self.assert_kept(python_layers.check_core)
 
     def test_no_circles(self):
         self.assert_kept(python_layers.check_circles)
@@ -62,10 +65,14 @@ class SmallTree(unittest.TestCase):
         found = self.faults(python_layers.check_layers, features__work="from ..gui import panel\n")
         self.assertEqual(found, ["MeshQuality.features.work:1: features may not import MeshQuality.gui.panel"])
 
+    def test_an_import_of_a_higher_row_of_core(self):
+        found = self.faults(python_layers.check_core, core__sources__shape="from ..certify import verdict\n", core__certify__verdict="")
+        self.assertEqual(found, ["MeshQuality.core.sources.shape:1: core.sources may not import MeshQuality.core.certify.verdict"])
+
     def test_one_inside_a_function(self):
         text = "def add():\n    from ..features.work import x\n"
-        self.assertEqual(self.faults(python_layers.check_layers, core__api=text),
-                         ["MeshQuality.core.api:2: core may not import MeshQuality.features.work"])
+        self.assertEqual(self.faults(python_layers.check_layers, core__curving=text),
+                         ["MeshQuality.core.curving:2: core may not import MeshQuality.features.work"])
 
     def test_ways_to_write_it(self):
         for text in ("import MeshQuality.gui.panel\n", "from MeshQuality.gui import panel\n",
@@ -73,8 +80,8 @@ class SmallTree(unittest.TestCase):
             self.assertEqual(len(self.faults(python_layers.check_layers, features__work=text)), 1, text)
 
     def test_the_package_itself_is_no_way_around(self):
-        found = self.faults(python_layers.check_layers, core__convert="import MeshQuality as mq\n")
-        self.assertEqual(found, ["MeshQuality.core.convert:1: core may not import MeshQuality"])
+        found = self.faults(python_layers.check_layers, core__sources="import MeshQuality as mq\n")
+        self.assertEqual(found, ["MeshQuality.core.sources:1: core may not import MeshQuality"])
 
     def test_a_layer_beside(self):
         found = self.faults(python_layers.check_layers, cli__job="from ..gui.panel import x\n")
@@ -91,12 +98,12 @@ class SmallTree(unittest.TestCase):
                                  "MeshQuality.features.quality_mesh is a circle"])
 
     def test_each_circle_once(self):
-        found = self.faults(python_layers.check_circles, errors="from .core import api\n")
+        found = self.faults(python_layers.check_circles, errors="from .core import curving\n")
         self.assertEqual(len(found), 1)
 
     def test_a_private_name(self):
-        found = self.faults(python_layers.check_private_names, features__work="from ..core.api import _check, x\n")
-        self.assertEqual(found, ["MeshQuality.features.work:1: _check is private to MeshQuality.core.api"])
+        found = self.faults(python_layers.check_private_names, features__work="from ..core.curving import _check, x\n")
+        self.assertEqual(found, ["MeshQuality.features.work:1: _check is private to MeshQuality.core.curving"])
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
 from MeshQuality.cli.parser import MESH_SUFFIXES
 from MeshQuality.compat import extension
 from MeshQuality.core.sources import convert
-from MeshQuality.core.operands import hidden_parts
+from MeshQuality.core.sources import hidden_parts
 from MeshQuality.core.certify import verdict
 from MeshQuality.formats import CURVED_SUFFIXES
 from MeshQuality.phrases import Text, upper_first

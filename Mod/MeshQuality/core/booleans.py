@@ -4,8 +4,8 @@
 from .. import options
 from ..compat import extension
 from ..errors import InvalidInput
+from .meshes.surface_mesh import SurfaceMesh
 from .operands.operands import Operands
-from .surface_mesh import SurfaceMesh
 
 
 class BooleanMesh(SurfaceMesh):

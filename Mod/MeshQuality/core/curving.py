@@ -8,15 +8,16 @@ from .. import options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
-from .sources import convert, frames
-from . import curved_elements, given, orders, writing
-from .fem import fem, fem_places
-from .operands import hidden_parts
 from .certify.certification import given_mesh
-from .curved_arrays import ARRAYS
-from .element_mesh import ElementMesh
+from .curved import curved_elements, simplex_arrays, orders
+from .curved.curved_arrays import ARRAYS
+from .fem import fem, fem_places
+from .meshes import writing
+from .meshes.element_mesh import ElementMesh
+from .meshes.surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patches
 from .patches.patches import division_for, kept
-from .surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patches
+from .sources import convert, frames
+from .sources import hidden_parts
 
 
 class CurvedMesh(metaclass=Public):
@@ -299,13 +300,13 @@ def _given_on(shape, mesh, mesh_scale):
 def _curve_given(shape, mesh, curving, imprint, division, progress):
     """The CurvedMesh of an ElementMesh; the CurvedElementMesh where it has other elements than simplices."""
     module, solids = extension(), len(shape.Solids)
-    if not given.is_mixed(mesh):
-        curved = module.curve_given(*given.corners_of(mesh, solids), shape, curving, imprint, progress)
+    if not simplex_arrays.is_mixed(mesh):
+        curved = module.curve_given(*simplex_arrays.corners_of(mesh, solids), shape, curving, imprint, progress)
         return CurvedMesh(curved, patches=kept(division, curved))
     if division is not None:
         raise InvalidInput("patches are of meshes of triangles and tetrahedra: leave them out, elements of other kinds have "
                            "a group for each face")
-    found = module.curve_mixed(*given.blocks_of(mesh, solids), shape, curving, imprint, progress)
+    found = module.curve_mixed(*simplex_arrays.blocks_of(mesh, solids), shape, curving, imprint, progress)
     return curved_elements.of_core(found, curving.order, mesh)
 
 

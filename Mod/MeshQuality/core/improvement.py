@@ -3,7 +3,7 @@
 
 from .. import options
 from ..compat import extension
-from .surface_mesh import SurfaceMesh, surface_of
+from .meshes.surface_mesh import SurfaceMesh, surface_of
 
 
 def improve(mesh, min_angle=25.0, tolerance=None, feature_angle=35.0, progress=None):

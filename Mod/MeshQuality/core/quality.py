@@ -3,8 +3,8 @@
 
 from .. import options
 from ..compat import extension
+from .meshes.surface_mesh import surface_of
 from .sources import convert
-from .surface_mesh import surface_of
 
 
 def quality(mesh, shape=None, progress=None):

@@ -5,10 +5,10 @@ from .. import element_names, options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
-from .sources import convert
-from .operands import hidden_parts
+from .meshes.surface_mesh import SurfaceMesh
 from .patches.patches import division_for, kept
-from .surface_mesh import SurfaceMesh
+from .sources import convert
+from .sources import hidden_parts
 
 
 @options.takes_aliases(options.TRIANGULATE, memory="cache")

@@ -7,10 +7,10 @@ from functools import partial
 import FreeCAD
 
 from .. import options, phrases
-from ..core.sources import frames
-from ..core.certify import verdict
 from ..core.booleans import run, tolerance_for
+from ..core.certify import verdict
 from ..core.operands.operands import Operands
+from ..core.sources import frames
 from ..errors import InvalidInput
 from . import mesh_object, properties, transactions
 from .recompute_work import Work

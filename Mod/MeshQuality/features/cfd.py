@@ -4,9 +4,9 @@
 import os
 
 from .. import phrases
+from ..core.meshes import openfoam_case
+from ..core.meshes.surface_mesh import SurfaceMesh
 from ..core.sources import convert, frames
-from ..core import openfoam_case
-from ..core.surface_mesh import SurfaceMesh
 from ..errors import InvalidInput, IoError
 from .export import flat_maker_of
 from .mesh_object import SourceMesh

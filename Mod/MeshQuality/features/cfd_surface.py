@@ -4,10 +4,10 @@
 import FreeCAD
 
 from ..compat import PlainState, extension, without_traceback
-from ..core.sources import convert, frames
+from ..core.meshes.openfoam_case import point_inside, require_closed
 from ..core.patches import patch_faces
-from ..core.openfoam_case import point_inside, require_closed
 from ..core.patches.patches import colour_of, patches_of
+from ..core.sources import convert, frames
 from ..errors import Error, InvalidInput
 from .export import flat_maker_of
 from .gui_hooks import window

@@ -13,11 +13,11 @@ import FreeCAD
 
 from .. import fem_options, options, phrases
 from ..compat import fem_source_property
-from ..core.sources import convert, frames
-from ..core.fem import fem, fem_places
-from ..core import given
 from ..core.certify.certification import certify
+from ..core.curved import simplex_arrays
 from ..core.curving import curve
+from ..core.fem import fem, fem_places
+from ..core.sources import convert, frames
 from ..errors import InvalidInput
 from . import curved_mesh, fem_mesh, mesh_object, transactions
 from .fem_groups import is_analysis, is_of_shape
@@ -74,14 +74,14 @@ class CuredMeshObject(fem_mesh.FemMeshObject):
     @classmethod
     def compute(cls, shape, values, progress, mesh):
         """The fem_mesh.Result."""
-        if given.is_mixed(mesh):
+        if simplex_arrays.is_mixed(mesh):
             raise InvalidInput("the mesh has elements that are neither triangles nor tetrahedra: such meshes are cured by "
                                "curve(part, mesh=...) in Python or on the command line, and not kept in documents")
         before = certify(mesh, progress=progress and (lambda done, stage: progress(_CERTIFYING * done, stage)))
         curved = curve(shape, **values, mesh=mesh, progress=progress and (
             lambda done, stage: progress(_CERTIFYING + (1.0 - _CERTIFYING) * done, stage)))
         elements = fem.elements_of(curved, groups=True)
-        carried = {name: parts for name, parts in given.carried_groups(mesh, curved).items() if not is_of_shape(name)}
+        carried = {name: parts for name, parts in simplex_arrays.carried_groups(mesh, curved).items() if not is_of_shape(name)}
         elements = replace(elements, groups=[*elements.groups, *fem.groups_from_rows(carried, elements)])
         return fem_mesh.Result(elements, Cure(curved, shape, values, mesh, before, carried))
 
@@ -105,7 +105,7 @@ class Cure(curved_mesh.Proof):
     """The Proof of cured elements, and what was changed of the given ones.
 
     mesh    the ElementMesh that was given, and `before` its MeshCertificate
-    groups  those of given.carried_groups that it keeps
+    groups  those of simplex_arrays.carried_groups that it keeps
     """
 
     def __init__(self, curved, shape, values, mesh, before, groups):
@@ -114,7 +114,7 @@ class Cure(curved_mesh.Proof):
         self._count = sum(before.elements.values())
         stayed = int((curved.given_element >= 0).sum())
         self._replaced, self._moved = self._count - stayed, len(curved.moved_nodes)
-        self._lost = {name: lost for name in groups if (lost := given.lost_of_group(mesh, name, groups[name]))}
+        self._lost = {name: lost for name in groups if (lost := simplex_arrays.lost_of_group(mesh, name, groups[name]))}
 
     def show(self, obj):
         """Fills the groups Quality and Certificate."""

@@ -10,9 +10,9 @@ from functools import partial
 
 from .. import options
 from ..compat import property_of
-from ..core.sources import convert
 from ..core.certify import verdict
 from ..core.curving import ARRAYS, CurvedMesh, curve, lists_of, loader_of, store_in
+from ..core.sources import convert
 from . import mesh_object, properties, transactions
 from .gui_hooks import window
 

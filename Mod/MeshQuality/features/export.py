@@ -9,11 +9,11 @@ import numpy as np
 
 from .. import files, formats, phrases
 from ..compat import extension, property_of
-from ..core.sources import convert, frames
 from ..core.curving import holds_elements, taken_from
-from ..core.element_mesh import ElementMesh
+from ..core.meshes.element_mesh import ElementMesh
+from ..core.meshes.surface_mesh import SurfaceMesh
 from ..core.patches.patches import division_of, kept
-from ..core.surface_mesh import SurfaceMesh
+from ..core.sources import convert, frames
 from ..errors import Error, InvalidInput, IoError
 from ..phrases import Text
 from .cured_mesh import has_fem_mesh

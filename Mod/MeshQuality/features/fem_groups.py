@@ -11,8 +11,8 @@ import FreeCAD
 
 from .. import phrases
 from ..core.fem import fem
-from ..core.sources import frames
 from ..core.patches.patches import division_for
+from ..core.sources import frames
 from ..errors import InvalidInput
 from .patches import patches_of_object
 

@@ -13,10 +13,10 @@ import FreeCAD
 
 from .. import fem_options, options, phrases
 from ..compat import fem_source_property
+from ..core.curving import curve
 from ..core.fem import fem, fem_size
 from ..core.sources import frames
-from ..core.operands import hidden_parts
-from ..core.curving import curve
+from ..core.sources import hidden_parts
 from ..errors import InvalidInput
 from . import curved_mesh, fem_groups, mesh_object, transactions
 from .fem_groups import is_analysis

@@ -8,9 +8,9 @@ import numpy as np
 
 from .. import offset_options, phrases
 from ..compat import property_of
-from ..core.sources import convert
 from ..core.certify import verdict
-from ..core.offsets import run_hollow
+from ..core.offsetting import run_hollow
+from ..core.sources import convert
 from ..errors import InvalidInput
 from . import face_matching, offset, transactions
 from .gui_hooks import window

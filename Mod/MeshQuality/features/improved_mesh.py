@@ -7,10 +7,10 @@ from functools import partial
 
 from .. import options, phrases
 from ..compat import extension
-from ..core.sources import convert
 from ..core.certify import verdict
 from ..core.improvement import improve
-from ..core.surface_mesh import SurfaceMesh
+from ..core.meshes.surface_mesh import SurfaceMesh
+from ..core.sources import convert
 from ..errors import InvalidInput
 from . import mesh_object, properties, transactions
 from .recompute_work import Work

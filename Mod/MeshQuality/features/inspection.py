@@ -11,9 +11,9 @@ from ..compat import extension
 from ..core.certify import verdict
 from ..core.inspect.clearance import APART, COMMON, TOUCHING, clearance
 from ..core.inspect.draft import draft
-from ..core.surface_mesh import SurfaceMesh
 from ..core.inspect.thickness import thickness
 from ..core.inspect.voids import voids
+from ..core.meshes.surface_mesh import SurfaceMesh
 from . import mesh_object, offset, properties, transactions
 from .gui_hooks import window
 

@@ -11,10 +11,10 @@ import numpy as np
 
 from .. import options, phrases
 from ..compat import PlainState, attribute_of, property_of, without_traceback
-from ..core.sources import convert, frames
-from ..core.operands import hidden_parts
 from ..core.certify import verdict
 from ..core.patches.source_faces import FacesOfOne
+from ..core.sources import convert, frames
+from ..core.sources import hidden_parts
 from ..errors import Error, InvalidInput
 from . import aliases, distance_bound, patches, placement
 from .gui_hooks import window

@@ -5,10 +5,10 @@ import json
 from functools import partial
 
 from .. import offset_options, options, phrases
-from ..core.sources import convert
 from ..core.certify import verdict
-from ..core.offsets import run_offset
+from ..core.offsetting import run_offset
 from ..core.operands.operands import Operands
+from ..core.sources import convert
 from ..errors import InvalidInput
 from . import mesh_object, properties, transactions
 from .recompute_work import Work

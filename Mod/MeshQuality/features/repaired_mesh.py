@@ -4,9 +4,9 @@
 import re
 
 from .. import fault_phrases, phrases, repair_options
-from ..core.sources import convert
 from ..core.certify import verdict
 from ..core.repair import run_repair
+from ..core.sources import convert
 from ..errors import InvalidInput
 from . import offset, transactions
 

@@ -4,7 +4,7 @@
 from .. import options, phrases, wrap_options
 from ..core.certify import verdict
 from ..core.patches.source_faces import FacesOfSeveral
-from ..core.wraps import Wrapped, run
+from ..core.wrapping import Wrapped, run
 from ..errors import InvalidInput
 from . import boolean, mesh_object, properties
 

@@ -7,8 +7,8 @@ import numpy as np
 from PySide import QtGui
 
 from .. import phrases
-from ..core.sources import convert, frames
 from ..core.certify import verdict
+from ..core.sources import convert, frames
 from ..features import mesh_object
 from .sub_elements import Mark, select_face
 from .translation import translated, translated_certificate

@@ -8,8 +8,8 @@ import FreeCADGui
 import Part
 
 from ..compat import why_no_extension
-from ..core.sources import convert, frames
 from ..core.curving import holds_elements
+from ..core.sources import convert, frames
 from ..errors import Error
 from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
                         offset, quality_mesh, repaired_mesh, wrap)
@@ -22,9 +22,9 @@ from .panels.export_panel import ExportPanel
 from .panels.mesh_panel import MeshPanel
 from .panels.patches_panel import PatchesPanel
 from .panels.repair_panel import RepairPanel
-from .picked import picked_faces
+from .selection import picked_faces
 from .translation import translated
-from .trial import FemTrial, Trial
+from .triangle_estimate import FemTrial, Trial
 from .update import update_in_background
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP

@@ -10,11 +10,11 @@ import FreeCAD
 import numpy as np
 
 from .. import phrases
-from ..core.fem import fem_places
-from ..core.sources import frames
 from ..core.certify.certification import certify
-from ..core.element_mesh import ElementMesh
 from ..core.elements import boundary, kinds, shapes
+from ..core.fem import fem_places
+from ..core.meshes.element_mesh import ElementMesh
+from ..core.sources import frames
 from ..errors import Error, InvalidInput
 from ..features import cured_mesh
 from .quality_data import ASPECT, DISTANCE, DISTORTION, MIN_ANGLE, Measure, QualityData, runs_of_sides

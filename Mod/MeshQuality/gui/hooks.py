@@ -4,7 +4,7 @@
 from ..compat import PlainState
 from ..features.curved_mesh import CurvedMeshObject
 from ..features.gui_hooks import Windowless
-from . import background_recompute, looks, mesh_view, preferences, thickness_colours, translation
+from . import background_recompute, visibility, mesh_view, preferences, thickness_colours, translation
 
 
 class Window(Windowless):
@@ -36,18 +36,18 @@ class Window(Windowless):
         return preferences.manual_above()
 
     def analysis_for(self, source):
-        """As analyses.chosen_for."""
-        from . import analyses  # with it FreeCAD's FEM workbench, which no other object needs
+        """As fem_analyses.chosen_for."""
+        from . import fem_analyses  # with it FreeCAD's FEM workbench, which no other object needs
 
-        return analyses.chosen_for(source)
+        return fem_analyses.chosen_for(source)
 
     def show_in_place_of_sources(self, obj):
-        """As looks.show_in_place_of_sources."""
-        looks.show_in_place_of_sources(obj)
+        """As visibility.show_in_place_of_sources."""
+        visibility.show_in_place_of_sources(obj)
 
     def show_faces(self, obj, colours):
-        """As looks.show_faces."""
-        looks.show_faces(obj, colours)
+        """As visibility.show_faces."""
+        visibility.show_faces(obj, colours)
 
     def show_values(self, obj, values):
         """As thickness_colours.show."""

@@ -16,7 +16,7 @@ from PySide import QtCore
 
 from .. import phrases
 from ..errors import Cancelled, Error
-from .collecting import Collector
+from .garbage_collection import Collector
 from .translation import translated, translated_rest, translated_stage
 
 translate = FreeCAD.Qt.translate

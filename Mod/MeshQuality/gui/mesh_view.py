@@ -9,7 +9,7 @@ from PySide import QtCore
 
 from ..compat import PlainState
 from ..features import mesh_object
-from . import looks, patch_colours
+from . import visibility, patch_colours
 from .panel_operation import is_there
 from .view import badge
 
@@ -48,7 +48,7 @@ class MeshView(PlainState):
             obj.ViewObject.signalChangeIcon()
         if name == "Mesh" and obj.Mesh.CountFacets > 0:
             before, self._drawn = self._drawn, obj.Mesh.CountFacets
-            looks.follow_count(self.view, before, self._drawn)
+            visibility.follow_count(self.view, before, self._drawn)
         if name in _TRIANGLES and _TRIANGLES[name](obj):
             from .view import edge_detail  # with it Coin
 
@@ -119,7 +119,7 @@ class _Observer:
         # Undo and redo do that by themselves; nothing was hidden for a mesh that was never computed.
         if document.Transacting or document.Restoring or not getattr(obj, "Fingerprint", ""):
             return
-        for source in looks.sources_of(obj):
+        for source in visibility.sources_of(obj):
             source.ViewObject.Visibility = True
 
 

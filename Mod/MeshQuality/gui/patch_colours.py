@@ -5,8 +5,8 @@ import re
 
 import numpy as np
 
-from ..core.sources import frames
 from ..core.patches.patches import colour_of, patches_of
+from ..core.sources import frames
 from ..errors import InvalidInput
 from ..features import mesh_object
 from ..features.patches import patches_of_object

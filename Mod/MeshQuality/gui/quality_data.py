@@ -11,12 +11,12 @@ import numpy as np
 
 from .. import fault_phrases, phrases
 from ..compat import extension, property_of
-from ..core.sources import convert, frames
-from ..core.curving import holds_elements, taken_from
 from ..core.certify.faults import find_faults
-from ..core.patches.patches import patches_of
-from ..core.surface_mesh import SurfaceMesh
+from ..core.curving import holds_elements, taken_from
 from ..core.inspect.thickness import thickness
+from ..core.meshes.surface_mesh import SurfaceMesh
+from ..core.patches.patches import patches_of
+from ..core.sources import convert, frames
 from ..errors import InvalidInput
 from ..features import mesh_object
 from ..features.properties import exempt_reasons

@@ -9,12 +9,12 @@ from ... import options
 from ...compat import extension
 from ...errors import GeometryError, InvalidInput, TopologyError
 from ...listing import Public
-from ..sources import convert
-from ..fem import fem_places
-from . import saved_certificate
-from ..element_mesh import ElementMesh
 from ..elements import bodies, conformity, kinds
-from ..writing import checked_scale
+from ..fem import fem_places
+from ..meshes.element_mesh import ElementMesh
+from ..meshes.writing import checked_scale
+from ..sources import convert
+from . import saved_certificate
 
 _VALID, _FOLDED, _INVERTED, _NOT_PROVEN = range(4)  # verdicts of the core
 _WORDS = {_FOLDED: "folded", _INVERTED: "numbered the wrong way round", _NOT_PROVEN: "not proven valid"}

@@ -11,8 +11,8 @@ import numpy as np
 from ... import files
 from ...errors import InvalidInput, IoError
 from ...version import __version__
+from ..meshes.writing import atomically
 from ..sources import convert
-from ..writing import atomically
 
 FORMAT, VERSION = "MeshQuality mesh certificate", 1
 CLAIMS = ("folded", "inverted", "not_proven")  # in the order of the core's verdicts 1, 2 and 3

@@ -12,9 +12,9 @@ import numpy as np
 
 from ... import phrases
 from ...compat import extension
-from ...phrases import MET, NOT_DECIDED, NOT_MET, Text
-from ..sources import convert
+from ...phrases import MET, NOT_DECIDED, NOT_MET, Text, counted_list, counted_sentence, first_of
 from ..patches.sides_on_edges import edges_of_shape
+from ..sources import convert
 
 # Elements whose shape is distorted more than this are a finding. The inverse of the distortion is the shape metric of
 # Knupp 2001, so that 10 is a metric of 0.1. The map from the regular tetrahedron then stretches at least 13 times more one
@@ -125,11 +125,11 @@ def _figures(report):
     """What the line says of a MeshReport, BooleanReport or CurveReport."""
     curved = hasattr(report, "elements")
     if curved:
-        yield _counted(phrases.ELEMENTS, report.elements)
+        yield counted_sentence(phrases.ELEMENTS, report.elements)
         yield Text(phrases.MAX_DISTORTION, number=_number(report.max_shape_distortion))
         yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.max_deviation)))
     else:
-        yield _counted(phrases.TRIANGLES, report.triangles)
+        yield counted_sentence(phrases.TRIANGLES, report.triangles)
         if report.triangles:
             yield Text(phrases.SMALLEST_ANGLE, number=_rounded(report.min_angle))
         if hasattr(report, "error_bound"):
@@ -137,9 +137,9 @@ def _figures(report):
         elif report.max_chord_height >= 0:
             yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.max_chord_height)))
     if report.overlaps > 0 and not (curved and all(pair[2] == "near" for pair in report.overlapping_bodies)):
-        yield _counted(phrases.OVERLAPS, report.overlaps)
+        yield counted_sentence(phrases.OVERLAPS, report.overlaps)
     if getattr(report, "not_proven_apart", 0) > 0:
-        yield _counted(phrases.NOT_PROVEN_APART, report.not_proven_apart)
+        yield counted_sentence(phrases.NOT_PROVEN_APART, report.not_proven_apart)
 
 
 def must_be_closed(shape):
@@ -166,7 +166,7 @@ def of_boolean(mesh):
     if report.guessed_share > 0.0:
         found.append(Finding(_sentence(phrases.GUESSED, number=f"{100.0 * report.guessed_share:.2g}")))
     if report.faults_left:
-        found.append(Finding(_counted(phrases.FAULTS_LEFT, report.faults_left)))
+        found.append(Finding(counted_sentence(phrases.FAULTS_LEFT, report.faults_left)))
     return found + (topology(report, True, mesh) if report.triangles else [])
 
 
@@ -232,12 +232,12 @@ def topology(report, closed, mesh=None):
     """Findings where a mesh is not manifold, inside out, or not closed where it must be; a SurfaceMesh also tells where."""
     found = []
     if closed and not report.closed:
-        found.append(_at_edges(_counted(phrases.NOT_CLOSED, report.border_edges), mesh, lambda uses: uses == 1))
+        found.append(_at_edges(counted_sentence(phrases.NOT_CLOSED, report.border_edges), mesh, lambda uses: uses == 1))
     for phrase, count in ((phrases.NONMANIFOLD, report.nonmanifold_edges), (phrases.PINCHED, report.pinched_vertices),
                           (phrases.DEGENERATE, report.degenerate_triangles),
                           (phrases.NOT_ORIENTED, report.misoriented_edges - report.nonmanifold_edges)):
         if count:
-            found.append(_at_edges(_counted(phrase, count), mesh, lambda uses: uses > 2))
+            found.append(_at_edges(counted_sentence(phrase, count), mesh, lambda uses: uses > 2))
     if report.closed and report.volume < -_NO_VOLUME * report.area**1.5:
         found.append(Finding(_sentence(phrases.INSIDE_OUT)))
     return found
@@ -259,7 +259,7 @@ def angles(mesh):
         said.append(phrases.exempt_sentence(_without_face(reasons[worst]), reasons[worst].forced))
     if len(below) > 1:
         more = phrases.MORE_FORCED if forced else phrases.MORE_BELOW
-        said.append(_counted(more, len(below) - 1, number=limit))
+        said.append(counted_sentence(more, len(below) - 1, number=limit))
     return [Finding(phrases.joined(*said), _names(mesh, below), _corners(mesh, worst), forced)]
 
 
@@ -330,7 +330,7 @@ def elements(curved):
     filled = len(curved.tetrahedra) > 0
     folded = np.flatnonzero(_folded(curved.tetrahedron_quality if filled else curved.triangle_quality)).tolist()
     named = [_element(curved, element, filled) for element in folded]
-    return [Finding(_counted(phrases.FOLDED, report.invalid, count2=str(report.elements), list=_first_of(named)),
+    return [Finding(counted_sentence(phrases.FOLDED, report.invalid, count2=str(report.elements), list=first_of(named)),
                     _names(curved, np.flatnonzero(_folded(curved.triangle_quality))), _first_folded(curved))]
 
 
@@ -338,8 +338,8 @@ def of_curved_elements(mesh):
     """Findings of a CurvedElementMesh."""
     report, found = mesh.report, []
     if report.invalid:
-        found.append(Finding(_counted(phrases.FOLDED, report.invalid, count2=str(report.elements),
-                                      list=_first_of(report.invalid_elements))))
+        found.append(Finding(counted_sentence(phrases.FOLDED, report.invalid, count2=str(report.elements),
+                                      list=first_of(report.invalid_elements))))
     if not mesh.conforming:
         found.append(Finding(_sentence(phrases.NOT_CONFORMING)))
     return found
@@ -368,7 +368,7 @@ def of_thickness(found):
 def of_clearance(found):
     """Findings of a ClearanceReport: bodies with a volume in common, and the smallest distance where that is below its limit."""
     overlapping = sum(pair.relation in ("overlapping", "inside", "equal") for pair in found.pairs)
-    findings = [Finding(_counted(phrases.BODIES_OVERLAP, overlapping))] if overlapping else []
+    findings = [Finding(counted_sentence(phrases.BODIES_OVERLAP, overlapping))] if overlapping else []
     if found.min_clearance is not None and found.minimum < found.min_clearance:
         length, limit = map(_length, _told_apart(found.minimum, found.min_clearance))
         findings.append(Finding(_sentence(phrases.NARROW_GAP, length=length, length2=limit)))
@@ -381,32 +381,32 @@ def of_draft(found):
     low = [face.face for face in found.faces if face.low_area > 0.0]
     findings = []
     if found.undercut_area > 0.0:
-        findings.append(Finding(_counted(phrases.UNDERCUTS, len(undercut) or 1), tuple(undercut)))
+        findings.append(Finding(counted_sentence(phrases.UNDERCUTS, len(undercut) or 1), tuple(undercut)))
     if found.low_area > 0.0:
-        findings.append(Finding(_counted(phrases.LOW_DRAFT, len(low) or 1, number=f"{found.min_draft:g}"), tuple(low)))
+        findings.append(Finding(counted_sentence(phrases.LOW_DRAFT, len(low) or 1, number=f"{found.min_draft:g}"), tuple(low)))
     return findings
 
 
 def of_voids(found):
     """Findings of a VoidReport: that there are some."""
     faces = tuple(face for void in found.voids for face in void.faces)
-    return [Finding(_counted(phrases.HAS_VOIDS, len(found.voids)), faces)] if found.voids else []
+    return [Finding(counted_sentence(phrases.HAS_VOIDS, len(found.voids)), faces)] if found.voids else []
 
 
 def of_certificate(certificate):
     """Findings of a MeshCertificate."""
     found = []
     if certificate.invalid:
-        found.append(Finding(_counted(phrases.FOLDED, certificate.invalid, count2=str(sum(certificate.elements.values())),
-                                      list=_first_of(certificate.invalid_elements))))
+        found.append(Finding(counted_sentence(phrases.FOLDED, certificate.invalid, count2=str(sum(certificate.elements.values())),
+                                      list=first_of(certificate.invalid_elements))))
     if not certificate.conforming:
         found.append(Finding(_sentence(phrases.NOT_CONFORMING)))
     if not certificate.oriented:
         found.append(Finding(_sentence(phrases.ELEMENTS_TURNED)))
     if certificate.overlapping_bodies:
-        found.append(Finding(_counted(phrases.OVERLAPPING_BODIES, certificate.overlapping_bodies)))
+        found.append(Finding(counted_sentence(phrases.OVERLAPPING_BODIES, certificate.overlapping_bodies)))
     if certificate.curved_intersections:
-        found.append(Finding(_counted(phrases.CROSSING, certificate.curved_intersections)))
+        found.append(Finding(counted_sentence(phrases.CROSSING, certificate.curved_intersections)))
     if certificate.not_on_shape:
         found.append(Finding(_sentence(phrases.NOT_ON_SHAPE, text=certificate.not_on_shape)))
     return found
@@ -445,7 +445,7 @@ def distortion(curved):
     most, limit = _told_apart(values[worst], SHAPE_DISTORTION_LIMIT)
     said = [_sentence(phrases.DISTORTED, number=most, number2=limit, phrase=_element(curved, worst, filled))]
     if count > 1:
-        said.append(_counted(phrases.MORE_DISTORTED, count - 1, number=limit))
+        said.append(counted_sentence(phrases.MORE_DISTORTED, count - 1, number=limit))
     corners = (curved.tetrahedra if filled else curved.triangles)[worst, :3]
     return [Finding(phrases.joined(*said), faces, tuple(map(tuple, curved.nodes[corners].tolist())))]
 
@@ -469,7 +469,7 @@ def _pairs(count, most):
     """How many pairs of triangles cross; counting ended at the most."""
     if count >= most:
         return _sentence(phrases.CROSSING_MANY, count=f"{most:,}")
-    return _counted(phrases.CROSSING, count)
+    return counted_sentence(phrases.CROSSING, count)
 
 
 def _crossings(report):
@@ -498,7 +498,7 @@ def _overlapping_bodies(report, values, kinds=tuple(_SAID_OF_BODIES)):
     deep = [pair for pair in pairs if pair[2] != "near"]
     if (values or {}).get("overlap") == "allow":
         return []
-    return [Finding(phrases.joined(_counted(phrase, len(some)), *(
+    return [Finding(phrases.joined(counted_sentence(phrase, len(some)), *(
         Text(_SAID_OF_BODIES[how], name=first, name2=second) for first, second, how in some[:_NAMED])))
             for phrase, some in ((phrases.BODIES_OVERLAP, deep), (phrases.BODIES_NEAR, near)) if some]
 
@@ -508,7 +508,7 @@ def _curved_crossings(report, values):
     count = report.curved_intersections
     if (values or {}).get("overlap") == "allow":
         count -= report.curved_overlaps
-    return [Finding(_counted(phrases.CROSSING, count))] if count > 0 else []
+    return [Finding(counted_sentence(phrases.CROSSING, count))] if count > 0 else []
 
 
 def _missing_faces(report):
@@ -521,21 +521,6 @@ def _missing_faces(report):
 
 def _incomplete(report):
     return [] if report.complete else [Finding(phrases.sentence(Text(phrases.LIMIT)))]
-
-
-def _counted(phrase, count, /, **places):
-    """The phrase for one or for many, as a sentence."""
-    return _sentence(phrase[count != 1], count=f"{count:,}", **places)
-
-
-def counted_list(phrase, names, /, **places):
-    """The same with the names of the first ones."""
-    return _counted(phrase, len(names), list=_first_of(names), **places)
-
-
-def _first_of(names):
-    listed = list(names[:_NAMED])
-    return Text(phrases.AND_MORE, list=listed, count=str(len(names) - _NAMED)) if len(names) > _NAMED else listed
 
 
 def _sentence(phrase, /, **places):

@@ -9,10 +9,10 @@ from ... import inspection_options, options
 from ...compat import extension
 from ...errors import InvalidInput
 from ...listing import Public
-from ..sources import convert, frames
+from ..meshes.surface_mesh import SurfaceMesh
 from ..operands.operands import is_arrays, part_of
-from ..operands.solids import SolidSource, face_name
-from ..surface_mesh import SurfaceMesh
+from ..operands.solid_surfaces import SolidSource, face_name
+from ..sources import convert, frames
 
 _MESHING = 0.5  # of the progress
 _ROUNDING = 1e-7  # fraction of the size of the bodies, below which two lengths are the same

@@ -9,10 +9,10 @@ from ... import inspection_options, options
 from ...compat import extension
 from ...errors import InvalidInput
 from ...listing import Public
-from . import tables
+from ..meshes.surface_mesh import SurfaceMesh
 from ..operands.operands import part_of
-from ..operands.solids import SolidSource, face_name
-from ..surface_mesh import SurfaceMesh
+from ..operands.solid_surfaces import SolidSource, face_name
+from . import tables
 
 _AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 _UNDERCUT = 0  # of the core's release

@@ -7,8 +7,8 @@ import os
 
 import numpy as np
 
+from ..meshes.writing import atomically
 from ..sources import convert
-from ..writing import atomically
 
 
 def areas_of(mesh):

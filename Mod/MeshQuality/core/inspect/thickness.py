@@ -9,10 +9,10 @@ from ... import inspection_options, options
 from ...compat import extension
 from ...errors import InvalidInput
 from ...listing import Public
-from . import tables
+from ..meshes.surface_mesh import SurfaceMesh
 from ..operands.operands import part_of
-from ..operands.solids import SolidSource, face_name
-from ..surface_mesh import SurfaceMesh
+from ..operands.solid_surfaces import SolidSource, face_name
+from . import tables
 
 # The mesh of a shape is to deviate by at most this share of the thinnest wall: two sides, one percent of it together.
 _SHARE = 0.005

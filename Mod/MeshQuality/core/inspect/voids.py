@@ -9,10 +9,10 @@ from ... import inspection_options, options
 from ...compat import extension
 from ...errors import InvalidInput
 from ...listing import Public
-from . import tables
+from ..meshes.surface_mesh import SurfaceMesh
 from ..operands.operands import part_of
-from ..operands.solids import SolidSource
-from ..surface_mesh import SurfaceMesh
+from ..operands.solid_surfaces import SolidSource
+from . import tables
 
 _MESHING = 0.9  # of the progress
 _LISTED = 20  # voids in a text

@@ -13,8 +13,8 @@ import numpy as np
 from ... import phrases
 from ...compat import extension
 from ...errors import Error, InvalidInput
+from ..meshes.surface_mesh import SurfaceMesh
 from ..sources import convert, frames
-from ..surface_mesh import SurfaceMesh
 
 
 @dataclass(frozen=True)

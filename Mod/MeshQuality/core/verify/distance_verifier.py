@@ -11,8 +11,8 @@ import FreeCAD
 import numpy as np
 
 from ...compat import extension
-from . import nearest_on_mesh
 from ..elements import lagrange
+from . import nearest_on_mesh
 
 _STEPS = 7  # of the lattice of points of a triangle; its corners are not measured
 _OWN = [(i + 0.5) / 9 for i in range(9)]  # places along each parameter at which faces and edges must have been measured

@@ -8,13 +8,13 @@ import numpy as np
 from ... import options
 from ...errors import Cancelled, IoError
 from ...listing import Public
-from ..sources import convert
-from . import crossing_verifier, distance_verifier, verifier
 from ..certify import saved_certificate
 from ..certify.certification import is_between_solids, sides_of_surface, triangles_of_surface
-from ..element_mesh import ElementMesh
-from ..elements import bodies, hanging, kinds
 from ..certify.saved_certificate import CLAIMS
+from ..elements import bodies, hanging, kinds
+from ..meshes.element_mesh import ElementMesh
+from ..sources import convert
+from . import crossing_verifier, distance_verifier, verifier
 
 _NAMED = 5  # elements that are named of each fault
 _AT_A_TIME = 5000  # elements between two calls of progress

@@ -9,8 +9,8 @@ import FreeCADGui
 from PySide import QtGui
 
 from ... import formats
-from ...core.sources import frames
 from ...core.curving import holds_elements
+from ...core.sources import frames
 from ...errors import Error, IoError
 from ...features import export, mesh_object
 from ...features.patches import patches_of_object

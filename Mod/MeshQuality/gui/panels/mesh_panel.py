@@ -9,8 +9,8 @@ from PySide import QtCore, QtGui
 
 from ... import phrases
 from ...compat import flags
-from ...core.sources import frames
 from ...core.operands.operands import letters
+from ...core.sources import frames
 from ...errors import Error
 from .. import background, background_recompute, jobs, panel_operation, preferences
 from ..certificate_box import CertificateBox

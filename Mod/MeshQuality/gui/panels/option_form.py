@@ -10,8 +10,8 @@ from ... import element_names, options
 from ...core.sources import convert, frames
 from ...errors import Error
 from ...features import distance_bound
-from ..picked import picked
 from ..quantities import QuantityBox, length_text, text_of, value_of
+from ..selection import picked
 from ..translation import translated
 from .task_form import narrow
 

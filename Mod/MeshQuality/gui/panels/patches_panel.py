@@ -5,14 +5,14 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from ...core.sources import frames
 from ...core.patches.patch_names import suggested_for
 from ...core.patches.patches import distinct_colour
+from ...core.sources import frames
 from ...errors import Error
 from ...features.patches import patches_of_lines
-from ..patch_colours import SourceColours
 from ..panel_operation import is_there, name_of
-from ..picked import picked
+from ..patch_colours import SourceColours
+from ..selection import picked
 from ..sub_elements import select_face
 from ..translation import translated
 from ..view import badge

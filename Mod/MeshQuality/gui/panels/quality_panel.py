@@ -13,7 +13,7 @@ from ... import fault_phrases, phrases
 from ...compat import flags
 from ...core.sources import convert, frames
 from ...errors import Error
-from .. import jobs, looks
+from .. import jobs, visibility
 from ..fem_quality_data import FemQualityData
 from ..quality_data import DISTANCE, THICKNESS, Histogram, QualityData, Scale
 from ..quantities import count_text
@@ -217,7 +217,7 @@ class QualityPanel:
 
     def _compute(self, measure, progress):
         self.data.prepare()
-        if len(self.data.corners) <= looks.MOST_WITH_EDGES:
+        if len(self.data.corners) <= visibility.MOST_WITH_EDGES:
             _ = self.data.lines
         values = np.asarray(measure.values(self.data, progress))
         scale, of_all = self.data.scale(measure, values), None
@@ -234,9 +234,9 @@ class QualityPanel:
         if not self._found and not self.data.curved:
             self.faults.begin(self.data.faults)
         if not self._found and self.scene is not None:
-            self._hidden = looks.Hidden(self._source)
+            self._hidden = visibility.Hidden(self._source)
             self.scene.show(self.data)
-            self.edges.setChecked(len(self.data.corners) <= looks.MOST_WITH_EDGES)
+            self.edges.setChecked(len(self.data.corners) <= visibility.MOST_WITH_EDGES)
             self.edges.setEnabled(True)
         self._found[measure.title] = found
         self._show(measure, found)

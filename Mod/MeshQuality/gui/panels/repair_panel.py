@@ -6,8 +6,8 @@ import FreeCADGui
 import numpy as np
 
 from ...compat import extension
-from ...core.sources import convert
 from ...core.certify.faults import find_faults
+from ...core.sources import convert
 from ..view.quality_scene import QualityScene
 from .faults_box import AROUND, FaultsBox
 from .mesh_panel import MeshPanel

@@ -3,9 +3,9 @@
 
 import numpy as np
 
-from ..compat import extension
-from ..errors import InvalidInput
-from .elements import kinds, lagrange, polynomials, skeleton
+from ...compat import extension
+from ...errors import InvalidInput
+from ..elements import kinds, lagrange, polynomials, skeleton
 
 _HIGHEST = {"line": 5, "triangle": 5, "tetrahedron": 4}
 _LISTS = {"tetrahedron": ("tetrahedra", "tetrahedron_solid"), "triangle": ("triangles", "triangle_face"),

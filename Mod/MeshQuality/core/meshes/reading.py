@@ -7,11 +7,11 @@ import struct
 import xml.etree.ElementTree as ElementTree
 import zlib
 
-from .. import formats
-from ..errors import Error, InvalidInput, IoError
-from .sources import convert
-from .elements import freecad_mesh
-from .elements.assembly import assembled
+from ... import formats
+from ...errors import Error, InvalidInput, IoError
+from ..elements import freecad_mesh
+from ..elements.assembly import assembled
+from ..sources import convert
 from .writing import checked_scale
 
 # What reading raises where a file is damaged, of ours and of the libraries.

@@ -4,8 +4,7 @@
 import FreeCAD
 
 from ... import phrases
-from ..sources import convert, frames
-from ..certify import verdict
+from . import convert, frames
 
 
 def left_out_of(source, with_meshes=False):
@@ -29,7 +28,7 @@ def left_out_of(source, with_meshes=False):
 def sentences_of(source, with_meshes=False):
     """The same as a list of one sentence; empty where nothing is left out."""
     labels = left_out_of(source, with_meshes)
-    return [verdict.counted_list(phrases.LEFT_OUT, labels, name=convert.label_of(source))] if labels else []
+    return [phrases.counted_list(phrases.LEFT_OUT, labels, name=convert.label_of(source))] if labels else []
 
 
 def noted(mesh, sentences):

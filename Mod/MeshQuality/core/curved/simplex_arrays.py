@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .elements import kinds
+from ..elements import kinds
 
 
 _SIMPLICES = ("line", "triangle", "tetrahedron")

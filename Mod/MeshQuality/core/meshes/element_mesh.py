@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """ElementMesh: elements of any kind and order that come from elsewhere."""
 
-from ..listing import Public
-from .sources import convert, frames
+from ...listing import Public
+from ..elements import kinds
+from ..elements.boundary import boundary_of
+from ..sources import convert, frames
 from . import element_writing, reading
-from .elements import kinds
-from .elements.boundary import boundary_of
 
 
 class ElementMesh(metaclass=Public):

@@ -3,10 +3,10 @@
 
 from ...compat import extension
 from ...errors import InvalidInput, TopologyError
+from ..meshes.surface_mesh import SurfaceMesh, surface_of
 from ..sources import convert
-from .operands import is_arrays
-from ..surface_mesh import SurfaceMesh, surface_of
 from ..triangulation import triangulate
+from .operands import is_arrays
 
 _RELATIVE = 1e-3  # first distance of the mesh from a shape, as a fraction of its largest dimension
 _FINEST = 1e-6  # likewise: single precision holds no finer ones

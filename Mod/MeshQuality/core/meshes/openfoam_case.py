@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .. import phrases
-from ..errors import InvalidInput, IoError
-from ..phrases import Text
+from ... import phrases
+from ...errors import InvalidInput, IoError
+from ...phrases import Text
+from ..patches.patches import patches_of
 from . import writing
-from .patches.patches import patches_of
 
 FLOWS = ("internal", "external")
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.+\-]*")

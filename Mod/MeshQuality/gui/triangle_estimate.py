@@ -5,8 +5,8 @@ import time
 
 import FreeCAD
 
-from ..core.sources import convert
 from ..core.fem import fem_size
+from ..core.sources import convert
 from ..errors import Cancelled
 from .quantities import length_text
 

@@ -11,13 +11,13 @@ import zipfile
 
 import numpy as np
 
-from .. import files, formats
-from ..errors import InvalidInput, IoError
-from .sources import convert
+from ... import files, formats
+from ...errors import InvalidInput, IoError
+from ..formats import cgns, exodus, hopr, mfem, nektar
+from ..formats.arrays import element_blocks, points_of
+from ..patches.patches import Division, colour_of, division_of, patches_of, require_faces, with_interfaces
+from ..sources import convert
 from .contact_sheets import SHEET, with_sheets
-from .formats import cgns, exodus, hopr, mfem, nektar
-from .formats.arrays import element_blocks, points_of
-from .patches.patches import Division, colour_of, division_of, patches_of, require_faces, with_interfaces
 
 _3MF_MODEL = "3D/3dmodel.model"
 _3MF_PARTS = {

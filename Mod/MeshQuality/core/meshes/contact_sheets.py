@@ -5,8 +5,8 @@ triangles meet at the edges of a contact.
 
 import numpy as np
 
-from ..compat import extension
-from .patches.patches import with_interfaces
+from ...compat import extension
+from ..patches.patches import with_interfaces
 
 SHEET = "sheet"  # the value of the option interfaces
 

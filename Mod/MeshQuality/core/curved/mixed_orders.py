@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compat import extension
-from ..errors import InvalidInput
-from .elements import kinds, polynomials
-from .elements.assembly import Content, ElementBlock
-from .elements.entity_groups import entity_groups
+from ...compat import extension
+from ...errors import InvalidInput
+from ..elements import kinds, polynomials
+from ..elements.assembly import Content, ElementBlock
+from ..elements.entity_groups import entity_groups
 
 _UNITS = 3600  # weights of corners at nodes on sides are whole numbers of its parts, for orders 1 to 5
 

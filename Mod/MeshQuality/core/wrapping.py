@@ -9,12 +9,12 @@ from .. import options, wrap_options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
-from .sources import frames
-from .operands import hidden_parts
 from .booleans import BooleanMesh
 from .operands.operands import Operands, is_arrays
 from .patches.patches import Division, patches_of
 from .patches.source_faces import GAPS, own_names
+from .sources import frames
+from .sources import hidden_parts
 
 
 @dataclass(frozen=True)

@@ -3,12 +3,12 @@
 
 import numpy as np
 
-from ..compat import extension
-from ..errors import InvalidInput
-from ..listing import Public
-from .sources import convert
+from ...compat import extension
+from ...errors import InvalidInput
+from ...listing import Public
+from ..patches.patches import kept
+from ..sources import convert
 from . import writing
-from .patches.patches import kept
 
 
 class SurfaceMesh(metaclass=Public):

@@ -5,14 +5,14 @@ import os
 
 import numpy as np
 
-from .. import formats
-from ..compat import extension
-from ..errors import InvalidInput
-from .sources import convert
+from ... import formats
+from ...compat import extension
+from ...errors import InvalidInput
+from ..elements import kinds
+from ..formats import hopr, nek
+from ..formats.sides import faces_of_groups
+from ..sources import convert
 from . import writing
-from .elements import kinds
-from .formats import hopr, nek
-from .formats.sides import faces_of_groups
 
 _HOPR, _NEK = ".h5", ".re2"
 

@@ -3,12 +3,12 @@
 
 import numpy as np
 
-from ..errors import InvalidInput
+from ...errors import InvalidInput
+from ..elements import conformity, kinds
+from ..elements.assembly import Content, ElementBlock
+from ..elements.entity_groups import entity_groups
+from ..meshes.element_mesh import ElementMesh
 from . import mixed_orders
-from .element_mesh import ElementMesh
-from .elements import conformity, kinds
-from .elements.assembly import Content, ElementBlock
-from .elements.entity_groups import entity_groups
 
 
 class CurvedElementMesh(ElementMesh):
