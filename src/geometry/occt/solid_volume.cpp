@@ -47,17 +47,26 @@ constexpr std::array<double, 8> kKronrod{0.022935322010529224963732008058970, 0.
 constexpr std::array<double, 4> kGauss{0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
                                        0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
 
-/// An integral, its error, and that of the absolute value, which the error is held against.
+/// An integral, its error, that of the absolute value, which the error is held against, and that of the sizes of the
+/// terms of which the integrand is a sum: it is rounded by a fraction of these, also where they cancel.
 struct Integral {
     double value = 0.0;
     double error = 0.0;
     double absolute = 0.0;
+    double of_terms = 0.0;
 
     void operator+=(const Integral& other) {
         value += other.value;
         error += other.error;
         absolute += other.absolute;
+        of_terms += other.of_terms;
     }
+};
+
+/// The integrand at a place.
+struct Sample {
+    double value = 0.0;
+    double terms = 0.0;  ///< the size of its terms
 };
 
 template <typename Function>
@@ -71,21 +80,26 @@ Integral by_rule(const Function& f, double low, double high) {
             if (sign > 0.0 && kPlaces[i] == 0.0) {
                 continue;
             }
-            const double value = f(middle + sign * half * kPlaces[i]);
-            found.value += half * kKronrod[i] * value;
-            found.absolute += std::abs(half * kKronrod[i] * value);
-            coarse += i % 2 == 1 ? half * kGauss[i / 2] * value : 0.0;
+            const Sample at = f(middle + sign * half * kPlaces[i]);
+            found.value += half * kKronrod[i] * at.value;
+            found.absolute += std::abs(half * kKronrod[i] * at.value);
+            found.of_terms += std::abs(half * kKronrod[i] * at.terms);
+            coarse += i % 2 == 1 ? half * kGauss[i / 2] * at.value : 0.0;
         }
     }
     found.error = std::abs(found.value - coarse);
     return found;
 }
 
-/// Halves the interval until the error is that fraction of the integral of the absolute value over the whole interval.
+/// Fraction of the terms' size by which an integrand is rounded at most: no halving makes that less.
+constexpr double kRounding = 0x1p-46;
+
+/// Halves the interval until the error is that fraction of the integral of the absolute value over the whole interval,
+/// or as small as rounding.
 template <typename Function>
 Integral adaptive(const Function& f, double low, double high, double allowed, int halvings) {
     const Integral whole = by_rule(f, low, high);
-    const double most = allowed > 0.0 ? allowed : -allowed * whole.absolute;
+    const double most = std::max(allowed > 0.0 ? allowed : -allowed * whole.absolute, kRounding * whole.of_terms);
     if (whole.error <= most || halvings == 0) {
         return whole;
     }
@@ -144,12 +158,15 @@ class FaceFlux {
             gp_Vec2d by_t;
             adaptor.D1(t, at, by_t);
             if (by_t.Y() == 0.0) {
-                return 0.0;
+                return Sample{};
             }
             const Integral across = over_u(at.X(), at.Y());
             inner_error = std::max(inner_error, across.error);
             rise = std::max(rise, std::abs(by_t.Y()));
-            return across.value * by_t.Y();
+            // Along lines of the parameters (u, v) the range of the integral over u, or the derivative of v, is nothing
+            // but the rounding of coordinates as large as the face.
+            const double terms = across.of_terms + flux(at.X(), at.Y()).terms * (high_ - low_);
+            return Sample{across.value * by_t.Y(), terms * by_t.Magnitude()};
         };
         Integral found;
         const std::vector<double> parts = pieces(breaks, first, last);
@@ -162,12 +179,14 @@ class FaceFlux {
     }
 
   private:
-    double flux(double u, double v) const {
+    Sample flux(double u, double v) const {
         gp_Pnt point;
         gp_Vec by_u;
         gp_Vec by_v;
         surface_.D1(u, v, point, by_u, by_v);
-        return (to_vec(point) - from_).dot(to_vec(by_u).cross(to_vec(by_v))) / 3.0;
+        const Vec3 away = to_vec(point) - from_;
+        const Vec3 area = to_vec(by_u).cross(to_vec(by_v));
+        return {away.dot(area) / 3.0, away.norm() * area.norm() / 3.0};
     }
 
     Integral over_u(double to, double v) const {

@@ -30,7 +30,7 @@ def content_of_file(path, scale):
     if not os.path.isfile(name):
         raise IoError(f"cannot read '{name}': there is no such file")
     title, module = formats.READABLE[suffix]
-    reader = importlib.import_module(f".formats.{module}", __package__)
+    reader = importlib.import_module(f"..formats.{module}", __package__)
     try:
         return assembled(reader.read(name), scale)
     except Error as error:
