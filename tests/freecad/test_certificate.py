@@ -300,7 +300,7 @@ class WhatNoMeshShouldHave(CertificateTest):
     def test_one_is_not_many(self):
         for count, text in ((1, "Not watertight: 1 open edge."), (2, "Not watertight: 2 open edges."),
                             (5584, "Not watertight: 5,584 open edges.")):
-            self.assertEqual(verdict._counted(phrases.NOT_CLOSED, count), text)
+            self.assertEqual(phrases.counted_sentence(phrases.NOT_CLOSED, count), text)
 
 
 class VolumeMeshes(CertificateTest):
