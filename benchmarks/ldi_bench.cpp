@@ -3,11 +3,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 
+#include "base/stopwatch.h"
 #include "layered_depth/layered_depth_boolean.h"
 #include "mesh/intersection/self_intersection.h"
 #include "mesh/io/io.h"
@@ -20,10 +20,6 @@
 namespace {
 
 using namespace mq;
-
-double cpu_seconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 template <typename Number>
 Vec3 read_point(std::istream& file) {
