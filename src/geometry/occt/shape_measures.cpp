@@ -47,7 +47,11 @@ std::shared_ptr<const TopoDS_Shape> kept(const TopoDS_Shape& shape) {
 
 Box box_of(const TopoDS_Shape& shape) {
     Bnd_Box bounds;
-    BRepBndLib::Add(shape, bounds, false);
+    try {
+        BRepBndLib::Add(shape, bounds, false);
+    } catch (const Standard_Failure& failure) {
+        throw failed("find the box of the shape", failure);
+    }
     Box box;
     if (!bounds.IsVoid()) {
         bounds.SetGap(0.0);

@@ -17,6 +17,7 @@ namespace mq::geometry {
 std::shared_ptr<const TopoDS_Shape> kept(const TopoDS_Shape& shape);
 
 /// The box of a shape by OpenCASCADE, with the tolerances of its entities; not tight around curved faces.
+/// @throws GeometryError when the kernel fails
 Box box_of(const TopoDS_Shape& shape);
 
 /// The mean thickness, 2 V / A, mm, of each solid, or of the shape where it has none; none of what has no volume.
