@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/parallel.h"
+#include "base/rounds.h"
 #include "boolean/tuning.h"
 #include "mesh/intersection/aabb_tree.h"
 #include "mesh/intersection/triangle_distance.h"
@@ -110,7 +111,7 @@ class Fitting {
         for (Candidate& c : candidates_) {
             active.push_back(&c);
         }
-        for (int step = 0; step <= BooleanTuning::kProjectionSteps && !active.empty(); ++step) {
+        for (int step = 0; step <= kNewtonSteps && !active.empty(); ++step) {
             ask(active);
             std::vector<Candidate*> farther;
             for (Candidate* c : active) {
@@ -118,7 +119,7 @@ class Fitting {
                 if (c->first_distance < 0.0) {
                     c->first_distance = distance;
                 }
-                if (!c->lost && step < BooleanTuning::kProjectionSteps && distance > on_surface_) {
+                if (!c->lost && step < kNewtonSteps && distance > on_surface_) {
                     c->now += newton_step(*c);
                     if (c->distance() > on_surface_) {
                         farther.push_back(c);
@@ -293,7 +294,7 @@ class Fitting {
                     take_back(moved, v);
                 }
             }
-            if (moved.size() == before || round == BooleanTuning::kUndoRounds) {
+            if (moved.size() == before || round == kMostRounds) {
                 while (!moved.empty()) {
                     take_back(moved, moved.begin()->first);
                 }

@@ -15,10 +15,6 @@ struct BooleanTuning {
     MESHQUALITY_TUNED(double, kClearance, 32.0 * std::numeric_limits<float>::epsilon());
     /// Surfaces whose normals differ by less than this angle (radians) count as one where they are intersected.
     MESHQUALITY_TUNED(double, kLeastSurfaceAngle, 0.02);
-    /// Newton steps of a projection at most; each about squares the distance.
-    MESHQUALITY_TUNED(int, kProjectionSteps, 8);
-    /// Rounds of undoing moves that made faults, before all are undone.
-    MESHQUALITY_TUNED(int, kUndoRounds, 12);
 };
 
 }  // namespace mq::boolean

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/angle.h"
+#include "base/rounds.h"
 #include "improve/tuning.h"
 #include "mesh/edge_table.h"
 #include "mesh/quality/triangle_quality.h"
@@ -35,7 +36,7 @@ std::vector<Vec3> sound_normals(const EditableMesh& mesh, const mesh::EdgeTable&
     std::vector<Vec3> result;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         int at = t;
-        for (int steps = 0; normals[at] == Vec3::Zero() && steps < ImproveTuning::kNormalSearch; ++steps) {
+        for (int steps = 0; normals[at] == Vec3::Zero() && steps < kMostSteps; ++steps) {
             at = next[at];
         }
         result.push_back(normals[at]);

@@ -14,9 +14,7 @@ struct ImproveTuning {
     /// Least gain of a move in degrees. Vertices that keep moving by small steps would delay more effective
     /// changes.
     MESHQUALITY_TUNED(double, kLeastAngleGain, 1.0);
-    /// Rounds at most, so that the work ends.
-    MESHQUALITY_TUNED(int, kImproveRounds, 200);
-    /// Refinement ends after this many rounds without fewer bad triangles.
+    /// The work ends after this many rounds without fewer bad triangles.
     MESHQUALITY_TUNED(int, kImprovePatience, 12);
     /// Times that a mesh with more faults than the given one is improved again, with the places of these left alone;
     /// then it is given back as it was.
@@ -34,8 +32,6 @@ struct ImproveTuning {
     MESHQUALITY_TUNED(double, kShortestUnits, 64.0);
     /// Angle between sharp edges, radians, below which they are divided alike.
     MESHQUALITY_TUNED(double, kNarrowEdges, 60.0 * kDegree);
-    /// Neighbours visited in the search for a normal at most, so that it ends among thin triangles.
-    MESHQUALITY_TUNED(int, kNormalSearch, 16);
 };
 
 }  // namespace mq::improve

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/rounds.h"
 #include "mesh/intersection/triangle_distance.h"
 
 namespace mq::inspection {
@@ -14,8 +15,6 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// The radius is found when it changes by less than this fraction.
 constexpr double kSettled = 1e-10;
-/// Rounds at most; fewer than ten are usual.
-constexpr int kMaxRounds = 100;
 
 /// How deep a ball may cut into the surface near the point where it starts (within 60 degrees of it, seen from the
 /// centre), as a fraction of the radius. On a solid bar of 12 facets this depth is 0.14.
@@ -56,7 +55,7 @@ LargestBall largest_ball(const mesh::NearestTree& tree, const Vec3& point, const
     ball.radius = limited ? 0.5 * ahead : 2.0 * (box.high - box.low).norm();
     ball.contact = point + (limited ? ahead : 0.0) * direction;
     ball.triangle = triangle_ahead;
-    for (int round = 0; round < kMaxRounds; ++round) {
+    for (int round = 0; round < kMostSteps; ++round) {
         ball.center = point + ball.radius * direction;
         const double least = ball.radius - std::min(allowance, kLargestCut * ball.radius);
         const double least_nearby = ball.radius - std::min(allowance, kLargestCutNearby * ball.radius);

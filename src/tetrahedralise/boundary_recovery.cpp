@@ -13,7 +13,7 @@ namespace mq::tetrahedralise {
 namespace {
 
 /// Flips along one edge or triangle at most.
-constexpr int kMostSteps = 60;
+constexpr int kMostFlips = 60;
 /// Most removals of other edges for the removal of one edge.
 constexpr int kMostCalls = 60;
 /// Largest nesting of such removals, in successive attempts.
@@ -82,7 +82,7 @@ void BoundaryRecovery::recover_edges(Edges missing) {
 }
 
 bool BoundaryRecovery::recover_edge(int a, int b, int depth) {
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMostFlips; ++step) {
         if (mesh_.cell_with(a, b) >= 0) {
             return true;
         }
@@ -198,7 +198,7 @@ void BoundaryRecovery::recover_triangles(Triangles missing) {
 }
 
 bool BoundaryRecovery::recover_triangle(const SurfaceConstraints::Triangle& t, int depth) {
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMostFlips; ++step) {
         if (mesh_.cell_with(t[0], t[1], t[2]) >= 0) {
             return true;
         }

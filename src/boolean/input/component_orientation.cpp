@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/predicates.h"
+#include "base/rounds.h"
 #include "boolean/input/operand_mesh.h"
 #include "boolean/input/tuning.h"
 #include "mesh/intersection/aabb_tree.h"
@@ -35,9 +36,8 @@ class Enclosure {
     /// The enclosers of the first vertex of a component from which a ray meets no edge; none when there is no such
     /// vertex among those tried.
     std::optional<std::vector<Encloser>> of(std::int32_t component, const std::vector<std::int32_t>& triangles) {
-        for (std::size_t i = 0; i < std::min(InputTuning::kRayStarts, triangles.size()); ++i) {
-            const Vec3& p =
-                draft_.vertices[draft_.triangles[triangles[i * triangles.size() / InputTuning::kRayStarts]][0]];
+        for (std::size_t i = 0; i < std::min<std::size_t>(kMostRounds, triangles.size()); ++i) {
+            const Vec3& p = draft_.vertices[draft_.triangles[triangles[i * triangles.size() / kMostRounds]][0]];
             for (int attempt = 0; attempt < 4; ++attempt) {
                 if (follow(p, component, attempt)) {
                     return enclosers();

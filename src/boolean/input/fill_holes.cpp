@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/key_set.h"
+#include "base/rounds.h"
 #include "boolean/input/operand_mesh.h"
 #include "boolean/input/tuning.h"
 #include "mesh/intersection/aabb_tree.h"
@@ -227,7 +228,7 @@ class HoleClosing {
         std::iota(kept.begin(), kept.end(), 0);
         const mesh::AabbTree tree(draft_.vertices, draft_.triangles, kept);
         std::vector<std::unordered_set<std::uint64_t>> refused(holes_.size());
-        for (int round = 0; round < InputTuning::kFillingRounds; ++round) {
+        for (int round = 0; round < kMostRounds; ++round) {
             const std::vector<std::size_t> crossed = holes_that_cross(tree, refused);
             for (const std::size_t k : crossed) {
                 check_cancelled(progress_);

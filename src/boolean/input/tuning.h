@@ -34,10 +34,6 @@ struct InputTuning {
     /// Most corners of a loop for which every possible triangle is tested against the surface; the time grows with the
     /// third power.
     MESHQUALITY_TUNED(std::size_t, kTestedLoop, 80);
-    /// Rounds of filling holes anew at most.
-    MESHQUALITY_TUNED(int, kFillingRounds, 4);
-    /// Vertices of a component tried as starts of a ray.
-    MESHQUALITY_TUNED(std::size_t, kRayStarts, 8);
     /// Approximate number of triangles of an open sheet that vote on which side of it is outside.
     MESHQUALITY_TUNED(std::size_t, kVotes, 32);
 };

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/predicates.h"
+#include "base/rounds.h"
 #include "boolean/near_coincidence/tuning.h"
 
 namespace mq::boolean {
@@ -59,7 +60,6 @@ class ShortestDisplacement {
     static std::optional<Vec3> in(const std::vector<HalfSpace>& spaces) {
         ShortestDisplacement solver(spaces);
         // Because of rounding the same sets could come again without end.
-        constexpr int kMostSteps = 100;
         for (int step = 0; step < kMostSteps; ++step) {
             const std::size_t worst = solver.farthest_from_kept();
             if (worst == spaces.size()) {

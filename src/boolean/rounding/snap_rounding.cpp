@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/rounds.h"
 #include "boolean/arrangement/arrangement.h"
 #include "boolean/arrangement/cells.h"
 #include "boolean/rounding/contact_separation.h"
@@ -48,8 +49,7 @@ class SnapRounder {
             if (faults.size() == 0 && !faults.may_have_turned) {
                 break;
             }
-            const bool used_up = count_.rounds >= RoundingTuning::kRoundingRounds ||
-                                 is_tangle(extraction_.draft, faults.size()) ||
+            const bool used_up = count_.rounds >= kMostRounds || is_tangle(extraction_.draft, faults.size()) ||
                                  count_.error_bound > RoundingTuning::kMostRoundingMove * options_.tolerance;
             // A surface that is embedded stays so when it is only classified again.
             if (faults.size() > 0 && used_up) {

@@ -10,8 +10,6 @@ namespace mq::boolean {
 /// The constants that tune the rounding to single precision. docs/measurements/tuning.md says what each does at
 /// half and at double its value.
 struct RoundingTuning {
-    /// Most rounds of dividing triangles that rounding has left in contact. Nearly all surfaces take one or two.
-    MESHQUALITY_TUNED(std::size_t, kRoundingRounds, 16);
     /// A surface with more than this number of faults, and more faults than triangles, is given up.
     MESHQUALITY_TUNED(std::size_t, kTangle, 10000);
     /// Largest move of a vertex by relocation in one round, in units of single precision at the farthest vertex ...

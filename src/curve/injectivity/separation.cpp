@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/rounds.h"
+
 namespace mq::curve {
 
 namespace {
@@ -104,12 +106,10 @@ struct Support {
 /// @param support  (direction) -> Support
 template <typename Find>
 bool separable(Vec3 direction, const Find& support) {
-    // Rounds at most; more would be needed only at the limit of rounding.
-    constexpr int kMostRounds = 40;
     // Relative gain below which the nearest point counts as found.
     constexpr double kNoGain = 1e-12;
     NearestSimplex simplex;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostSteps; ++round) {
         const double square = direction.squaredNorm();
         if (!(square > 0.0)) {
             return false;

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "base/rounds.h"
 #include "curve/surface/tuning.h"
 
 namespace mq::curve {
@@ -27,14 +28,14 @@ class Repair {
         if (reach_) {
             reach_all();
         }
-        for (int round = 0; scope_ == RepairScope::Poor && round < SurfaceTuning::kBulgeRounds && split_bulging();
+        for (int round = 0; scope_ == RepairScope::Poor && round < SurfaceTuning::kHalvingRounds && split_bulging();
              ++round) {
         }
-        for (int round = 0; round < SurfaceTuning::kRepairRounds && snap_all(); ++round) {
+        for (int round = 0; round < kMostRounds && snap_all(); ++round) {
         }
-        for (int round = 0; round < SurfaceTuning::kRepairRounds && repair_round(round); ++round) {
+        for (int round = 0; round < kMostRounds && repair_round(round); ++round) {
         }
-        for (int pass = 0; pass < SurfaceTuning::kRepairPasses && refine_faces(); ++pass) {
+        while (refine_faces()) {
         }
         done_.invalid_after = invalid();
         return done_;
@@ -48,6 +49,7 @@ class Repair {
     /// them, halving a triangle leaves two invalid ones: only finer triangles fit. And a single vertex that is snapped
     /// to a border or collapsed into its neighbour may fold a triangle that several such changes repair. So each face
     /// in turn is changed around its invalid triangles, with repairs in between.
+    /// @return whether fewer triangles are invalid, so that repeating it ends
     bool refine_faces() {
         bool any = false;
         std::set<int> faces;
@@ -70,7 +72,7 @@ class Repair {
         CurvedSurface best = editor_.surface;
         SurfaceRepairs done = done_;
         bool better = false;
-        for (int round = 0; round < SurfaceTuning::kRefineRounds && refine_face(face, way); ++round) {
+        for (int round = 0; round < kMostRounds && refine_face(face, way); ++round) {
             const int now = invalid();
             if (now > SurfaceTuning::kRunaway * (fewest + 4)) {
                 break;

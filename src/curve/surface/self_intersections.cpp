@@ -89,7 +89,7 @@ int refine_crossings(SurfaceEditor& editor, const geometry::Topology& topology, 
         if (topology.volumes[volume].kind != geometry::Volume::Kind::Solid) {
             continue;
         }
-        for (int round = 0; round < SurfaceTuning::kCrossingRounds; ++round) {
+        for (int round = 0; round < SurfaceTuning::kHalvingRounds; ++round) {
             std::set<std::pair<int, int>> edges;
             for (const Crossing& crossing : find_self_intersections(editor.surface, volume, progress)) {
                 edges.insert(longest_edge(editor, crossing.first));

@@ -20,16 +20,10 @@ struct SurfaceTuning {
     /// Edges whose deviation is below this fraction of the height of the triangle on them are not the reason for
     /// its fold.
     MESHQUALITY_TUNED(double, kBulges, 0.05);
-    /// Rounds of splitting edges with too large deviations at most.
-    MESHQUALITY_TUNED(int, kBulgeRounds, 6);
-    /// Rounds of repairs at most, so that they end.
-    MESHQUALITY_TUNED(int, kRepairRounds, 10);
-    /// Rounds of refining one face at most, so that it ends.
-    MESHQUALITY_TUNED(int, kRefineRounds, 16);
+    /// Rounds of halving edges at most: where a curve has a corner, or faces touch each other, no edge is short enough.
+    MESHQUALITY_TUNED(int, kHalvingRounds, 6);
     /// Refining a face around its invalid triangles ends when their number has grown by this factor.
     MESHQUALITY_TUNED(int, kRunaway, 4);
-    /// Passes over all faces at most.
-    MESHQUALITY_TUNED(int, kRepairPasses, 3);
     /// Vertices around a cavity at most: the number of triangles that are measured grows with the third power.
     MESHQUALITY_TUNED(std::size_t, kLargestCavityBorder, 24);
     /// Least gain in the worst quality of the triangles of an operation that makes no more of them valid.
@@ -77,8 +71,6 @@ struct SurfaceTuning {
     MESHQUALITY_TUNED(double, kHugs, 0.05);
     /// Pairs found in one search at most: enough for a round of splits.
     MESHQUALITY_TUNED(std::size_t, kMostCrossings, 500);
-    /// Rounds of halving edges at most, so that they end.
-    MESHQUALITY_TUNED(int, kCrossingRounds, 6);
 };
 
 }  // namespace mq::curve

@@ -31,7 +31,7 @@ class Relocation {
             kept = inner();
         }
         double step = VolumeTuning::kFirstFaceStep * size();
-        for (int halving = 0; halving < VolumeTuning::kFaceHalvings; ++halving, step *= 0.5) {
+        for (int halving = 0; halving < VolumeTuning::kHalvings; ++halving, step *= 0.5) {
             while (try_steps(step, best, kept)) {
             }
         }

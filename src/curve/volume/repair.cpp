@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/rounds.h"
 #include "curve/volume/editor.h"
 #include "curve/volume/tuning.h"
 #include "curve/volume/untangle.h"
@@ -29,10 +30,10 @@ class Repair {
     VolumeRepairs run() {
         volume_.measure(volume_.living(), &progress_);
         done_.invalid_before = invalid();
-        for (int round = 0; round < VolumeTuning::kFreeingRounds && free_corners(); ++round) {
+        for (int round = 0; round < kMostRounds && free_corners(); ++round) {
         }
         curve_single_edges();
-        for (int round = 0; round < VolumeTuning::kCurvingRounds; ++round) {
+        for (int round = 0; round < kMostRounds; ++round) {
             if (round >= moving_round()) {
                 improve(bad_ones());
             }
@@ -94,7 +95,7 @@ class Repair {
         for (const int t : bad) {
             progress_.check();
             const double& quality = volume_.tetrahedra[static_cast<std::size_t>(t)].quality;
-            for (int i = 0; i < VolumeTuning::kSingleEdges && quality < good_ && curve_region_edge(editor_, t); ++i) {
+            for (int i = 0; i < kMostRounds && quality < good_ && curve_region_edge(editor_, t); ++i) {
                 ++done_.curved_edges;
             }
             relocate_faces(t);

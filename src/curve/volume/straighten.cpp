@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "curve/volume/tuning.h"
-
 namespace mq::curve {
 
 namespace {
@@ -34,8 +32,7 @@ void measure_around(SurfaceEditor& editor, const std::set<int>& vertices) {
 
 std::set<int> straighten_triangles(SurfaceEditor& editor) {
     std::set<int> done;
-    for (int round = 0; round < VolumeTuning::kStraightenRounds; ++round) {
-        std::set<int> vertices;
+    for (std::set<int> vertices;; vertices.clear()) {
         for (std::size_t t = 0; t < editor.surface.triangles.size(); ++t) {
             const SurfaceTriangle& triangle = editor.surface.triangles[t];
             if (triangle.alive && !(triangle.quality > 0.0) && done.insert(static_cast<int>(t)).second) {
@@ -44,17 +41,15 @@ std::set<int> straighten_triangles(SurfaceEditor& editor) {
             }
         }
         if (vertices.empty()) {
-            break;
+            return done;
         }
         measure_around(editor, vertices);
     }
-    return done;
 }
 
 std::set<int> straighten_tetrahedra(TetrahedralMesh& volume, SurfaceEditor& editor) {
     std::set<int> done;
-    for (int round = 0; round < VolumeTuning::kStraightenRounds; ++round) {
-        std::set<int> vertices;
+    for (std::set<int> vertices;; vertices.clear()) {
         for (const int t : volume.living()) {
             const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
             if (!(tetrahedron.quality > 0.0) && done.insert(t).second) {
@@ -63,14 +58,13 @@ std::set<int> straighten_tetrahedra(TetrahedralMesh& volume, SurfaceEditor& edit
             }
         }
         if (vertices.empty()) {
-            break;
+            return done;
         }
         for (const int v : vertices) {
             volume.measure(volume.of_vertex(v));
         }
         measure_around(editor, vertices);
     }
-    return done;
 }
 
 }  // namespace mq::curve

@@ -16,10 +16,6 @@ struct VolumeTuning {
     MESHQUALITY_TUNED(double, kTargetJacobian, 0.3);
     /// A corner whose three edges are fixed must keep this fraction of the straight element's J.
     MESHQUALITY_TUNED(double, kFreeCorner, 0.2);
-    /// Rounds of freeing corners at most.
-    MESHQUALITY_TUNED(int, kFreeingRounds, 4);
-    /// Rounds of curving and changing the topology at most.
-    MESHQUALITY_TUNED(int, kCurvingRounds, 5);
     /// Layers of tetrahedra around bad ones in the first patches, and in those around what they leave.
     MESHQUALITY_TUNED(int, kFirstLayers, 2);
     MESHQUALITY_TUNED(int, kPatchLayers, 1);
@@ -27,8 +23,6 @@ struct VolumeTuning {
     MESHQUALITY_TUNED(int, kCurvingAttempts, 3);
     /// Sweeps that carry the bulges of the surface's edges inwards.
     MESHQUALITY_TUNED(int, kInwardSweeps, 15);
-    /// Edges of one element that are tried singly.
-    MESHQUALITY_TUNED(int, kSingleEdges, 3);
     /// Fraction of bad tetrahedra up to which single edges are curved before patches.
     MESHQUALITY_TUNED(double, kFewBad, 0.005);
     /// The quality of straight elements flatter than this (mean ratio) is reduced in proportion.
@@ -37,18 +31,14 @@ struct VolumeTuning {
     MESHQUALITY_TUNED(double, kLeastShape, 0.01);
     /// Least gain in the worst quality, so that changes do not cycle by rounding.
     MESHQUALITY_TUNED(double, kLeastVolumeGain, 1e-3);
-    /// Times that the step of the nodes of a face is halved.
-    MESHQUALITY_TUNED(int, kFaceHalvings, 4);
+    /// Times that the step of a vertex, or of the nodes of a face, is halved.
+    MESHQUALITY_TUNED(int, kHalvings, 6);
     /// First step of the nodes of a face, as a fraction of the longest edge of the face.
     MESHQUALITY_TUNED(double, kFirstFaceStep, 0.1);
-    /// Times that the step of a vertex is halved.
-    MESHQUALITY_TUNED(int, kVertexHalvings, 6);
     /// Tetrahedra around an edge at most: with more of them a swap rarely helps.
     MESHQUALITY_TUNED(std::size_t, kLargestEdgeRing, 7);
     /// Epsilon of (11), as a fraction of J of the straight element.
     MESHQUALITY_TUNED(double, kRestoredJacobian, 0.4);
-    /// Rounds of straightening at most; each straightens the elements that the last one made invalid.
-    MESHQUALITY_TUNED(int, kStraightenRounds, 50);
     /// Positions of the barrier at most; each needs a minimisation.
     MESHQUALITY_TUNED(int, kBarrierMoves, 10);
     /// A position of the barrier after which more than this fraction of the elements' distances from the target is left

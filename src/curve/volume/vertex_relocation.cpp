@@ -28,7 +28,7 @@ void relocate_vertex(VolumeEditor& editor, int p, const std::vector<std::array<i
     };
     double best = value(-std::numeric_limits<double>::infinity());
     double step = 0.25 * size;
-    for (int halving = 0; halving < VolumeTuning::kVertexHalvings; ++halving, step *= 0.5) {
+    for (int halving = 0; halving < VolumeTuning::kHalvings; ++halving, step *= 0.5) {
         bool moved = true;
         for (int round = 0; round < 4 && moved; ++round) {
             moved = false;

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/rounds.h"
 #include "elements/bezier/bernstein.h"
 #include "elements/bezier/node_orders.h"
 #include "geometry/session.h"
@@ -61,8 +62,7 @@ class CurvedTriangles {
     }
 
   private:
-    static constexpr int kSteps = 4;   // flat triangles along an edge of a curved one
-    static constexpr int kRounds = 8;  // rounds of Gauss-Newton's method, from the nearest flat triangle on
+    static constexpr int kSteps = 4;  // flat triangles along an edge of a curved one
     static constexpr std::size_t kMostOwners = 8;
 
     std::size_t owner(std::int32_t flat) const { return static_cast<std::size_t>(flat) / cells(); }
@@ -76,7 +76,7 @@ class CurvedTriangles {
                                       points_[static_cast<std::size_t>(t[1])], points_[static_cast<std::size_t>(t[2])]);
         std::array<double, 2> at = start(static_cast<std::size_t>(flat), nearest);
         double best = (point(control, at) - p).norm();
-        for (int round = 0; round < kRounds && steps_ > 1; ++round) {
+        for (int round = 0; round < kNewtonSteps && steps_ > 1; ++round) {
             const std::array<double, 2> next = improved(control, at, p);
             const double distance = (point(control, next) - p).norm();
             if (!(distance < best)) {
@@ -246,14 +246,14 @@ std::array<double, 2> extent(const Grid& grid) {
     return longest;
 }
 
+/// Steps of a grid along one parameter: what is much longer than wide is sampled coarser than requested.
+int steps_along(double length, double spacing) {
+    return static_cast<int>(std::clamp(std::ceil(length / spacing), 2.0, 400.0));
+}
+
 /// @param spacing  requested distance between neighbours, mm
 Samples samples_of_face(Session& session, int face, const std::array<double, 2>& extent, double spacing) {
-    // Most steps of a grid along one parameter: faces much longer than wide are sampled coarser than requested.
-    constexpr double kMostSteps = 400.0;
-    const auto steps = [&](double length) {
-        return static_cast<int>(std::clamp(std::ceil(length / spacing), 2.0, kMostSteps));
-    };
-    const Grid grid = grid_of(session, face, steps(extent[0]), steps(extent[1]), true);
+    const Grid grid = grid_of(session, face, steps_along(extent[0], spacing), steps_along(extent[1], spacing), true);
     Samples found{{}, 0.0, grid.columns, grid.rows};
     for (int j = 0; j <= grid.rows; ++j) {
         for (int i = 0; i <= grid.columns; ++i) {
@@ -272,7 +272,6 @@ Samples samples_of_face(Session& session, int face, const std::array<double, 2>&
 
 Samples samples_of_edge(Session& session, int edge, double spacing) {
     constexpr int kCoarse = 8;
-    constexpr double kMostSteps = 400.0;
     const geometry::Edge& bounds = session.topology().edges[static_cast<std::size_t>(edge)];
     const auto ask = [&](int steps) {
         geometry::Engine::Batch batch;
@@ -292,7 +291,7 @@ Samples samples_of_edge(Session& session, int edge, double spacing) {
     for (std::size_t i = 0; i + 1 < coarse.size(); ++i) {
         length += (coarse[i + 1] - coarse[i]).norm();
     }
-    const int steps = static_cast<int>(std::clamp(std::ceil(length / spacing), 2.0, kMostSteps));
+    const int steps = steps_along(length, spacing);
     Samples found{ask(steps), 0.0, steps, 0};
     for (std::size_t i = 0; i + 1 < found.points.size(); ++i) {
         found.spacing = std::max(found.spacing, (found.points[i + 1] - found.points[i]).norm());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/rounds.h"
 #include "geometry/session.h"
 #include "mesh/quality/surface_verification.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 using geometry::Query;
 
-/// Newton steps at most.
-constexpr int kSteps = 8;
 /// A vertex counts as on its faces up to this distance, as a fraction of the grid's side: the resolution of single
 /// precision.
 constexpr double kOnFaces = 2e-7;
@@ -24,8 +23,6 @@ constexpr double kOnFaces = 2e-7;
 constexpr double kFarthest = 0.5;
 /// Largest move of a border vertex, in deviations of the meshes from the faces, which were measured at samples only.
 constexpr double kDeviations = 2.0;
-/// Rounds in which moves that lead to contacts are undone.
-constexpr int kUndoRounds = 3;
 /// Contacts that are examined in a round.
 constexpr std::size_t kListed = 100'000;
 /// Projections that one thread does at a time, and chunks of these in one job of the engine, so that other jobs are not
@@ -254,7 +251,7 @@ void FaceProjector::drop_smooth() {
 
 /// Newton's method for all vertices in parallel.
 void FaceProjector::approach() {
-    for (int step = 0; step <= kSteps; ++step) {
+    for (int step = 0; step <= kNewtonSteps; ++step) {
         std::vector<MovedVertex*> active;
         for (MovedVertex& moved : moved_) {
             if (!moved.lost && (!moved.faces.front().asked || moved.distance() > on_faces_)) {
@@ -266,7 +263,7 @@ void FaceProjector::approach() {
             drop_smooth();
         }
         for (MovedVertex* moved : active) {
-            if (!moved->lost && step < kSteps && moved->distance() > on_faces_) {
+            if (!moved->lost && step < kNewtonSteps && moved->distance() > on_faces_) {
                 moved->now += newton_step(*moved);
                 moved->lost = !((moved->now - moved->before).norm() <= 2.0 * moved->farthest);
             }
@@ -323,7 +320,7 @@ void FaceProjector::undo_contacts(const std::vector<mesh::Triangle>& reconstruct
             changed.push_back(static_cast<std::int32_t>(t));
         }
     }
-    for (int round = 0; round < kUndoRounds; ++round) {
+    for (int round = 0; round < kMostRounds; ++round) {
         const mesh::Verification check = mesh::verify(surface_.points, all, &changed, kListed, progress_);
         std::size_t undone = 0;
         for (const mesh::Fault& fault : check.faults) {

@@ -175,7 +175,7 @@ class Refinement {
 
     /// The point of an edge at which the level set is 0: regula falsi with the Illinois rule, then bisection.
     Crossing crossing(const std::array<std::int32_t, 2>& edge) const {
-        constexpr int kMostSteps = 40;
+        constexpr int kTrials = 40;
         constexpr int kFalsi = 6;
         const auto [inner, outer] = is_outside(edge[0]) ? std::pair(edge[1], edge[0]) : std::pair(edge[0], edge[1]);
         const Vec3 from = lattice_.at(inner);
@@ -187,7 +187,7 @@ class Refinement {
         double share = 0.5;
         int last = 0;
         LevelSample level = levels_[static_cast<std::size_t>(inner)];
-        for (int i = 0; i < kMostSteps; ++i) {
+        for (int i = 0; i < kTrials; ++i) {
             share = i < kFalsi ? (low * above - high * below) / (above - below) : 0.5 * (low + high);
             level = level_set_.at(from + share * way, level.source);
             if (std::abs(level.value) <= level_set_.resolution()) {

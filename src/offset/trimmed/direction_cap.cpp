@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "base/rounds.h"
 #include "mesh/corner_table.h"
 
 namespace mq::boolean {
@@ -41,10 +42,8 @@ class CapRefinement {
           pace_(progress) {}
 
     void run() {
-        // The smallest angle that a tolerance leads to is half a circle halved this often.
-        constexpr int kRounds = 16;
         bool again = true;
-        for (int round = 0; again && round < kRounds; ++round) {
+        for (int round = 0; again && round < kMostRounds; ++round) {
             again = false;
             middle_.clear();
             std::vector<mesh::Triangle> done;
