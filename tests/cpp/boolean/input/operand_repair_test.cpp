@@ -438,13 +438,8 @@ TEST(Operand, SheetsBesideASolidAreLeftOut) {
     expect_refused(mesh, "open surface");
 }
 
-TEST(Operand, RefusesWhatEnclosesNothing) {
-    TriangleMesh sheet;
-    sheet.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
-    sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
-    sheet.origin = Vec3(100, 0, 0);
-    expect_refused(sheet, "open surface");
-    expect_refused(sheet, "(102, 2, 0) mm");
+/// The disc that would close it has half of its area: too much to be added, and too little for a sheet.
+TriangleMesh half_sphere() {
     TriangleMesh half = sphere(3);
     std::vector<mesh::Triangle> upper;
     for (const mesh::Triangle& t : half.triangles) {
@@ -453,7 +448,28 @@ TEST(Operand, RefusesWhatEnclosesNothing) {
         }
     }
     half.triangles = upper;
-    expect_refused(half, "open surface");
+    return half;
+}
+
+TEST(Operand, SmallScrapsBesideASolidAreLeftOut) {
+    TriangleMesh mesh = sphere(3);
+    append(mesh, scaled(half_sphere(), 0.28, Vec3(3, 0, 0)));  // a twenty-sixth of the area
+    const Operand operand = prepared(mesh);
+    EXPECT_EQ(operand.repairs.scraps, half_sphere().triangles.size());
+    EXPECT_EQ(operand.triangles, sphere(3).triangles);
+    mesh = sphere(3);
+    append(mesh, scaled(half_sphere(), 0.4, Vec3(3, 0, 0)));  // a thirteenth
+    expect_refused(mesh, "open surface");
+}
+
+TEST(Operand, RefusesWhatEnclosesNothing) {
+    TriangleMesh sheet;
+    sheet.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+    sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+    sheet.origin = Vec3(100, 0, 0);
+    expect_refused(sheet, "open surface");
+    expect_refused(sheet, "(102, 2, 0) mm");
+    expect_refused(half_sphere(), "open surface");
     TriangleMesh flat;
     flat.vertices = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
     flat.triangles = {{0, 1, 2}, {0, 2, 1}};
