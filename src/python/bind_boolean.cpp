@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "geometry/occt/shape_measures.h"
+#include "geometry/occt/sub_shapes.h"
 #include "mesh/quality/surface_distance.h"
 #include "mesh/quality/surface_verification.h"
 #include "python/array_view.h"
@@ -80,10 +80,8 @@ std::shared_ptr<BooleanSurface> run_boolean(const Operands& operands, const Pyth
                                             const py::object& progress) {
     const boolean::Expression wanted = expression_from(operation, operands.given().size());
     const BooleanMethod by = method_from(method);
-    geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
-        return std::make_shared<BooleanSurface>(
-            workflows::boolean_of_operands(engine, operands, wanted, options, by, handle));
+        return std::make_shared<BooleanSurface>(workflows::boolean_of_operands(operands, wanted, options, by, handle));
     });
 }
 
@@ -196,20 +194,17 @@ void bind_boolean_report(py::module_& m) {
 
 std::shared_ptr<BooleanSurface> offset_shape(const Operands& solid, double distance, double tolerance, int threads,
                                              const py::object& progress) {
-    geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
-        return std::make_shared<BooleanSurface>(
-            workflows::offset_shape(engine, solid, {distance, tolerance, threads}, handle));
+        return std::make_shared<BooleanSurface>(workflows::offset_shape(solid, {distance, tolerance, threads}, handle));
     });
 }
 
 std::shared_ptr<BooleanSurface> hollow_shape(const Operands& solid, double thickness,
                                              const std::optional<std::vector<std::int32_t>>& openings, double tolerance,
                                              int threads, const py::object& progress) {
-    geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
         return std::make_shared<BooleanSurface>(
-            workflows::hollow_shape(engine, solid, openings, {thickness, tolerance, threads}, handle));
+            workflows::hollow_shape(solid, openings, {thickness, tolerance, threads}, handle));
     });
 }
 
@@ -236,9 +231,8 @@ std::shared_ptr<WrapSurface> wrap_objects(const Operands& objects, double gap, d
     for (const std::array<double, 3>& place : dry) {
         options.dry.emplace_back(place[0], place[1], place[2]);
     }
-    geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
-        return std::make_shared<WrapSurface>(workflows::wrap_objects(engine, objects, options, handle));
+        return std::make_shared<WrapSurface>(workflows::wrap_objects(objects, options, handle));
     });
 }
 
@@ -298,11 +292,12 @@ void bind_boolean(py::module_& m) {
              "The tolerance in mm for operands whose box has this longest side: that which was requested, else that of "
              "the resolution.");
     py::class_<Operands>(m, "Operands", "Operands in their order, from their construction on being read.")
-        .def(py::init<>())
+        .def(py::init([] { return Operands(shared_engine()); }))
         .def("add", &add_operand, py::arg("name"), py::arg("surface"), py::arg("round"), py::arg("shape"),
              "A Surface or None, whether it may be rounded to single precision, and a Part.Shape or None.")
-        .def("size", &Operands::size, "Longest side of the box of all, mm.")
-        .def("divided_length", &Operands::divided_length, "mm; what a resolution divides, where the method is exact.");
+        .def("size", &Operands::size, py::call_guard<py::gil_scoped_release>(), "Longest side of the box of all, mm.")
+        .def("divided_length", &Operands::divided_length, py::call_guard<py::gil_scoped_release>(),
+             "mm; what a resolution divides, where the method is exact.");
     m.def("boolean", &run_boolean, py::arg("operands"), py::arg("operation"), py::arg("options"), py::arg("method"),
           py::arg("progress") = py::none(),
           "A Boolean of Operands. The operation: a name, or an expression in postfix order: operand k as k, union, "

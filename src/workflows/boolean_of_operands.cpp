@@ -334,8 +334,8 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
     return result;
 }
 
-BooleanSurface boolean_of_operands(geometry::Engine& engine, const Operands& operands, const Expression& expression,
-                                   BooleanOptions options, BooleanMethod method, Progress& progress) {
+BooleanSurface boolean_of_operands(const Operands& operands, const Expression& expression, BooleanOptions options,
+                                   BooleanMethod method, Progress& progress) {
     constexpr double kMeshing = 0.4;  // fraction of the progress
     constexpr double kShare = 0.25;
     constexpr double kShareUniform = 1.0 / 16.0;
@@ -352,10 +352,10 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const Operands& ope
     meshing.share = is_uniform ? kShareUniform : kShare;
     meshing.volume_error = is_given ? 0.0 : kVolumeError;
     meshing.threads = options.threads;
-    MeshedOperands meshed = operands.meshed(engine, meshing, progress, 0.0, kMeshing);
+    MeshedOperands meshed = operands.meshed(meshing, progress, 0.0, kMeshing);
     meshed.work.error_bound = 0.0;  // notes tell it, as the bound is that of the Boolean of the meshes
     const ProgressShare rest(progress, operands.any_shapes() ? kMeshing : 0.0, 1.0);
-    return boolean_of_operands(engine, meshed.operands, expression, options, method, meshed.work, progress);
+    return boolean_of_operands(operands.engine(), meshed.operands, expression, options, method, meshed.work, progress);
 }
 
 void name_faces(BooleanSurface& result, const std::vector<const triangulate::Result*>& operands) {

@@ -59,9 +59,8 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
 /// given, the resolution divides Operands::divided_length (Uniform: the size), and meshes keep the volume of each shape
 /// to 0.2 %, too.
 /// @throws as Operands::meshed, too
-BooleanSurface boolean_of_operands(geometry::Engine& engine, const Operands& operands,
-                                   const boolean::Expression& expression, boolean::BooleanOptions options,
-                                   BooleanMethod method, Progress& progress);
+BooleanSurface boolean_of_operands(const Operands& operands, const boolean::Expression& expression,
+                                   boolean::BooleanOptions options, BooleanMethod method, Progress& progress);
 
 /// Gives a result's triangles the CAD faces of those triangles of its operands of which they are pieces, -1 where there
 /// is none; nothing where no operand knows faces.

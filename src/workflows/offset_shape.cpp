@@ -161,12 +161,21 @@ constexpr double kOffset = 0.9;
 /// more triangles (docs/measurements/offset.md).
 constexpr double kSmallestAngle = 1.0;
 
+/// @throws InvalidInput where there are several or none
+const GivenOperand& only_operand(const Operands& operands) {
+    if (operands.given().size() != 1) {
+        throw InvalidInput("an offset has one operand, and " + std::to_string(operands.given().size()) +
+                           " are given: unite them by boolean first");
+    }
+    return operands.given().front();
+}
+
 /// What the steps of an offset share.
 class OffsetWork {
   public:
-    OffsetWork(geometry::Engine& engine, const Operands& operands, const OffsetShapeOptions& options,
-               Progress& progress)
-        : engine_(engine), operands_(operands), options_(options), progress_(progress) {
+    OffsetWork(const Operands& operands, const OffsetShapeOptions& options, Progress& progress)
+        : operands_(operands), options_(options), progress_(progress) {
+        only_operand(operands);
         const double size = operands.size();
         const double distance = std::abs(options.distance);
         if (options_.tolerance <= 0.0) {
@@ -187,7 +196,7 @@ class OffsetWork {
         meshing.tolerance = 2.0 * kChord * options_.tolerance;
         meshing.min_angle = min_angle;
         meshing.threads = options_.threads;
-        const MeshedOperands meshed = operands_.meshed(engine_, meshing, progress_, 0.0, kMeshed);
+        const MeshedOperands meshed = operands_.meshed(meshing, progress_, 0.0, kMeshed);
         BooleanOperand operand = meshed.operands.front();
         operand.shape = nullptr;  // offsets follow the normals of faces, and triangles stay plane
         {
@@ -201,7 +210,8 @@ class OffsetWork {
         if (meshed.operands.front().shape != nullptr) {
             const ProgressShare part(progress_, kUnited, kUnited);
             const Stopwatch watch;
-            solid_.corner_normals = corner_normals(engine_, solid_.mesh, *meshed.operands.front().shape, progress_);
+            solid_.corner_normals =
+                corner_normals(operands_.engine(), solid_.mesh, *meshed.operands.front().shape, progress_);
             work_.seconds.emplace_back("reading the shape", watch.wall());
             work_.cpu_seconds += watch.cpu();
         }
@@ -249,8 +259,9 @@ class OffsetWork {
         boolean::BooleanOptions options;
         options.tolerance = std::max(share * options_.tolerance, finest_);
         options.threads = options_.threads;
-        return boolean_of_operands(engine_, operands, Expression::chain(operation, static_cast<int>(operands.size())),
-                                   options, BooleanMethod::Exact, before, progress_);
+        return boolean_of_operands(operands_.engine(), operands,
+                                   Expression::chain(operation, static_cast<int>(operands.size())), options,
+                                   BooleanMethod::Exact, before, progress_);
     }
 
     /// With the tolerance that meshing, union and cutting have left.
@@ -300,7 +311,6 @@ class OffsetWork {
         return before;
     }
 
-    geometry::Engine& engine_;
     const Operands& operands_;
     OffsetShapeOptions options_;
     Progress& progress_;
@@ -312,25 +322,23 @@ class OffsetWork {
 
 }  // namespace
 
-BooleanSurface offset_shape(geometry::Engine& engine, const Operands& solid, const OffsetShapeOptions& options,
-                            Progress& progress) {
-    OffsetWork work(engine, solid, options, progress);
+BooleanSurface offset_shape(const Operands& solid, const OffsetShapeOptions& options, Progress& progress) {
+    OffsetWork work(solid, options, progress);
     work.unite(kSmallestAngle);
     return work.offset(true, options.distance, 1.0);
 }
 
-BooleanSurface hollow_shape(geometry::Engine& engine, const Operands& solid,
-                            const std::optional<std::vector<std::int32_t>>& openings, OffsetShapeOptions options,
-                            Progress& progress) {
+BooleanSurface hollow_shape(const Operands& solid, const std::optional<std::vector<std::int32_t>>& openings,
+                            OffsetShapeOptions options, Progress& progress) {
     constexpr double kShareOfWall = 40.0;  // the thickness over the tolerance, where none is given
-    if (openings && !solid.given().front().is_shape()) {
+    if (!only_operand(solid).is_shape() && openings) {
         throw InvalidInput(
             "openings are faces of a shape, and a mesh is given: hollow it without openings, and cut them by boolean");
     }
     if (options.tolerance <= 0.0) {
         options.tolerance = options.distance / kShareOfWall;
     }
-    OffsetWork work(engine, solid, options, progress);
+    OffsetWork work(solid, options, progress);
     work.unite(OperandMeshing().min_angle);
     return work.hollowed(openings);
 }

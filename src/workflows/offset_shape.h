@@ -22,8 +22,7 @@ struct OffsetShapeOptions {
 /// @param solid  one operand: its bodies are united first, small faults repaired
 /// @return with the faces of a shape; the error bound is proven and includes that of the mesh of the shape
 /// @throws InvalidInput, TopologyError, Cancelled
-BooleanSurface offset_shape(geometry::Engine& engine, const Operands& solid, const OffsetShapeOptions& options,
-                            Progress& progress);
+BooleanSurface offset_shape(const Operands& solid, const OffsetShapeOptions& options, Progress& progress);
 
 /// A solid of which only a wall is left: all of its points that are at most a thickness away from its surface. Without
 /// a tolerance this is a fortieth of the thickness.
@@ -31,8 +30,7 @@ BooleanSurface offset_shape(geometry::Engine& engine, const Operands& solid, con
 /// @return triangle_source: (0, triangle of the united solid) of those on its outside that are whole, (1, ...) of those
 ///     of the hollow; the whole solid where it is nowhere thicker than twice the thickness
 /// @throws InvalidInput for openings of a mesh, or where all faces are open; TopologyError, Cancelled
-BooleanSurface hollow_shape(geometry::Engine& engine, const Operands& solid,
-                            const std::optional<std::vector<std::int32_t>>& openings, OffsetShapeOptions options,
-                            Progress& progress);
+BooleanSurface hollow_shape(const Operands& solid, const std::optional<std::vector<std::int32_t>>& openings,
+                            OffsetShapeOptions options, Progress& progress);
 
 }  // namespace mq::workflows

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "geometry/occt/shape_measures.h"
+#include "geometry/occt/sub_shapes.h"
 #include "mesh/intersection/self_intersection.h"
 #include "workflows/operands/operand_frame.h"
 
@@ -138,8 +138,7 @@ WrapSurface wrap_meshes(const std::vector<BooleanOperand>& objects, const wrap::
 
 }  // namespace
 
-WrapSurface wrap_objects(geometry::Engine& engine, const Operands& objects, wrap::WrapOptions options,
-                         Progress& progress) {
+WrapSurface wrap_objects(const Operands& objects, wrap::WrapOptions options, Progress& progress) {
     constexpr double kRelative = 2e-2;   // the tolerance as a fraction of the size, where none is given, ...
     constexpr double kOfGap = 0.25;      // ... and at most as one of the gap
     constexpr double kLargest = 0.5;     // fraction of the gap: the lattice must not pass openings
@@ -158,7 +157,7 @@ WrapSurface wrap_objects(geometry::Engine& engine, const Operands& objects, wrap
     meshing.share = kDeviation;
     meshing.any_faces = true;
     meshing.threads = options.threads;
-    MeshedOperands meshed = objects.meshed(engine, meshing, progress, 0.0, kMeshing);
+    MeshedOperands meshed = objects.meshed(meshing, progress, 0.0, kMeshing);
     meshed.work.tolerance = options.spacing;
     const ProgressShare rest(progress, objects.any_shapes() ? kMeshing : 0.0, 1.0);
     return wrap_meshes(meshed.operands, options, meshed.work, progress);

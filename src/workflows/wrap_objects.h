@@ -27,7 +27,6 @@ struct WrapSurface : BooleanSurface {
 /// @param options  its places to stay dry are in the frame of the document; spacing 0: a quarter of the gap, at most a
 ///     fiftieth of the size
 /// @throws InvalidInput where the spacing is more than half of the gap; as Operands::meshed and wrap::wrap
-WrapSurface wrap_objects(geometry::Engine& engine, const Operands& objects, wrap::WrapOptions options,
-                         Progress& progress);
+WrapSurface wrap_objects(const Operands& objects, wrap::WrapOptions options, Progress& progress);
 
 }  // namespace mq::workflows

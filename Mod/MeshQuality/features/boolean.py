@@ -11,7 +11,7 @@ from ..core.booleans import run, tolerance_for
 from ..core.certify import verdict
 from ..core.operands.operands import Operands
 from ..core.sources import frames
-from ..errors import InvalidInput
+from ..errors import Error, InvalidInput
 from . import mesh_object, properties, transactions
 from .recompute_work import Work
 
@@ -86,7 +86,7 @@ class MeshBoolean(mesh_object.MeshObject):
         """That of all sources together."""
         try:
             return Operands(sources).size()
-        except InvalidInput:
+        except Error:
             return 0.0
 
     @classmethod
@@ -94,7 +94,7 @@ class MeshBoolean(mesh_object.MeshObject):
         """The tolerance, or that of the resolution."""
         try:
             return tolerance_for(Operands(sources))
-        except InvalidInput:
+        except Error:
             return None
 
     @classmethod

@@ -9,7 +9,8 @@
 
 #include "base/error.h"
 #include "geometry/occt/distance/shape_distance.h"
-#include "geometry/occt/shape_measures.h"
+#include "geometry/occt/kernel_triangles.h"
+#include "geometry/occt/sub_shapes.h"
 #include "mesh/quality/deviation_samples.h"
 #include "mesh/quality/surface_distance.h"
 #include "workflows/operands/triangulate_shape.h"
@@ -133,7 +134,8 @@ DistanceMesh mesh_within(geometry::Engine& engine, const TopoDS_Shape& shape, do
     options.chord_height = distance;
     options.allow_missing_faces = true;
     options.threads = threads;
-    const std::size_t faces = geometry::face_count(shape);
+    std::size_t faces = 0;
+    engine.run([&] { faces = geometry::face_count(shape); }, &progress);
     DistanceMesh result;
     Missing missing;
     try {

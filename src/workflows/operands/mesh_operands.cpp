@@ -8,7 +8,8 @@
 
 #include "base/error.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "geometry/occt/shape_measures.h"
+#include "geometry/occt/mean_thickness.h"
+#include "geometry/occt/shape_model.h"
 #include "workflows/operands/distance_mesh.h"
 #include "workflows/operands/triangulate_shape.h"
 
@@ -98,8 +99,8 @@ class ShapeMesher {
     ShapeMesher(geometry::Engine& engine, const OperandMeshing& how, Progress& progress)
         : engine_(engine), how_(how), progress_(progress) {}
 
-    void mesh(const GivenOperand& given, MeshedOperands& result) {
-        const Box box = geometry::box_of(*given.shape);
+    /// @param box  of its shape
+    void mesh(const GivenOperand& given, const Box& box, MeshedOperands& result) {
         const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
         const double chord_height =
             std::max(how_.share * how_.tolerance, kFinestChord * std::min(largest, kFrame * box.largest_side()));
@@ -190,6 +191,7 @@ void require_possible(double tolerance, double size) {
 
 void Operands::add(GivenOperand operand) {
     given_.push_back(std::move(operand));
+    boxes_.emplace_back();
     read_wall_ = watch_.wall();
     read_cpu_ = watch_.cpu();
 }
@@ -198,11 +200,24 @@ bool Operands::any_shapes() const {
     return std::any_of(given_.begin(), given_.end(), [](const GivenOperand& o) { return o.shape != nullptr; });
 }
 
+const Box& Operands::box_of_shape(std::size_t operand) const {
+    std::optional<Box>& box = boxes_[operand];
+    if (!box) {
+        try {
+            engine_.run([&] { box = geometry::make_shape_model(*given_[operand].shape)->topology().box; });
+        } catch (const InvalidInput& error) {
+            throw named(given_[operand].name, error);
+        }
+    }
+    return *box;
+}
+
 double Operands::size() const {
     Box box;
-    for (const GivenOperand& operand : given_) {
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+        const GivenOperand& operand = given_[i];
         if (operand.shape) {
-            box.add(geometry::box_of(*operand.shape));
+            box.add(box_of_shape(i));
         }
         if (operand.surface) {
             for (const Vec3& p : operand.surface->mesh.vertices) {
@@ -224,7 +239,7 @@ double Operands::divided_length() const {
     for (const GivenOperand& operand : given_) {
         std::vector<double> found;
         if (operand.shape) {
-            found = geometry::mean_thicknesses(*operand.shape);
+            engine_.run([&] { found = geometry::mean_thicknesses(*operand.shape); });
         }
         if (operand.surface) {
             found.push_back(mesh::mean_thickness(operand.surface->mesh));
@@ -236,8 +251,7 @@ double Operands::divided_length() const {
     return std::min(whole, std::max(kThicknesses * thin, kShortest * whole));
 }
 
-MeshedOperands Operands::meshed(geometry::Engine& engine, const OperandMeshing& meshing, Progress& progress,
-                                double from, double to) const {
+MeshedOperands Operands::meshed(const OperandMeshing& meshing, Progress& progress, double from, double to) const {
     const ProgressShare all(progress, from, to);
     MeshedOperands result;
     result.work.seconds.emplace_back("reading the operands", read_wall_);
@@ -245,14 +259,15 @@ MeshedOperands Operands::meshed(geometry::Engine& engine, const OperandMeshing& 
     if (any_shapes()) {
         require_possible(meshing.tolerance, size());
     }
-    ShapeMesher mesher(engine, meshing, progress);
+    ShapeMesher mesher(engine_, meshing, progress);
     const auto shapes = static_cast<double>(
         std::count_if(given_.begin(), given_.end(), [](const GivenOperand& o) { return o.shape != nullptr; }));
     double done = 0.0;
-    for (const GivenOperand& operand : given_) {
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+        const GivenOperand& operand = given_[i];
         if (operand.shape) {
             const ProgressShare part(progress, done / shapes, (done + 1.0) / shapes);
-            mesher.mesh(operand, result);
+            mesher.mesh(operand, box_of_shape(i), result);
             done += 1.0;
         } else {
             result.surfaces.push_back(operand.surface);

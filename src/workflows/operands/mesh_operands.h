@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/stopwatch.h"
+#include "base/vec.h"
 #include "geometry/engine.h"
 #include "triangulate/work_mesh/result.h"
 
@@ -65,11 +67,15 @@ struct MeshedOperands {
 /// time of which is reported.
 class Operands {
   public:
+    explicit Operands(geometry::Engine& engine) : engine_(engine) {}
+    geometry::Engine& engine() const { return engine_; }
+
     void add(GivenOperand operand);
 
     const std::vector<GivenOperand>& given() const { return given_; }
     bool any_shapes() const;
-    /// Longest side of the box of all operands, mm.
+    /// Longest side of the box of all operands, mm; shapes are read for it, once.
+    /// @throws GeometryError
     double size() const;
     /// mm; the length that a resolution divides, where the method is exact: the size, or 8 times the mean thickness of
     /// the thinnest operand, where that is less, and not below a sixteenth of the size. What is thinner than the
@@ -78,11 +84,14 @@ class Operands {
 
     /// Meshes those that are shapes, in the progress from one fraction to another.
     /// @throws InvalidInput, TopologyError naming the operand; Cancelled
-    MeshedOperands meshed(geometry::Engine& engine, const OperandMeshing& meshing, Progress& progress, double from,
-                          double to) const;
+    MeshedOperands meshed(const OperandMeshing& meshing, Progress& progress, double from, double to) const;
 
   private:
+    const Box& box_of_shape(std::size_t operand) const;
+
+    geometry::Engine& engine_;
     std::vector<GivenOperand> given_;
+    mutable std::vector<std::optional<Box>> boxes_;  ///< of the shapes of those that were asked for
     Stopwatch watch_;
     double read_wall_ = 0.0;
     double read_cpu_ = 0.0;

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <cmath>
@@ -15,7 +19,7 @@
 #include "base/error.h"
 #include "boolean/closed_solids.h"
 #include "geometry/occt/distance/shape_distance.h"
-#include "geometry/occt/shape_measures.h"
+#include "geometry/occt/sub_shapes.h"
 #include "workflows/offset_shape.h"
 #include "workflows/operands/distance_mesh.h"
 #include "workflows/operands/triangulate_shape.h"
@@ -26,15 +30,15 @@ namespace {
 
 class FromShapes : public testing::Test {
   protected:
-    static Operands of(const std::vector<TopoDS_Shape>& shapes) {
-        Operands operands;
+    Operands of(const std::vector<TopoDS_Shape>& shapes) {
+        Operands operands(engine);
         for (const TopoDS_Shape& shape : shapes) {
             operands.add({"operand " + std::string(1, static_cast<char>('A' + operands.given().size())), nullptr, false,
                           geometry::kept(shape)});
         }
         return operands;
     }
-    static Operands box() { return of({BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape()}); }
+    Operands box() { return of({BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape()}); }
 
     geometry::Engine engine{geometry::Engine::Mode::Direct};
     Progress progress;
@@ -52,12 +56,26 @@ TEST_F(FromShapes, SizeAndThicknessAreThoseOfAllOperands) {
     EXPECT_NEAR(operands.size(), 60.5, 1e-6);
 }
 
+TEST_F(FromShapes, SizeIsThatOfTheShapeAndNotOfItsPoles) {
+    TColgp_Array1OfPnt poles(1, 3);
+    poles.SetValue(1, gp_Pnt(0.0, 0.0, 0.0));
+    poles.SetValue(2, gp_Pnt(10.0, 100.0, 0.0));
+    poles.SetValue(3, gp_Pnt(20.0, 0.0, 0.0));
+    const TopoDS_Shape arch =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles)).Shape(), gp_Vec(0.0, 0.0, 5.0));
+    EXPECT_NEAR(of({arch}).size(), 50.0, 0.01);
+}
+
+TEST_F(FromShapes, OffsetHasOneOperand) {
+    EXPECT_THROW(offset_shape(Operands(engine), {1.0, 0.05, 0}, progress), InvalidInput);
+    EXPECT_THROW(hollow_shape(Operands(engine), std::vector<std::int32_t>{5}, {1.0, 0.0, 0}, progress), InvalidInput);
+}
+
 TEST_F(FromShapes, BooleanOfShapesTellsHowFarTheirMeshesDeviate) {
     const Operands operands =
         of({BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape(), BRepPrimAPI_MakeCylinder(2.0, 20.0).Shape()});
-    const BooleanSurface result =
-        boolean_of_operands(engine, operands, boolean::Expression::chain(boolean::Operation::Difference, 2), {},
-                            BooleanMethod::Exact, progress);
+    const BooleanSurface result = boolean_of_operands(
+        operands, boolean::Expression::chain(boolean::Operation::Difference, 2), {}, BooleanMethod::Exact, progress);
     EXPECT_TRUE(met(result.figures));
     EXPECT_NEAR(result.figures.volume, 1000.0 - 10.0 * M_PI, 0.3);
     ASSERT_EQ(result.figures.notes.size(), 2u);
@@ -67,7 +85,7 @@ TEST_F(FromShapes, BooleanOfShapesTellsHowFarTheirMeshesDeviate) {
 }
 
 TEST_F(FromShapes, OffsetHasTheAskedTolerance) {
-    const BooleanSurface result = offset_shape(engine, box(), {1.0, 0.05, 0}, progress);
+    const BooleanSurface result = offset_shape(box(), {1.0, 0.05, 0}, progress);
     const double edges = 4.0 * (10.0 + 20.0 + 30.0);
     EXPECT_NEAR(result.figures.volume, 6000.0 + 2200.0 + 0.25 * M_PI * edges + 4.0 / 3.0 * M_PI, 5.0);
     EXPECT_TRUE(met(result.figures));
@@ -77,18 +95,18 @@ TEST_F(FromShapes, OffsetHasTheAskedTolerance) {
 
 TEST_F(FromShapes, HollowIsClosedOrReachesItsOpening) {
     const double inside = 8.0 * 18.0 * 28.0;
-    const BooleanSurface closed = hollow_shape(engine, box(), std::nullopt, {1.0, 0.0, 0}, progress);
+    const BooleanSurface closed = hollow_shape(box(), std::nullopt, {1.0, 0.0, 0}, progress);
     EXPECT_NEAR(closed.figures.volume, 6000.0 - inside, 1.0);
     EXPECT_EQ(closed.figures.tolerance_asked, 1.0 / 40.0);
     EXPECT_EQ(closed.figures.components, 2u);
     ASSERT_EQ(closed.figures.notes.size(), 1u);
     EXPECT_EQ(closed.figures.notes[0].rfind("the hollow is closed", 0), 0u);
-    const BooleanSurface open = hollow_shape(engine, box(), std::vector<std::int32_t>{5}, {1.0, 0.0, 0}, progress);
+    const BooleanSurface open = hollow_shape(box(), std::vector<std::int32_t>{5}, {1.0, 0.0, 0}, progress);
     EXPECT_NEAR(open.figures.volume, 6000.0 - inside * 29.0 / 28.0, 1.0);
     EXPECT_EQ(open.figures.components, 1u);
-    EXPECT_THROW(hollow_shape(engine, box(), std::vector<std::int32_t>{0, 1, 2, 3, 4, 5}, {1.0, 0.0, 0}, progress),
+    EXPECT_THROW(hollow_shape(box(), std::vector<std::int32_t>{0, 1, 2, 3, 4, 5}, {1.0, 0.0, 0}, progress),
                  InvalidInput);
-    EXPECT_THROW(hollow_shape(engine, box(), std::nullopt, {1.0, 2.0, 0}, progress), InvalidInput);
+    EXPECT_THROW(hollow_shape(box(), std::nullopt, {1.0, 2.0, 0}, progress), InvalidInput);
 }
 
 TEST_F(FromShapes, WrapNumbersTheFacesOfAllObjects) {
@@ -96,18 +114,18 @@ TEST_F(FromShapes, WrapNumbersTheFacesOfAllObjects) {
         of({BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape(), BRepPrimAPI_MakeCylinder(2.0, 20.0).Shape()});
     wrap::WrapOptions options;
     options.gap = 2.0;
-    const WrapSurface result = wrap_objects(engine, objects, options, progress);
+    const WrapSurface result = wrap_objects(objects, options, progress);
     EXPECT_TRUE(met(result.figures));
     EXPECT_EQ(result.faces, (std::vector<std::int32_t>{6, 3}));
     EXPECT_EQ(*std::max_element(result.mesh.triangle_face.begin(), result.mesh.triangle_face.end()), 8);
     options.spacing = 1.5;
-    EXPECT_THROW(wrap_objects(engine, objects, options, progress), InvalidInput);
+    EXPECT_THROW(wrap_objects(objects, options, progress), InvalidInput);
 }
 
 TEST_F(FromShapes, ToleranceBelowSinglePrecisionIsRefusedBeforeMeshing) {
     OperandMeshing meshing;
     meshing.tolerance = 1e-7;
-    EXPECT_THROW(box().meshed(engine, meshing, progress, 0.0, 1.0), InvalidInput);
+    EXPECT_THROW(box().meshed(meshing, progress, 0.0, 1.0), InvalidInput);
     EXPECT_EQ(std::string(progress.name()), "start");
 }
 
@@ -116,11 +134,11 @@ TEST_F(FromShapes, VolumeIsKeptUnlessThatTakesTooManyTriangles) {
     OperandMeshing meshing;
     meshing.tolerance = 0.68;
     meshing.volume_error = 0.002;
-    const MeshedOperands fine = rod.meshed(engine, meshing, progress, 0.0, 1.0);
+    const MeshedOperands fine = rod.meshed(meshing, progress, 0.0, 1.0);
     EXPECT_NEAR(fine.surfaces.front()->report.volume / (M_PI * 5000.0), 1.0, 0.002);
     EXPECT_EQ(fine.work.notes.front().find("volume"), std::string::npos);
     meshing.most_triangles = 1000.0;
-    const MeshedOperands coarse = rod.meshed(engine, meshing, progress, 0.0, 1.0);
+    const MeshedOperands coarse = rod.meshed(meshing, progress, 0.0, 1.0);
     EXPECT_NE(coarse.work.notes.front().find(", and its volume by about "), std::string::npos);
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+class TopoDS_Shape;
+
+namespace mq::geometry {
+
+/// The mean thickness, 2 V / A, mm, of each solid, or of the shape where it has none; none of what has no volume.
+/// @throws GeometryError when the kernel fails
+std::vector<double> mean_thicknesses(const TopoDS_Shape& shape);
+
+}  // namespace mq::geometry
