@@ -69,7 +69,7 @@ class VertexRelocation {
     bool rounded() const { return rounded_; }
 
     EmbeddingFaults run() {
-        if (!embedded() && !is_tangle(draft_, pairs_ + flat_.size())) {
+        if (!embedded() && !is_tangle_) {
             frame_.emplace(draft_.vertices, draft_.triangles);
             tree_.emplace(frame_->vertices(), draft_.triangles, frame_->slack() + options_.reach);
             stars_.emplace(draft_.triangles, draft_.vertices.size());
@@ -77,7 +77,7 @@ class VertexRelocation {
             }
             record_moves();
         }
-        EmbeddingFaults result{contacts(), {flat_.begin(), flat_.end()}, false};
+        EmbeddingFaults result{contacts(), {flat_.begin(), flat_.end()}, false, is_tangle_};
         result.may_have_turned = moves_ > 0 && has_thin_piece();
         return result;
     }
@@ -112,12 +112,16 @@ class VertexRelocation {
                 }
             }
         }
-        for (const mesh::ContactPair& pair :
-             mesh::self_intersections_with(draft_.vertices, draft_.triangles, changed, mesh::kAllPairs, &progress_)) {
+        // Thousands of sheets through each other have millions of pairs, which take minutes to find.
+        const std::size_t most = std::max(RoundingTuning::kTangle, draft_.triangles.size());
+        const std::vector<mesh::ContactPair> pairs =
+            mesh::self_intersections_with(draft_.vertices, draft_.triangles, changed, most + 1, &progress_);
+        for (const mesh::ContactPair& pair : pairs) {
             if (!same_corners(triangle(pair.a), triangle(pair.b))) {
                 connect(pair.a, pair.b);
             }
         }
+        is_tangle_ = std::max(pairs.size(), pairs_ + flat_.size()) > most;
     }
 
     void connect(std::int32_t a, std::int32_t b) {
@@ -409,7 +413,8 @@ class VertexRelocation {
     std::map<std::int32_t, std::set<std::int32_t>> partners_;  ///< by triangle: the triangles in contact with it
     std::size_t pairs_ = 0;
     std::set<std::int32_t> flat_;  ///< triangles without area
-    bool rounded_ = false;         ///< whether a vertex at a fault was rounded
+    bool rounded_ = false;
+    bool is_tangle_ = false;  ///< whether a vertex at a fault was rounded
     std::size_t moves_ = 0;
     std::map<Group, std::size_t> stuck_;                     ///< groups tried in vain, and the moves made before
     std::unordered_map<std::int32_t, std::size_t> changed_;  ///< by vertex, the last move at which it was marked
@@ -420,10 +425,6 @@ class VertexRelocation {
 };
 
 }  // namespace
-
-bool is_tangle(const ResultMesh& draft, std::size_t faults) {
-    return faults > draft.triangles.size() && faults > RoundingTuning::kTangle;
-}
 
 EmbeddingFaults relocate_vertices(ResultMesh& draft, const RelocationOptions& options, const Progress& progress) {
     VertexRelocation relocation(draft, options, progress);

@@ -24,11 +24,11 @@ struct EmbeddingFaults {
     std::vector<std::int32_t> flat;                     ///< triangles without area, ascending
     /// Whether a piece of the surface may have turned inside out, or come into or out of another one.
     bool may_have_turned = false;
+    /// Whether there are more faults than triangles, and than RoundingTuning::kTangle: no work on them is known to help,
+    /// and not all of them were looked for.
+    bool is_tangle = false;
     std::size_t size() const { return contacts.size() + flat.size(); }
 };
-
-/// Whether a surface has more faults than triangles, and than RoundingTuning::kTangle: no work on it is known to help.
-bool is_tangle(const ResultMesh& draft, std::size_t faults);
 
 /// Rounds constructed vertices at faults, merges those in one place (merge_coincident_vertices), and moves others until
 /// triangles no longer touch or cross where rounding has laid them on or into each other. Every move leaves fewer

@@ -286,7 +286,7 @@ class OffsetPipeline {
             throw TopologyError(
                 "the offset cannot be held in single precision without triangles that touch or cross: " +
                 std::to_string(rounded.faulty.size()) +
-                " triangles meet there; choose a larger tolerance, or another distance");
+                " triangles or more meet there; choose a larger tolerance, or another distance");
         }
         for (const std::int32_t from : draft.from) {
             result_.triangle_source.push_back(soup_.source[static_cast<std::size_t>(from)].triangle);
