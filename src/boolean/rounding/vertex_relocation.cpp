@@ -413,8 +413,8 @@ class VertexRelocation {
     std::map<std::int32_t, std::set<std::int32_t>> partners_;  ///< by triangle: the triangles in contact with it
     std::size_t pairs_ = 0;
     std::set<std::int32_t> flat_;  ///< triangles without area
-    bool rounded_ = false;
-    bool is_tangle_ = false;  ///< whether a vertex at a fault was rounded
+    bool rounded_ = false;         ///< whether a vertex at a fault was rounded
+    bool is_tangle_ = false;       ///< not all pairs are known
     std::size_t moves_ = 0;
     std::map<Group, std::size_t> stuck_;                     ///< groups tried in vain, and the moves made before
     std::unordered_map<std::int32_t, std::size_t> changed_;  ///< by vertex, the last move at which it was marked
