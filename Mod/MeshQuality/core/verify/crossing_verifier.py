@@ -25,6 +25,7 @@ _ROUNDS = 60  # of the search for a plane
 _ROUNDING = 1e-12  # of the largest coordinate
 _AT_A_TIME = 40_000  # pairs
 _BOXES_AT_A_TIME = 8_000_000
+_NUMBERS_AT_A_TIME = 1_000_000
 _NEWTON = 14
 _TOUCHING, _TOUCHING_LEVELS = 2e-9, 5
 _AWAY = 1e-4  # barycentric coordinate by which a common point is off what is shared
@@ -177,25 +178,29 @@ def _in_half_space(vectors, margin):
             break
         lowest = np.einsum("pnx,px->pn", round_, direction).argmin(axis=1)
         direction = _nearer(direction, round_[np.arange(len(active)), lowest])
-    for i, vectors_, least_ in zip(active, units, least):
-        found[i] = _among_extreme(vectors_, least_)
+    at_a_time = max(1, _NUMBERS_AT_A_TIME // units.shape[1] ** 3)
+    for start in range(0, len(active), at_a_time):
+        some = slice(start, start + at_a_time)
+        found[active[some]] = _among_extreme(units[some], least[some])
     return found
 
 
 def _among_extreme(units, least):
-    """Whether the sum of the extreme directions of the cone that is looked for is in it: these are at right angles to two of
-    the vectors, or, where these are in a plane, in that plane to one of them.
+    """bool (P,): whether the sum of the extreme directions of the cone that is looked for is in it: these are at right angles to
+    two of the vectors, or, where these are in a plane, in that plane to one of them.
     """
-    first, second = np.triu_indices(len(units), 1)
-    normals = np.cross(units[first], units[second])
-    longest = normals[np.einsum("nx,nx->n", normals, normals).argmax()]
-    directions = np.concatenate([normals, np.cross(longest, units)])
-    length = np.linalg.norm(directions, axis=1)
-    directions = directions[length > 1e-9] / length[length > 1e-9][:, None]
-    directions = np.concatenate([directions, -directions])
-    along = directions @ units.T
-    total = directions[(along >= -1e-12).all(axis=1)].sum(axis=0)
-    return bool((units @ total > least * np.linalg.norm(total)).all()) and bool(np.any(total))
+    first, second = np.triu_indices(units.shape[1], 1)
+    normals = np.cross(units[:, first], units[:, second])
+    longest = normals[np.arange(len(units)), np.einsum("pnx,pnx->pn", normals, normals).argmax(axis=1)]
+    directions = np.concatenate([normals, np.cross(longest[:, None], units)], axis=1)
+    length = np.linalg.norm(directions, axis=2)
+    some = length > 1e-9
+    directions /= np.where(some, length, 1.0)[:, :, None]
+    along = directions @ units.transpose(0, 2, 1)
+    sign = (some & (along >= -1e-12).all(axis=2)).astype(float) - (some & (along <= 1e-12).all(axis=2))
+    total = np.einsum("pd,pdx->px", sign, directions)
+    inside = np.einsum("pnx,px->pn", units, total) > least * np.linalg.norm(total, axis=1)[:, None]
+    return inside.all(axis=1) & total.any(axis=1)
 
 
 def _hulls_apart(a, b, margin):
