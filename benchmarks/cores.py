@@ -20,9 +20,12 @@ Not simulated: caches and memory that cores share, and waiting for a turn of the
 import fnmatch
 import hashlib
 import statistics
+import sys
 import time
 from collections import Counter
+from pathlib import Path
 
+sys.path += map(str, Path(__file__).resolve().parent.iterdir())
 import inside_freecad
 import schedule
 

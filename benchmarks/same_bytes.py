@@ -22,6 +22,7 @@ import select
 import sys
 from pathlib import Path
 
+sys.path += map(str, Path(__file__).resolve().parent.iterdir())
 import inside_freecad
 import mesh_files
 

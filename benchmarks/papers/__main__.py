@@ -36,7 +36,7 @@ def main():
         return 2
     script = HERE / f"{name.replace('-', '_')}.py"
     sys.argv = [str(script), *sys.argv[2:]]
-    sys.path[:0] = [str(HERE.parent)]
+    sys.path += map(str, [HERE.parent, *HERE.parent.iterdir()])
     runpy.run_path(str(script), run_name="__main__")
     return 0
 

@@ -92,7 +92,7 @@ def ours(shape, order, folder):
 
 def gmsh(shape, arguments, folder, count):
     shape.exportBrep(str(folder / "model.brep"))
-    done = subprocess.run([arguments.python, str(inside_freecad.ROOT / "benchmarks" / "curve_gmsh.py"), str(folder / "model.brep"),
+    done = subprocess.run([arguments.python, str(inside_freecad.ROOT / "benchmarks" / "curve" / "curve_gmsh.py"), str(folder / "model.brep"),
                            str(folder), str(arguments.order), str(SECONDS), str(count)],
                           capture_output=True, text=True, env=inside_freecad.system_environment())
     if done.returncode != 0 or not done.stdout.strip():

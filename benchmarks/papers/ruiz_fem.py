@@ -74,7 +74,7 @@ def by_gmsh(shape, python, folder):
     shape.exportBrep(str(model))
 
     def make(elements):
-        done = subprocess.run([python, str(inside_freecad.ROOT / "benchmarks" / "quality_gmsh.py"), str(model), str(off), str(FRONTAL),
+        done = subprocess.run([python, str(inside_freecad.ROOT / "benchmarks" / "triangulate" / "quality_gmsh.py"), str(model), str(off), str(FRONTAL),
                                str(elements)],
                               capture_output=True, text=True, env=inside_freecad.system_environment(), check=True)
         said = json.loads(done.stdout.strip().splitlines()[-1])

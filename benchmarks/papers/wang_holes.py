@@ -8,7 +8,7 @@
 Holes are those that were filled; beside them how many there are for 1,000 triangles that were made. Seconds are those of the run
 that is the quickest on the clock: of the processor and on the clock for the whole Boolean with its check, on the clock for the
 stages. Sampling runs on all cores. The rest is what no stage has: inspecting the operands and checking the result. Models stand
-for the paper's (benchmarks/wang_models.py), in $MESHQUALITY_DATA.
+for the paper's (benchmarks/boolean/wang_models.py), in $MESHQUALITY_DATA.
 """
 
 import argparse

@@ -4,7 +4,7 @@
 
     /usr/bin/python3 benchmarks/papers wang-pictures [--rays 257] [--picture docs/pictures/wang_results.png]
 
-Drawn by VTK, on xvfb where there is no display. Models stand for the paper's (benchmarks/wang_models.py), in $MESHQUALITY_DATA.
+Drawn by VTK, on xvfb where there is no display. Models stand for the paper's (benchmarks/boolean/wang_models.py), in $MESHQUALITY_DATA.
 """
 
 import argparse

@@ -5,9 +5,9 @@
     /usr/bin/python3 benchmarks/papers wang-table1 [--rows dragon ring] [--rays 257 513] [--peer PROGRAM]
 
 The paper's models are not public: scans of $MESHQUALITY_DATA with the same numbers of triangles stand for them
-(benchmarks/wang_models.py). Each Boolean has a FreeCAD of its own. Seconds are of the processor, from arrays to the measured and
+(benchmarks/boolean/wang_models.py). Each Boolean has a FreeCAD of its own. Seconds are of the processor, from arrays to the measured and
 checked result; MB are the most that were resident, in brackets those before the Boolean. A peer is a program that reads and
-writes files, as benchmarks/boolean_peers.py asks for: it is not in the repository.
+writes files, as benchmarks/boolean/boolean_peers.py asks for: it is not in the repository.
 """
 
 import argparse

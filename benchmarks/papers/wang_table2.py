@@ -6,7 +6,7 @@
 
 As Metro measures: from points that lie evenly on one surface, and its vertices, to triangles of the other, by VTK. The paper's
 figures are from its result to CGAL's. `back` is the other way, which the paper does not give. Models stand for the paper's
-(benchmarks/wang_models.py), in $MESHQUALITY_DATA. --rows "" has all the examples of table I.
+(benchmarks/boolean/wang_models.py), in $MESHQUALITY_DATA. --rows "" has all the examples of table I.
 """
 
 import argparse

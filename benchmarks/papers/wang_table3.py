@@ -5,7 +5,7 @@
     /usr/bin/python3 benchmarks/papers wang-table3 [--rows chair] [--rays 257 513] [--points 200000]
 
 Mean and largest distance from the exact result as in wang-table2; ours are seconds of the processor, the paper's are on the clock.
-Models stand for the paper's (benchmarks/wang_models.py), in $MESHQUALITY_DATA.
+Models stand for the paper's (benchmarks/boolean/wang_models.py), in $MESHQUALITY_DATA.
 """
 
 import argparse

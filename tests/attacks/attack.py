@@ -14,7 +14,7 @@ import MeshQuality as mq
 
 ANGLE_SLACK = 1e-3  # degrees: what rounding does to the angle of a needle, computed here in another way
 PATIENCE = 0.6  # seconds, after which an attack cancels the work
-LATENCY = 1.0  # seconds of the processor from then on; benchmarks/cancel_latency.py measures it in detail
+LATENCY = 1.0  # seconds of the processor from then on; benchmarks/window/cancel_latency.py measures it in detail
 STUCK = 15.0  # seconds from then on, on a machine that others use, too
 _SHORTEST_SENTENCE = 12
 

@@ -19,7 +19,7 @@ def shortest_edge(mesh):
 
 
 class RandomContacts(unittest.TestCase):
-    """The first pairs of each kind; benchmarks/boolean_contacts.py runs thousands."""
+    """The first pairs of each kind; benchmarks/boolean/boolean_contacts.py runs thousands."""
 
     def check(self, kind):
         for seed in range(2):

@@ -16,7 +16,7 @@ import Part
 import MeshQuality as mq
 from MeshQuality.core.meshes.element_mesh import ElementMesh
 
-sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
+sys.path.append(os.path.join(helpers.ROOT, "benchmarks", "solvers"))
 import cantilever  # noqa: E402
 import fem_meshers  # noqa: E402
 

@@ -19,7 +19,7 @@ from MeshQuality.core.fem import fem, fem_size
 from MeshQuality.core.sources import frames
 from MeshQuality.features import fem_mesh
 
-sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
+sys.path.append(os.path.join(helpers.ROOT, "benchmarks", "solvers"))
 import cantilever  # noqa: E402
 
 HAS_FEM = importlib.util.find_spec("Fem") is not None

@@ -9,7 +9,7 @@ import unittest
 import helpers
 import numpy as np
 
-sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
+sys.path.append(os.path.join(helpers.ROOT, "benchmarks", "curve"))
 
 
 @unittest.skipUnless(importlib.util.find_spec("scipy"), "SciPy is not installed")

@@ -20,7 +20,7 @@ from MeshQuality.gui import commands, curved_view, quality_data
 from MeshQuality.gui.panels import quality_panel
 from MeshQuality.gui.panels.mesh_panel import MeshPanel
 
-sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
+sys.path.append(os.path.join(helpers.ROOT, "benchmarks", "solvers"))
 import cantilever  # noqa: E402
 
 DOCS = os.path.join(helpers.ROOT, "docs", "pictures")

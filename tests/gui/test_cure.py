@@ -20,7 +20,7 @@ import MeshQuality as mq
 from MeshQuality.gui import commands, fem_quality_data, quality_data
 from MeshQuality.gui.panels import quality_panel
 
-sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
+sys.path.append(os.path.join(helpers.ROOT, "benchmarks", "solvers"))
 import cantilever  # noqa: E402
 
 HAS_FEM = importlib.util.find_spec("Fem") is not None

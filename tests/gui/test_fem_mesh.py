@@ -18,7 +18,7 @@ from MeshQuality.core.fem import fem
 from MeshQuality.features import mesh_object
 from MeshQuality.gui import background_recompute, commands, jobs, triangle_estimate
 
-sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
+sys.path.append(os.path.join(helpers.ROOT, "benchmarks", "solvers"))
 import cantilever  # noqa: E402
 
 HAS_FEM = importlib.util.find_spec("Fem") is not None

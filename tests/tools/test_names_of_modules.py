@@ -23,8 +23,8 @@ def top_names(tree):
 
 
 def missing_names(folder):
-    """['file:line: module.name', ...] of names that the modules of a folder take from each other and that are not there."""
-    trees = {path.stem: ast.parse(path.read_text(encoding="utf-8")) for path in sorted(folder.glob("*.py"))}
+    """['file:line: module.name', ...] of names that the modules of a folder and those in it take from each other and that are not there."""
+    trees = {path.stem: ast.parse(path.read_text(encoding="utf-8")) for path in sorted(folder.rglob("*.py"))}
     names = {stem: top_names(tree) | {"__file__", "__name__", "__doc__"} for stem, tree in trees.items()}
     faults = []
     for stem, tree in trees.items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""benchmarks/wang_models.py: meshes have the numbers of triangles that are asked for, and stay what they are."""
+"""benchmarks/boolean/wang_models.py: meshes have the numbers of triangles that are asked for, and stay what they are."""
 
 import sys
 import unittest
@@ -8,7 +8,7 @@ from unittest import mock
 import documents
 import numpy as np
 
-sys.path.insert(0, str(documents.ROOT / "benchmarks"))
+sys.path.insert(0, str(documents.ROOT / "benchmarks" / "boolean"))
 
 import wang_models  # noqa: E402
 

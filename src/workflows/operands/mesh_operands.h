@@ -91,7 +91,7 @@ class Operands {
 
     geometry::Engine& engine_;
     std::vector<GivenOperand> given_;
-    mutable std::vector<std::optional<Box>> boxes_;  ///< of the shapes of those that were asked for
+    mutable std::vector<std::optional<Box>> boxes_;  ///< by operand: the box of its shape, once it was asked for
     Stopwatch watch_;
     double read_wall_ = 0.0;
     double read_cpu_ = 0.0;
