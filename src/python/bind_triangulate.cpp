@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "geometry/occt/brep_text.h"
-#include "geometry/occt/undoable_faces.h"
+#include "geometry/occt/placeholder_surfaces.h"
 #include "python/bindings.h"
 #include "python/freecad/freecad_shape.h"
 #include "python/progress_watch.h"
@@ -173,7 +173,8 @@ void bind_triangulate(py::module_& m) {
           "float64 (T,): the largest distance of each triangle's corners, edge middles and centroid from the faces of "
           "a Part.Shape, mm.");
     m.def(
-        "add_surfaces", [](const FreecadShape& part) { geometry::add_surfaces(*part.shape); }, py::arg("shape"),
+        "add_placeholder_surfaces", [](const FreecadShape& part) { geometry::add_placeholder_surfaces(*part.shape); },
+        py::arg("shape"),
         "Gives the faces of a Part.Shape that have triangles alone a surface, in place, so that FreeCAD can copy it.");
     m.def("brep_text", &brep_text, py::arg("shape"),
           "A Part.Shape as BREP text without triangulations: the same before and after it was shown.");

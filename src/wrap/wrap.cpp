@@ -69,7 +69,7 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     NodeStates states(lattice, surface, radius, progress);
 
     watch.start("rolling the ball", 0.25, 0.37);
-    mark_outside(states, 0.5 * options.gap, progress);
+    roll_ball(states, 0.5 * options.gap, progress);
     for (const Vec3& dry : options.dry) {
         if (std::optional<Leak> leak = find_leak(states, dry, progress)) {
             result.leaks.push_back(std::move(*leak));

@@ -37,7 +37,7 @@ struct WrapResult {
 
 /// The outer surface of any triangles, also if they cross, leave openings or are oriented differently.
 ///
-/// A ball as wide as the gap rolls over the input from outside (mark_outside). The surface between the region that it
+/// A ball as wide as the gap rolls over the input from outside (roll_ball). The surface between the region that it
 /// covers and the rest lies on the input, with its edges, where the ball touches the input (contour), and closes the
 /// openings that the ball cannot enter. It is closed, 2-manifold and free of self-intersections by construction.
 ///

@@ -5,6 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import header_names
 import stages
 import structure
 
@@ -55,6 +56,9 @@ class HouseRules(unittest.TestCase):
     def test_includes_go_to_lower_stages(self):
         self.assert_kept(stages.check_stage_includes)
 
+    def test_headers_declare_what_their_names_say(self):
+        self.assert_kept(header_names.check)
+
     def test_tests_mirror_the_folders(self):
         self.assert_kept(stages.check_tests_mirror)
 
@@ -76,6 +80,12 @@ class Checker(unittest.TestCase):
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text, encoding="utf-8")
             return check(Path(folder))
+
+    def test_header_without_its_name(self):
+        text = LICENCE + "void grow(double length);\n"
+        self.assertEqual(self.faults(header_names.check, src__mesh__edge_collapse_dot_h=text, src__base__error_dot_h="class Error;",
+                                     src__geometry__model_dot_h="class Model;", src__mesh__mesh_dot_h="struct TriangleMesh {};"),
+                         ["src/mesh/edge_collapse.h: declares no name like its own"])
 
     def test_good_tree_passes(self):
         for check in structure.CHECKS:

@@ -8,7 +8,7 @@
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "boolean/arrangement/triangle_pair.h"
+#include "boolean/arrangement/triangle_intersection.h"
 #include "boolean/arrangement/triangle_subdivision.h"
 
 namespace mq::boolean {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/predicates.h"
-#include "boolean/arrangement/triangle_pair.h"
+#include "boolean/arrangement/triangle_intersection.h"
 
 namespace mq::boolean {
 

@@ -9,7 +9,7 @@
 #include "boolean/arrangement/arrangement.h"
 #include "boolean/arrangement/point_table.h"
 #include "boolean/arrangement/soup.h"
-#include "boolean/arrangement/triangle_pair.h"
+#include "boolean/arrangement/triangle_intersection.h"
 
 namespace mq::boolean {
 

@@ -10,7 +10,7 @@
 
 #include "base/progress.h"
 #include "boolean/arrangement/soup.h"
-#include "boolean/near_coincidence/facing_triangles.h"
+#include "boolean/near_coincidence/triangle_overlap.h"
 #include "boolean/near_coincidence/tuning.h"
 #include "mesh/intersection/aabb_tree.h"
 

@@ -10,7 +10,7 @@
 #include "base/rounds.h"
 #include "boolean/arrangement/arrangement.h"
 #include "boolean/arrangement/cells.h"
-#include "boolean/rounding/contact_separation.h"
+#include "boolean/rounding/separate_copies.h"
 #include "boolean/rounding/tuning.h"
 #include "boolean/rounding/vertex_relocation.h"
 #include "mesh/weld_vertices.h"

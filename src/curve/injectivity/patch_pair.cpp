@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "curve/injectivity/hulls_apart.h"
 #include "curve/injectivity/patch_pieces.h"
-#include "curve/injectivity/separation.h"
 #include "curve/injectivity/straight_piercing.h"
 
 namespace mq::curve {

@@ -212,7 +212,7 @@ class MixedCurving {
         std::vector<std::size_t> all(elements_.size());
         std::iota(all.begin(), all.end(), std::size_t{0});
         quality_.assign(elements_.size(), 0.0);
-        prove(elements_, options_.order, nodes_, all, quality_, progress_);
+        prove_mixed(elements_, options_.order, nodes_, all, quality_, progress_);
     }
 
     std::vector<std::size_t> invalid() const {
@@ -372,7 +372,7 @@ class MixedCurving {
         const std::vector<double> quality_before = quality_;
         if (!invalid().empty()) {
             straight_quality_.assign(elements_.size(), 1.0);
-            prove(elements_, options_.order, table_.straight(), invalid(), straight_quality_, progress_);
+            prove_mixed(elements_, options_.order, table_.straight(), invalid(), straight_quality_, progress_);
         }
         soften();
         std::set<std::size_t> straight;
@@ -433,7 +433,7 @@ class MixedCurving {
             all.push_back(f);
         }
         std::vector<double> bounds(of_faces.size(), 0.0);
-        prove(of_faces, options_.order, nodes_, all, bounds, progress_);
+        prove_mixed(of_faces, options_.order, nodes_, all, bounds, progress_);
         for (std::size_t f = 0; f < found_.faces.size(); ++f) {
             ElementBlock& block = flat[found_.faces[f].kind];
             block.kind = found_.faces[f].kind;

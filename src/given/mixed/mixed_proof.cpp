@@ -9,8 +9,8 @@
 
 namespace mq::curve {
 
-void prove(const std::vector<ElementNodes>& elements, int order, const std::vector<Vec3>& nodes,
-           const std::vector<std::size_t>& only, std::vector<double>& bounds, Progress& progress) {
+void prove_mixed(const std::vector<ElementNodes>& elements, int order, const std::vector<Vec3>& nodes,
+                 const std::vector<std::size_t>& only, std::vector<double>& bounds, Progress& progress) {
     std::map<ElementKind, std::vector<std::size_t>> by_kind;
     for (const std::size_t e : only) {
         by_kind[elements[e].kind].push_back(e);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "triangulate/spacing/uv_boundary.h"
+#include "triangulate/spacing/uv_outline.h"
 
 namespace mq::triangulate {
 

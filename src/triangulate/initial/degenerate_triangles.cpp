@@ -30,8 +30,8 @@ std::vector<int> collapsed_sides(const std::array<int, 3>& triangle, const std::
 
 }  // namespace
 
-std::optional<std::array<int, 2>> add_nondegenerate(const std::vector<std::array<int, 3>>& triangles,
-                                                    std::vector<std::array<Link, 3>> links, FaceMesh& result) {
+std::optional<std::array<int, 2>> add_without_degenerate(const std::vector<std::array<int, 3>>& triangles,
+                                                         std::vector<std::array<Link, 3>> links, FaceMesh& result) {
     std::vector<char> dropped(triangles.size(), 0);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const std::vector<int> collapsed = collapsed_sides(triangles[t], result.sites);

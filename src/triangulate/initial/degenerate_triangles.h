@@ -14,7 +14,8 @@ namespace mq::triangulate {
 /// are known already.
 /// @return the two borders that would become one edge, or twice a border that is one vertex and yet a side of a
 /// triangle with three vertices: the face closes on itself there, and nothing is added
-std::optional<std::array<int, 2>> add_nondegenerate(const std::vector<std::array<int, 3>>& triangles,
-                                                    std::vector<std::array<FaceMesh::Link, 3>> links, FaceMesh& result);
+std::optional<std::array<int, 2>> add_without_degenerate(const std::vector<std::array<int, 3>>& triangles,
+                                                         std::vector<std::array<FaceMesh::Link, 3>> links,
+                                                         FaceMesh& result);
 
 }  // namespace mq::triangulate

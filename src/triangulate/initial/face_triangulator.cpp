@@ -556,7 +556,7 @@ void FaceMesher::assemble() {
 
 // @return whether the face has a triangulation
 bool FaceMesher::close(const std::vector<Corners>& triangles, std::vector<std::array<Link, 3>> links) {
-    const auto closing = add_nondegenerate(triangles, std::move(links), result_);
+    const auto closing = add_without_degenerate(triangles, std::move(links), result_);
     if (!closing) {
         return true;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/initial/initial_triangulation.h"
 
-#include "triangulate/initial/boundary_refinement.h"
+#include "triangulate/initial/triangulation_rounds.h"
 
 namespace mq::triangulate {
 

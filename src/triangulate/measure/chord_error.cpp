@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "triangulate/measure/backward_distance.h"
-#include "triangulate/measure/deviation_estimate.h"
+#include "triangulate/measure/deviation_peaks.h"
 #include "triangulate/measure/tuning.h"
 
 namespace mq::triangulate {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/key_set.h"
-#include "triangulate/measure/deviation_estimate.h"
+#include "triangulate/measure/deviation_peaks.h"
 #include "triangulate/work_mesh/workspace.h"
 
 namespace mq::triangulate {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "triangulate/measure/deviation_estimate.h"
+#include "triangulate/measure/deviation_peaks.h"
 
 namespace mq::triangulate {
 

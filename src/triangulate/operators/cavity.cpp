@@ -6,7 +6,7 @@
 
 #include "triangulate/operators/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
-#include "triangulate/work_mesh/triangle_measures.h"
+#include "triangulate/work_mesh/side_lengths.h"
 
 namespace mq::triangulate {
 

@@ -9,7 +9,7 @@
 #include "triangulate/optimise/cavity_optimiser.h"
 #include "triangulate/optimise/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
-#include "triangulate/work_mesh/triangle_measures.h"
+#include "triangulate/work_mesh/side_lengths.h"
 
 namespace mq::triangulate {
 

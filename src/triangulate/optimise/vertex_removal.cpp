@@ -8,7 +8,7 @@
 #include "base/angle.h"
 #include "base/parallel.h"
 #include "triangulate/measure/backward_distance.h"
-#include "triangulate/measure/deviation_estimate.h"
+#include "triangulate/measure/deviation_peaks.h"
 #include "triangulate/measure/distance_probes.h"
 #include "triangulate/operators/cavity_replacement.h"
 #include "triangulate/optimise/tuning.h"

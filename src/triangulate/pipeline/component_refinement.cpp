@@ -22,7 +22,7 @@
 #include "triangulate/components/run_apart.h"
 #include "triangulate/pipeline/component_work.h"
 #include "triangulate/work_mesh/corner_classification.h"
-#include "triangulate/work_mesh/triangle_measures.h"
+#include "triangulate/work_mesh/side_lengths.h"
 
 namespace mq::triangulate {
 

@@ -10,8 +10,8 @@
 #include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/edges_angle.h"
+#include "triangulate/work_mesh/side_lengths.h"
 #include "triangulate/work_mesh/surface_alignment.h"
-#include "triangulate/work_mesh/triangle_measures.h"
 
 namespace mq::triangulate {
 

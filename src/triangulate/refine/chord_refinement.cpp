@@ -9,7 +9,7 @@
 #include "base/parallel.h"
 #include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/gradation.h"
-#include "triangulate/work_mesh/triangle_measures.h"
+#include "triangulate/work_mesh/side_lengths.h"
 
 namespace mq::triangulate {
 

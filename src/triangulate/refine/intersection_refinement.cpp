@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "triangulate/measure/deviation_estimate.h"
+#include "triangulate/measure/deviation_peaks.h"
 #include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
-#include "triangulate/work_mesh/triangle_measures.h"
+#include "triangulate/work_mesh/side_lengths.h"
 
 namespace mq::triangulate {
 

@@ -10,7 +10,7 @@
 #include "base/key_set.h"
 #include "triangulate/front/angular_sectors.h"
 #include "triangulate/front/front_boundary.h"
-#include "triangulate/front/front_validation.h"
+#include "triangulate/front/front_fault.h"
 #include "triangulate/sampling/tuning.h"
 #include "triangulate/spacing/point_octree.h"
 

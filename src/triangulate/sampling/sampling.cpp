@@ -5,8 +5,8 @@
 #include <map>
 #include <numeric>
 
-#include "triangulate/initial/boundary_refinement.h"
 #include "triangulate/initial/face_boundary.h"
+#include "triangulate/initial/triangulation_rounds.h"
 #include "triangulate/sampling/pseudo_delaunay.h"
 #include "triangulate/sampling/sprinkle.h"
 #include "triangulate/sampling/star.h"

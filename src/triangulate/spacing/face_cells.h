@@ -9,7 +9,7 @@
 
 #include "base/progress.h"
 #include "geometry/session.h"
-#include "triangulate/spacing/uv_boundary.h"
+#include "triangulate/spacing/uv_outline.h"
 
 namespace mq::triangulate {
 

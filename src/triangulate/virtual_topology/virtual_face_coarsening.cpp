@@ -8,7 +8,7 @@
 #include "mesh/intersection/triangle_distance.h"
 #include "triangulate/operators/cavity_replacement.h"
 #include "triangulate/virtual_topology/tuning.h"
-#include "triangulate/work_mesh/triangle_measures.h"
+#include "triangulate/work_mesh/side_lengths.h"
 
 namespace mq::triangulate {
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "base/angle.h"
-#include "triangulate/work_mesh/triangle_measures.h"
+#include "triangulate/work_mesh/side_lengths.h"
 #include "triangulate/work_mesh/tuning.h"
 
 namespace mq::triangulate {

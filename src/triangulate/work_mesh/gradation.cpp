@@ -6,7 +6,7 @@
 #include <queue>
 #include <utility>
 
-#include "triangulate/work_mesh/triangle_measures.h"
+#include "triangulate/work_mesh/side_lengths.h"
 
 namespace mq::triangulate {
 

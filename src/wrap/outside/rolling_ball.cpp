@@ -234,7 +234,7 @@ class Pockets {
 
 }  // namespace
 
-void mark_outside(NodeStates& states, double pocket, Progress& progress) {
+void roll_ball(NodeStates& states, double pocket, Progress& progress) {
     Flood(states, progress).run();
     RollingBall(states, progress).run();
     Pockets(states, pocket, progress).run();

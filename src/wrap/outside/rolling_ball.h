@@ -17,6 +17,6 @@ namespace mq::wrap {
 /// it is outside, too. A deeper region is a gap, and stays closed.
 /// @param pocket  mm: largest depth of a pocket
 /// @throws Cancelled
-void mark_outside(NodeStates& states, double pocket, Progress& progress);
+void roll_ball(NodeStates& states, double pocket, Progress& progress);
 
 }  // namespace mq::wrap

@@ -20,7 +20,7 @@
 #include "geometry/occt/distance/shape_distance.h"
 #include "mesh/quality/deviation_samples.h"
 #include "triangulate/checks.h"
-#include "triangulate/measure/deviation_estimate.h"
+#include "triangulate/measure/deviation_peaks.h"
 #include "triangulate/warped_face.h"
 
 namespace mq::triangulate {

@@ -20,7 +20,7 @@ bool is_outside(const mesh::TriangleMesh& mesh, double gap, const Vec3& p) {
     const Lattice lattice(surface.tree.box(), radius + 2.0 * kSide, kSide);
     Progress progress;
     NodeStates states(lattice, surface, radius, progress);
-    mark_outside(states, 0.5 * gap, progress);
+    roll_ball(states, 0.5 * gap, progress);
     const Vec3 at = (p - lattice.at({0, 0, 0})) / (0.5 * kSide);
     Node node;
     for (std::size_t i = 0; i < 3; ++i) {

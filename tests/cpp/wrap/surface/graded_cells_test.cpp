@@ -25,7 +25,7 @@ struct Wrapped {
           radius(0.5 * gap + 0.5 * spacing),
           lattice(surface.tree.box(), radius + 2.0 * spacing, spacing),
           states(lattice, surface, radius, progress) {
-        mark_outside(states, 0.5 * gap, progress);
+        roll_ball(states, 0.5 * gap, progress);
         move_into_thin_material(states, progress);
         mark_sheets(states, progress);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/initial/boundary_refinement.h"
+#include "triangulate/initial/triangulation_rounds.h"
 
 #include <algorithm>
 #include <array>

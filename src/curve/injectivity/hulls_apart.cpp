@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/injectivity/separation.h"
+#include "curve/injectivity/hulls_apart.h"
 
 #include <algorithm>
 #include <array>

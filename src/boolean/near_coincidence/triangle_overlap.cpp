@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "boolean/near_coincidence/facing_triangles.h"
+#include "boolean/near_coincidence/triangle_overlap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/front/front_validation.h"
+#include "triangulate/front/front_fault.h"
 
 #include <algorithm>
 #include <set>

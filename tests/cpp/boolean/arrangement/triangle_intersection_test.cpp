@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "boolean/arrangement/triangle_pair.h"
+#include "boolean/arrangement/triangle_intersection.h"
 
 #include <gtest/gtest.h>
 

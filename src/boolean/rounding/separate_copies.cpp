@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "boolean/rounding/contact_separation.h"
+#include "boolean/rounding/separate_copies.h"
 
 #include <algorithm>
 #include <unordered_map>

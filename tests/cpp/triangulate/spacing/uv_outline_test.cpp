@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/spacing/uv_boundary.h"
+#include "triangulate/spacing/uv_outline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/measure/deviation_estimate.h"
+#include "triangulate/measure/deviation_peaks.h"
 
 #include <algorithm>
 #include <cmath>

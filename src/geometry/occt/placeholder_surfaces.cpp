@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/undoable_faces.h"
+#include "geometry/occt/placeholder_surfaces.h"
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -13,7 +13,7 @@
 
 namespace mq::geometry {
 
-void add_surfaces(const TopoDS_Shape& shape) {
+void add_placeholder_surfaces(const TopoDS_Shape& shape) {
     for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
         const TopoDS_Face& face = TopoDS::Face(faces.Current());
         TopLoc_Location location;
