@@ -32,7 +32,7 @@ class HollowObject(offset.SolidMesh):
     COMMAND, CALL = "MeshQuality_Hollow", "add_hollow"
     SOURCE, NEEDS = "The object whose solid is hollowed", "a shape or a mesh"
     OPTIONS = offset_options.HOLLOW_OBJECT
-    MEASURED = (*offset.MEASURED, *_OF_HOLLOW)
+    MEASURED = (*offset.SolidMesh.MEASURED, *_OF_HOLLOW)
     HIDDEN = (*offset.SolidMesh.HIDDEN, _FACES)
 
     @classmethod

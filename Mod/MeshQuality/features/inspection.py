@@ -48,7 +48,7 @@ class Inspection(offset.SolidMesh):
     SOURCE, NEEDS = "The object that is measured", "a shape or a mesh"
     OPTIONS = inspection_options.INSPECTION_OBJECT
     MEASURED = (*properties.TOPOLOGY, *(row[1:] for row in RESULTS),
-                ("Notes", "App::PropertyStringList", "Other remarks about the computation"))
+                properties.NOTES)
     PROMISES = ()
 
     @classmethod
@@ -62,17 +62,14 @@ class Inspection(offset.SolidMesh):
     def take(self, obj, result):
         """Shows the mesh and what was found."""
         found, mesh, shown, findings, results = result
-        obj.FaceRuns = mesh_object.runs_of_faces(mesh.triangle_face)
-        properties.show_mesh(obj, shown)
-        properties.show_topology(obj, mesh.report)
+        finished = self.show(obj, mesh, shown, False, findings)
         for checks, name, kind, _ in RESULTS:
             given = obj.Check in checks
             setattr(obj, name, results[name] if given else _NOTHING.get(kind, 0.0))
             obj.setEditorMode(name, 1 if given else 2)
         obj.Notes = list(found.notes)
         window().show_values(obj, np.where(found.is_wall, found.values, np.inf) if obj.Check == "thickness" else None)
-        mesh_object.show_certificate(obj, mesh.report, False, findings)
-        return mesh.report, findings
+        return finished
 
     def told(self, obj):
         """The minimum, where the certificate does not say it."""

@@ -13,22 +13,6 @@ from ..errors import InvalidInput
 from . import mesh_object, properties, transactions
 from .recompute_work import Work
 
-# Name, type, what it says: measured on the mesh that the object holds.
-MEASURED = (
-    *properties.TOPOLOGY,
-    ("Volume", "App::PropertyVolume", "Enclosed volume"),
-    ("Repaired", "App::PropertyStringList", "Repairs of the source's mesh"),
-    ("Notes", "App::PropertyStringList", "Other remarks about the computation"),
-)
-
-# Name, type, what it says: beside mesh_object.PROMISES.
-PROMISES = (
-    ("AskedTolerance", "App::PropertyLength", "Requested max. deviation from the exact result, in both directions"),
-    ("ErrorBound", "App::PropertyLength", "Proven max. deviation from the exact result, in both directions"),
-    ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
-    properties.DEVIATION,
-)
-
 
 class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
     """Proxy of a Mesh::FeaturePython that holds a mesh made of a solid: of a shape, or of the space in a closed mesh. Of a
@@ -39,7 +23,19 @@ class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
     compute(given, values, progress) -> (OffsetMesh, the Mesh.Mesh made of it, the findings of its certificate, given)
     """
 
-    MEASURED, PROMISES = MEASURED, PROMISES
+    MEASURED = (
+        *properties.TOPOLOGY,
+        properties.VOLUME,
+        ("Repaired", "App::PropertyStringList", "Repairs of the source's mesh", "repaired"),
+        properties.NOTES,
+    )
+    PROMISES = (
+        ("AskedTolerance", "App::PropertyLength", "Requested max. deviation from the exact result, in both directions",
+         "tolerance_asked"),
+        ("ErrorBound", "App::PropertyLength", "Proven max. deviation from the exact result, in both directions", "error_bound"),
+        properties.FAULTS_LEFT,
+        properties.DEVIATION,
+    )
     TAKES_MESHES = True
 
     @classmethod
@@ -70,13 +66,7 @@ class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
     def take(self, obj, result):
         """Shows the mesh and its report."""
         mesh, shown, findings, _ = result
-        report, obj.FaceRuns = mesh.report, mesh_object.runs_of_faces(mesh.triangle_face)
-        properties.show_mesh(obj, shown)
-        properties.show_topology(obj, report)
-        obj.Volume, obj.ErrorBound, obj.AskedTolerance = report.volume, report.error_bound, report.tolerance_asked
-        obj.FaultsLeft, obj.Repaired, obj.Notes = report.faults_left, list(report.repaired), list(report.notes)
-        mesh_object.show_certificate(obj, report, True, findings)
-        return report, findings
+        return self.show(obj, mesh, shown, True, findings)
 
 
 class Given:
