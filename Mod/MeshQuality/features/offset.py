@@ -4,7 +4,7 @@
 import json
 from functools import partial
 
-from .. import offset_options, options, phrases
+from .. import options, phrases
 from ..core.certify import verdict
 from ..core.offsetting import run_offset
 from ..core.operands.operands import Operands
@@ -88,7 +88,7 @@ class OffsetObject(SolidMesh):
 
     COMMAND, CALL = "MeshQuality_Offset", "add_offset"
     SOURCE, NEEDS = "The object whose solid is offset", "a shape or a mesh"
-    OPTIONS = offset_options.OFFSET_OBJECT
+    OPTIONS = options.offset.OFFSET_OBJECT
 
     @classmethod
     def compute(cls, given, values, progress):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "Wrap": a closed mesh around objects of the document."""
 
-from .. import options, phrases, wrap_options
+from .. import options, phrases
 from ..core.certify import verdict
 from ..core.patches.source_faces import FacesOfSeveral
 from ..core.wrapping import Wrapped, run
@@ -15,7 +15,7 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
     """
 
     COMMAND, CALL = "MeshQuality_Wrap", "add_wrap"
-    OPTIONS = wrap_options.WRAP_OBJECT
+    OPTIONS = options.wrap.WRAP_OBJECT
     MEASURED = (
         *properties.TOPOLOGY,
         properties.VOLUME,
@@ -84,7 +84,7 @@ def add_wrap(objects, gap, tolerance=None):
     sources = list(objects) if isinstance(objects, list) else [objects]
     if not sources:
         raise InvalidInput("the list of objects is empty")
-    values = options.check(wrap_options.WRAP_OBJECT, {"gap": gap, "tolerance": tolerance})
+    values = options.check(options.wrap.WRAP_OBJECT, {"gap": gap, "tolerance": tolerance})
     if values["gap"] is None:
         raise InvalidInput(phrases.Text(phrases.NOT_GIVEN, option="gap"))
     return boolean.add_of_sources(WrapObject, sources, values, "wrap", "Wrap")
