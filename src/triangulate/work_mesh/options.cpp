@@ -2,8 +2,6 @@
 #include "triangulate/work_mesh/options.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 #include "base/error.h"
 #include "option_ranges.h"
