@@ -135,7 +135,7 @@ def largest_stress(name, folder, **values):
     in MPa.
     """
     import MeshQuality as mq
-    from MeshQuality import fem_options, options
+    from MeshQuality import options
     from MeshQuality.core.fem import fem_size
 
     make, clamped, end = {"cantilever": (bored, ("x", -1), ("x", 1)),
@@ -152,7 +152,7 @@ def largest_stress(name, folder, **values):
         along = "x" if name == "bracket" else "z"
         force.Direction = (part, [face_at(part.Shape, along, 1)])
         mesh = mq.add_fem_mesh(part, analysis=analysis, **values).FemMesh
-        asked = options.check(fem_options.FEM, values)
+        asked = options.check(options.fem.FEM, values)
         before = time.perf_counter()
         stress = max(solve(analysis, folder).vonMises)
         return {"tetrahedra": mesh.VolumeCount, "expected": fem_size.expected_elements(part.Shape, asked),

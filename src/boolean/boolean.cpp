@@ -28,13 +28,13 @@
 #include "mesh/intersection/self_intersection.h"
 #include "mesh/quality/mesh_report.h"
 #include "mesh/quality/surface_verification.h"
+#include "option_ranges.h"
 
 namespace mq::boolean {
 
 namespace {
 
 /// Relative spacing of single-precision numbers.
-constexpr double kSingleUnit = std::numeric_limits<float>::epsilon();
 
 /// Formats a length with two digits.
 std::string in_short(double length) {
@@ -106,11 +106,7 @@ class BooleanPipeline {
             result_.repaired.push_back(repairs.any() ? operand_name(i, inputs_.size()) + ": " + repairs.summary()
                                                      : std::string());
         }
-        if (tolerance_ < 4.0 * kSingleUnit * size_) {
-            throw InvalidInput(
-                Message::of(phrases::kFineTolerance, {{"length", in_digits(tolerance_, 3) + " mm"},
-                                                      {"length2", in_digits(4.0 * kSingleUnit * size_, 3) + " mm"}}));
-        }
+        require_possible(tolerance_, size_);
     }
 
     void make_soup() {
@@ -389,16 +385,18 @@ double BooleanOptions::tolerance_for(double size) const {
     return tolerance > 0.0 ? tolerance : std::sqrt(3.0) * (length > 0.0 ? length : size) / resolution;
 }
 
+void require_possible(double tolerance, double size) {
+    if (tolerance < kFinestTolerance * size) {
+        throw InvalidInput(Message::of(
+            phrases::kFineTolerance,
+            {{"length", in_digits(tolerance, 4) + " mm"}, {"length2", in_digits(kFinestTolerance * size, 4) + " mm"}}));
+    }
+}
+
 void BooleanOptions::validate() const {
-    if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
-        throw InvalidInput("tolerance is " + std::to_string(tolerance) + ": it must be a positive length in mm");
-    }
-    if (resolution < 8 || resolution > 65536) {
-        throw InvalidInput("resolution is " + std::to_string(resolution) + ": it must be from 8 to 65536");
-    }
-    if (threads < 0) {
-        throw InvalidInput("threads is " + std::to_string(threads) + ": it must be at least 0");
-    }
+    ranges::boolean::kTolerance.require(tolerance);
+    ranges::boolean::kResolution.require(resolution);
+    ranges::boolean::kThreads.require(threads);
 }
 
 BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, Operation operation,

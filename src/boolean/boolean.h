@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,11 @@
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
+
+/// The finest tolerance of a Boolean as a fraction of the size of its operands: four units of single precision.
+constexpr double kFinestTolerance = 4.0 * std::numeric_limits<float>::epsilon();
+/// @throws InvalidInput for a finer tolerance, mm, of operands of this size, mm.
+void require_possible(double tolerance, double size);
 
 struct BooleanOptions {
     /// The largest distance between the result and the exact one, mm. 0: computed from `resolution`.

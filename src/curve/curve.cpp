@@ -13,6 +13,7 @@
 #include "curve/surface/self_intersections.h"
 #include "curve/volume/remeshing/tetrahedralise_and_repair.h"
 #include "curve/volume/straighten.h"
+#include "option_ranges.h"
 
 namespace mq::curve {
 
@@ -62,9 +63,7 @@ void CurveOptions::validate() const {
         throw volume ? InvalidInput(Message::of(phrases::kVolumeOrder, {{"count", range[0]}, {"count2", range[1]}}))
                      : InvalidInput("order is " + range[0] + ": it goes from 1 to " + range[1] + " for surfaces");
     }
-    if (threads < 0) {
-        throw InvalidInput("threads is " + std::to_string(threads) + ": it must be at least 0");
-    }
+    ranges::triangulate::kThreads.require(threads);
     if (volume && !repair) {
         throw InvalidInput("repair is off: only surfaces are curved without repairs, leave volume off");
     }

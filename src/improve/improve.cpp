@@ -17,17 +17,11 @@
 #include "mesh/intersection/nearest_tree.h"
 #include "mesh/quality/surface_verification.h"
 #include "mesh/quality/triangle_quality.h"
+#include "option_ranges.h"
 
 namespace mq::improve {
 
 namespace {
-
-void require(bool holds, const char* option, double value, const char* range) {
-    if (!holds) {
-        throw InvalidInput(std::string(option) + " = " + std::to_string(value) + " is not allowed: it must be " +
-                           range);
-    }
-}
 
 mesh::TriangleMesh checked(const mesh::TriangleMesh& given) {
     mesh::require_valid(given);
@@ -130,10 +124,9 @@ Result result_of(Improver& improver, const mesh::TriangleMesh& start) {
 }  // namespace
 
 void ImproveOptions::validate() const {
-    require(min_angle > 0.0 && min_angle <= 34.0, "min_angle", min_angle, "greater than 0 and at most 34 degrees");
-    require(tolerance >= 0.0, "tolerance", tolerance, "0 mm or more");
-    require(feature_angle > 0.0 && feature_angle <= 180.0, "feature_angle", feature_angle,
-            "greater than 0 and at most 180 degrees");
+    ranges::improve::kMinAngle.require(min_angle);
+    ranges::improve::kTolerance.require(tolerance);
+    ranges::improve::kFeatureAngle.require(feature_angle);
 }
 
 Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, Progress* progress) {

@@ -14,6 +14,7 @@
 #include "inspection/ray_crossings.h"
 #include "inspection/surface_normals.h"
 #include "mesh/intersection/nearest_tree.h"
+#include "option_ranges.h"
 
 namespace mq::inspection {
 
@@ -157,13 +158,8 @@ ThicknessValues values_of(const std::vector<Measured>& measured) {
 }  // namespace
 
 void ThicknessOptions::validate() const {
-    if (!(spacing >= 0.0 && std::isfinite(spacing))) {
-        throw InvalidInput("spacing is " + std::to_string(spacing) + ": it must be a length in mm, at least 0");
-    }
-    if (!(corner_angle > 0.0 && corner_angle < 90.0)) {
-        throw InvalidInput("corner_angle is " + std::to_string(corner_angle) +
-                           ": it must be greater than 0 and less than 90 degrees");
-    }
+    ranges::inspection::kSpacing.require(spacing);
+    ranges::inspection::kCornerAngle.require(corner_angle);
 }
 
 Thickness thickness(const mesh::TriangleMesh& mesh, const std::vector<std::int32_t>& body,

@@ -20,6 +20,7 @@
 #include "mesh/quality/surface_verification.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
+#include "python/bound_fields.h"
 #include "python/freecad/freecad_shape.h"
 #include "python/progress_watch.h"
 #include "python/shared_engine.h"
@@ -121,75 +122,33 @@ py::tuple surface_distance(const Surface& from, const Surface& to, const py::obj
     return py::make_tuple(distance.mean, distance.largest);
 }
 
-using BooleanReportClass = py::class_<BooleanReport, mesh::MeshReport>;
-
-void bind_error(BooleanReportClass& bound) {
-    bound.def_readonly("method", &BooleanReport::method, "that has made the result: 'exact', 'uniform' or 'wrap'")
-        .def_readonly("guessed_share", &BooleanReport::guessed_share,
-                      "share of the surface where an open operand has no triangle, a guess, 0 to 1")
-        .def_readonly(
-            "error_bound", &BooleanReport::error_bound,
-            "mm; the largest distance between the result and the exact one of the operands' meshes, both ways, but "
-            "for gaps and slivers up to 1.75 closed_gaps wide: measured for the method 'uniform' and where common "
-            "faces were moved, else proven")
-        .def_readonly("closed_gaps", &BooleanReport::closed_gaps,
-                      "mm; the widest gap or sliver between common faces of operands that was closed")
-        .def_readonly("tolerance_asked", &BooleanReport::tolerance_asked,
-                      "mm; the tolerance that was requested, or that of the resolution");
+/// A number of each operand's surface.
+template <typename T>
+auto of_operands(T mesh::SurfaceTopology::*number) {
+    return [number](const BooleanReport& report) {
+        std::vector<T> numbers;
+        for (const mesh::SurfaceTopology& operand : report.operands) {
+            numbers.push_back(operand.*number);
+        }
+        return numbers;
+    };
 }
 
 void bind_boolean_report(py::module_& m) {
-    BooleanReportClass bound(m, "BooleanReport",
-                             "A MeshReport of a Boolean's result, and what happened to its operands.");
-    bind_error(bound);
-    bound
-        .def_property_readonly(
-            "operand_components",
-            [](const BooleanReport& report) {
-                std::vector<std::size_t> components;
-                for (const mesh::SurfaceTopology& operand : report.operands) {
-                    components.push_back(operand.components);
-                }
-                return components;
-            },
-            "pieces of each operand that hang together by edges, beside components of the result")
-        .def_property_readonly(
-            "operand_euler",
-            [](const BooleanReport& report) {
-                std::vector<long> euler;
-                for (const mesh::SurfaceTopology& operand : report.operands) {
-                    euler.push_back(operand.euler);
-                }
-                return euler;
-            },
-            "vertices - edges + triangles of each operand, beside euler of the result")
-        .def_readonly("retained", &BooleanReport::retained, "triangles that are an operand's own")
-        .def_readonly("reconstructed", &BooleanReport::reconstructed, "all others")
-        .def_readonly("repaired", &BooleanReport::repaired, "a sentence for each operand that was repaired")
-        .def_readonly("faults_left", &BooleanReport::faults_left,
-                      "faults of the result that no repair removed; notes name them")
-        .def_readonly(
-            "crossing_pairs", &BooleanReport::crossing_pairs,
-            "of the operands' triangles; of method 'uniform' those of its surface that crossed, and were divided")
-        .def_readonly("curve_edges", &BooleanReport::curve_edges, "edges on the intersection curves")
-        .def_readonly("parted_contacts", &BooleanReport::separated_contacts,
-                      "points in which parts of the result touched")
-        .def_readonly("separated_vertices", &BooleanReport::separated_vertices,
-                      "vertices moved beyond common faces of another operand")
-        .def_readonly("fitted_vertices", &BooleanReport::fitted_vertices,
-                      "made on the faces of shapes and put onto their surfaces")
-        .def_readonly("unfitted_vertices", &BooleanReport::unfitted_vertices,
-                      "left on the meshes of the shapes: the surfaces are too far, or a fault would result")
-        .def_readonly("holes_filled", &BooleanReport::holes_filled,
-                      "that stitching left in the reconstructed surface (method 'uniform')")
-        .def_readonly("samples", &BooleanReport::samples, "of the operands along rays (method 'uniform')")
-        .def_readonly("face_samples", &BooleanReport::face_samples, "those with depth and normal of a CAD face")
+    py::class_<BooleanReport, mesh::MeshReport> report(
+        m, "BooleanReport", "A MeshReport of a Boolean's result, and what happened to its operands.");
+    bind_fields(report);
+    report
+        .def_property_readonly("operand_components", of_operands(&mesh::SurfaceTopology::components),
+                               "pieces of each operand that hang together by edges, beside components of the result")
+        .def_property_readonly("operand_euler", of_operands(&mesh::SurfaceTopology::euler),
+                               "vertices - edges + triangles of each operand, beside euler of the result")
         .def("__repr__",
-             [](const BooleanReport& report) {
-                 return "<BooleanReport: " + workflows::in_short(report) +
-                        (workflows::met(report) ? ">" : ", not all limits met>");
+             [](const BooleanReport& r) {
+                 return "<BooleanReport: " + workflows::in_short(r) +
+                        (workflows::met(r) ? ">" : ", not all limits met>");
              })
-        .def("__str__", [](const BooleanReport& report) { return workflows::to_text(report); });
+        .def("__str__", [](const BooleanReport& r) { return workflows::to_text(r); });
 }
 
 std::shared_ptr<BooleanSurface> offset_shape(const Operands& solid, double distance, double tolerance, int threads,
@@ -282,12 +241,9 @@ void bind_boolean(py::module_& m) {
                                    return view<std::int32_t>(source.data(), source.size(), 2, self);
                                })
         .def_readonly("report", &BooleanSurface::figures);
-    py::class_<BooleanOptions>(m, "BooleanOptions", "Options of boolean; tolerance 0: what resolution gives.")
-        .def(py::init<>())
-        .def_readwrite("tolerance", &BooleanOptions::tolerance)
-        .def_readwrite("resolution", &BooleanOptions::resolution)
-        .def_readwrite("threads", &BooleanOptions::threads)
-        .def_readwrite("full", &BooleanOptions::full)
+    py::class_<BooleanOptions> options(m, "BooleanOptions", "Options of boolean; tolerance 0: what resolution gives.");
+    bind_fields(options);
+    options.def(py::init<>())
         .def("tolerance_for", &BooleanOptions::tolerance_for, py::arg("size"),
              "The tolerance in mm for operands whose box has this longest side: that which was requested, else that of "
              "the resolution.");

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "python/bindings.h"
+#include "python/bound_fields.h"
 #include "python/progress_watch.h"
 #include "workflows/improve_surface.h"
 
@@ -26,11 +27,9 @@ std::shared_ptr<Surface> improve_surface(const Surface& given, const ImproveOpti
 }  // namespace
 
 void bind_improve(py::module_& m) {
-    py::class_<ImproveOptions>(m, "ImproveOptions", "Options of improve; tolerance 0: a thousandth of the size.")
-        .def(py::init<>())
-        .def_readwrite("min_angle", &ImproveOptions::min_angle)
-        .def_readwrite("tolerance", &ImproveOptions::tolerance)
-        .def_readwrite("feature_angle", &ImproveOptions::feature_angle);
+    py::class_<ImproveOptions> bound(m, "ImproveOptions", "Options of improve; tolerance 0: a thousandth of the size.");
+    bound.def(py::init<>());
+    bind_fields(bound);
     m.def("improve", &improve_surface, py::arg("surface"), py::arg("options"), py::arg("progress") = py::none(),
           "A Surface with better triangles on the surface that is given.");
 }

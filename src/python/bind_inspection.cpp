@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
-#include "python/dict_of.h"
+#include "python/bound_fields.h"
 #include "python/freecad/freecad_shape.h"
 #include "python/progress_watch.h"
 #include "python/shared_engine.h"
@@ -52,16 +52,10 @@ py::tuple arrays_of(const ThicknessValues& values, const py::object& owner) {
 using inspection::Clearance;
 using inspection::NearestPlaces;
 
-py::array point_of(const Vec3& p) {
-    py::array_t<double> array(3);
-    std::copy(p.data(), p.data() + 3, array.mutable_data());
-    return std::move(array);
-}
-
 /// (distance, (triangle, triangle), (point, point))
 py::tuple tuple_of(const NearestPlaces& places) {
     return py::make_tuple(places.distance, py::make_tuple(places.triangles[0], places.triangles[1]),
-                          py::make_tuple(point_of(places.points[0]), point_of(places.points[1])));
+                          py::make_tuple(value_of(places.points[0]), value_of(places.points[1])));
 }
 
 std::vector<Clearance> measure_clearances(const std::vector<std::shared_ptr<Surface>>& bodies,
@@ -160,11 +154,9 @@ void bind_draft(py::module_& m) {
 void bind_inspection(py::module_& m) {
     bind_clearance(m);
     bind_draft(m);
-    py::class_<ThicknessOptions>(m, "ThicknessOptions", "Options of measure_thickness; spacing 0: size / 50.")
-        .def(py::init<>())
-        .def_readwrite("spacing", &ThicknessOptions::spacing)
-        .def_readwrite("corner_angle", &ThicknessOptions::corner_angle)
-        .def_readwrite("outside", &ThicknessOptions::outside);
+    py::class_<ThicknessOptions> options(m, "ThicknessOptions", "Options of measure_thickness; spacing 0: size / 50.");
+    options.def(py::init<>());
+    bind_fields(options);
     py::class_<ThicknessSurface, std::shared_ptr<ThicknessSurface>>(
         m, "ThicknessSurface", "A closed surface, and the thickness of what it bounds.")
         .def_property_readonly(
@@ -183,7 +175,7 @@ void bind_inspection(py::module_& m) {
             },
             "the same by inscribed spheres")
         .def_property_readonly(
-            "seconds", [](const ThicknessSurface& self) { return dict_of(self.seconds); },
+            "seconds", [](const ThicknessSurface& self) { return value_of(self.seconds); },
             "{stage: wall-clock seconds}")
         .def_readonly("cpu_seconds", &ThicknessSurface::cpu_seconds, "of the operation, all threads");
     m.def("measure_thickness", &measure_thickness, py::arg("surface"), py::arg("options"),

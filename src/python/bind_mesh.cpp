@@ -13,7 +13,7 @@
 #include "mesh/vertex_clustering.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
-#include "python/dict_of.h"
+#include "python/bound_fields.h"
 #include "python/patches_of.h"
 #include "python/python_lock.h"
 #include "triangulate/triangulate.h"
@@ -30,13 +30,6 @@ using Surface = triangulate::Result;
 using SurfacePointer = std::shared_ptr<Surface>;
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double), "vertices are handed to NumPy as they lie in memory");
-
-py::array point(const Vec3& p) {
-    py::array_t<double> array(3);
-    std::copy(p.data(), p.data() + 3, array.mutable_data());
-    array.attr("setflags")(py::arg("write") = false);
-    return std::move(array);
-}
 
 /// Any mesh given as arrays; the origin stays zero. Checks the indices and sizes, and measures the mesh unless the
 /// caller does not need its report.
@@ -190,134 +183,27 @@ std::vector<std::pair<std::string, std::size_t>> causes_of(const MeshReport& rep
     return causes;
 }
 
-py::object box_of(const MeshReport& report) {
-    if (report.box.empty()) {
-        return py::none();
-    }
-    return py::make_tuple(point(report.box.low), point(report.box.high));
-}
-
-using ReportClass = py::class_<MeshReport>;
-
-void bind_topology(ReportClass& report) {
-    report.def_readonly("triangles", &MeshReport::triangles, "number of triangles")
-        .def_readonly("vertices", &MeshReport::vertices, "number of vertices")
-        .def_readonly("closed", &MeshReport::closed, "no border edge")
-        .def_readonly("oriented", &MeshReport::oriented, "every inner edge is run once each way")
-        .def_readonly("manifold", &MeshReport::manifold,
-                      "no edge of three or more triangles, no pinched vertex, no degenerate triangle")
-        .def_readonly("border_edges", &MeshReport::border_edges, "edges of one triangle")
-        .def_readonly("nonmanifold_edges", &MeshReport::nonmanifold_edges, "edges of three or more triangles")
-        .def_readonly("misoriented_edges", &MeshReport::misoriented_edges,
-                      "inner edges that both triangles run the same way")
-        .def_readonly("pinched_vertices", &MeshReport::pinched_vertices,
-                      "vertices whose triangles form more than one fan")
-        .def_readonly("degenerate_triangles", &MeshReport::degenerate_triangles, "triangles without area")
-        .def_readonly("duplicate_triangles", &MeshReport::duplicate_triangles,
-                      "triangles with the vertices of another one")
-        .def_readonly("components", &MeshReport::components, "pieces that hang together by edges")
-        .def_readonly("euler", &MeshReport::euler, "vertices - edges + triangles");
-}
-
-void bind_measures(ReportClass& report) {
-    report.def_readonly("min_angle", &MeshReport::min_angle, "smallest angle of all triangles")
-        .def_readonly("max_angle", &MeshReport::max_angle, "largest angle of all triangles")
-        .def_readonly("mean_min_angle", &MeshReport::mean_min_angle, "mean of the triangles' smallest angles")
-        .def_readonly("max_aspect", &MeshReport::max_aspect, "longest edge / shortest edge of one triangle")
-        .def_readonly("max_stretching", &MeshReport::max_stretching,
-                      "largest ratio of the longest edges of two triangles with a common edge: how fast the size "
-                      "changes; 0 for a mesh without such")
-        .def_readonly("max_degree", &MeshReport::max_degree, "largest number of edges at a vertex")
-        .def_readonly("angle_histogram", &MeshReport::angle_histogram,
-                      "smallest angle of each triangle, 60 bins of one degree")
-        .def_readonly("area", &MeshReport::area, "mm^2")
-        .def_readonly("volume", &MeshReport::volume, "mm^3, signed; 0 unless closed")
-        .def_property_readonly("box", &box_of, "(low, high), or None for an empty mesh")
-        .def_readonly("min_angle_asked", &MeshReport::min_angle_asked, "the bound; 0: none")
-        .def_readonly("min_angle_unexempted", &MeshReport::min_angle_unexempted,
-                      "smallest angle over the triangles that are not in exempt")
-        .def_readonly("max_chord_height", &MeshReport::max_chord_height,
-                      "largest measured distance to the CAD, mm; -1 when there is no CAD")
-        .def_property_readonly(
-            "max_chord_height_to", [](const MeshReport& r) { return r.to_nearest_face ? "nearest face" : "own face"; },
-            "which CAD face that is the distance to: the \"own face\" of each triangle, or of each place the \"nearest "
-            "face\" of all")
-        .def_readonly("max_chord_triangle", &MeshReport::max_chord_triangle,
-                      "the triangle where that is; -1: not known")
-        .def_property_readonly(
-            "max_chord_point", [](const MeshReport& r) { return point(r.max_chord_point); },
-            "float64 (3,): the point of that triangle where that is, with the mesh's origin")
-        .def_readonly("chord_height_asked", &MeshReport::chord_height_asked, "mm; 0: none")
-        .def_readonly(
-            "detail", &MeshReport::detail,
-            "mm: shorter edges and thinner faces of the shape were not told apart where that is safe; 0: all were")
-        .def_readonly("sewn", &MeshReport::sewn,
-                      "whether faces without a shell were joined where their borders lie together within `detail`")
-        .def_readonly("imprinted", &MeshReport::imprinted,
-                      "whether solids that touch have the same triangles on both sides")
-        .def_readonly("self_intersections", &MeshReport::self_intersections,
-                      "pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, "
-                      "and of loose faces that cross; counted up to MOST_CROSSINGS; -1: not looked for")
-        .def_readonly("overlaps", &MeshReport::overlaps,
-                      "pairs of triangles of different volumes, such as the solids of an assembly, that cross, but for "
-                      "those of bodies that only touch; -1: not looked for")
-        .def_property_readonly(
-            "overlapping_bodies", [](const MeshReport& r) { return overlaps_of(r.overlapping_bodies); },
-            "[(body, body, how), ...], bodies by their names, of shells one of their faces; how: \"overlapping\"; "
-            "\"inside\": the first lies in the second; \"equal\": one body twice; \"near\": apart in the shape, but "
-            "their triangles cross");
-}
-
 std::string in_short(const MeshReport& report) {
     // Whether all limits are met depends on the shape, too: MeshQuality.core.verdict tells.
     const char* verdict = mesh::has_faults(report) ? ", not all limits met" : "";
     return "<MeshReport: " + mesh::in_short(report) + verdict + ">";
 }
 
-void bind_course(ReportClass& report) {
-    report.def_property_readonly("exempt", &exempt_texts, "[(triangle, why and by which entities), ...]")
+void bind_report(py::module_& m) {
+    py::class_<MeshReport> report(m, "MeshReport",
+                                  "What was measured on a mesh, and what happened on the way to it.\n\n"
+                                  "Angles are in degrees, lengths in mm. str() gives a text of a dozen lines.");
+    bind_fields(report);
+    report
         .def_property_readonly(
-            "exempt_reasons", [](const MeshReport& r) { return r.exempt; },
-            "[(triangle, reason), ...]: the same as data: reason.cause, .forced (by the shape itself), .angle (of the "
-            "corner that causes it in degrees, or -1), .entities (names of the edges, the vertex and the face), "
-            ".joined "
-            "(names of two that count as one) and .apart (their distance in mm, or -1)")
-        .def_readonly("spanning", &MeshReport::spanning,
-                      "[(triangle, the CAD faces that it lies on), ...], of keep_edges = feature; its own face is that "
-                      "with the largest share")
-        .def_readonly("missing_faces", &MeshReport::missing,
-                      "[(CAD face, why it has no triangles), ...], of allow_missing_faces")
-        .def_property_readonly(
-            "crossing_faces", [](const MeshReport& r) { return crossings_of(r.crossings); },
-            "[(CAD face, CAD face, pairs of their triangles that cross), ...]")
-        .def_property_readonly(
-            "contacts", [](const MeshReport& r) { return contacts_of(r.contacts); },
-            "[(solid, solid, triangles on one side, mm^2), ...]: where solids share triangles, by their numbers in "
-            "shape.Solids; see imprint")
+            "max_chord_height_to", [](const MeshReport& r) { return r.to_nearest_face ? "nearest face" : "own face"; },
+            "which CAD face that is the distance to: the \"own face\" of each triangle, or of each place the \"nearest "
+            "face\" of all")
+        .def_property_readonly("exempt", &exempt_texts, "[(triangle, why and by which entities), ...]")
         .def_property_readonly("exempt_causes", &causes_of,
                                "[(cause with # for numbers, triangles), ...], most frequent first")
-        .def_readonly("fallback", &MeshReport::fallback,
-                      "[(face, why its samples were joined in (u, v) instead of in space), ...]")
-        .def_readwrite("notes", &MeshReport::notes, "sentences about the part and the mesh that a user should know")
-        .def_readonly("complete", &MeshReport::complete, "False when a limit ended the work early")
-        .def_property_readonly(
-            "seconds", [](const MeshReport& r) { return dict_of(r.seconds); }, "{stage: wall-clock seconds}")
-        .def_readonly("cpu_seconds", &MeshReport::cpu_seconds, "of the operation, all threads")
-        .def_readonly("reused_faces", &MeshReport::reused_faces, "CAD faces that kept the triangles of the run before")
-        .def_readonly("queries", &MeshReport::queries, "queries to the geometry engine")
-        .def_readonly("predicates", &MeshReport::predicates, "geometric predicates that were evaluated")
-        .def_readonly("exact_predicates", &MeshReport::exact_predicates, "predicates that needed exact arithmetic")
         .def("__repr__", &in_short)
         .def("__str__", &mesh::to_text);
-}
-
-void bind_report(py::module_& m) {
-    ReportClass report(m, "MeshReport",
-                       "What was measured on a mesh, and what happened on the way to it.\n\n"
-                       "Angles are in degrees, lengths in mm. str() gives a text of a dozen lines.");
-    bind_topology(report);
-    bind_measures(report);
-    bind_course(report);
 }
 
 void bind_mesh_functions(py::module_& m) {
@@ -371,7 +257,7 @@ void bind_mesh(py::module_& m) {
                                    const auto& e = surface(self).mesh.vertex_entity;
                                    return view<std::int32_t>(e.data(), e.size(), 2, self);
                                })
-        .def_property_readonly("origin", [](const Surface& self) { return point(self.mesh.origin); })
+        .def_property_readonly("origin", [](const Surface& self) { return value_of(self.mesh.origin); })
         .def_readonly("report", &Surface::report)
         .def_property_readonly("angle_history", &angle_history,
                                "(int64 (n,), float64 (n,)): numbers of triangles, and the smallest angle with each in "

@@ -12,6 +12,7 @@
 #include "geometry/occt/brep_text.h"
 #include "geometry/occt/placeholder_surfaces.h"
 #include "python/bindings.h"
+#include "python/bound_fields.h"
 #include "python/freecad/freecad_shape.h"
 #include "python/progress_watch.h"
 #include "python/python_lock.h"
@@ -128,25 +129,9 @@ py::bytes brep_text(const FreecadShape& part) {
 void bind_triangulate(py::module_& m) {
     py::class_<TriangulateOptions> options(m, "TriangulateOptions", "Options of triangulate; 0 means no bound.");
     options.def(py::init<>())
-        .def_readwrite("min_angle", &TriangulateOptions::min_angle)
-        .def_readwrite("chord_height", &TriangulateOptions::chord_height)
-        .def_readwrite("chord_height_relative", &TriangulateOptions::chord_height_relative)
-        .def_readwrite("max_edge", &TriangulateOptions::max_edge)
-        .def_readwrite("min_edge", &TriangulateOptions::min_edge)
-        .def_readwrite("edges_per_circle", &TriangulateOptions::edges_per_circle)
-        .def_readwrite("growth", &TriangulateOptions::growth)
         .def_property("local_sizes", nullptr, &set_local_sizes,
-                      "[(dimension 0 | 1 | 2, index of the vertex, edge or face, longest edge in mm), ...]")
-        .def_readwrite("feature_angle", &TriangulateOptions::feature_angle)
-        .def_readwrite("max_triangles", &TriangulateOptions::max_triangles)
-        .def_readwrite("allow_missing_faces", &TriangulateOptions::allow_missing_faces)
-        .def_readwrite("sew", &TriangulateOptions::sew)
-        .def_readwrite("imprint", &TriangulateOptions::imprint)
-        .def_readwrite("threads", &TriangulateOptions::threads)
-        .def_readwrite("polish", &TriangulateOptions::polish)
-        .def_readwrite("sites_in_round", &TriangulateOptions::sites_in_round)
-        .def_readwrite("record_angles", &TriangulateOptions::record_angles)
-        .def_readwrite("seed", &TriangulateOptions::seed);
+                      "[(dimension 0 | 1 | 2, index of the vertex, edge or face, longest edge in mm), ...]");
+    bind_fields(options);
     def_named(options, "insertion", &TriangulateOptions::insertion, kInsertions);
     def_named(options, "keep_edges", &TriangulateOptions::keep_edges, kKeepEdges);
     def_named(options, "method", &TriangulateOptions::method, kMethods);

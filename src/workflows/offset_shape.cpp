@@ -182,7 +182,7 @@ class OffsetWork {
             // An offset outward is larger than the model: by its own size its triangles are counted.
             options_.tolerance = std::min(1e-3 * (size + 2.0 * std::max(options.distance, 0.0)), 0.1 * distance);
         }
-        finest_ = 4.0 * std::ldexp(1.0, -23) * size;  // that a Boolean can keep
+        finest_ = boolean::kFinestTolerance * size;
         if (options_.tolerance > distance) {
             throw InvalidInput(Message::of(
                 phrases::kAboveDistance,

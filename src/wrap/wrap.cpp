@@ -11,6 +11,7 @@
 #include "base/parallel.h"
 #include "contour/contour.h"
 #include "contour/simplification.h"
+#include "option_ranges.h"
 #include "wrap/lattice/tuning.h"
 #include "wrap/outside/rolling_ball.h"
 #include "wrap/outside/thin_material.h"
@@ -48,10 +49,10 @@ contour::CollapseLimits limits_for(double spacing) {
 }  // namespace
 
 void WrapOptions::validate() const {
-    require(std::isfinite(gap) && gap > 0.0, "gap: give a length in mm above 0");
+    ranges::wrap::kGap.require(gap);
     require(std::isfinite(spacing) && spacing > 0.0 && spacing <= 0.5 * gap,
             "spacing: give a length in mm above 0, at most half of the gap");
-    require(threads >= 0, "threads: give 0 or more");
+    ranges::wrap::kThreads.require(threads);
 }
 
 WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Progress& progress) {

@@ -14,7 +14,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality import fem_options, options
+from MeshQuality import options
 from MeshQuality.core.fem import fem, fem_size
 from MeshQuality.core.sources import frames
 from MeshQuality.features import fem_mesh
@@ -79,7 +79,7 @@ class Elements(FemObjectTest):
 
     def test_every_option_is_a_property(self):
         obj = mq.add_fem_mesh(self.cylinder())
-        for option in fem_options.FEM:
+        for option in options.fem.FEM:
             self.assertEqual(obj.getTypeIdOfProperty(option.property_name), option.property_type)
             self.assertTrue(obj.getDocumentationOfProperty(option.property_name))
         self.assertEqual((obj.Order, obj.Volume), (2, True))
@@ -124,7 +124,7 @@ class Elements(FemObjectTest):
         source = self.part(Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(4, 4, 4, FreeCAD.Vector(3, 3, 10))]))
         joined, apart = (mq.add_fem_mesh(source, imprint=imprint) for imprint in (True, False))
         self.assertEqual(joined.Certificate, "met")
-        self.assertTrue(options.defaults(fem_options.FEM)["imprint"])
+        self.assertTrue(options.defaults(options.fem.FEM)["imprint"])
         for obj, shared in ((joined, True), (apart, False)):
             groups = groups_of(obj.FemMesh)
             solids = [nodes_of(obj.FemMesh, groups[name][1]) for name in ("Solid1", "Solid2")]
@@ -155,10 +155,10 @@ class Sizes(FemObjectTest):
         self.assertLess(mq.add_fem_mesh(source, elements_through=1).Elements, obj.Elements / 3)
         self.assertEqual(obj.Certificate, "met")
         # Twice the volume over the area of the surface, over two.
-        self.assertAlmostEqual(fem_size.longest_edge(source.Shape, options.check(fem_options.FEM, {}))[0], 1600 / 1120)
+        self.assertAlmostEqual(fem_size.longest_edge(source.Shape, options.check(options.fem.FEM, {}))[0], 1600 / 1120)
 
     def test_the_number_of_elements_has_a_limit_that_is_told(self):
-        values = options.check(fem_options.FEM, {})
+        values = options.check(options.fem.FEM, {})
         length, note = fem_size.longest_edge(Part.makeBox(300, 300, 1), values)
         self.assertGreater(length, 0.5)
         self.assertIn("100,000 elements", note)
@@ -171,7 +171,7 @@ class Sizes(FemObjectTest):
     def test_shells_go_by_their_size(self):
         source = self.part(Part.makePlane(30, 40))
         obj = mq.add_fem_mesh(source)
-        expected = fem_size.expected_elements(source.Shape, options.check(fem_options.FEM, {}))
+        expected = fem_size.expected_elements(source.Shape, options.check(options.fem.FEM, {}))
         self.assertAlmostEqual(expected / obj.Elements, 1.0, delta=0.3)
 
 

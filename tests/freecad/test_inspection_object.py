@@ -7,7 +7,7 @@ import Mesh
 import Part
 
 import MeshQuality as mq
-from MeshQuality import inspection_options
+from MeshQuality import options
 
 
 class InspectionTest(helpers.DocumentTest):
@@ -149,7 +149,7 @@ class OtherChecks(InspectionTest):
 class Kept(InspectionTest):
     def test_every_option_is_a_property(self):
         obj = mq.add_inspection(self.part(self.stepped()))
-        for option in inspection_options.INSPECTION_OBJECT:
+        for option in options.inspection.INSPECTION_OBJECT:
             self.assertEqual(obj.getTypeIdOfProperty(option.property_name), option.property_type)
             self.assertTrue(obj.getDocumentationOfProperty(option.property_name))
 

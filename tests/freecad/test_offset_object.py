@@ -13,7 +13,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality import offset_options
+from MeshQuality import options
 
 TOLERANCE = 0.05
 
@@ -54,8 +54,8 @@ class Offset(SolidTest):
         self.assertNotIn("Touched", obj.State)
 
     def test_every_option_is_a_property(self):
-        for obj, table in ((mq.add_offset(self.cube, 1.0, tolerance=TOLERANCE), offset_options.OFFSET_OBJECT),
-                           (mq.add_hollow(self.cube, 1.0, tolerance=TOLERANCE), offset_options.HOLLOW_OBJECT)):
+        for obj, table in ((mq.add_offset(self.cube, 1.0, tolerance=TOLERANCE), options.offset.OFFSET_OBJECT),
+                           (mq.add_hollow(self.cube, 1.0, tolerance=TOLERANCE), options.offset.HOLLOW_OBJECT)):
             for option in table:
                 self.assertEqual(obj.getTypeIdOfProperty(option.property_name), option.property_type)
                 self.assertTrue(obj.getDocumentationOfProperty(option.property_name))

@@ -9,15 +9,15 @@ import Mesh
 import Part
 
 import MeshQuality as mq
-from MeshQuality import inspection_options, offset_options, options, phrases, wrap_options
+from MeshQuality import options, phrases
 from MeshQuality.core.certify import verdict
 from MeshQuality.features import mesh_object
 
 
 class MaxDeviation(helpers.DocumentTest):
     def test_every_bound_on_a_distance_has_one_title(self):
-        tables = (options.TRIANGULATE, options.CURVE, options.BOOLEAN, options.IMPROVE, offset_options.OFFSET, offset_options.HOLLOW,
-                  wrap_options.WRAP, inspection_options.THICKNESS, inspection_options.CLEARANCE, inspection_options.DRAFT)
+        tables = (options.TRIANGULATE, options.CURVE, options.BOOLEAN, options.IMPROVE, options.offset.OFFSET, options.offset.HOLLOW,
+                  options.wrap.WRAP, options.inspection.THICKNESS, options.inspection.CLEARANCE, options.inspection.DRAFT)
         titles = {option.title for table in tables for option in table if option.name in ("chord_height", "tolerance")}
         self.assertEqual(titles, {"Max. deviation"})
 

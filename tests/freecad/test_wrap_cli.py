@@ -11,7 +11,7 @@ from FreeCAD import Vector
 from test_cli import run
 
 import MeshQuality as mq
-from MeshQuality import wrap_options
+from MeshQuality import options
 
 GAP, TOLERANCE = ("--gap", 2), ("--tolerance", 0.8)
 INSIDE = "10, 10, 10"
@@ -129,7 +129,7 @@ class WrapCommand(helpers.DocumentTest):
     def test_every_option_is_there_and_the_command_is_listed(self):
         status, out, _ = run("wrap", "--help")
         self.assertEqual(status, 0)
-        for option in wrap_options.WRAP:
+        for option in options.wrap.WRAP:
             self.assertIn(option.flag, out)
         for text in ("INPUT ...", "--dry", "--strict", "--object"):
             self.assertIn(text, out)

@@ -12,7 +12,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality import wrap_options
+from MeshQuality import options
 from MeshQuality.core.patches.patch_names import suggested_for
 from MeshQuality.core.patches.source_faces import own_names
 from MeshQuality.features.export import flat_maker_of
@@ -73,7 +73,7 @@ class Recompute(WrapTest):
 
     def test_every_option_is_a_property_and_the_others_are_those_of_a_wrap(self):
         obj = self.added(self.cube)
-        for option in wrap_options.WRAP_OBJECT:
+        for option in options.wrap.WRAP_OBJECT:
             self.assertEqual(obj.getTypeIdOfProperty(option.property_name), option.property_type)
             self.assertTrue(obj.getDocumentationOfProperty(option.property_name))
         self.assertEqual({obj.getGroupOfProperty(name) for name in ("Sources", "Gap", "Tolerance")}, {"Wrap"})

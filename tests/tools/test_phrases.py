@@ -13,7 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "Mod"))
 
-from MeshQuality import errors, fem_options, inspection_options, offset_options, options, phrases, wrap_options  # noqa: E402
+from MeshQuality import errors, options, phrases  # noqa: E402
 
 
 MARKED = phrases.Wording(lambda text: f"<{text}>")  # a translation that can be told from the text
@@ -136,7 +136,7 @@ class Phrases(unittest.TestCase):
             self.assertNotRegex(found, "min_|max_|chord_|local_")
 
     def test_every_range_of_the_options_is_one_of_the_table(self):
-        modules = options, fem_options, inspection_options, offset_options, wrap_options
+        modules = options, options.fem, options.inspection, options.offset, options.wrap
         ranges = {option.range_text for module in modules for table in vars(module).values()
                   if isinstance(table, tuple) for option in table if isinstance(option, options.Option)}
         filled = {text.phrase for text in ranges if isinstance(text, phrases.Text)}

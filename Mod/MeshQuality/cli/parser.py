@@ -8,7 +8,7 @@ import argparse
 import re
 import sys
 
-from .. import inspection_options, offset_options, options, wrap_options
+from .. import options
 from ..formats import CURVED_SUFFIXES, FLAT_ONLY_SUFFIXES, READABLE, SUFFIXES
 from ..version import __version__
 
@@ -29,10 +29,10 @@ WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*options.CURVE, options.THREADS),
           "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
-          "verify": (), "thickness": inspection_options.THICKNESS, "clearance": inspection_options.CLEARANCE,
-          "draft": inspection_options.DRAFT, "voids": inspection_options.VOIDS,
-          "offset": offset_options.OFFSET, "hollow": offset_options.HOLLOW,
-          "wrap": wrap_options.WRAP}
+          "verify": (), "thickness": options.inspection.THICKNESS, "clearance": options.inspection.CLEARANCE,
+          "draft": options.inspection.DRAFT, "voids": options.inspection.VOIDS,
+          "offset": options.offset.OFFSET, "hollow": options.offset.HOLLOW,
+          "wrap": options.wrap.WRAP}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 

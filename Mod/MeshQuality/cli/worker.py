@@ -31,46 +31,22 @@ _NO_FINDING = {**dict.fromkeys(("quality", "certify"), "no limits were requested
                "voids": "there are none",
                "verify": "all of it holds"}
 
-REPORT_FIELDS = (
-    "triangles", "vertices", "closed", "oriented", "manifold", "border_edges",
-    "nonmanifold_edges", "misoriented_edges", "pinched_vertices", "degenerate_triangles",
-    "duplicate_triangles", "self_intersections", "overlaps", "overlapping_bodies", "components", "euler", "min_angle", "max_angle",
-    "mean_min_angle", "max_aspect", "max_stretching", "max_degree", "angle_histogram", "area", "volume",
-    "min_angle_asked", "min_angle_unexempted", "max_chord_height", "max_chord_height_to", "chord_height_asked", "exempt",
-    "exempt_causes", "fallback", "missing_faces", "crossing_faces", "contacts", "notes", "complete", "seconds",
-    "cpu_seconds", "queries", "predicates",
-    "exact_predicates",
-)
-
-BOOLEAN_REPORT_FIELDS = (
-    "method", "guessed_share", "error_bound", "tolerance_asked", "retained", "reconstructed", "repaired",
-    "operand_components", "operand_euler", "faults_left", "crossing_pairs",
-    "curve_edges", "parted_contacts", "closed_gaps", "separated_vertices", "fitted_vertices", "unfitted_vertices",
-    "samples", "face_samples",
-)
+# What reports have for Python alone.
+_NOT_WRITTEN = {"exempt_reasons", "spanning", "max_chord_triangle", "max_chord_point", "detail", "sewn", "imprinted", "reused_faces",
+                "holes_filled"}
 WRAP_FIELDS = ("distance_to_input", "distance_from_input", "gap_triangles", "gap_area")  # of the mesh itself
-CURVE_REPORT_FIELDS = (
-    "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
-    "min_distortion", "mean_distortion", "max_shape_distortion", "max_deviation", "rms_deviation",
-    "chord_height_asked", "volume", "cad_volume", "cad_volume_error", "volume_error", "self_intersections", "overlaps",
-    "overlapping_bodies", "crossing_faces", "contacts", "curved_intersections", "curved_overlaps", "not_proven_apart", "straightened",
-    "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
-)
 
 
 def report_fields(report):
     """A report as plain values for JSON; numbers that JSON has no word for become null."""
-    if isinstance(report, (mq.MeshCertificate, mq.CertificateVerification, mq.ThicknessMap, mq.ClearanceReport, mq.DraftMap,
-                           mq.VoidReport)):
+    if hasattr(report, "to_dict"):
         return _plain(report.to_dict())
-    if isinstance(report, mq.CurveReport):
-        return {**_plain({name: getattr(report, name) for name in CURVE_REPORT_FIELDS}),
-                "straight": report_fields(report.straight)}
-    names = REPORT_FIELDS
-    if isinstance(report, mq.BooleanReport):
-        names += BOOLEAN_REPORT_FIELDS
-    fields = {name: getattr(report, name) for name in names}
-    fields["box"] = None if report.box is None else [corner.tolist() for corner in report.box]
+    names = [name for cls in reversed(type(report).__mro__) for name, value in vars(cls).items() if isinstance(value, property)]
+    fields = {name: getattr(report, name) for name in names if name not in _NOT_WRITTEN}
+    if fields.get("box"):
+        fields["box"] = [corner.tolist() for corner in report.box]
+    if "straight" in fields:
+        fields["straight"] = report_fields(report.straight)
     return _plain(fields)
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """offset and hollow: solids grown, shrunk, and made walls of."""
 
-from .. import offset_options, options
+from .. import options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
@@ -41,7 +41,7 @@ def offset(source, distance, tolerance=None, progress=None, threads=0):
     Returns an OffsetMesh, an empty one where nothing is as deep. report says whether the tolerance is met.
     Raises InvalidInput, TopologyError, Cancelled.
     """
-    values = options.check(offset_options.OFFSET, {"distance": distance, "tolerance": tolerance, "threads": threads})
+    values = options.check(options.offset.OFFSET, {"distance": distance, "tolerance": tolerance, "threads": threads})
     if not values["distance"]:
         raise InvalidInput(f"distance = {distance!r}: give a length in mm other than 0")
     options.require_callable(progress)
@@ -70,7 +70,7 @@ def hollow(source, thickness, openings=None, tolerance=None, progress=None, thre
     Returns an OffsetMesh: the whole solid where it is nowhere thicker than twice the thickness.
     Raises InvalidInput naming the face and the remedy, TopologyError, Cancelled.
     """
-    values = options.check(offset_options.HOLLOW, {"thickness": thickness, "tolerance": tolerance, "threads": threads})
+    values = options.check(options.offset.HOLLOW, {"thickness": thickness, "tolerance": tolerance, "threads": threads})
     if not values["thickness"]:
         raise InvalidInput(f"thickness = {thickness!r}: give a length in mm")
     options.require_callable(progress)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """repair: a closed mesh without faults from one that has some."""
 
-from .. import options, repair_options
+from .. import options
 from .booleans import run
 from .operands.operands import Operands
 
@@ -20,7 +20,7 @@ def repair(mesh, tolerance=None, progress=None, threads=0):
     Returns a BooleanMesh; report.repaired says what was put right. Raises what boolean raises, as for a hole too large to be
     closed by guessing.
     """
-    values = options.check(repair_options.REPAIR, {"tolerance": tolerance, "threads": threads})
+    values = options.check(options.repair.REPAIR, {"tolerance": tolerance, "threads": threads})
     options.require_callable(progress)
     return run_repair(Operands([mesh]), values, progress)
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .. import options, wrap_options
+from .. import options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
@@ -88,7 +88,7 @@ def wrap(objects, gap, tolerance=None, dry=None, progress=None, threads=0):
 
     Returns a WrapMesh. Raises InvalidInput naming the object and the remedy; TopologyError; Cancelled.
     """
-    values = options.check(wrap_options.WRAP, {"gap": gap, "tolerance": tolerance, "threads": threads})
+    values = options.check(options.wrap.WRAP, {"gap": gap, "tolerance": tolerance, "threads": threads})
     if values["gap"] is None:
         raise InvalidInput(f"gap = {gap!r}: give a length in mm")
     options.require_callable(progress)

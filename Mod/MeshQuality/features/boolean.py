@@ -15,32 +15,26 @@ from ..errors import Error, InvalidInput
 from . import mesh_object, properties, transactions
 from .recompute_work import Work
 
-# Name, type, what it says: measured on the mesh that the object holds.
-MEASURED = (
-    *properties.TOPOLOGY,
-    ("Volume", "App::PropertyVolume", "Enclosed volume"),
-    ("Retained", "App::PropertyInteger", "Triangles taken unchanged from an operand"),
-    ("Reconstructed", "App::PropertyInteger", "Triangles that were created or changed"),
-    ("Repaired", "App::PropertyStringList", "Repairs of the operands"),
-    ("Notes", "App::PropertyStringList", "Other remarks about the computation"),
-)
-
-# Name, type, what it says: beside mesh_object.PROMISES.
-PROMISES = (
-    ("AskedTolerance", "App::PropertyLength",
-     "Requested max. deviation from the exact Boolean"),
-    ("ErrorBound", "App::PropertyLength", "Max. deviation from the exact Boolean of the meshes"),
-    ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
-    properties.DEVIATION,
-)
-
 
 class MeshBoolean(mesh_object.MeshObject):
     """Proxy of a Mesh::FeaturePython that holds a Boolean of its sources."""
 
     COMMAND, CALL = "MeshQuality_Boolean", "add_boolean"
-    OPTIONS, MEASURED = options.BOOLEAN, MEASURED
-    PROMISES = PROMISES
+    OPTIONS = options.BOOLEAN
+    MEASURED = (
+        *properties.TOPOLOGY,
+        properties.VOLUME,
+        ("Retained", "App::PropertyInteger", "Triangles taken unchanged from an operand", "retained"),
+        ("Reconstructed", "App::PropertyInteger", "Triangles that were created or changed", "reconstructed"),
+        ("Repaired", "App::PropertyStringList", "Repairs of the operands", "repaired"),
+        properties.NOTES,
+    )
+    PROMISES = (
+        ("AskedTolerance", "App::PropertyLength", "Requested max. deviation from the exact Boolean", "tolerance_asked"),
+        ("ErrorBound", "App::PropertyLength", "Max. deviation from the exact Boolean of the meshes", "error_bound"),
+        properties.FAULTS_LEFT,
+        properties.DEVIATION,
+    )
     GROUP, LEAST = "Boolean", 2  # of properties; number of sources
     SOURCES = "The operands: objects with a mesh or a shape, in their order"
     TAKES_MESHES = True
@@ -119,15 +113,8 @@ class MeshBoolean(mesh_object.MeshObject):
     def take(self, obj, result):
         """Shows the mesh and its report."""
         mesh, shown, findings = result
-        report = mesh.report
-        properties.show_mesh(obj, shown)
-        properties.show_topology(obj, report)
-        obj.Volume, obj.ErrorBound, obj.AskedTolerance = report.volume, report.error_bound, report.tolerance_asked
-        obj.FaultsLeft, obj.Notes = report.faults_left, list(report.notes)
-        self.show_origin(obj, mesh)
         self.follow_label(obj)
-        mesh_object.show_certificate(obj, report, True, findings)
-        return report, findings
+        return self.show(obj, mesh, shown, True, findings)
 
     def follow_label(self, obj):
         """Has a label that add_boolean gave follow the first operand and the operation."""
@@ -137,11 +124,6 @@ class MeshBoolean(mesh_object.MeshObject):
         bare = obj.Label.rstrip("0123456789")
         if bare in given and bare != wanted:
             obj.Label = wanted
-
-    def show_origin(self, obj, mesh):
-        """Fills those properties that say what the triangles come from."""
-        report = mesh.report
-        obj.Retained, obj.Reconstructed, obj.Repaired = report.retained, report.reconstructed, list(report.repaired)
 
 
 def add_boolean(a, b=None, operation="union", **values):

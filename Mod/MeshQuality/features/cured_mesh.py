@@ -11,7 +11,7 @@ from functools import partial
 
 import FreeCAD
 
-from .. import fem_options, options, phrases
+from .. import options, phrases
 from ..compat import fem_source_property
 from ..core.certify.certification import certify
 from ..core.curved import simplex_arrays
@@ -41,7 +41,7 @@ class CuredMeshObject(fem_mesh.FemMeshObject):
     """Proxy of a Fem::FemMeshObjectPython that holds the cured elements of another FEM mesh."""
 
     COMMAND, CALL = "MeshQuality_Cure", "add_cured_mesh"
-    OPTIONS, PRESETS = fem_options.CURE, ()
+    OPTIONS, PRESETS = options.fem.CURE, ()
     LINKS = ("Source", "SourcePath", "Given")
     MEASURED = (*fem_mesh.FemMeshObject.MEASURED, *_FOUND)
     HIDDEN = (*fem_mesh.FemMeshObject.HIDDEN, _GROUPS)

@@ -16,8 +16,8 @@ from ..core.sources import convert
 from . import mesh_object, properties, transactions
 from .gui_hooks import window
 
-# Name, type, what it says, where the report has it. All read-only.
-_REPORTED = (
+# Of every mesh of curved elements: name, type, what it says, where the report has it.
+MEASURED = (
     ("Elements", "App::PropertyInteger", "Number of tetrahedra, or of triangles without a volume",
      "elements"),
     ("Vertices", "App::PropertyInteger", "Number of corners of elements", "vertices"),
@@ -51,15 +51,12 @@ _REPORTED = (
      "Elements that were straightened, as they stayed invalid", "straightened"),
     ("MovedVertices", "App::PropertyInteger", "Number of corners that repairs moved", "moved_vertices"),
     ("Repairs", "App::PropertyStringList", "Kinds of repairs, and the number of each", "repairs"),
-    ("Notes", "App::PropertyStringList", "Other remarks about the computation", "notes"),
+    properties.NOTES,
 )
-
-# Of every mesh of curved elements: name, type, what it says.
-MEASURED = tuple((name, kind, text) for name, kind, text, _ in _REPORTED)
 # The same, beside mesh_object.PROMISES.
 PROMISES = (
     ("Invalid", "App::PropertyInteger",
-     "Number of elements that are not proven valid; 0 is required"),
+     "Number of elements that are not proven valid; 0 is required", "invalid"),
     properties.DEVIATION,
 )
 
@@ -162,7 +159,7 @@ class Proof:
 
     def show(self, obj):
         """Fills the groups Quality and Certificate."""
-        show_report(obj, self.report)
+        properties.show_report(obj, (*MEASURED, *PROMISES), self.report)
         mesh_object.show_certificate(obj, self.topology, self.closed, self.findings)
 
 
@@ -173,16 +170,6 @@ def _elements_values(values):
 
 def _elements_fingerprint(shape, values):
     return mesh_object.fingerprint_of(shape, _elements_values(values))
-
-
-def show_report(obj, report):
-    """Fills the group Quality."""
-    for name, _, _, field in _REPORTED:
-        value = getattr(report, field)
-        if field == "repairs":
-            value = [f"{what}: {count}" for what, count in value.items() if count]
-        setattr(obj, name, value)
-    obj.Invalid = report.invalid
 
 
 def add_curved_mesh(source, **values):

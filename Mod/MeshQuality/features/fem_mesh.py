@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import FreeCAD
 
-from .. import fem_options, options, phrases
+from .. import options, phrases
 from ..compat import fem_source_property
 from ..core.curving import curve
 from ..core.fem import fem, fem_size
@@ -31,7 +31,7 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
     TYPE, MESH = "Fem::FemMeshObjectPython", "FemMesh"
     LEAVES_CONTAINERS = True
     COMMAND, CALL = "MeshQuality_FemMesh", "add_fem_mesh"
-    OPTIONS, PRESETS = fem_options.FEM, fem_options.FEM_PRESETS
+    OPTIONS, PRESETS = options.fem.FEM, options.fem.FEM_PRESETS
     BOUND_BEFORE = options.RELATIVE
     PROMISES, MEASURED = curved_mesh.PROMISES, curved_mesh.MEASURED
     HIDDEN = (PART,)

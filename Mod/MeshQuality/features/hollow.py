@@ -6,7 +6,7 @@ import json
 import FreeCAD
 import numpy as np
 
-from .. import offset_options, phrases
+from .. import options, phrases
 from ..compat import property_of
 from ..core.certify import verdict
 from ..core.offsetting import run_hollow
@@ -31,8 +31,8 @@ class HollowObject(offset.SolidMesh):
 
     COMMAND, CALL = "MeshQuality_Hollow", "add_hollow"
     SOURCE, NEEDS = "The object whose solid is hollowed", "a shape or a mesh"
-    OPTIONS = offset_options.HOLLOW_OBJECT
-    MEASURED = (*offset.MEASURED, *_OF_HOLLOW)
+    OPTIONS = options.offset.HOLLOW_OBJECT
+    MEASURED = (*offset.SolidMesh.MEASURED, *_OF_HOLLOW)
     HIDDEN = (*offset.SolidMesh.HIDDEN, _FACES)
 
     @classmethod

@@ -15,13 +15,6 @@ from ..errors import InvalidInput
 from . import mesh_object, properties, transactions
 from .recompute_work import Work
 
-# Name, type, what it says: measured on the mesh that the object holds.
-MEASURED = (
-    *properties.TOPOLOGY,
-    *properties.ANGLES,
-    ("Notes", "App::PropertyStringList", "Changes that were made"),
-)
-
 
 class ImprovedMesh(mesh_object.OfOneSource):
     """Proxy of a Mesh::FeaturePython that holds a better version of its source's mesh."""
@@ -29,7 +22,8 @@ class ImprovedMesh(mesh_object.OfOneSource):
     COMMAND, CALL = "MeshQuality_Improve", "add_improved_mesh"
     SOURCE, NEEDS = "The object whose mesh is improved", "a mesh"
     OPTIONS = options.IMPROVE
-    MEASURED, PROMISES = MEASURED, mesh_object.ANGLE_PROMISES
+    MEASURED = (*properties.TOPOLOGY, *properties.ANGLES, ("Notes", "App::PropertyStringList", "Changes that were made", "notes"))
+    PROMISES = mesh_object.ANGLE_PROMISES
     HIDDEN = (properties.EXEMPT_REASONS,)
 
     @classmethod
@@ -55,12 +49,7 @@ class ImprovedMesh(mesh_object.OfOneSource):
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, shown, closed, findings = result
-        properties.show_mesh(obj, shown)
-        properties.show_topology(obj, mesh.report)
-        properties.show_angles(obj, mesh.report)
-        mesh_object.show_certificate(obj, mesh.report, closed, findings)
-        return mesh.report, findings
+        return self.show(obj, *result)
 
 
 def _digest(mesh, values):

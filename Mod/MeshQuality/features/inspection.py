@@ -6,7 +6,7 @@ import math
 import FreeCAD
 import numpy as np
 
-from .. import inspection_options, phrases
+from .. import options, phrases
 from ..compat import extension
 from ..core.certify import verdict
 from ..core.inspect.clearance import APART, COMMON, TOUCHING, clearance
@@ -21,7 +21,7 @@ from .gui_hooks import window
 RESULTS = (
     (("thickness", "clearance"), "Minimum", "App::PropertyLength",
      "Smallest thickness, gap or clearance; 0 also where no two sides face each other"),
-    (inspection_options.CHECKS, "Faces", "App::PropertyStringList",
+    (options.inspection.CHECKS, "Faces", "App::PropertyStringList",
      "CAD faces where the minimum is, with too little draft or undercuts, or of voids"),
     (("thickness", "clearance", "voids"), "Places", "App::PropertyVectorList",
      "Where walls below the limit are thinnest, without a limit the thinnest one; one point on each of the two solids of "
@@ -46,9 +46,9 @@ class Inspection(offset.SolidMesh):
 
     COMMAND, CALL = "MeshQuality_Inspect", "add_inspection"
     SOURCE, NEEDS = "The object that is measured", "a shape or a mesh"
-    OPTIONS = inspection_options.INSPECTION_OBJECT
+    OPTIONS = options.inspection.INSPECTION_OBJECT
     MEASURED = (*properties.TOPOLOGY, *(row[1:] for row in RESULTS),
-                ("Notes", "App::PropertyStringList", "Other remarks about the computation"))
+                properties.NOTES)
     PROMISES = ()
 
     @classmethod
@@ -62,17 +62,14 @@ class Inspection(offset.SolidMesh):
     def take(self, obj, result):
         """Shows the mesh and what was found."""
         found, mesh, shown, findings, results = result
-        obj.FaceRuns = mesh_object.runs_of_faces(mesh.triangle_face)
-        properties.show_mesh(obj, shown)
-        properties.show_topology(obj, mesh.report)
+        finished = self.show(obj, mesh, shown, False, findings)
         for checks, name, kind, _ in RESULTS:
             given = obj.Check in checks
             setattr(obj, name, results[name] if given else _NOTHING.get(kind, 0.0))
             obj.setEditorMode(name, 1 if given else 2)
         obj.Notes = list(found.notes)
         window().show_values(obj, np.where(found.is_wall, found.values, np.inf) if obj.Check == "thickness" else None)
-        mesh_object.show_certificate(obj, mesh.report, False, findings)
-        return mesh.report, findings
+        return finished
 
     def told(self, obj):
         """The minimum, where the certificate does not say it."""
@@ -132,14 +129,14 @@ def _of_voids(found):
             "Faces": [face for void in found.voids for face in void.faces]}
 
 
-_PULL = next(option for option in inspection_options.INSPECTION_OBJECT if option.name == "pull_direction")
+_PULL = next(option for option in options.inspection.INSPECTION_OBJECT if option.name == "pull_direction")
 # The function, its options, the findings of what it returns, and the properties of that.
 _CHECKS = {
-    "thickness": (thickness, inspection_options.THICKNESS, verdict.of_thickness, _of_thickness),
-    "clearance": (clearance, (inspection_options.CLEARANCE[0], inspection_options.CLEARANCE[-1]), verdict.of_clearance,
+    "thickness": (thickness, options.inspection.THICKNESS, verdict.of_thickness, _of_thickness),
+    "clearance": (clearance, (options.inspection.CLEARANCE[0], options.inspection.CLEARANCE[-1]), verdict.of_clearance,
                   _of_clearance),
-    "draft": (draft, (_PULL, *inspection_options.DRAFT), verdict.of_draft, _of_draft),
-    "voids": (voids, inspection_options.VOIDS, verdict.of_voids, _of_voids),
+    "draft": (draft, (_PULL, *options.inspection.DRAFT), verdict.of_draft, _of_draft),
+    "voids": (voids, options.inspection.VOIDS, verdict.of_voids, _of_voids),
 }
 
 

@@ -18,7 +18,8 @@ from ..core.sources import hidden_parts
 from ..errors import Error, InvalidInput
 from . import aliases, distance_bound, patches, placement
 from .gui_hooks import window
-from .properties import add_hidden, add_measured, add_options, add_property, clear_mesh, options_of, show_deviation
+from .properties import (add_hidden, add_measured, add_options, add_property, clear_mesh, options_of, show_deviation, show_mesh,
+                         show_report)
 from .recompute_work import Work
 
 # Name, type, what it says: properties of the group Certificate, for every kind of object.
@@ -44,10 +45,10 @@ COMPUTING = "being computed in the background"
 OUT_OF_DATE = "out of date: a source or an option has changed; choose Update Mesh"
 SOURCE_DELETED = "out of date: the source was deleted"
 FAILED = "failed: "  # and why
-# The same, for those that promise a smallest angle; see properties.show_angles.
+# The same, for those that promise a smallest angle; the name in the report follows.
 ANGLE_PROMISES = (
-    ("AskedMinAngle", "App::PropertyAngle", "Smallest angle that was requested"),
-    ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles"),
+    ("AskedMinAngle", "App::PropertyAngle", "Smallest angle that was requested", "min_angle_asked"),
+    ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles", "min_angle"),
 )
 # Kept for the object's own use.
 FINGERPRINT = ("Fingerprint", "App::PropertyString", "Digest of the sources and the options of this mesh")
@@ -64,6 +65,7 @@ class MeshObject(PlainState):
     COMMAND             the command that adds one, by which it also gets its icon
     CALL                the function of the API that adds one
     OPTIONS, PRESETS    the table of its options, and values of them that go together
+    MEASURED, PROMISES  the tables of what is measured, and of what it promises, see properties
     HIDDEN              the table of properties for its own use
     sources(obj)        what it is made of: document objects, or pairs (document object, path) as in frames
     add_properties(obj) adds those properties that the object has not got yet
@@ -86,7 +88,7 @@ class MeshObject(PlainState):
     """
 
     TYPE, MESH = "Mesh::FeaturePython", "Mesh"
-    PRESETS = PROMISES = HIDDEN = ()
+    MEASURED = PRESETS = PROMISES = HIDDEN = ()
     TAKES_MESHES = LEAVES_CONTAINERS = False
     BOUND_BEFORE = options.UNBOUNDED
     _clearing = False
@@ -108,7 +110,7 @@ class MeshObject(PlainState):
 
     def add_common_properties(self, obj):
         """Adds what every kind of object has."""
-        for name, kind, text in (*PROMISES, *self.PROMISES):
+        for name, kind, text, *_ in (*PROMISES, *self.PROMISES):
             if not add_property(obj, kind, name, "Certificate", text):
                 obj.setGroupOfProperty(name, "Certificate")  # older versions had some elsewhere
             elif name == "Certificate" and self.size(obj):
@@ -155,6 +157,13 @@ class MeshObject(PlainState):
                 clear_mesh(obj)
             finally:
                 self._clearing = False
+
+    def show(self, obj, mesh, shown, closed, findings):
+        """Shows a mesh with its report, as a Mesh.Mesh, and the certificate; returns what `take` does."""
+        show_mesh(obj, shown)
+        show_report(obj, (*self.MEASURED, *self.PROMISES), mesh.report, mesh)
+        show_certificate(obj, mesh.report, closed, findings)
+        return mesh.report, findings
 
     def follow(self, obj):
         """Has what names sub-elements of the sources follow their change."""
@@ -279,11 +288,10 @@ def with_precomputed(taker, work, result):
 class OfOneSource(MeshObject):
     """Proxy of an object that is made of its Source alone.
 
-    A subclass has SOURCE, what the property says, NEEDS, what a source has, and the tables OPTIONS
-    and MEASURED of its other properties.
+    A subclass has SOURCE, what the property says, and NEEDS, what a source has.
     """
 
-    OPTIONS = MEASURED = ()
+    OPTIONS = ()
     LINKS = ("Source", "SourcePath")
 
     def sources(self, obj):
@@ -358,6 +366,11 @@ class SegmentedMesh(PatchedMesh):
     """The same of a mesh with one segment a CAD face."""
 
     HIDDEN = (FACE_RUNS,)
+
+    def show(self, obj, mesh, shown, closed, findings):
+        """As for all."""
+        obj.FaceRuns = runs_of_faces(mesh.triangle_face)
+        return super().show(obj, mesh, shown, closed, findings)
 
     def onDocumentRestored(self, obj):
         """The mesh gets its segments back, which FreeCAD does not save."""

@@ -4,7 +4,7 @@
 import json
 from functools import partial
 
-from .. import offset_options, options, phrases
+from .. import options, phrases
 from ..core.certify import verdict
 from ..core.offsetting import run_offset
 from ..core.operands.operands import Operands
@@ -12,22 +12,6 @@ from ..core.sources import convert
 from ..errors import InvalidInput
 from . import mesh_object, properties, transactions
 from .recompute_work import Work
-
-# Name, type, what it says: measured on the mesh that the object holds.
-MEASURED = (
-    *properties.TOPOLOGY,
-    ("Volume", "App::PropertyVolume", "Enclosed volume"),
-    ("Repaired", "App::PropertyStringList", "Repairs of the source's mesh"),
-    ("Notes", "App::PropertyStringList", "Other remarks about the computation"),
-)
-
-# Name, type, what it says: beside mesh_object.PROMISES.
-PROMISES = (
-    ("AskedTolerance", "App::PropertyLength", "Requested max. deviation from the exact result, in both directions"),
-    ("ErrorBound", "App::PropertyLength", "Proven max. deviation from the exact result, in both directions"),
-    ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
-    properties.DEVIATION,
-)
 
 
 class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
@@ -39,7 +23,19 @@ class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
     compute(given, values, progress) -> (OffsetMesh, the Mesh.Mesh made of it, the findings of its certificate, given)
     """
 
-    MEASURED, PROMISES = MEASURED, PROMISES
+    MEASURED = (
+        *properties.TOPOLOGY,
+        properties.VOLUME,
+        ("Repaired", "App::PropertyStringList", "Repairs of the source's mesh", "repaired"),
+        properties.NOTES,
+    )
+    PROMISES = (
+        ("AskedTolerance", "App::PropertyLength", "Requested max. deviation from the exact result, in both directions",
+         "tolerance_asked"),
+        ("ErrorBound", "App::PropertyLength", "Proven max. deviation from the exact result, in both directions", "error_bound"),
+        properties.FAULTS_LEFT,
+        properties.DEVIATION,
+    )
     TAKES_MESHES = True
 
     @classmethod
@@ -70,13 +66,7 @@ class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
     def take(self, obj, result):
         """Shows the mesh and its report."""
         mesh, shown, findings, _ = result
-        report, obj.FaceRuns = mesh.report, mesh_object.runs_of_faces(mesh.triangle_face)
-        properties.show_mesh(obj, shown)
-        properties.show_topology(obj, report)
-        obj.Volume, obj.ErrorBound, obj.AskedTolerance = report.volume, report.error_bound, report.tolerance_asked
-        obj.FaultsLeft, obj.Repaired, obj.Notes = report.faults_left, list(report.repaired), list(report.notes)
-        mesh_object.show_certificate(obj, report, True, findings)
-        return report, findings
+        return self.show(obj, mesh, shown, True, findings)
 
 
 class Given:
@@ -98,7 +88,7 @@ class OffsetObject(SolidMesh):
 
     COMMAND, CALL = "MeshQuality_Offset", "add_offset"
     SOURCE, NEEDS = "The object whose solid is offset", "a shape or a mesh"
-    OPTIONS = offset_options.OFFSET_OBJECT
+    OPTIONS = options.offset.OFFSET_OBJECT
 
     @classmethod
     def compute(cls, given, values, progress):

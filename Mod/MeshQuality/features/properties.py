@@ -9,20 +9,24 @@ from .. import options, phrases
 from ..compat import attribute_of, property_of
 from . import aliases, distance_bound
 
-# Name, type, what it says: measured on the mesh that an object holds.
+# Name, type, what it says: measured on the mesh that an object holds; where its report says it, the name there, see show_report.
 TOPOLOGY = (
-    ("Triangles", "App::PropertyInteger", "Number of triangles"),
-    ("Vertices", "App::PropertyInteger", "Number of vertices"),
-    ("Oriented", "App::PropertyBool", "Neighbouring triangles agree on outside"),
+    ("Triangles", "App::PropertyInteger", "Number of triangles", "triangles"),
+    ("Vertices", "App::PropertyInteger", "Number of vertices", "vertices"),
+    ("Oriented", "App::PropertyBool", "Neighbouring triangles agree on outside", "oriented"),
 )
-# The same, of those that promise a smallest angle; see show_angles.
+VOLUME = ("Volume", "App::PropertyVolume", "Enclosed volume", "volume")
+NOTES = ("Notes", "App::PropertyStringList", "Other remarks about the computation", "notes")
+# The same, of those that promise a smallest angle.
 ANGLES = (
-    ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles"),
+    ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles", "max_angle"),
     ("ExemptCount", "App::PropertyInteger", "Number of triangles below the requested angle"),
     ("Exempt", "App::PropertyStringList", "Triangles below the requested angle, and why; hidden where there are many"),
 )
 EXEMPT_REASONS = ("ExemptReasons", "App::PropertyStringList",
                   "For each reason in Exempt what it is made of, and the triangles, by which the window translates it")
+
+FAULTS_LEFT = ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed", "faults_left")
 
 # For objects that keep a distance; see show_deviation.
 DEVIATION = ("DeviationInFull", "App::PropertyString",
@@ -41,8 +45,8 @@ def add_property(obj, kind, name, group, text):
 
 
 def add_measured(obj, table):
-    """A read-only property for each (name, type, text) of the table, in the group Quality."""
-    for name, kind, text in table:
+    """A read-only property for each row of the table, in the group Quality."""
+    for name, kind, text, *_ in table:
         add_property(obj, kind, name, "Quality", text)
         obj.setEditorMode(name, 1)
     _fold_long_lists(obj)
@@ -79,10 +83,16 @@ def clear_mesh(obj):
         obj.Mesh = empty
 
 
-def show_topology(obj, report):
-    """Fills the properties of TOPOLOGY."""
-    obj.Triangles, obj.Vertices = report.triangles, report.vertices
-    obj.Oriented = report.oriented
+def show_report(obj, table, report, mesh=None):
+    """Fills the properties of the table that say what the report does, or else the mesh."""
+    for name, _, _, *field in table:
+        for field_name in field:
+            value = getattr(report if hasattr(report, field_name) else mesh, field_name)
+            if isinstance(value, dict):
+                value = [f"{what}: {count}" for what, count in value.items() if count]
+            setattr(obj, name, value)
+    if ANGLES[-1] in table:
+        _show_exempt(obj, report)
 
 
 def show_deviation(obj):
@@ -96,10 +106,7 @@ def show_deviation(obj):
     obj.DeviationInFull = f"{property_of(obj, measured).Value:.4g} mm" + (f" (requested {asked:.4g} mm{share})" if asked else "")
 
 
-def show_angles(obj, report):
-    """Fills the properties of ANGLES and ANGLE_PROMISES, and Notes."""
-    obj.MeasuredMinAngle, obj.MeasuredMaxAngle = report.min_angle, report.max_angle
-    obj.AskedMinAngle = report.min_angle_asked
+def _show_exempt(obj, report):
     reasons = [(triangle, reason.message) for triangle, reason in report.exempt_reasons]
     obj.Exempt = [phrases.exempt_triangle(triangle, reason) for triangle, reason in reasons]
     obj.ExemptCount = len(reasons)
@@ -108,7 +115,6 @@ def show_angles(obj, report):
     for triangle, reason in reasons:
         triangles.setdefault(reason, []).append(triangle)
     obj.ExemptReasons = [json.dumps([phrases.to_data(reason), numbers]) for reason, numbers in triangles.items()]
-    obj.Notes = list(report.notes)
 
 
 _EXEMPT_LINE = re.compile(r"triangle (\d+): (.+)")  # where no reasons are stored beside

@@ -8,24 +8,6 @@ from ..core.certify import verdict
 from ..core.triangulation import MeshCache, triangulate
 from . import mesh_cache_limit, mesh_object, properties, transactions
 
-# Name, type, what it says: measured on the mesh that the object holds.
-MEASURED = (
-    *properties.TOPOLOGY,
-    *properties.ANGLES,
-    ("ReusedFaces", "App::PropertyInteger",
-     "Faces of the shape whose triangles were reused after the last edit"),
-    ("Notes", "App::PropertyStringList", "Other remarks about the computation"),
-)
-
-# Name, type, what it says: beside mesh_object.PROMISES.
-PROMISES = (
-    *mesh_object.ANGLE_PROMISES,
-    ("AskedChordHeight", "App::PropertyLength",
-     "Requested max. deviation from the shape; 0: none"),
-    ("MaxChordHeight", "App::PropertyLength", "Measured max. deviation from the shape"),
-    properties.DEVIATION,
-)
-
 
 class QualityMesh(mesh_object.SourceMesh):
     """Proxy of a Mesh::FeaturePython that holds a mesh of its source.
@@ -37,7 +19,19 @@ class QualityMesh(mesh_object.SourceMesh):
     COMMAND, CALL = "MeshQuality_Triangulate", "add_quality_mesh"
     OPTIONS = options.TRIANGULATE
     PRESETS = options.TRIANGULATE_PRESETS
-    MEASURED, PROMISES = MEASURED, PROMISES
+    MEASURED = (
+        *properties.TOPOLOGY,
+        *properties.ANGLES,
+        ("ReusedFaces", "App::PropertyInteger", "Faces of the shape whose triangles were reused after the last edit",
+         "reused_faces"),
+        properties.NOTES,
+    )
+    PROMISES = (
+        *mesh_object.ANGLE_PROMISES,
+        ("AskedChordHeight", "App::PropertyLength", "Requested max. deviation from the shape; 0: none", "chord_height_asked"),
+        ("MaxChordHeight", "App::PropertyLength", "Measured max. deviation from the shape", "max_chord_height"),
+        properties.DEVIATION,
+    )
     HIDDEN = (*mesh_object.SourceMesh.HIDDEN, properties.EXEMPT_REASONS)
     cache = None  # MeshCache of its last meshes; not saved, nor copied with the object
 
@@ -64,31 +58,18 @@ class QualityMesh(mesh_object.SourceMesh):
 
     @classmethod
     def compute(cls, shape, values, progress, cache=None):
-        """The SurfaceMesh of the shape, the Mesh.Mesh made of it, what FaceRuns gets, whether it was to
-        be closed, the findings of its certificate, and the cache.
+        """The SurfaceMesh of the shape, the Mesh.Mesh made of it, whether it was to be closed, the findings of its
+        certificate, and the cache.
         """
         mesh = triangulate(shape, **values, progress=progress, cache=cache)
         closed = verdict.must_be_closed(shape)
-        runs = mesh_object.runs_of_faces(mesh.triangle_face)
-        return mesh, mesh.to_mesh(), runs, closed, verdict.of_triangulation(mesh, closed, values, shape), cache
+        return mesh, mesh.to_mesh(), closed, verdict.of_triangulation(mesh, closed, values, shape), cache
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, shown, obj.FaceRuns, closed, findings, self.cache = result
+        *shown, self.cache = result
         mesh_cache_limit.use(self)
-        properties.show_mesh(obj, shown)
-        show_report(obj, mesh.report)
-        mesh_object.show_certificate(obj, mesh.report, closed, findings)
-        return mesh.report, findings
-
-
-def show_report(obj, report):
-    """Fills the group Quality, and what the certificate says of the angle and the distance."""
-    properties.show_topology(obj, report)
-    properties.show_angles(obj, report)
-    obj.MaxChordHeight = max(report.max_chord_height, 0.0)
-    obj.AskedChordHeight = report.chord_height_asked
-    obj.ReusedFaces = report.reused_faces
+        return self.show(obj, *shown)
 
 
 def add_quality_mesh(source, **values):

@@ -3,7 +3,7 @@
 
 import re
 
-from .. import fault_phrases, phrases, repair_options
+from .. import fault_phrases, options, phrases
 from ..core.certify import verdict
 from ..core.repair import run_repair
 from ..core.sources import convert
@@ -16,7 +16,7 @@ class RepairedMesh(offset.SolidMesh):
 
     COMMAND, CALL = "MeshQuality_Repair", "add_repaired_mesh"
     SOURCE, NEEDS = "The object whose mesh is repaired", "a mesh"
-    OPTIONS = repair_options.REPAIR_OBJECT
+    OPTIONS = options.repair.REPAIR_OBJECT
 
     @classmethod
     def compute(cls, given, values, progress):

@@ -1,32 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "Wrap": a closed mesh around objects of the document."""
 
-from .. import options, phrases, wrap_options
+from .. import options, phrases
 from ..core.certify import verdict
 from ..core.patches.source_faces import FacesOfSeveral
 from ..core.wrapping import Wrapped, run
 from ..errors import InvalidInput
 from . import boolean, mesh_object, properties
-
-# Name, type, what it says: measured on the mesh that the object holds.
-MEASURED = (
-    *properties.TOPOLOGY,
-    ("Volume", "App::PropertyVolume", "Enclosed volume"),
-    ("GapTriangles", "App::PropertyInteger", "Number of triangles that close gaps"),
-    ("GapArea", "App::PropertyArea", "Area of the triangles that close gaps"),
-    ("DistanceToInput", "App::PropertyLength", "Largest distance of the wrap from what it lies on, but for gaps"),
-    ("DistanceFromInput", "App::PropertyLength", "Largest distance from the wrap of what sticks out of it"),
-    ("Notes", "App::PropertyStringList", "Other remarks about the computation"),
-)
-
-# Name, type, what it says: beside mesh_object.PROMISES.
-PROMISES = (
-    ("AskedTolerance", "App::PropertyLength", "Requested max. deviation of the wrap from what it lies on"),
-    ("ErrorBound", "App::PropertyLength",
-     "Max. deviation: the larger one of both distances, with that of the meshes of shapes"),
-    ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
-    properties.DEVIATION,
-)
 
 
 class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
@@ -35,7 +15,25 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
     """
 
     COMMAND, CALL = "MeshQuality_Wrap", "add_wrap"
-    OPTIONS, MEASURED, PROMISES = wrap_options.WRAP_OBJECT, MEASURED, PROMISES
+    OPTIONS = options.wrap.WRAP_OBJECT
+    MEASURED = (
+        *properties.TOPOLOGY,
+        properties.VOLUME,
+        ("GapTriangles", "App::PropertyInteger", "Number of triangles that close gaps", "gap_triangles"),
+        ("GapArea", "App::PropertyArea", "Area of the triangles that close gaps", "gap_area"),
+        ("DistanceToInput", "App::PropertyLength", "Largest distance of the wrap from what it lies on, but for gaps",
+         "distance_to_input"),
+        ("DistanceFromInput", "App::PropertyLength", "Largest distance from the wrap of what sticks out of it",
+         "distance_from_input"),
+        properties.NOTES,
+    )
+    PROMISES = (
+        ("AskedTolerance", "App::PropertyLength", "Requested max. deviation of the wrap from what it lies on", "tolerance_asked"),
+        ("ErrorBound", "App::PropertyLength", "Max. deviation: the larger one of both distances, with that of the meshes of shapes",
+         "error_bound"),
+        properties.FAULTS_LEFT,
+        properties.DEVIATION,
+    )
     GROUP, LEAST = "Wrap", 1
     SOURCES = "The objects that are wrapped, with a mesh or a shape"
 
@@ -73,12 +71,6 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
     def follow_label(self, obj):
         """It has one operation."""
 
-    def show_origin(self, obj, mesh):
-        """Fills those properties that say what the triangles lie on."""
-        obj.FaceRuns = mesh_object.runs_of_faces(mesh.triangle_face)
-        obj.GapTriangles, obj.GapArea = mesh.gap_triangles, mesh.gap_area
-        obj.DistanceToInput, obj.DistanceFromInput = mesh.distance_to_input, mesh.distance_from_input
-
 
 def add_wrap(objects, gap, tolerance=None):
     """Adds a document object that keeps the outer surface of document objects up to date; one undo step.
@@ -92,7 +84,7 @@ def add_wrap(objects, gap, tolerance=None):
     sources = list(objects) if isinstance(objects, list) else [objects]
     if not sources:
         raise InvalidInput("the list of objects is empty")
-    values = options.check(wrap_options.WRAP_OBJECT, {"gap": gap, "tolerance": tolerance})
+    values = options.check(options.wrap.WRAP_OBJECT, {"gap": gap, "tolerance": tolerance})
     if values["gap"] is None:
         raise InvalidInput(phrases.Text(phrases.NOT_GIVEN, option="gap"))
     return boolean.add_of_sources(WrapObject, sources, values, "wrap", "Wrap")

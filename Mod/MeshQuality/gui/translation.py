@@ -3,7 +3,7 @@
 
 import FreeCAD
 
-from .. import fem_options, inspection_options, offset_options, options, phrases, repair_options, wrap_options
+from .. import options, phrases
 from . import quantities
 
 
@@ -19,10 +19,10 @@ def of_workbench(text):
     return property(lambda _: FreeCAD.Qt.translate("Workbench", text))
 
 
-_TITLES = {option.name: option.title for table in (options.TRIANGULATE, options.CURVE, options.CURVED_DISPLAY, fem_options.FEM,
-                                                   options.BOOLEAN, options.IMPROVE, offset_options.OFFSET_OBJECT,
-                                                   offset_options.HOLLOW_OBJECT, inspection_options.INSPECTION_OBJECT,
-                                                   wrap_options.WRAP_OBJECT, repair_options.REPAIR_OBJECT) for option in table}
+_TITLES = {option.name: option.title for table in (options.TRIANGULATE, options.CURVE, options.CURVED_DISPLAY, options.fem.FEM,
+                                                   options.BOOLEAN, options.IMPROVE, options.offset.OFFSET_OBJECT,
+                                                   options.offset.HOLLOW_OBJECT, options.inspection.INSPECTION_OBJECT,
+                                                   options.wrap.WRAP_OBJECT, options.repair.REPAIR_OBJECT) for option in table}
 
 
 def _title(name):

@@ -17,35 +17,41 @@
 
 namespace mq::curve {
 
-/// Measurements of the curved mesh, and counts of its repairs.
+/// Measurements of the curved mesh, and counts of its repairs. The comments are what Python says of the fields
+/// (tools/bound_fields).
 struct CurveReport {
-    std::size_t elements = 0;
-    std::size_t vertices = 0;
-    std::size_t invalid_before = 0;  ///< elements invalid right after curving, before any repair
-    std::size_t invalid = 0;         ///< invalid elements of the final mesh, tetrahedra and boundary triangles
-    std::vector<std::string> invalid_elements;  ///< "triangle 3 on Face1": numbers as in the lists of the mesh
-    std::vector<std::string> straightened;      ///< elements that were made straight, named likewise
-    double min_scaled_jacobian = 0.0;           ///< min over the elements of min J / J of the straight element
-    double min_distortion = 0.0;                ///< min over the elements of I = min J / max J, equation (3)
-    double mean_distortion = 0.0;
-    double max_shape_distortion = 0.0;  ///< largest eta of the elements, see curve/distortion.h; 0 without elements
-    double max_deviation = 0.0;         ///< largest distance of boundary triangles from their CAD faces, mm
-    double rms_deviation = 0.0;
-    double volume = 0.0;              ///< volume that the curved triangles enclose, mm^3; 0 without a solid
-    double cad_volume = 0.0;          ///< volume of the model's solids, mm^3; 0: unknown
-    double cad_volume_error = 0.0;    ///< how far it may be off, mm^3 (geometry/occt/solid_volume.h)
-    std::size_t moved_vertices = 0;   ///< corner vertices that left their places in the straight mesh
-    double chord_height_asked = 0.0;  ///< largest deviation that was requested, mm; 0: none
-    /// Pairs of curved triangles that are proven to cross, and those that are neither proven to cross nor to be apart
-    /// (injectivity/curved_crossings.h); -1: not looked for.
+    // The pairs of curved triangles are those of injectivity/curved_crossings.h.
+    /// pairs of curved triangles that are proven to cross; -1: not looked for
     std::int64_t curved_intersections = -1;
+    /// those of them of different bodies, which no node connects; -1: not looked for
+    std::int64_t curved_overlaps = -1;
+    /// pairs that are neither proven to cross nor to be apart, as where they touch; -1: not looked for
     std::int64_t not_proven_apart = -1;
-    std::int64_t curved_overlaps = -1;  ///< pairs that cross and belong to different bodies, which share no node
-    mesh::MeshReport straight;          ///< report of the mesh that was curved
-    std::vector<std::pair<std::string, std::size_t>> repairs;
-    std::vector<std::string> notes;
-    StageTimes seconds;
-    double cpu_seconds = 0.0;
+    std::size_t elements = 0;                   ///< tetrahedra of a volume, triangles of a surface
+    std::size_t vertices = 0;                   ///< corner vertices
+    std::size_t invalid_before = 0;             ///< right after curving, before any repair
+    std::size_t invalid = 0;                    ///< invalid elements of the final mesh
+    std::vector<std::string> invalid_elements;  ///< [text, ...]: which these are, as "triangle 3 on Face1"
+    double min_scaled_jacobian = 0.0;           ///< min J / J of the straight element
+    double min_distortion = 0.0;                ///< min J / max J
+    /// the largest of triangle_distortion or tetrahedron_distortion: 1 is the regular shape
+    double max_shape_distortion = 0.0;
+    double mean_distortion = 0.0;           ///< mean of min J / max J
+    double max_deviation = 0.0;             ///< from the CAD faces, mm
+    double rms_deviation = 0.0;             ///< likewise, the root of the mean square
+    std::vector<std::string> straightened;  ///< [text, ...]: elements that were made straight
+    double volume = 0.0;                    ///< that the curved triangles enclose, mm^3; 0 without a solid
+    double cad_volume = 0.0;                ///< volume of the solids, mm^3; 0: unknown
+    /// how far cad_volume may be off, mm^3: error of its integration, and of faces that meet within the tolerance of
+    /// their edges
+    double cad_volume_error = 0.0;
+    std::size_t moved_vertices = 0;                            ///< corner vertices that a repair moved
+    std::vector<std::pair<std::string, std::size_t>> repairs;  ///< {kind of repair: how many}
+    std::vector<std::string> notes;   ///< sentences about the shape and the mesh that a user should know
+    StageTimes seconds;               ///< {stage: wall-clock seconds}
+    double cpu_seconds = 0.0;         ///< processor time of all threads of the operation
+    double chord_height_asked = 0.0;  ///< largest deviation that was requested, mm; 0: none
+    mesh::MeshReport straight;        ///< MeshReport of the mesh that was curved
 
     /// |volume - cad_volume| / cad_volume; -1: unknown.
     double volume_error() const;

@@ -42,65 +42,79 @@ struct BodyOverlap {
 /// "overlapping", "inside", "equal", "near"
 const char* to_string(BodyOverlap::Kind kind);
 
-/// The measured properties of the final mesh, and the notes of the operation. Angles in degrees, lengths in mm.
+/// The measured properties of the final mesh, and the notes of the operation. Angles in degrees, lengths in mm. The
+/// comments are what Python says of the fields (tools/bound_fields).
 struct MeshReport {
-    std::size_t triangles = 0;
-    std::size_t vertices = 0;
-    bool closed = false;    ///< no border edge
-    bool oriented = false;  ///< every inner edge is run once each way
-    bool manifold = false;  ///< no edge with three or more triangles, no pinched vertex, no degenerate triangle
-    std::size_t border_edges = 0;
-    std::size_t nonmanifold_edges = 0;
-    std::size_t misoriented_edges = 0;
-    std::size_t pinched_vertices = 0;
-    std::size_t degenerate_triangles = 0;  ///< two equal corners, or corners on one line
-    std::size_t duplicate_triangles = 0;
-    std::size_t components = 0;
-    long euler = 0;  ///< V - E + F
-    double min_angle = 0.0;
-    double max_angle = 0.0;
-    double mean_min_angle = 0.0;  ///< mean over the triangles of their smallest angle
-    double max_aspect = 0.0;      ///< longest edge / shortest edge of one triangle
-    /// Largest ratio of the longest edges of two triangles with a common edge: how fast the size changes.
+    std::size_t triangles = 0;     ///< number of triangles
+    std::size_t vertices = 0;      ///< number of vertices
+    bool closed = false;           ///< no border edge
+    bool oriented = false;         ///< every inner edge is run once each way
+    bool manifold = false;         ///< no edge of three or more triangles, no pinched vertex, no degenerate triangle
+    std::size_t border_edges = 0;  ///< edges of one triangle
+    std::size_t nonmanifold_edges = 0;     ///< edges of three or more triangles
+    std::size_t misoriented_edges = 0;     ///< inner edges that both triangles run the same way
+    std::size_t pinched_vertices = 0;      ///< vertices whose triangles form more than one fan
+    std::size_t degenerate_triangles = 0;  ///< triangles without area
+    std::size_t duplicate_triangles = 0;   ///< triangles with the vertices of another one
+    std::size_t components = 0;            ///< pieces that hang together by edges
+    long euler = 0;                        ///< vertices - edges + triangles
+    double min_angle = 0.0;                ///< smallest angle of all triangles
+    double max_angle = 0.0;                ///< largest angle of all triangles
+    double mean_min_angle = 0.0;           ///< mean of the triangles' smallest angles
+    double max_aspect = 0.0;               ///< longest edge / shortest edge of one triangle
+    /// largest ratio of the longest edges of two triangles with a common edge: how fast the size changes; 0 for a mesh
+    /// without such
     double max_stretching = 0.0;
     std::size_t max_degree = 0;                     ///< largest number of edges at a vertex
-    std::array<std::size_t, 60> angle_histogram{};  ///< smallest angle of each triangle, one bin a degree
-    double area = 0.0;
-    double volume = 0.0;  ///< signed volume, mm^3; for closed meshes only
-    Box box;
+    std::array<std::size_t, 60> angle_histogram{};  ///< smallest angle of each triangle, 60 bins of one degree
+    double area = 0.0;                              ///< mm^2
+    double volume = 0.0;                            ///< mm^3, signed; 0 unless closed
+    Box box;                                        ///< (low, high), or None for an empty mesh
 
-    double min_angle_asked = 0.0;
-    double min_angle_unexempted = 0.0;  ///< smallest angle over triangles that are not in `exempt`
-    double max_chord_height = -1.0;     ///< largest measured distance to the CAD; -1 when there is no CAD
-    /// Whether max_chord_height is the distance to the nearest of all faces, not to each triangle's own one.
-    bool to_nearest_face = false;
-    std::int32_t max_chord_triangle = -1;  ///< triangle with the largest distance; -1: not known
-    Vec3 max_chord_point = Vec3::Zero();   ///< point of the mesh with the largest distance, in the model's frame
-    double chord_height_asked = 0.0;       ///< requested limit of the distance; 0: none
-    double detail = 0.0;     ///< shorter CAD edges and thinner CAD faces were not told apart where that is safe, mm
-    bool imprinted = false;  ///< solids that touch have the same triangles on both sides
-    bool sewn = false;       ///< CAD faces without a shell were joined where their borders lie together within `detail`
-    /// Pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, and of loose faces
-    /// that cross; -1: not searched.
+    double min_angle_asked = 0.0;          ///< the bound; 0: none
+    double min_angle_unexempted = 0.0;     ///< smallest angle over the triangles that are not in exempt
+    double max_chord_height = -1.0;        ///< largest measured distance to the CAD, mm; -1 when there is no CAD
+    bool to_nearest_face = false;          // see max_chord_height_to
+    std::int32_t max_chord_triangle = -1;  ///< the triangle where that is; -1: not known
+    /// float64 (3,): the point of that triangle where that is, with the mesh's origin
+    Vec3 max_chord_point = Vec3::Zero();
+    double chord_height_asked = 0.0;  ///< mm; 0: none
+    /// mm: shorter edges and thinner faces of the shape were not told apart where that is safe; 0: all were
+    double detail = 0.0;
+    bool sewn = false;  ///< whether faces without a shell were joined where their borders lie together within `detail`
+    bool imprinted = false;  ///< whether solids that touch have the same triangles on both sides
+    /// pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, and of loose faces
+    /// that cross; counted up to MOST_CROSSINGS; -1: not looked for
     std::int64_t self_intersections = -1;
-    /// Pairs of triangles of different volumes that cross, but for those of volumes that only touch; -1: not searched
+    /// pairs of triangles of different volumes, such as the solids of an assembly, that cross, but for those of bodies
+    /// that only touch; -1: not looked for
     std::int64_t overlaps = -1;
+    /// [(body, body, how), ...], bodies by their names, of shells one of their faces; how: "overlapping"; "inside": the
+    /// first lies in the second; "equal": one body twice; "near": apart in the shape, but their triangles cross
     std::vector<BodyOverlap> overlapping_bodies;
-    std::vector<std::pair<std::int32_t, ExemptReason>> exempt;   ///< triangle, why its angle is below the bound
-    std::vector<std::pair<std::int32_t, std::string>> spanning;  ///< triangle, which CAD faces it lies on
-    std::vector<std::pair<std::int32_t, std::string>> fallback;  ///< CAD face, why its samples were joined in (u, v)
-    std::vector<std::pair<std::int32_t, std::string>> missing;   ///< CAD face that has no triangles, why
-    std::vector<SolidContact> contacts;                          ///< where solids share triangles
-    std::vector<FaceCrossing> crossings;                         ///< by pair of CAD faces: the self-intersections
-    std::vector<std::string> notes;  ///< what the reader must know: faults of the model, budget reached, ...
-    bool complete = true;            ///< false when a budget ended the work early
-
-    std::size_t reused_faces = 0;  ///< CAD faces whose triangles are all taken from the run before
-
-    StageTimes seconds;
-    double cpu_seconds = 0.0;
-    std::uint64_t queries = 0;
-    std::uint64_t predicates = 0;
+    /// [(triangle, reason), ...]: the same as data: reason.cause, .forced (by the shape itself), .angle (of the corner
+    /// that causes it in degrees, or -1), .entities (names of the edges, the vertex and the face), .joined (names of
+    /// two that count as one) and .apart (their distance in mm, or -1)
+    std::vector<std::pair<std::int32_t, ExemptReason>> exempt;
+    /// [(triangle, the CAD faces that it lies on), ...], of keep_edges = feature; its own face is that with the largest
+    /// share
+    std::vector<std::pair<std::int32_t, std::string>> spanning;
+    /// [(CAD face, why it has no triangles), ...], of allow_missing_faces
+    std::vector<std::pair<std::int32_t, std::string>> missing;
+    /// [(CAD face, CAD face, pairs of their triangles that cross), ...]
+    std::vector<FaceCrossing> crossings;
+    /// [(solid, solid, triangles on one side, mm^2), ...]: where solids share triangles, by their numbers in
+    /// shape.Solids; see imprint
+    std::vector<SolidContact> contacts;
+    /// [(face, why its samples were joined in (u, v) instead of in space), ...]
+    std::vector<std::pair<std::int32_t, std::string>> fallback;
+    std::vector<std::string> notes;      ///< sentences about the shape and the mesh that a user should know
+    bool complete = true;                ///< False when a limit ended the work early
+    StageTimes seconds;                  ///< {stage: wall-clock seconds}
+    double cpu_seconds = 0.0;            ///< processor time of all threads of the operation
+    std::size_t reused_faces = 0;        ///< CAD faces that kept the triangles of the run before
+    std::uint64_t queries = 0;           ///< queries to the geometry engine
+    std::uint64_t predicates = 0;        ///< geometric predicates that were evaluated
     std::uint64_t exact_predicates = 0;  ///< predicates that needed exact arithmetic
 };
 

@@ -61,8 +61,8 @@ struct TriangulateOptions {
 
     // For comparisons with Aftosmis 1999:
     geometry::Evaluation evaluation = geometry::Evaluation::Fast;  ///< Native: OpenCASCADE alone
-    std::size_t sites_in_round =
-        0;                       ///< new vertices in a round of Algorithm M; 1: one after the other; 0: by the queue
+    /// New vertices in a round of Algorithm M; 1: one after the other; 0: by the queue.
+    std::size_t sites_in_round = 0;
     bool record_angles = false;  ///< fill Result::angle_history
 
     // For the sampling methods only:

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "boolean/boolean.h"
 #include "geometry/occt/mean_thickness.h"
 #include "geometry/occt/shape_model.h"
 #include "workflows/operands/distance_mesh.h"
@@ -23,8 +23,6 @@ using triangulate::Result;
 // largest coordinate in the local frame of the shape. That frame keeps coordinates within 4 times the shape's size.
 const double kFinestChord = 4.0 * std::sqrt(3.0) * std::ldexp(1.0, -24);
 constexpr double kFrame = 4.0;
-/// Fraction of the size of all operands that a tolerance must be at least.
-const double kFinestTolerance = 4.0 * std::ldexp(1.0, -23);
 constexpr const char* kOfMeshes = "; the max. deviation is that of the Boolean of the meshes";
 
 /// The error with the name of the operand before it, unless that is in it.
@@ -178,15 +176,6 @@ class ShapeMesher {
     std::vector<std::pair<std::string, double>> deviations_;
 };
 
-/// Before shapes are meshed as finely.
-void require_possible(double tolerance, double size) {
-    if (tolerance < kFinestTolerance * size) {
-        throw InvalidInput(Message::of(
-            phrases::kFineTolerance,
-            {{"length", in_digits(tolerance, 4) + " mm"}, {"length2", in_digits(kFinestTolerance * size, 4) + " mm"}}));
-    }
-}
-
 }  // namespace
 
 void Operands::add(GivenOperand operand) {
@@ -257,7 +246,7 @@ MeshedOperands Operands::meshed(const OperandMeshing& meshing, Progress& progres
     result.work.seconds.emplace_back("reading the operands", read_wall_);
     const Stopwatch watch;
     if (any_shapes()) {
-        require_possible(meshing.tolerance, size());
+        boolean::require_possible(meshing.tolerance, size());  // before shapes are meshed as finely
     }
     ShapeMesher mesher(engine_, meshing, progress);
     const auto shapes = static_cast<double>(

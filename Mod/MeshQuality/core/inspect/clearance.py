@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ... import inspection_options, options
+from ... import options
 from ...compat import extension
 from ...errors import InvalidInput
 from ...listing import Public
@@ -125,7 +125,7 @@ def clearance(bodies, min_clearance=None, within=None, tolerance=None, progress=
     distance is that of the shapes: `method` says which.
     Raises InvalidInput naming the body and the remedy; TopologyError, GeometryError; Cancelled.
     """
-    values = options.check(inspection_options.CLEARANCE, {
+    values = options.check(options.inspection.CLEARANCE, {
         "min_clearance": min_clearance, "within": within, "tolerance": tolerance})
     options.require_callable(progress)
     named = _bodies_of(bodies)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ... import inspection_options, options
+from ... import options
 from ...compat import extension
 from ...errors import InvalidInput
 from ...listing import Public
@@ -133,7 +133,7 @@ def draft(source, pull_direction="z", min_draft=1.0, tolerance=None, progress=No
     pull if it faces that way, else against it, meets the solid again; solids of one shape are in each other's way.
     Raises InvalidInput naming the shape or mesh, the defect and the remedy; TopologyError, GeometryError; Cancelled.
     """
-    values = options.check(inspection_options.DRAFT, {"min_draft": min_draft, "tolerance": tolerance})
+    values = options.check(options.inspection.DRAFT, {"min_draft": min_draft, "tolerance": tolerance})
     options.require_callable(progress)
     pull = direction_of(pull_direction)
     taken = SolidSource(source)

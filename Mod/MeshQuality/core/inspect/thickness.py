@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ... import inspection_options, options
+from ... import options
 from ...compat import extension
 from ...errors import InvalidInput
 from ...listing import Public
@@ -116,7 +116,7 @@ class ThicknessMap(metaclass=Public):
 
     def by(self, measure):
         """The same of the other measure, "spheres" or "rays"; nothing is computed again."""
-        measure = inspection_options.THICKNESS[0].checked(measure)
+        measure = options.inspection.THICKNESS[0].checked(measure)
         other = object.__new__(type(self))
         for name in self.__slots__:
             setattr(other, name, getattr(self, name))
@@ -208,7 +208,7 @@ class ThicknessMap(metaclass=Public):
         """
         if limit is None and self.min_thickness is None:
             raise InvalidInput("limit = None is not allowed: give a length in mm, or min_thickness to thickness")
-        limit = self.least_allowed if limit is None else inspection_options.THICKNESS[2].checked(limit)
+        limit = self.least_allowed if limit is None else options.inspection.THICKNESS[2].checked(limit)
         thin = np.flatnonzero(self.is_wall & (self.values < limit))
         found = []
         for triangles in tables.connected(self.mesh.triangles, thin):
@@ -299,7 +299,7 @@ def thickness(source, measure="spheres", gap=False, min_thickness=None, toleranc
     surface. Returns the same for any number of threads.
     Raises InvalidInput naming the shape or mesh, the defect and the remedy; TopologyError, GeometryError; Cancelled.
     """
-    values = options.check(inspection_options.THICKNESS, {
+    values = options.check(options.inspection.THICKNESS, {
         "measure": measure, "gap": gap, "min_thickness": min_thickness, "tolerance": tolerance, "spacing": spacing,
         "corner_angle": corner_angle})
     options.require_callable(progress)
@@ -348,7 +348,7 @@ def _times(core):
 def _finer(core, values):
     """The distance of a finer mesh from the shape, mm, where the thinnest wall needs one; else None."""
     first = ThicknessMap(core, values, core.surface.report.max_chord_height, {}, 0.0)
-    thinnest = min(first.by(measure).minimum for measure in inspection_options.THICKNESS_MEASURES)
+    thinnest = min(first.by(measure).minimum for measure in options.inspection.THICKNESS_MEASURES)
     deviation = core.surface.report.max_chord_height
     if not np.isfinite(thinnest):
         return None

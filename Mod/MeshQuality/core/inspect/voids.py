@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ... import inspection_options, options
+from ... import options
 from ...compat import extension
 from ...errors import InvalidInput
 from ...listing import Public
@@ -93,7 +93,7 @@ def voids(source, tolerance=None, progress=None):
     the outside, by a hole however narrow, are none. The solids of a shape are searched each by itself.
     Raises InvalidInput naming the shape or mesh, the defect and the remedy; TopologyError, GeometryError; Cancelled.
     """
-    values = options.check(inspection_options.VOIDS, {"tolerance": tolerance})
+    values = options.check(options.inspection.VOIDS, {"tolerance": tolerance})
     options.require_callable(progress)
     taken = SolidSource(source)
     chord_height = None if taken.shape is None else values["tolerance"] or taken.first_chord_height()

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The options of FEM meshes, in tables as those of options. Imports nothing of FreeCAD."""
+"""The options of FEM meshes, in tables as those of table. Imports nothing of FreeCAD."""
 
 from dataclasses import replace
 
-from .options import CURVE, CURVE_PRESETS, Option
+from .table import CURVE, CURVE_PRESETS, Option
 
 _OF_FEM = {
     "order": {"high": 2, "help": "1: straight sides; 2: quadratic elements, which follow curved faces and bend as "

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The options of the inspection of solids, a table as those of options.py. Imports nothing of FreeCAD."""
+"""The options of the inspection of solids, a table as those of table.py. Imports nothing of FreeCAD."""
 
 from dataclasses import replace
 
-from .options import Option
+from .table import Option
 
 THICKNESS_MEASURES = ("spheres", "rays")
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The options of wraps, in tables as those of options. Imports nothing of FreeCAD."""
+"""The options of wraps, in tables as those of table. Imports nothing of FreeCAD."""
 
 import math
 
-from .options import MUST_BE_GIVEN, THREADS, Option
+from .table import MUST_BE_GIVEN, THREADS, Option
 
 GAP = Option("gap", float, None, unit="mm", low=0.0, title="Gap", group="Wrap", unset=MUST_BE_GIVEN, suggested=(0.02, math.inf),
              help="Width of a ball that rolls over the objects from outside: openings narrower than this are closed")

@@ -9,9 +9,9 @@ import math
 import numbers
 from dataclasses import dataclass, field, replace
 
-from . import element_names, phrases
-from .errors import InvalidInput
-from .phrases import Text
+from .. import element_names, phrases
+from ..errors import InvalidInput
+from ..phrases import Text
 
 METHODS = ("refine", "star", "sprinkle")
 CONNECTIVITIES = ("pseudo-delaunay", "parametric")

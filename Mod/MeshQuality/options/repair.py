@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The options of repairs, in tables as those of options. Imports nothing of FreeCAD."""
+"""The options of repairs, in tables as those of table. Imports nothing of FreeCAD."""
 
-from .options import THREADS, Option
+from .table import THREADS, Option
 
 TOLERANCE = Option("tolerance", float, None, unit="mm", low=0.0, title="Max. deviation", group="Repair", unset="size / 300",
                    help="Largest distance between the repaired surface and the given one, but for holes that are closed")

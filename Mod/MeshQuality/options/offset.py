@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The options of offsets and hollowed solids, in tables as those of options. Imports nothing of FreeCAD."""
+"""The options of offsets and hollowed solids, in tables as those of table. Imports nothing of FreeCAD."""
 
-from .options import MUST_BE_GIVEN, THREADS, Option
+from .table import MUST_BE_GIVEN, THREADS, Option
 
 TOLERANCE = Option("tolerance", float, None, unit="mm", low=0.0, title="Max. deviation", group="Accuracy",
                    unset="by size",

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The options of every operation, in tables: those of triangulate, curve, boolean and improve here, the others in a module
+an operation. Imports nothing of FreeCAD.
+"""
+
+from . import fem, inspection, offset, repair, wrap  # noqa: F401
+from .table import *  # noqa: F403
