@@ -10,7 +10,7 @@
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "elements/bezier/bernstein.h"
-#include "elements/bezier/node_orders.h"
+#include "elements/product/reference_nodes.h"
 #include "elements/product/tensor_patch.h"
 #include "mesh/weld_vertices.h"
 

@@ -11,8 +11,8 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "elements/bezier/jacobian.h"
-#include "elements/bezier/node_orders.h"
 #include "elements/bezier/sub_simplex.h"
+#include "elements/product/reference_nodes.h"
 
 namespace mq::curve {
 

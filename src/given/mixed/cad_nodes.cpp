@@ -9,7 +9,6 @@
 
 #include "base/error.h"
 #include "curve/measuring.h"
-#include "elements/bezier/node_orders.h"
 #include "elements/product/reference_nodes.h"
 #include "given/mixed/layers.h"
 #include "given/mixed/transfinite_blending.h"

@@ -8,7 +8,6 @@
 
 #include "base/memory/never_destroyed.h"
 #include "elements/bezier/blending.h"
-#include "elements/bezier/node_orders.h"
 #include "elements/product/reference_nodes.h"
 #include "given/mixed/node_table.h"
 

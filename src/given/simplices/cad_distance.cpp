@@ -12,7 +12,7 @@
 #include "base/parallel.h"
 #include "base/rounds.h"
 #include "elements/bezier/bernstein.h"
-#include "elements/bezier/node_orders.h"
+#include "elements/product/reference_nodes.h"
 #include "geometry/session.h"
 #include "mesh/intersection/nearest_tree.h"
 #include "mesh/intersection/triangle_distance.h"

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "curve/surface/node_placement.h"
-#include "elements/bezier/node_orders.h"
+#include "elements/product/reference_nodes.h"
 #include "given/matching/matching.h"
 
 namespace mq::curve {
