@@ -129,11 +129,11 @@ class ShapeSearch {
 
 /// The coefficients of the same polynomial on the lattice of a degree that is higher by `degrees`.
 std::vector<double> raised(const JacobianForm& form, int degrees) {
-    const int dimension = form.lattice->dimension();
+    const Lattice& lattice = form.lattice->factor(0);
+    const int dimension = lattice.dimension();
     const Lattice& one = Lattice::of(dimension, degrees);
-    const ProductTable& table = ProductTable::of(dimension, form.lattice->degree(), degrees);
-    std::vector<double> result(
-        static_cast<std::size_t>(Lattice::of(dimension, form.lattice->degree() + degrees).size()));
+    const ProductTable& table = ProductTable::of(dimension, lattice.degree(), degrees);
+    std::vector<double> result(static_cast<std::size_t>(Lattice::of(dimension, lattice.degree() + degrees).size()));
     for (std::size_t i = 0; i < form.coefficients.size(); ++i) {
         for (int j = 0; j < one.size(); ++j) {
             const ProductTable::Entry& entry = table.at(static_cast<int>(i), j);
@@ -181,13 +181,13 @@ std::vector<double> of_all(std::size_t count, Progress* progress, const Distorti
 double max_distortion_of_triangle(const Lattice& lattice, const std::vector<Vec3>& control) {
     NormalForm normal = normal_of(lattice, control);
     JacobianForm stretch = stretch_of(lattice, control);
-    ShapeSearch<Vec3> search(*normal.lattice, normal.rounding);
+    ShapeSearch<Vec3> search(normal.lattice->factor(0), normal.rounding);
     return search.inverse_of_least(std::move(normal.coefficients), std::move(stretch.coefficients));
 }
 
 double max_distortion_of_tetrahedron(const Lattice& lattice, const std::vector<Vec3>& control) {
     JacobianForm jacobian = jacobian_of(lattice, control);
-    ShapeSearch<double> search(*jacobian.lattice, jacobian.rounding);
+    ShapeSearch<double> search(jacobian.lattice->factor(0), jacobian.rounding);
     std::vector<double> stretch = raised(stretch_of(lattice, control), lattice.degree() - 1);
     return search.inverse_of_least(std::move(jacobian.coefficients), std::move(stretch));
 }
