@@ -8,8 +8,8 @@
 
 #include "base/parallel.h"
 #include "base/rounds.h"
+#include "boolean/points_on_faces.h"
 #include "boolean/tuning.h"
-#include "geometry/points_on_faces.h"
 #include "mesh/intersection/aabb_tree.h"
 #include "mesh/intersection/triangle_distance.h"
 #include "mesh/quality/surface_verification.h"
@@ -18,8 +18,8 @@ namespace mq::boolean {
 
 namespace {
 
-using Candidate = geometry::MovedVertex;
-using Constraint = geometry::SurfaceConstraint;
+using Candidate = MovedVertex;
+using Constraint = SurfaceConstraint;
 using mesh::Triangle;
 using mesh::TriangleMesh;
 
@@ -62,7 +62,7 @@ class Fitting {
     }
 
     void approach(geometry::Engine& engine) {
-        geometry::FaceIntersections(engine, operands_, result_.origin, BooleanTuning::kLeastSurfaceAngle, &progress_)
+        FaceIntersections(engine, operands_, result_.origin, BooleanTuning::kLeastSurfaceAngle, &progress_)
             .approach(candidates_, on_surface_, [] {});
     }
 

@@ -5,15 +5,14 @@
 #include <cmath>
 
 #include "base/rounds.h"
-#include "geometry/points_on_faces.h"
+#include "boolean/points_on_faces.h"
 #include "mesh/quality/surface_verification.h"
 
 namespace mq::boolean {
 
 namespace {
 
-using geometry::MovedVertex;
-using FaceConstraint = geometry::SurfaceConstraint;
+using FaceConstraint = SurfaceConstraint;
 
 /// A vertex counts as on its faces up to this distance, as a fraction of the grid's side: the resolution of single
 /// precision.
@@ -72,7 +71,7 @@ class FaceProjector {
     double spacing_, farthest_, on_faces_;
     double from_mesh_ = 0.0;           ///< mm: largest distance of the meshes from the faces
     std::vector<std::uint8_t> stays_;  // by point: whether an unchanged triangle of an operand has it
-    geometry::FaceIntersections intersections_;
+    FaceIntersections intersections_;
     std::vector<MovedVertex> moved_;
     std::vector<std::int32_t> moved_of_;  // by point: its index in moved_; -1: it stays
 };

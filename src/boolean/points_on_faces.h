@@ -8,7 +8,7 @@
 
 #include "geometry/session.h"
 
-namespace mq::geometry {
+namespace mq::boolean {
 
 /// A surface on which a point is to lie: a face of a model, or a plane.
 struct SurfaceConstraint {
@@ -41,7 +41,7 @@ class FaceIntersections {
     /// @param origin    of the frame of the vertices in that of the models, mm
     /// @param angle     surfaces whose normals differ by less than it (radians) count as one
     template <typename Operands>
-    FaceIntersections(Engine& engine, const Operands& operands, const Vec3& origin, double angle,
+    FaceIntersections(geometry::Engine& engine, const Operands& operands, const Vec3& origin, double angle,
                       const Progress* progress)
         : origin_(origin), angle_(angle), sessions_(operands.size()) {
         for (std::size_t i = 0; i < sessions_.size(); ++i) {
@@ -64,7 +64,7 @@ class FaceIntersections {
   private:
     Vec3 origin_;
     double angle_;
-    std::vector<std::optional<Session>> sessions_;
+    std::vector<std::optional<geometry::Session>> sessions_;
 };
 
-}  // namespace mq::geometry
+}  // namespace mq::boolean

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/points_on_faces.h"
+#include "boolean/points_on_faces.h"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include "base/rounds.h"
 
-namespace mq::geometry {
+namespace mq::boolean {
 
 namespace {
 
@@ -38,25 +38,25 @@ double MovedVertex::distance() const {
 
 void FaceIntersections::project(const std::vector<MovedVertex*>& vertices) {
     for (std::size_t operand = 0; operand < sessions_.size(); ++operand) {
-        Engine::Batch batch;
+        geometry::Engine::Batch batch;
         std::vector<std::pair<MovedVertex*, SurfaceConstraint*>> asked;
         for (MovedVertex* moved : vertices) {
             for (SurfaceConstraint& c : moved->surfaces) {
                 if (c.face >= 0 && static_cast<std::size_t>(c.operand) == operand) {
                     const Vec3 p = moved->now + origin_;
                     asked.emplace_back(moved, &c);
-                    batch.push_back(c.asked ? Query::face_nearest(c.face, p, c.u, c.v)
-                                            : Query::face_nearest_global(c.face, p));
+                    batch.push_back(c.asked ? geometry::Query::face_nearest(c.face, p, c.u, c.v)
+                                            : geometry::Query::face_nearest_global(c.face, p));
                 }
             }
         }
         if (batch.empty()) {
             continue;
         }
-        const Engine::Answers answers = sessions_[operand]->ask(std::move(batch));
+        const geometry::Engine::Answers answers = sessions_[operand]->ask(std::move(batch));
         for (std::size_t i = 0; i < answers.size(); ++i) {
             const auto& [moved, c] = asked[i];
-            c->asked = answers[i].status == Status::Ok;
+            c->asked = answers[i].status == geometry::Status::Ok;
             moved->lost = moved->lost || !c->asked;
             if (c->asked) {
                 c->foot = answers[i].point - origin_;
@@ -95,8 +95,8 @@ void FaceIntersections::approach(std::vector<MovedVertex>& vertices, double near
 
 bool FaceIntersections::contains(const SurfaceConstraint& face) {
     return sessions_[static_cast<std::size_t>(face.operand)]
-               ->ask(Query::face_contains(face.face, face.u, face.v))
+               ->ask(geometry::Query::face_contains(face.face, face.u, face.v))
                .side >= 0;
 }
 
-}  // namespace mq::geometry
+}  // namespace mq::boolean
