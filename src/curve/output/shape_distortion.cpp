@@ -144,15 +144,15 @@ std::vector<double> raised(const JacobianForm& form, int degrees) {
 }
 
 /// Control points of element `e` of a flat list.
-std::vector<Vec3> control_of(const CurvedMesh& mesh, const Lattice& lattice, const std::vector<int>& order,
-                             const std::vector<std::int32_t>& list, int e) {
+std::vector<Vec3> control_of(const CurvedMesh& mesh, const Lattice& lattice, const std::vector<std::int32_t>& list,
+                             int e) {
     const auto width = static_cast<std::size_t>(lattice.size());
     std::vector<Vec3> nodes(width);
     for (std::size_t i = 0; i < width; ++i) {
         const std::int32_t node = list[static_cast<std::size_t>(e) * width + i];
-        nodes[static_cast<std::size_t>(order[i])] = mesh.nodes[static_cast<std::size_t>(node)];
+        nodes[i] = mesh.nodes[static_cast<std::size_t>(node)];
     }
-    return nodes_to_bezier(lattice, nodes);
+    return gmsh_to_bezier(lattice, nodes);
 }
 
 /// distortion(e) of all elements, in parallel.
@@ -197,19 +197,17 @@ std::vector<double> triangle_distortions(const CurvedMesh& mesh, Progress* progr
         throw InvalidInput("the mesh does not tell which of its triangles fold: curve it anew");
     }
     const Lattice& lattice = Lattice::of(2, mesh.order);
-    const std::vector<int> order = gmsh_order(lattice);
     return of_all(mesh.triangle_face.size(), progress, [&](int e) {
         const bool folded = !(mesh.triangle_quality[static_cast<std::size_t>(e)] > 0.0);
         return folded ? std::numeric_limits<double>::infinity()
-                      : max_distortion_of_triangle(lattice, control_of(mesh, lattice, order, mesh.triangles, e));
+                      : max_distortion_of_triangle(lattice, control_of(mesh, lattice, mesh.triangles, e));
     });
 }
 
 std::vector<double> tetrahedron_distortions(const CurvedMesh& mesh, Progress* progress) {
     const Lattice& lattice = Lattice::of(3, mesh.order);
-    const std::vector<int> order = gmsh_order(lattice);
     return of_all(mesh.tetrahedron_volume.size(), progress, [&](int e) {
-        return max_distortion_of_tetrahedron(lattice, control_of(mesh, lattice, order, mesh.tetrahedra, e));
+        return max_distortion_of_tetrahedron(lattice, control_of(mesh, lattice, mesh.tetrahedra, e));
     });
 }
 

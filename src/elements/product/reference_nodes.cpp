@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/memory/never_destroyed.h"
+#include "elements/bezier/bernstein.h"
 
 namespace mq::curve {
 
@@ -151,8 +152,35 @@ std::vector<GridPoint> gmsh_nodes(ElementKind kind, int order) {
     return nodes;
 }
 
-std::vector<int> gmsh_order(const Lattice& lattice) {
-    return order_of(lattice, sides_of(ElementKind::Tetrahedron));
+const std::vector<int>& gmsh_order(const Lattice& lattice) {
+    static const auto& all = never_destroyed([] {
+        std::vector<std::vector<int>> orders;
+        for (int dimension = 1; dimension <= 3; ++dimension) {
+            for (int degree = 0; degree <= kMaxDegree; ++degree) {
+                orders.push_back(order_of(Lattice::of(dimension, degree), sides_of(ElementKind::Tetrahedron)));
+            }
+        }
+        return orders;
+    }());
+    return all[static_cast<std::size_t>((lattice.dimension() - 1) * (kMaxDegree + 1) + lattice.degree())];
+}
+
+std::vector<Vec3> gmsh_to_bezier(const Lattice& lattice, const std::vector<Vec3>& nodes) {
+    const std::vector<int>& order = gmsh_order(lattice);
+    std::vector<Vec3> in_lattice(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        in_lattice[static_cast<std::size_t>(order[i])] = nodes[i];
+    }
+    return nodes_to_bezier(lattice, in_lattice);
+}
+
+std::vector<Vec3> bezier_to_gmsh(const Lattice& lattice, const std::vector<Vec3>& control) {
+    const std::vector<Vec3> in_lattice = bezier_to_nodes(lattice, control);
+    std::vector<Vec3> nodes;
+    for (const int i : gmsh_order(lattice)) {
+        nodes.push_back(in_lattice[static_cast<std::size_t>(i)]);
+    }
+    return nodes;
 }
 
 std::vector<int> vtk_order(const Lattice& lattice) {

@@ -26,7 +26,10 @@ const ElementSides& sides_of(ElementKind kind);
 std::vector<GridPoint> gmsh_nodes(ElementKind kind, int order);
 
 /// The same of a line, triangle or tetrahedron of any order: entry i is the lattice point of Gmsh's node i.
-std::vector<int> gmsh_order(const Lattice& lattice);
+const std::vector<int>& gmsh_order(const Lattice& lattice);
+/// The control points of such an element from its nodes in Gmsh's order, and back.
+std::vector<Vec3> gmsh_to_bezier(const Lattice& lattice, const std::vector<Vec3>& nodes);
+std::vector<Vec3> bezier_to_gmsh(const Lattice& lattice, const std::vector<Vec3>& control);
 /// VTK's order for its Lagrange cells; for order 2 also that of its quadratic cells.
 std::vector<int> vtk_order(const Lattice& lattice);
 
