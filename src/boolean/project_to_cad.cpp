@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "boolean/project_to_cad.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "base/parallel.h"
 #include "base/rounds.h"
+#include "boolean/points_on_faces.h"
 #include "boolean/tuning.h"
 #include "mesh/intersection/aabb_tree.h"
 #include "mesh/intersection/triangle_distance.h"
@@ -17,67 +18,22 @@ namespace mq::boolean {
 
 namespace {
 
-using geometry::Query;
+using Candidate = MovedVertex;
+using Constraint = SurfaceConstraint;
 using mesh::Triangle;
 using mesh::TriangleMesh;
 
 /// A vertex is on its surfaces when its distance is at most this fraction of the size: about the resolution of single
 /// precision.
 constexpr double kOnSurface = 2e-7;
-/// Projections requested at a time: enough to hide the engine's latency, few enough to cancel at once.
-constexpr std::size_t kBatch = 512;
-
-/// The surface on which a vertex must lie: a face of an operand's model, or the plane of a triangle of an operand
-/// without one.
-struct Constraint {
-    std::int32_t operand = -1;
-    std::int32_t face = -1;  ///< -1: a plane
-    Vec3 foot = Vec3::Zero();
-    Vec3 normal = Vec3::Zero();
-    double u = 0.0, v = 0.0;
-    bool asked = false;  ///< (u, v) is that of the last projection
-
-    double distance(const Vec3& p) const { return face < 0 ? std::abs(normal.dot(foot - p)) : (foot - p).norm(); }
-};
-
-struct Candidate {
-    std::int32_t vertex = -1;
-    Vec3 before = Vec3::Zero(), now = Vec3::Zero();
-    std::vector<Constraint> constraints;
-    double first_distance = -1.0;  ///< distance from its surfaces before it moved, mm
-    bool lost = false;
-
-    double distance() const {
-        double largest = 0.0;
-        for (const Constraint& c : constraints) {
-            largest = std::max(largest, c.distance(now));
-        }
-        return largest;
-    }
-};
-
 Vec3 normal_of(const std::vector<Vec3>& vertices, const Triangle& t) {
     return (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]);
 }
 
-/// The least displacement onto the tangent planes of all constraints.
-Vec3 newton_step(const Candidate& candidate) {
-    Eigen::MatrixXd normals(candidate.constraints.size(), 3);
-    Eigen::VectorXd away(candidate.constraints.size());
-    for (std::size_t i = 0; i < candidate.constraints.size(); ++i) {
-        const Constraint& c = candidate.constraints[i];
-        normals.row(static_cast<Eigen::Index>(i)) = c.normal.transpose();
-        away[static_cast<Eigen::Index>(i)] = c.normal.dot(c.foot - candidate.now);
-    }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(BooleanTuning::kLeastSurfaceAngle);
-    return solver.compute(normals).solve(away);
-}
-
 class Fitting {
   public:
-    Fitting(TriangleMesh& result, const std::vector<CadOperand>& operands, geometry::Engine& engine, Progress& progress)
-        : result_(result), operands_(operands), engine_(engine), progress_(progress) {
+    Fitting(TriangleMesh& result, const std::vector<CadOperand>& operands, Progress& progress)
+        : result_(result), operands_(operands), progress_(progress) {
         Box box;
         for (const Vec3& p : result.vertices) {
             box.add(p);
@@ -105,29 +61,9 @@ class Fitting {
         constrain(vertices, near);
     }
 
-    /// Runs Newton's method for all candidates side by side.
-    void approach() {
-        std::vector<Candidate*> active;
-        for (Candidate& c : candidates_) {
-            active.push_back(&c);
-        }
-        for (int step = 0; step <= kNewtonSteps && !active.empty(); ++step) {
-            ask(active);
-            std::vector<Candidate*> farther;
-            for (Candidate* c : active) {
-                const double distance = c->distance();
-                if (c->first_distance < 0.0) {
-                    c->first_distance = distance;
-                }
-                if (!c->lost && step < kNewtonSteps && distance > on_surface_) {
-                    c->now += newton_step(*c);
-                    if (c->distance() > on_surface_) {
-                        farther.push_back(c);
-                    }
-                }
-            }
-            active.swap(farther);
-        }
+    void approach(geometry::Engine& engine) {
+        FaceIntersections(engine, operands_, result_.origin, BooleanTuning::kLeastSurfaceAngle, &progress_)
+            .approach(candidates_, on_surface_, [] {});
     }
 
     CadProjection apply(double limit) {
@@ -175,12 +111,13 @@ class Fitting {
         parallel_for(static_cast<int>(vertices.size()), [&](int k) {
             const auto i = static_cast<std::size_t>(k);
             found[i].vertex = vertices[i];
+            found[i].farthest = std::numeric_limits<double>::infinity();
             found[i].before = found[i].now = result_.vertices[static_cast<std::size_t>(vertices[i])];
             own[i] = !add_constraints(found[i], tree, near);
         });
         progress_.check();
         for (std::size_t i = 0; i < found.size(); ++i) {
-            const auto& list = found[i].constraints;
+            const auto& list = found[i].surfaces;
             if (own[i] == 0 && std::any_of(list.begin(), list.end(), [](const Constraint& c) { return c.face >= 0; })) {
                 candidates_.push_back(std::move(found[i]));
             }
@@ -220,58 +157,17 @@ class Fitting {
                        (other.face >= 0 ||
                         other.normal.cross(constraint.normal).norm() < BooleanTuning::kLeastSurfaceAngle);
             };
-            if (!candidate.constraints.empty() && candidate.constraints.back().operand != constraint.operand) {
-                known = candidate.constraints.size();
+            if (!candidate.surfaces.empty() && candidate.surfaces.back().operand != constraint.operand) {
+                known = candidate.surfaces.size();
             }
             // Most triangles around a vertex are of a face that is known already.
-            if (std::none_of(candidate.constraints.begin() + static_cast<std::ptrdiff_t>(known),
-                             candidate.constraints.end(), same) &&
+            if (std::none_of(candidate.surfaces.begin() + static_cast<std::ptrdiff_t>(known), candidate.surfaces.end(),
+                             same) &&
                 (mesh::nearest_on_triangle(p, a, b, c) - p).norm() <= near) {
-                candidate.constraints.push_back(constraint);
+                candidate.surfaces.push_back(constraint);
             }
         }
         return true;
-    }
-
-    /// Requests projections and normals of all candidates on their faces.
-    void ask(const std::vector<Candidate*>& active) {
-        std::vector<std::vector<std::pair<Candidate*, Constraint*>>> all(operands_.size());
-        for (Candidate* candidate : active) {
-            for (Constraint& c : candidate->constraints) {
-                if (c.face >= 0) {
-                    all[static_cast<std::size_t>(c.operand)].emplace_back(candidate, &c);
-                }
-            }
-        }
-        for (std::size_t o = 0; o < operands_.size(); ++o) {
-            for (std::size_t first = 0; first < all[o].size(); first += kBatch) {
-                take(operands_[o], all[o].data() + first, std::min(kBatch, all[o].size() - first));
-            }
-        }
-    }
-    void take(const CadOperand& operand, const std::pair<Candidate*, Constraint*>* asked, std::size_t count) {
-        progress_.check();
-        geometry::Engine::Batch batch;
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto& [candidate, c] = asked[i];
-            const Vec3 p = candidate->now + result_.origin;
-            batch.push_back(c->asked ? Query::face_nearest(c->face, p, c->u, c->v)
-                                     : Query::face_nearest_global(c->face, p));
-        }
-        const geometry::Engine::Answers answers = engine_.ask(operand.model, batch, &progress_);
-        for (std::size_t i = 0; i < answers.size(); ++i) {
-            const geometry::Answer& answer = answers[i];
-            const auto& [candidate, constraint] = asked[i];
-            if (answer.status != geometry::Status::Ok) {
-                candidate->lost = true;
-                continue;
-            }
-            constraint->foot = answer.point - result_.origin;
-            constraint->normal = answer.normal;
-            constraint->u = answer.u;
-            constraint->v = answer.v;
-            constraint->asked = true;
-        }
     }
 
     /// Reverts the moves of vertices at triangles with faults, until there are none; returns how many.
@@ -349,7 +245,6 @@ class Fitting {
 
     TriangleMesh& result_;
     const std::vector<CadOperand>& operands_;
-    geometry::Engine& engine_;
     Progress& progress_;
     double on_surface_ = 0.0;
     std::vector<std::int32_t> first_;  ///< the first triangle of each operand, in one list of all
@@ -361,9 +256,9 @@ class Fitting {
 CadProjection project_to_cad(TriangleMesh& result, const std::vector<std::array<std::int32_t, 2>>& source,
                              const std::vector<CadOperand>& operands, geometry::Engine& engine, double near,
                              double limit, Progress& progress) {
-    Fitting fitting(result, operands, engine, progress);
+    Fitting fitting(result, operands, progress);
     fitting.find_candidates(source, near);
-    fitting.approach();
+    fitting.approach(engine);
     return fitting.apply(limit);
 }
 

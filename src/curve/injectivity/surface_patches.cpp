@@ -10,7 +10,7 @@
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "elements/bezier/bernstein.h"
-#include "elements/bezier/node_orders.h"
+#include "elements/product/reference_nodes.h"
 #include "elements/product/tensor_patch.h"
 #include "mesh/weld_vertices.h"
 
@@ -89,13 +89,8 @@ void SurfacePatches::add(const SideBlock& block, const std::vector<std::int32_t>
     const auto side = static_cast<std::int32_t>(side_nodes_.size());
     const Lattice& own = Lattice::of(2, degree_of(block));
     if (block.kind == ElementKind::Triangle) {
-        const std::vector<int> order = gmsh_order(own);
-        std::vector<Vec3> in_lattice(nodes.size());
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            in_lattice[static_cast<std::size_t>(order[i])] = nodes[i];
-        }
         patches_.push_back(
-            {raised_to(lattice_->degree(), own, nodes_to_bezier(own, in_lattice)), {row[0], row[1], row[2]}, side});
+            {raised_to(lattice_->degree(), own, gmsh_to_bezier(own, nodes)), {row[0], row[1], row[2]}, side});
     } else {
         auto [lower, upper] = halves_of_quadrilateral(block.order, tensor_control(block.order, std::move(nodes)));
         patches_.push_back({raised_to(lattice_->degree(), own, lower), {row[0], row[1], row[2]}, side});

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/single_precision_grid.h"
-#include "elements/bezier/node_orders.h"
+#include "elements/product/reference_nodes.h"
 
 namespace mq::curve {
 

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "curve/output/curved_mesh.h"
-#include "elements/bezier/node_orders.h"
+#include "elements/product/reference_nodes.h"
 
 namespace mq::curve {
 

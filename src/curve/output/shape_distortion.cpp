@@ -11,8 +11,8 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "elements/bezier/jacobian.h"
-#include "elements/bezier/node_orders.h"
 #include "elements/bezier/sub_simplex.h"
+#include "elements/product/reference_nodes.h"
 
 namespace mq::curve {
 
@@ -129,11 +129,11 @@ class ShapeSearch {
 
 /// The coefficients of the same polynomial on the lattice of a degree that is higher by `degrees`.
 std::vector<double> raised(const JacobianForm& form, int degrees) {
-    const int dimension = form.lattice->dimension();
+    const Lattice& lattice = form.lattice->factor(0);
+    const int dimension = lattice.dimension();
     const Lattice& one = Lattice::of(dimension, degrees);
-    const ProductTable& table = ProductTable::of(dimension, form.lattice->degree(), degrees);
-    std::vector<double> result(
-        static_cast<std::size_t>(Lattice::of(dimension, form.lattice->degree() + degrees).size()));
+    const ProductTable& table = ProductTable::of(dimension, lattice.degree(), degrees);
+    std::vector<double> result(static_cast<std::size_t>(Lattice::of(dimension, lattice.degree() + degrees).size()));
     for (std::size_t i = 0; i < form.coefficients.size(); ++i) {
         for (int j = 0; j < one.size(); ++j) {
             const ProductTable::Entry& entry = table.at(static_cast<int>(i), j);
@@ -144,15 +144,15 @@ std::vector<double> raised(const JacobianForm& form, int degrees) {
 }
 
 /// Control points of element `e` of a flat list.
-std::vector<Vec3> control_of(const CurvedMesh& mesh, const Lattice& lattice, const std::vector<int>& order,
-                             const std::vector<std::int32_t>& list, int e) {
+std::vector<Vec3> control_of(const CurvedMesh& mesh, const Lattice& lattice, const std::vector<std::int32_t>& list,
+                             int e) {
     const auto width = static_cast<std::size_t>(lattice.size());
     std::vector<Vec3> nodes(width);
     for (std::size_t i = 0; i < width; ++i) {
         const std::int32_t node = list[static_cast<std::size_t>(e) * width + i];
-        nodes[static_cast<std::size_t>(order[i])] = mesh.nodes[static_cast<std::size_t>(node)];
+        nodes[i] = mesh.nodes[static_cast<std::size_t>(node)];
     }
-    return nodes_to_bezier(lattice, nodes);
+    return gmsh_to_bezier(lattice, nodes);
 }
 
 /// distortion(e) of all elements, in parallel.
@@ -181,13 +181,13 @@ std::vector<double> of_all(std::size_t count, Progress* progress, const Distorti
 double max_distortion_of_triangle(const Lattice& lattice, const std::vector<Vec3>& control) {
     NormalForm normal = normal_of(lattice, control);
     JacobianForm stretch = stretch_of(lattice, control);
-    ShapeSearch<Vec3> search(*normal.lattice, normal.rounding);
+    ShapeSearch<Vec3> search(normal.lattice->factor(0), normal.rounding);
     return search.inverse_of_least(std::move(normal.coefficients), std::move(stretch.coefficients));
 }
 
 double max_distortion_of_tetrahedron(const Lattice& lattice, const std::vector<Vec3>& control) {
     JacobianForm jacobian = jacobian_of(lattice, control);
-    ShapeSearch<double> search(*jacobian.lattice, jacobian.rounding);
+    ShapeSearch<double> search(jacobian.lattice->factor(0), jacobian.rounding);
     std::vector<double> stretch = raised(stretch_of(lattice, control), lattice.degree() - 1);
     return search.inverse_of_least(std::move(jacobian.coefficients), std::move(stretch));
 }
@@ -197,19 +197,17 @@ std::vector<double> triangle_distortions(const CurvedMesh& mesh, Progress* progr
         throw InvalidInput("the mesh does not tell which of its triangles fold: curve it anew");
     }
     const Lattice& lattice = Lattice::of(2, mesh.order);
-    const std::vector<int> order = gmsh_order(lattice);
     return of_all(mesh.triangle_face.size(), progress, [&](int e) {
         const bool folded = !(mesh.triangle_quality[static_cast<std::size_t>(e)] > 0.0);
         return folded ? std::numeric_limits<double>::infinity()
-                      : max_distortion_of_triangle(lattice, control_of(mesh, lattice, order, mesh.triangles, e));
+                      : max_distortion_of_triangle(lattice, control_of(mesh, lattice, mesh.triangles, e));
     });
 }
 
 std::vector<double> tetrahedron_distortions(const CurvedMesh& mesh, Progress* progress) {
     const Lattice& lattice = Lattice::of(3, mesh.order);
-    const std::vector<int> order = gmsh_order(lattice);
     return of_all(mesh.tetrahedron_volume.size(), progress, [&](int e) {
-        return max_distortion_of_tetrahedron(lattice, control_of(mesh, lattice, order, mesh.tetrahedra, e));
+        return max_distortion_of_tetrahedron(lattice, control_of(mesh, lattice, mesh.tetrahedra, e));
     });
 }
 

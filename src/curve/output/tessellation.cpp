@@ -12,8 +12,8 @@
 #include "base/single_precision_grid.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/bezier/curved_shapes.h"
-#include "elements/bezier/node_orders.h"
 #include "elements/bezier/sub_simplex.h"
+#include "elements/product/reference_nodes.h"
 
 namespace mq::curve {
 

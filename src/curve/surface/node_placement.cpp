@@ -167,14 +167,8 @@ void Placement::place_faces(const std::vector<int>& triangles, bool by_parameter
         if (!found) {
             continue;  // the shape of the face is blended from its edges
         }
-        const std::vector<Vec3> control = nodes_to_bezier(lattice, all[k]);
-        std::vector<Vec3> inner;
-        for (int i = 0; i < lattice.size(); ++i) {
-            if (lattice.carriers(i) == 3) {
-                inner.push_back(control[static_cast<std::size_t>(i)]);
-            }
-        }
-        surface_.shapes.set_face(surface_.triangles[static_cast<std::size_t>(tasks[k].triangle)].corners, inner);
+        surface_.shapes.set_inside(surface_.triangles[static_cast<std::size_t>(tasks[k].triangle)].corners,
+                                   nodes_to_bezier(lattice, all[k]));
     }
 }
 

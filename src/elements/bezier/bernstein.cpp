@@ -2,6 +2,8 @@
 #include "elements/bezier/bernstein.h"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <array>
 
 #include "base/error.h"
 #include "base/memory/never_destroyed.h"
@@ -10,7 +12,9 @@ namespace mq::curve {
 
 namespace {
 
-constexpr int kMaxFactor = 9;  // highest degree of a factor of any product taken
+// Highest degree of a factor of any product taken, and of the product.
+constexpr int kMaxFactor = 9;
+constexpr int kMaxProduct = 13;
 
 std::size_t slot_of(int dimension, int m, int n) {
     // Entries along one axis of the table: degrees 0 to kMaxFactor.
@@ -23,7 +27,7 @@ std::vector<ProductTable> all_products() {
     for (int dimension = 1; dimension <= 3; ++dimension) {
         for (int m = 0; m <= kMaxFactor; ++m) {
             for (int n = 0; n <= kMaxFactor; ++n) {
-                all.emplace_back(dimension, m, m + n <= kMaxDegree ? n : 0);
+                all.emplace_back(dimension, m, m + n <= kMaxProduct ? n : 0);
             }
         }
     }
@@ -84,40 +88,47 @@ std::vector<Vec3> multiplied(const Eigen::MatrixXd& matrix, const std::vector<Ve
     return result;
 }
 
-/// De Casteljau along edge (a, b) with parameter 1/2: every row of points that differ by moves from a to b is a
-/// polynomial in one variable of its own.
-template <typename T>
-std::pair<std::vector<T>, std::vector<T>> halved(const Lattice& lattice, const std::vector<T>& c, int a, int b) {
+/// See halve_blocks(). @tparam Width  of the blocks, or 0 where it is known at run time only
+template <std::size_t Width>
+void halve_rows(const Lattice& lattice, std::size_t blocks, std::size_t given_width, const double* c, int a, int b,
+                double* first, double* second) {
+    const std::size_t width = Width > 0 ? Width : given_width;
+    const std::size_t stride = width * static_cast<std::size_t>(lattice.size());
     const auto ka = static_cast<std::size_t>(a);
     const auto kb = static_cast<std::size_t>(b);
-    std::vector<T> first(c);
-    std::vector<T> second(c);
-    std::vector<T> row;
+    std::vector<double> row((static_cast<std::size_t>(lattice.degree()) + 1) * width);
+    std::array<std::size_t, kMaxDegree + 1> at{};
     for (int i = 0; i < lattice.size(); ++i) {
         Exponents e = lattice.exponents(i);
-        if (e[kb] != 0 || e[ka] == 0) {
+        if (e[kb] != 0) {
             continue;
         }
-        const int n = e[ka];
-        std::array<int, kMaxDegree + 1> at{};
-        row.clear();
-        for (int k = 0; k <= n; ++k) {
-            e[ka] = n - k;
-            e[kb] = k;
-            at[static_cast<std::size_t>(k)] = lattice.index(e);
-            row.push_back(c[static_cast<std::size_t>(at[static_cast<std::size_t>(k)])]);
+        const auto n = static_cast<std::size_t>(e[ka]);
+        for (std::size_t k = 0; k <= n; ++k, --e[ka], ++e[kb]) {
+            at[k] = static_cast<std::size_t>(lattice.index(e)) * width;
         }
-        for (int step = 0; step <= n; ++step) {
-            first[static_cast<std::size_t>(at[static_cast<std::size_t>(step)])] = row[0];
-            second[static_cast<std::size_t>(at[static_cast<std::size_t>(n - step)])] =
-                row[static_cast<std::size_t>(n - step)];
-            for (int k = 0; k < n - step; ++k) {
-                const auto here = static_cast<std::size_t>(k);
-                row[here] = 0.5 * (row[here] + row[here + 1]);
+        for (std::size_t start = 0; start < blocks * stride; start += stride) {
+            for (std::size_t k = 0; k <= n; ++k) {
+                std::copy_n(c + start + at[k], width, row.data() + k * width);
+            }
+            for (std::size_t step = 0; step <= n; ++step) {
+                const std::size_t left = n - step;
+                std::copy_n(row.data(), width, first + start + at[step]);
+                std::copy_n(row.data() + left * width, width, second + start + at[left]);
+                for (std::size_t x = 0; x < left * width; ++x) {
+                    row[x] = 0.5 * (row[x] + row[x + width]);
+                }
             }
         }
     }
-    return {std::move(first), std::move(second)};
+}
+
+template <typename T>
+std::pair<std::vector<T>, std::vector<T>> halved(const Lattice& lattice, const std::vector<T>& c, int a, int b) {
+    std::pair<std::vector<T>, std::vector<T>> halves{std::vector<T>(c.size()), std::vector<T>(c.size())};
+    halve_blocks(lattice, 1, sizeof(T) / sizeof(double), reinterpret_cast<const double*>(c.data()), a, b,
+                 reinterpret_cast<double*>(halves.first.data()), reinterpret_cast<double*>(halves.second.data()));
+    return halves;
 }
 
 }  // namespace
@@ -141,7 +152,7 @@ ProductTable::ProductTable(int dimension, int m, int n) {
 
 const ProductTable& ProductTable::of(int dimension, int m, int n) {
     static const auto& all = never_destroyed(all_products());
-    if (m > kMaxFactor || n > kMaxFactor || m + n > kMaxDegree) {
+    if (m > kMaxFactor || n > kMaxFactor || m + n > kMaxProduct) {
         throw InvalidInput("no table for a product of degrees " + std::to_string(m) + " and " + std::to_string(n));
     }
     return all[slot_of(dimension, m, n)];
@@ -220,6 +231,12 @@ std::pair<std::vector<double>, std::vector<double>> halve(const Lattice& lattice
 std::pair<std::vector<Vec3>, std::vector<Vec3>> halve(const Lattice& lattice, const std::vector<Vec3>& c, int a,
                                                       int b) {
     return halved(lattice, c, a, b);
+}
+
+void halve_blocks(const Lattice& lattice, std::size_t blocks, std::size_t width, const double* c, int a, int b,
+                  double* first, double* second) {
+    const auto rows = width == 1 ? halve_rows<1> : width == 3 ? halve_rows<3> : halve_rows<0>;
+    rows(lattice, blocks, width, c, a, b, first, second);
 }
 
 std::vector<Vec3> raised_to(int degree, const Lattice& lattice, const std::vector<Vec3>& control) {

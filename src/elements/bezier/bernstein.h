@@ -50,6 +50,10 @@ const Eigen::MatrixXd& nodes_to_bezier_matrix(const Lattice& lattice);
 /// of some before.
 std::vector<Vec3> raised_to(int degree, const Lattice& lattice, const std::vector<Vec3>& control);
 
+/// De Casteljau along edge (a, b) with parameter 1/2: every row of points that differ by moves from a to b is a
+/// polynomial in one variable of its own. Coefficients are `width` numbers side by side, in `blocks` lists of all.
+void halve_blocks(const Lattice& lattice, std::size_t blocks, std::size_t width, const double* c, int a, int b,
+                  double* first, double* second);
 /// The polynomial on the two halves that the middle of edge (a, b) makes: first the one that keeps corner a.
 std::pair<std::vector<double>, std::vector<double>> halve(const Lattice& lattice, const std::vector<double>& c, int a,
                                                           int b);

@@ -76,6 +76,14 @@ void CurvedShapes::set_face(const std::array<int, 3>& corners, const std::vector
     faces_[face_key(corners[0], corners[1], corners[2])] = std::move(sorted);
 }
 
+void CurvedShapes::set_inside(const std::array<int, 3>& corners, const std::vector<Vec3>& control) {
+    std::vector<Vec3> inside;
+    for (const int i : inner_) {
+        inside.push_back(control[static_cast<std::size_t>(i)]);
+    }
+    set_face(corners, inside);
+}
+
 void CurvedShapes::forget_face(const std::array<int, 3>& corners) {
     faces_.erase(face_key(corners[0], corners[1], corners[2]));
 }

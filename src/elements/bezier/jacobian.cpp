@@ -22,28 +22,28 @@ double longest(const std::vector<Vec3>& vectors) {
     return std::sqrt(square);
 }
 
-std::vector<Vec3> cross(int dimension, const std::vector<Vec3>& a, int m, const std::vector<Vec3>& b, int n) {
+/// The product of two polynomials of degrees m and n, where `times` multiplies their coefficients.
+template <typename Times>
+auto product(int dimension, const std::vector<Vec3>& a, int m, const std::vector<Vec3>& b, int n, const Times& times) {
+    using Value = decltype(times(a[0], b[0]));
     const ProductTable& table = ProductTable::of(dimension, m, n);
-    std::vector<Vec3> result(static_cast<std::size_t>(Lattice::of(dimension, m + n).size()), Vec3::Zero());
+    std::vector<Value> result(static_cast<std::size_t>(Lattice::of(dimension, m + n).size()),
+                              times(Vec3::Zero(), Vec3::Zero()));
     for (std::size_t i = 0; i < a.size(); ++i) {
         for (std::size_t j = 0; j < b.size(); ++j) {
             const ProductTable::Entry& e = table.at(static_cast<int>(i), static_cast<int>(j));
-            result[static_cast<std::size_t>(e.target)] += e.weight * a[i].cross(b[j]);
+            result[static_cast<std::size_t>(e.target)] += e.weight * times(a[i], b[j]);
         }
     }
     return result;
 }
 
+std::vector<Vec3> cross(int dimension, const std::vector<Vec3>& a, int m, const std::vector<Vec3>& b, int n) {
+    return product(dimension, a, m, b, n, [](const Vec3& x, const Vec3& y) -> Vec3 { return x.cross(y); });
+}
+
 std::vector<double> dot(int dimension, const std::vector<Vec3>& a, int m, const std::vector<Vec3>& b, int n) {
-    const ProductTable& table = ProductTable::of(dimension, m, n);
-    std::vector<double> result(static_cast<std::size_t>(Lattice::of(dimension, m + n).size()), 0.0);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const ProductTable::Entry& e = table.at(static_cast<int>(i), static_cast<int>(j));
-            result[static_cast<std::size_t>(e.target)] += e.weight * a[i].dot(b[j]);
-        }
-    }
-    return result;
+    return product(dimension, a, m, b, n, [](const Vec3& x, const Vec3& y) { return x.dot(y); });
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ JacobianForm jacobian_of(const Lattice& lattice, const std::vector<Vec3>& contro
     const std::vector<Vec3> s = derivative(lattice, control, 2);
     const std::vector<Vec3> t = derivative(lattice, control, 3);
     JacobianForm form;
-    form.lattice = &Lattice::of(3, 3 * m);
+    form.lattice = &ProductLattice::simplex(3, 3 * m);
     form.coefficients = dot(3, r, m, cross(3, s, m, t, m), 2 * m);
     form.rounding = kRounding * longest(r) * longest(s) * longest(t);
     return form;
@@ -93,7 +93,7 @@ JacobianForm normal_component(const Lattice& lattice, const std::vector<Vec3>& c
     const std::vector<Vec3> s = derivative(lattice, control, 2);
     const std::vector<Vec3> normals = nodes_to_bezier(lattice, cad_normals);
     JacobianForm form;
-    form.lattice = &Lattice::of(2, 3 * lattice.degree() - 2);
+    form.lattice = &ProductLattice::simplex(2, 3 * lattice.degree() - 2);
     form.coefficients = dot(2, normals, lattice.degree(), cross(2, r, m, s, m), 2 * m);
     form.rounding = kRounding * longest(r) * longest(s) * longest(normals);
     return form;
@@ -103,14 +103,14 @@ NormalForm normal_of(const Lattice& lattice, const std::vector<Vec3>& control) {
     const int m = lattice.degree() - 1;
     const std::vector<Vec3> r = derivative(lattice, control, 1);
     const std::vector<Vec3> s = derivative(lattice, control, 2);
-    return {&Lattice::of(2, 2 * m), cross(2, r, m, s, m), kRounding * longest(r) * longest(s)};
+    return {&ProductLattice::simplex(2, 2 * m), cross(2, r, m, s, m), kRounding * longest(r) * longest(s), 0};
 }
 
 JacobianForm stretch_of(const Lattice& lattice, const std::vector<Vec3>& control) {
     const int dimension = lattice.dimension();
     const int m = lattice.degree() - 1;
     JacobianForm form;
-    form.lattice = &Lattice::of(dimension, 2 * m);
+    form.lattice = &ProductLattice::simplex(dimension, 2 * m);
     form.coefficients.assign(static_cast<std::size_t>(form.lattice->size()), 0.0);
     const auto add = [&](const std::vector<Vec3>& along) {
         const std::vector<double> square = dot(dimension, along, m, along, m);

@@ -4,16 +4,22 @@
 #include <vector>
 
 #include "elements/bezier/bernstein.h"
+#include "elements/bezier/product_lattice.h"
 
 /// Bezier elements: the maps x(xi) of Dey, O'Bara, Shephard 1999, section 2, and their Jacobians.
 namespace mq::curve {
 
-/// A polynomial on a simplex with a bound on the rounding error of its coefficients.
-struct JacobianForm {
-    const Lattice* lattice = nullptr;
-    std::vector<double> coefficients;
+/// A Bernstein polynomial on a simplex or a product of simplices, with a bound on the rounding error of its
+/// coefficients.
+template <typename T>
+struct BernsteinForm {
+    const ProductLattice* lattice = nullptr;
+    std::vector<T> coefficients;
     double rounding = 0.0;
+    int exponent = 0;  ///< the value in the units of the nodes is that of the coefficients times 2 to this power
 };
+using JacobianForm = BernsteinForm<double>;
+using NormalForm = BernsteinForm<Vec3>;
 
 /// det(dx/dxi) of a Bezier tetrahedron of order q, equation (1), as a Bernstein polynomial of degree 3 (q - 1): the
 /// box product of the three derivatives (equation (6)). Six times the volume where the element is straight.
@@ -33,12 +39,6 @@ JacobianForm normal_component(const Lattice& lattice, const std::vector<Vec3>& c
                               const std::vector<Vec3>& cad_normals);
 
 /// x_r x x_s of a Bezier triangle of order q: degree 2 (q - 1). Twice the area times the normal where it is flat.
-struct NormalForm {
-    const Lattice* lattice = nullptr;
-    std::vector<Vec3> coefficients;
-    double rounding = 0.0;
-};
-
 NormalForm normal_of(const Lattice& lattice, const std::vector<Vec3>& control);
 
 /// The sum of the squared derivatives along the directions of all edges of a Bezier triangle or tetrahedron of order q:

@@ -11,11 +11,10 @@ namespace mq::curve {
 using Exponents = std::array<int, 4>;
 using Barycentric = std::array<double, 4>;
 
-/// Highest order of an element that the tables hold, and highest degree of a polynomial on it: the normal component
-/// of a triangle of order 5 has degree 13.
+/// Highest order of an element that the tables hold.
 constexpr int kMaxOrder = 5;
-/// Highest degree of a polynomial in the tables; see kMaxOrder.
-constexpr int kMaxDegree = 13;
+/// Highest degree of a polynomial in the tables: the Jacobian of a hexahedron of order 5 has it along each axis.
+constexpr int kMaxDegree = 14;
 
 /// The points of a simplex at which polynomials of one degree have their coefficients: all sums of `dimension` + 1
 /// exponents that make up the degree. Nodes, Bezier control points and Bernstein coefficients are stored in its order.

@@ -6,47 +6,13 @@
 #include <limits>
 
 #include "elements/bezier/minimum_search.h"
-#include "elements/bezier/sub_simplex.h"
 
 namespace mq::curve {
 
 namespace {
 
-/// A simplex for MinimumSearch, halved across the longest edge of each piece.
-class SimplexDomain {
-  public:
-    using Part = SimplexPart;
-
-    explicit SimplexDomain(const JacobianForm& form)
-        : lattice_(*form.lattice),
-          rounding_(form.rounding),
-          halving_rounding_(halving_error(form.lattice->degree(), form.coefficients)) {}
-
-    Part whole() const { return kWholeSimplex; }
-    int corners() const { return lattice_.dimension() + 1; }
-    int corner(int k) const { return lattice_.corner(k); }
-    Barycentric place(const Part& part, int k) const { return part[static_cast<std::size_t>(k)]; }
-    double rounding() const { return rounding_; }
-    double halving_rounding() const { return halving_rounding_; }
-
-    using Half = std::pair<std::vector<double>, Part>;
-    std::pair<Half, Half> halve(const std::vector<double>& coefficients, const Part& part) const {
-        const auto [a, b] = longest_edge(part, lattice_.dimension());
-        auto [first, second] = curve::halve(lattice_, coefficients, a, b);
-        const auto [first_part, second_part] = curve::halve(part, a, b);
-        return {{std::move(first), first_part}, {std::move(second), second_part}};
-    }
-
-  private:
-    const Lattice& lattice_;
-    double rounding_;
-    double halving_rounding_;
-};
-
-using Search = MinimumSearch<SimplexDomain>;
-
-Minimum result(const Search& search) {
-    return {search.low(), search.high(), search.at(), search.pieces()};
+Minimum result(const MinimumSearch& search) {
+    return {search.low(), search.high(), search.at()[0], search.pieces()};
 }
 
 /// If all coefficients are within the accuracy, no halving is needed; most elements of a mesh end here.
@@ -54,12 +20,12 @@ bool at_once(const JacobianForm& form, double accuracy, Minimum& minimum) {
     const auto least = std::min_element(form.coefficients.begin(), form.coefficients.end());
     minimum.low = *least - form.rounding;
     minimum.high = std::numeric_limits<double>::infinity();
-    for (int k = 0; k <= form.lattice->dimension(); ++k) {
-        const double at_corner = form.coefficients[static_cast<std::size_t>(form.lattice->corner(k))];
+    for (std::size_t k = 0; k < form.lattice->corners().size(); ++k) {
+        const double at_corner = form.coefficients[static_cast<std::size_t>(form.lattice->corners()[k])];
         if (at_corner < minimum.high) {
             minimum.high = at_corner;
             minimum.at = {};
-            minimum.at[static_cast<std::size_t>(k)] = 1.0;
+            minimum.at[k] = 1.0;
         }
     }
     return minimum.high - minimum.low <= accuracy;
@@ -77,8 +43,7 @@ Minimum bound_minimum(const JacobianForm& form, double accuracy, int max_pieces)
     if (at_once(form, least, minimum)) {
         return minimum;
     }
-    const SimplexDomain domain(form);
-    Search search(domain, form.coefficients);
+    MinimumSearch search(*form.lattice, form.rounding, form.coefficients);
     while (search.high() - search.low() > least && search.pieces() < max_pieces) {
         search.step();
     }
@@ -99,8 +64,7 @@ Validity check_positive(const JacobianForm& form) {
         return validity;
     }
     const double tolerance = kValidityTolerance * largest(form);
-    const SimplexDomain domain(form);
-    Search search(domain, form.coefficients);
+    MinimumSearch search(*form.lattice, form.rounding, form.coefficients);
     while (search.low() <= 0.0 && search.high() > form.rounding && search.pieces() < kMaxPieces &&
            search.high() > tolerance) {
         search.step();

@@ -16,65 +16,14 @@ namespace mq::curve {
 
 namespace {
 
-/// A product of simplices for MinimumSearch: each piece is halved across the longest edge of all its factors.
-class ProductDomain {
-  public:
-    using Part = ProductPart;
-    using Half = std::pair<std::vector<double>, Part>;
-
-    ProductDomain(const ProductLattice& lattice, double rounding, double halving_rounding)
-        : lattice_(lattice), rounding_(rounding), halving_rounding_(halving_rounding) {}
-
-    Part whole() const { return {kWholeSimplex, kWholeSimplex, kWholeSimplex}; }
-    int corners() const { return static_cast<int>(lattice_.corners().size()); }
-    int corner(int k) const { return lattice_.corners()[static_cast<std::size_t>(k)]; }
-    ProductPoint place(const Part& part, int k) const {
-        ProductPoint point{};
-        for (std::size_t f = 0; f < static_cast<std::size_t>(lattice_.factors()); ++f) {
-            point[f] = part[f][static_cast<std::size_t>(lattice_.corner_of_factors(k)[f])];
-        }
-        return point;
-    }
-    double rounding() const { return rounding_; }
-    double halving_rounding() const { return halving_rounding_; }
-
-    std::pair<Half, Half> halve(const std::vector<double>& coefficients, const Part& part) const {
-        int longest = 0;
-        std::pair<int, int> edge;
-        double most = -1.0;
-        for (int f = 0; f < lattice_.factors(); ++f) {
-            const SimplexPart& of_factor = part[static_cast<std::size_t>(f)];
-            const std::pair<int, int> candidate = longest_edge(of_factor, lattice_.factor(f).dimension());
-            const double length = squared_length(of_factor, candidate);
-            if (lattice_.factor(f).degree() > 0 && is_longer(length, most)) {
-                most = length;
-                longest = f;
-                edge = candidate;
-            }
-        }
-        const auto f = static_cast<std::size_t>(longest);
-        auto [first, second] = lattice_.halve(coefficients, longest, edge.first, edge.second);
-        std::pair<Half, Half> halves{{std::move(first), part}, {std::move(second), part}};
-        std::tie(halves.first.second[f], halves.second.second[f]) = curve::halve(part[f], edge.first, edge.second);
-        return halves;
-    }
-
-  private:
-    const ProductLattice& lattice_;
-    double rounding_;
-    double halving_rounding_;
-};
-
-using Search = MinimumSearch<ProductDomain>;
-
 /// Most pieces for a bound and for a sign; the pieces of large polynomials must fit into memory, too.
-int most_pieces(const ProductForm& form, int otherwise) {
+int most_pieces(const JacobianForm& form, int otherwise) {
     constexpr std::size_t kMostNumbers = 16'000'000;
     return std::min(otherwise, static_cast<int>(kMostNumbers / form.coefficients.size()));
 }
 
 /// Narrows the bounds of the minimum to the accuracy and, if `sign` is set, until the sign is known.
-void narrow(Search& search, const ProductForm& form, double scale, bool sign) {
+void narrow(MinimumSearch& search, const JacobianForm& form, double scale, bool sign) {
     constexpr int kPieces = 4000;
     constexpr int kPiecesForSign = 40000;
     const double accuracy = std::max(kElementAccuracy * scale, 4.0 * form.rounding);
@@ -141,7 +90,7 @@ void require_sound(const std::vector<Vec3>& nodes, const std::vector<std::int32_
 
 }  // namespace
 
-ElementVerdict judge(const ProductForm& jacobian) {
+ElementVerdict judge(const JacobianForm& jacobian) {
     ElementVerdict result;
     const double scale = largest_magnitude(jacobian.coefficients);
     for (const double c : jacobian.coefficients) {
@@ -149,16 +98,14 @@ ElementVerdict judge(const ProductForm& jacobian) {
             return result;
         }
     }
-    const double halving = halving_error(jacobian.lattice->highest_degree(), jacobian.coefficients);
-    const ProductDomain domain(*jacobian.lattice, jacobian.rounding, halving);
-    Search least(domain, jacobian.coefficients);
+    MinimumSearch least(*jacobian.lattice, jacobian.rounding, jacobian.coefficients);
     narrow(least, jacobian, scale, true);
     std::vector<double> negative = jacobian.coefficients;
     for (double& c : negative) {
         c = -c;
     }
     const bool fails = least.high() <= jacobian.rounding;
-    Search most(domain, std::move(negative));
+    MinimumSearch most(*jacobian.lattice, jacobian.rounding, std::move(negative));
     narrow(most, jacobian, scale, fails);
     const Range ratio = ratio_of({least.low(), least.high_bound()}, {-most.high_bound(), -most.low()});
     result.low = ratio.low;

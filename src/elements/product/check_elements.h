@@ -31,7 +31,7 @@ struct ElementVerdict {
 };
 
 /// Bounds and verdict of a Jacobian; high - low is at most about `kElementAccuracy` unless that takes too many pieces.
-ElementVerdict judge(const ProductForm& jacobian);
+ElementVerdict judge(const JacobianForm& jacobian);
 
 /// Accuracy of the minimum and the maximum of J, relative to the largest |J|.
 constexpr double kElementAccuracy = 0.01;

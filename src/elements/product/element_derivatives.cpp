@@ -121,11 +121,7 @@ NodalPolynomial derivative(const NodalPolynomial& map, int f, int k) {
 }
 
 long double binomial(int n, int k) {
-    long double result = 1.0L;
-    for (int i = 1; i <= k; ++i) {
-        result = result * (n - k + i) / i;
-    }
-    return result;
+    return Lattice::of(1, n).multinomial(k);
 }
 
 long double power(long double base, int exponent) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "elements/bezier/product_lattice.h"
 #include "elements/product/element_kind.h"
-#include "elements/product/product_lattice.h"
 
 namespace mq::curve {
 

@@ -145,7 +145,7 @@ void ElementJacobian::divide_by_multinomials(std::vector<double>& coefficients) 
     }
 }
 
-ProductForm ElementJacobian::along_mean(const Field& r, const Field& s) const {
+JacobianForm ElementJacobian::along_mean(const Field& r, const Field& s) const {
     const Field normal = cross(products_[0], r, s);
     // The mean of a polynomial is that of its Bernstein coefficients.
     Vec3 mean = Vec3::Zero();
@@ -156,7 +156,7 @@ ProductForm ElementJacobian::along_mean(const Field& r, const Field& s) const {
     if (length > 0.0) {
         mean /= length;
     }
-    ProductForm form{&products_[0].lattice, normal.c[0], 0.0};
+    JacobianForm form{&products_[0].lattice, normal.c[0], 0.0};
     for (std::size_t i = 0; i < form.coefficients.size(); ++i) {
         form.coefficients[i] = mean.x() * normal.c[0][i] + mean.y() * normal.c[1][i] + mean.z() * normal.c[2][i];
     }
@@ -166,9 +166,9 @@ ProductForm ElementJacobian::along_mean(const Field& r, const Field& s) const {
     return form;
 }
 
-ProductForm ElementJacobian::box_product(const Field& r, const Field& s, const Field& t) const {
+JacobianForm ElementJacobian::box_product(const Field& r, const Field& s, const Field& t) const {
     const Field normal = cross(products_[0], s, t);
-    ProductForm form{&products_[1].lattice, std::vector<double>(multinomials_.size(), 0.0), 0.0};
+    JacobianForm form{&products_[1].lattice, std::vector<double>(multinomials_.size(), 0.0), 0.0};
     const int* target = products_[1].targets.data();
     for (std::size_t i = 0; i < r.c[0].size(); ++i) {
         const double x = r.c[0][i];
@@ -187,7 +187,7 @@ ProductForm ElementJacobian::box_product(const Field& r, const Field& s, const F
     return form;
 }
 
-ProductForm ElementJacobian::of(const std::vector<Vec3>& nodes) const {
+JacobianForm ElementJacobian::of(const std::vector<Vec3>& nodes) const {
     std::vector<Vec3> local;
     int exponent = 0;
     const double size = to_local(nodes, local, exponent);
@@ -195,14 +195,14 @@ ProductForm ElementJacobian::of(const std::vector<Vec3>& nodes) const {
     for (const Derivative& d : derivatives_) {
         fields.push_back(derivative(d, local, size));
     }
-    ProductForm form =
+    JacobianForm form =
         fields.size() == 2 ? along_mean(fields[0], fields[1]) : box_product(fields[0], fields[1], fields[2]);
     form.exponent = static_cast<int>(fields.size()) * exponent;
     return form;
 }
 
 double ElementJacobian::volume(const std::vector<Vec3>& nodes) const {
-    const ProductForm form = of(nodes);
+    const JacobianForm form = of(nodes);
     const ProductLattice& lattice = *form.lattice;
     double sum = 0.0;
     for (int i = 0; i < lattice.size(); ++i) {

@@ -5,18 +5,10 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "elements/bezier/jacobian.h"
 #include "elements/product/element_kind.h"
-#include "elements/product/product_lattice.h"
 
 namespace mq::curve {
-
-/// A Bernstein polynomial on a product of simplices, with a bound on the rounding error of its coefficients.
-struct ProductForm {
-    const ProductLattice* lattice = nullptr;
-    std::vector<double> coefficients;
-    double rounding = 0.0;
-    int exponent = 0;  ///< J in the units of the nodes is the value of the coefficients times 2 to this power
-};
 
 /// Computes Jacobians from the nodes of elements of one kind and order.
 class ElementJacobian {
@@ -28,7 +20,7 @@ class ElementJacobian {
     /// J of a solid element; of a surface element the component of the normal x_r x x_s along its mean in the element.
     /// Either is up to a factor, which is positive and the same in all of the element. Nodes are taken as exact: the
     /// bound of rounding covers all that is computed from them. Where that overflows, coefficients are not finite.
-    ProductForm of(const std::vector<Vec3>& nodes) const;
+    JacobianForm of(const std::vector<Vec3>& nodes) const;
 
     /// The volume of a solid element: the integral of J over the reference element, negative where it is inverted.
     double volume(const std::vector<Vec3>& nodes) const;
@@ -59,8 +51,8 @@ class ElementJacobian {
     static Field derivative(const Derivative& derivative, const std::vector<Vec3>& local, double size);
     static Field cross(const Product& product, const Field& a, const Field& b);
     void divide_by_multinomials(std::vector<double>& coefficients) const;
-    ProductForm along_mean(const Field& r, const Field& s) const;
-    ProductForm box_product(const Field& r, const Field& s, const Field& t) const;
+    JacobianForm along_mean(const Field& r, const Field& s) const;
+    JacobianForm box_product(const Field& r, const Field& s, const Field& t) const;
 
     ElementKind kind_;
     std::vector<Derivative> derivatives_;

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/memory/never_destroyed.h"
-#include "elements/bezier/node_orders.h"
+#include "elements/bezier/bernstein.h"
 
 namespace mq::curve {
 
@@ -40,146 +40,89 @@ GridPoint along(const GridPoint& from, const GridPoint& to, int step, int steps)
     return p;
 }
 
-/// The corner moved inwards by one of `steps` towards each of its neighbours.
-GridPoint inwards(const GridPoint& corner, const Points& neighbours, int steps) {
-    GridPoint p = corner;
-    for (const GridPoint& neighbour : neighbours) {
-        const GridPoint q = along(corner, neighbour, 1, steps);
-        for (std::size_t k = 0; k < 3; ++k) {
-            p[k] += q[k] - corner[k];
-        }
-    }
-    return p;
+/// Corners of an element whose mean is its centre. The nodes inside are those of an element whose order is lower by
+/// their number; prisms have no such.
+const std::vector<std::size_t>& central_corners(ElementKind kind) {
+    static const auto& corners = never_destroyed<std::array<std::vector<std::size_t>, 6>>(
+        {{{0, 1, 2}, {0, 2}, {0, 1, 2, 3}, {0, 2, 4}, {}, {0, 6}}});
+    return corners[static_cast<std::size_t>(kind)];
 }
 
-void append_edge(const GridPoint& from, const GridPoint& to, int order, Points& out) {
-    for (int i = 1; i < order; ++i) {
-        out.push_back(along(from, to, i, order));
-    }
-}
+void append(ElementKind kind, const ElementSides& by, const Points& corners, int order, Points& out);
 
-/// A triangle or tetrahedron on these corners.
-void append_simplex(const Points& corners, int order, Points& out) {
-    if (order == 0) {
-        out.push_back(corners[0]);
-        return;
-    }
-    const Lattice& lattice = Lattice::of(static_cast<int>(corners.size()) - 1, order);
-    for (const int i : gmsh_order(lattice)) {
-        GridPoint p{};
-        for (std::size_t c = 0; c < corners.size(); ++c) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                p[k] += lattice.exponents(i)[c] * corners[c][k];
+/// The nodes inside of an element, edges and faces apart.
+void append_inside(ElementKind kind, const ElementSides& by, const Points& corners, int order, Points& out) {
+    if (kind == ElementKind::Prism) {
+        // Lines over the nodes inside of the triangle; the ends of each line come first.
+        Points base;
+        append_inside(ElementKind::Triangle, sides_of(ElementKind::Triangle), {corners[0], corners[1], corners[2]},
+                      order, base);
+        for (GridPoint p : base) {
+            const int foot = p[2];
+            for (int i = 1; i < order; ++i) {
+                const int step = i == 1 ? 1 : i == 2 ? order - 1 : i - 1;
+                p[2] = foot + (corners[3][2] - corners[0][2]) / order * step;
+                out.push_back(p);
             }
         }
-        for (int& coordinate : p) {
-            coordinate /= order;
-        }
-        out.push_back(p);
+        return;
     }
-}
-
-void append_quadrilateral(const Points& corners, int order, Points& out);
-
-/// The nodes within a face of three or four corners.
-void append_within_face(const Points& corners, int order, Points& out) {
-    const std::size_t n = corners.size();
-    const int inner = order - (n == 3 ? 3 : 2);
+    const std::vector<std::size_t>& central = central_corners(kind);
+    const int inner = order - static_cast<int>(central.size());
     if (inner < 0) {
         return;
     }
-    Points inside;
-    for (std::size_t i = 0; i < n; ++i) {
-        inside.push_back(inwards(corners[i], {corners[(i + 1) % n], corners[(i + n - 1) % n]}, order));
-    }
-    if (n == 3) {
-        append_simplex(inside, inner, out);
-    } else {
-        append_quadrilateral(inside, inner, out);
-    }
-}
-
-void append_quadrilateral(const Points& corners, int order, Points& out) {
-    if (order == 0) {
-        out.push_back(corners[0]);
-        return;
-    }
-    out.insert(out.end(), corners.begin(), corners.end());
-    for (std::size_t i = 0; i < 4; ++i) {
-        append_edge(corners[i], corners[(i + 1) % 4], order, out);
-    }
-    append_within_face(corners, order, out);
-}
-
-void append_solid(ElementKind kind, const Points& corners, int order, Points& out);
-
-void append_within_prism(const Points& corners, int order, Points& out) {
-    if (order < 3) {
-        return;
-    }
-    // Lines over the nodes inside of the triangle; the ends of each line come first.
-    Points base;
-    append_within_face({corners[0], corners[1], corners[2]}, order, base);
-    const GridPoint rise{0, 0, corners[3][2] - corners[0][2]};
-    for (const GridPoint& p : base) {
-        const GridPoint top{p[0] + rise[0], p[1] + rise[1], p[2] + rise[2]};
-        Points line;
-        append_edge(p, top, order, line);
-        out.push_back(line.front());
-        out.push_back(line.back());
-        out.insert(out.end(), line.begin() + 1, line.end() - 1);
-    }
-}
-
-void append_within_pyramid(const Points& corners, int order, Points& out) {
-    if (order < 3) {
-        return;
-    }
-    Points inside;
-    for (std::size_t i = 0; i < 4; ++i) {
-        inside.push_back(inwards(corners[i], {corners[(i + 1) % 4], corners[(i + 3) % 4], corners[4]}, order));
-    }
-    inside.push_back(inwards(corners[4], {corners[0], corners[2]}, order));
-    append_solid(ElementKind::Pyramid, inside, order - 3, out);
-}
-
-void append_within_hexahedron(const Points& corners, int order, Points& out) {
-    if (order < 2) {
-        return;
-    }
-    Points inside;
-    for (std::size_t i = 0; i < 8; ++i) {
-        const std::size_t level = i / 4 * 4;
-        inside.push_back(inwards(
-            corners[i], {corners[level + (i + 1) % 4], corners[level + (i + 3) % 4], corners[(i + 4) % 8]}, order));
-    }
-    append_solid(ElementKind::Hexahedron, inside, order - 2, out);
-}
-
-void append_solid(ElementKind kind, const Points& corners, int order, Points& out) {
-    if (order == 0) {
-        out.push_back(corners[0]);
-        return;
-    }
-    const ElementSides& by = sides_of(kind);
-    out.insert(out.end(), corners.begin(), corners.end());
-    for (const auto& edge : by.edges) {
-        append_edge(corners[edge[0]], corners[edge[1]], order, out);
-    }
-    for (const auto& face : by.faces) {
-        Points on;
-        for (const std::size_t corner : face) {
-            on.push_back(corners[corner]);
+    Points inside = corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        for (const std::size_t c : central) {
+            const GridPoint towards = along(corners[i], corners[c], 1, order);
+            for (std::size_t k = 0; k < 3; ++k) {
+                inside[i][k] += towards[k] - corners[i][k];
+            }
         }
-        append_within_face(on, order, out);
     }
-    if (kind == ElementKind::Prism) {
-        append_within_prism(corners, order, out);
-    } else if (kind == ElementKind::Pyramid) {
-        append_within_pyramid(corners, order, out);
-    } else {
-        append_within_hexahedron(corners, order, out);
+    append(kind, by, inside, inner, out);
+}
+
+/// The nodes of an element with these corners: corners, edges, faces, and then the inside.
+void append(ElementKind kind, const ElementSides& by, const Points& corners, int order, Points& out) {
+    if (order == 0) {
+        out.push_back(corners[0]);
+        return;
     }
+    out.insert(out.end(), corners.begin(), corners.end());
+    for (const auto& [a, b] : by.edges) {
+        for (int i = 1; i < order; ++i) {
+            out.push_back(along(corners[a], corners[b], i, order));
+        }
+    }
+    if (dimension_of(kind) == 3) {
+        for (const auto& face : by.faces) {
+            const ElementKind flat = face.size() == 3 ? ElementKind::Triangle : ElementKind::Quadrilateral;
+            Points on;
+            for (const std::size_t corner : face) {
+                on.push_back(corners[corner]);
+            }
+            append_inside(flat, sides_of(flat), on, order, out);
+        }
+    }
+    append_inside(kind, by, corners, order, out);
+}
+
+/// The indices of a simplex' nodes, with its sides in the order of a format; those of a line are on the first edge of a
+/// triangle.
+std::vector<int> order_of(const Lattice& lattice, const ElementSides& tetrahedron) {
+    const ElementKind kind = lattice.dimension() == 3 ? ElementKind::Tetrahedron : ElementKind::Triangle;
+    Points nodes;
+    append(kind, lattice.dimension() == 3 ? tetrahedron : sides_of(kind), corners_of(kind, lattice.degree()),
+           lattice.degree(), nodes);
+    std::vector<int> result;
+    for (const auto& [x, y, z] : nodes) {
+        if (lattice.dimension() > 1 || y == 0) {
+            result.push_back(lattice.index({lattice.degree() - x - y - z, x, y, z}));
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -204,16 +147,46 @@ std::vector<GridPoint> gmsh_nodes(ElementKind kind, int order) {
         throw InvalidInput("elements have an order of 1 to " + std::to_string(kMaxOrder) + ", not " +
                            std::to_string(order));
     }
-    const Points corners = corners_of(kind, order);
     Points nodes;
-    if (kind == ElementKind::Triangle || kind == ElementKind::Tetrahedron) {
-        append_simplex(corners, order, nodes);
-    } else if (kind == ElementKind::Quadrilateral) {
-        append_quadrilateral(corners, order, nodes);
-    } else {
-        append_solid(kind, corners, order, nodes);
+    append(kind, sides_of(kind), corners_of(kind, order), order, nodes);
+    return nodes;
+}
+
+const std::vector<int>& gmsh_order(const Lattice& lattice) {
+    static const auto& all = never_destroyed([] {
+        std::vector<std::vector<int>> orders;
+        for (int dimension = 1; dimension <= 3; ++dimension) {
+            for (int degree = 0; degree <= kMaxDegree; ++degree) {
+                orders.push_back(order_of(Lattice::of(dimension, degree), sides_of(ElementKind::Tetrahedron)));
+            }
+        }
+        return orders;
+    }());
+    return all[static_cast<std::size_t>((lattice.dimension() - 1) * (kMaxDegree + 1) + lattice.degree())];
+}
+
+std::vector<Vec3> gmsh_to_bezier(const Lattice& lattice, const std::vector<Vec3>& nodes) {
+    const std::vector<int>& order = gmsh_order(lattice);
+    std::vector<Vec3> in_lattice(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        in_lattice[static_cast<std::size_t>(order[i])] = nodes[i];
+    }
+    return nodes_to_bezier(lattice, in_lattice);
+}
+
+std::vector<Vec3> bezier_to_gmsh(const Lattice& lattice, const std::vector<Vec3>& control) {
+    const std::vector<Vec3> in_lattice = bezier_to_nodes(lattice, control);
+    std::vector<Vec3> nodes;
+    for (const int i : gmsh_order(lattice)) {
+        nodes.push_back(in_lattice[static_cast<std::size_t>(i)]);
     }
     return nodes;
+}
+
+std::vector<int> vtk_order(const Lattice& lattice) {
+    static const auto& sides = never_destroyed<ElementSides>(
+        {{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}, {{0, 1, 3}, {2, 3, 1}, {0, 3, 2}, {0, 2, 1}}});
+    return order_of(lattice, sides);
 }
 
 std::vector<Vec3> reference_nodes(ElementKind kind, int order) {

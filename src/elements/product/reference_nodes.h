@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "elements/bezier/simplex_lattice.h"
 #include "elements/product/element_kind.h"
 
 namespace mq::curve {
@@ -23,6 +24,14 @@ const ElementSides& sides_of(ElementKind kind);
 /// All nodes of an element in Gmsh's order: corners, edges in their direction, faces, and then the inside; faces and
 /// the inside each as an element of lower order. @throws InvalidInput for orders out of 1 to kMaxOrder.
 std::vector<GridPoint> gmsh_nodes(ElementKind kind, int order);
+
+/// The same of a line, triangle or tetrahedron of any order: entry i is the lattice point of Gmsh's node i.
+const std::vector<int>& gmsh_order(const Lattice& lattice);
+/// The control points of such an element from its nodes in Gmsh's order, and back.
+std::vector<Vec3> gmsh_to_bezier(const Lattice& lattice, const std::vector<Vec3>& nodes);
+std::vector<Vec3> bezier_to_gmsh(const Lattice& lattice, const std::vector<Vec3>& control);
+/// VTK's order for its Lagrange cells; for order 2 also that of its quadratic cells.
+std::vector<int> vtk_order(const Lattice& lattice);
 
 /// The places of all nodes in Gmsh's order and on Gmsh's reference element: simplices and the triangles of prisms from
 /// 0 to 1, lines, quadrilaterals and hexahedra from -1 to 1, pyramids over [-1, 1] x [-1, 1] with their apex at z = 1.

@@ -12,11 +12,7 @@ namespace mq::curve {
 namespace {
 
 double binomial(int n, int k) {
-    double result = 1.0;
-    for (int i = 1; i <= k; ++i) {
-        result = result * (n - k + i) / i;
-    }
-    return result;
+    return Lattice::of(1, n).multinomial(k);
 }
 
 std::size_t at(int order, int i, int j) {

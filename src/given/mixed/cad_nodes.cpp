@@ -9,7 +9,6 @@
 
 #include "base/error.h"
 #include "curve/measuring.h"
-#include "elements/bezier/node_orders.h"
 #include "elements/product/reference_nodes.h"
 #include "given/mixed/layers.h"
 #include "given/mixed/transfinite_blending.h"
@@ -161,36 +160,27 @@ void CadNodes::take_edges(std::vector<Vec3>& nodes) {
     for (const auto& [a, b] : edges_) {
         const std::vector<std::int32_t> numbers = table_.edge(a, b);
         const std::vector<Vec3> inner = found_.matched.surface.shapes.edge_inner(vertex(a), vertex(b));
-        std::vector<Vec3> control(numbers.size());
-        for (int i = 0; i <= table_.order(); ++i) {
-            const bool end = i == 0 || i == table_.order();
-            control[at(line.index({table_.order() - i, i, 0, 0}))] = end ? nodes[at(numbers[at(i)])] : inner[at(i - 1)];
-        }
+        std::vector<Vec3> control{nodes[at(numbers.front())]};
+        control.insert(control.end(), inner.begin(), inner.end());
+        control.push_back(nodes[at(numbers.back())]);
         const std::vector<Vec3> places = bezier_to_nodes(line, control);
-        for (int i = 1; i < table_.order(); ++i) {
-            nodes[at(numbers[at(i)])] = places[at(line.index({table_.order() - i, i, 0, 0}))];
+        for (std::size_t i = 1; i < inner.size() + 1; ++i) {
+            nodes[at(numbers[i])] = places[i];
         }
     }
 }
 
 void CadNodes::put_edge(std::int32_t a, std::int32_t b, const std::vector<Vec3>& nodes) {
-    const Lattice& line = Lattice::of(1, table_.order());
-    const std::vector<std::int32_t> numbers = table_.edge(a, b);
-    std::vector<Vec3> places(numbers.size());
-    for (int i = 0; i <= table_.order(); ++i) {
-        places[at(line.index({table_.order() - i, i, 0, 0}))] = nodes[at(numbers[at(i)])];
+    std::vector<Vec3> places;
+    for (const std::int32_t n : table_.edge(a, b)) {
+        places.push_back(nodes[at(n)]);
     }
-    const std::vector<Vec3> control = nodes_to_bezier(line, places);
-    std::vector<Vec3> inner;
-    for (int i = 1; i < table_.order(); ++i) {
-        inner.push_back(control[at(line.index({table_.order() - i, i, 0, 0}))]);
-    }
-    found_.matched.surface.shapes.set_edge(vertex(a), vertex(b), inner);
+    const std::vector<Vec3> control = nodes_to_bezier(Lattice::of(1, table_.order()), places);
+    found_.matched.surface.shapes.set_edge(vertex(a), vertex(b), {control.begin() + 1, control.end() - 1});
 }
 
 void CadNodes::take_triangles(std::vector<Vec3>& nodes) {
     const Lattice& lattice = Lattice::of(2, table_.order());
-    const std::vector<int> order = gmsh_order(lattice);
     const Blending& blending = Blending::of(ElementKind::Triangle, table_.order());
     std::vector<Vec3> control;
     for (const CadFace& face : found_.faces) {
@@ -199,17 +189,16 @@ void CadNodes::take_triangles(std::vector<Vec3>& nodes) {
         }
         found_.matched.surface.shapes.triangle(
             {vertex(face.corners[0]), vertex(face.corners[1]), vertex(face.corners[2])}, control);
-        const std::vector<Vec3> places = bezier_to_nodes(lattice, control);
+        const std::vector<Vec3> places = bezier_to_gmsh(lattice, control);
         const std::vector<std::int32_t> numbers = table_.nodes_of(face.kind, face.corners.data());
         for (const int i : blending.inner) {
-            nodes[at(numbers[at(i)])] = places[at(order[at(i)])];
+            nodes[at(numbers[at(i)])] = places[at(i)];
         }
     }
 }
 
 void CadNodes::take_back(const std::vector<Vec3>& nodes) {
     const Lattice& lattice = Lattice::of(2, table_.order());
-    const std::vector<int> order = gmsh_order(lattice);
     for (const auto& [a, b] : edges_) {
         put_edge(a, b, nodes);
     }
@@ -221,19 +210,11 @@ void CadNodes::take_back(const std::vector<Vec3>& nodes) {
         }
         const std::vector<std::int32_t> numbers = table_.nodes_of(face.kind, face.corners.data());
         for (std::size_t i = 0; i < numbers.size(); ++i) {
-            places[at(order[i])] = nodes[at(numbers[i])];
+            places[i] = nodes[at(numbers[i])];
         }
-        const std::vector<Vec3> control = nodes_to_bezier(lattice, places);
-        std::vector<Vec3> inner;
-        for (int i = 0; i < lattice.size(); ++i) {
-            if (lattice.carriers(i) == 3) {
-                inner.push_back(control[at(i)]);
-            }
-        }
-        if (!inner.empty()) {
-            found_.matched.surface.shapes.set_face(
-                {vertex(face.corners[0]), vertex(face.corners[1]), vertex(face.corners[2])}, inner);
-        }
+        found_.matched.surface.shapes.set_inside(
+            {vertex(face.corners[0]), vertex(face.corners[1]), vertex(face.corners[2])},
+            gmsh_to_bezier(lattice, places));
         triangles.push_back(face.triangles.front());
     }
     placement_.measure(triangles);

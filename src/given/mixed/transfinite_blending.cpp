@@ -8,7 +8,6 @@
 
 #include "base/memory/never_destroyed.h"
 #include "elements/bezier/blending.h"
-#include "elements/bezier/node_orders.h"
 #include "elements/product/reference_nodes.h"
 #include "given/mixed/node_table.h"
 
@@ -23,21 +22,13 @@ std::size_t at(int i) {
 /// Sets the nodes inside of triangles and tetrahedra by their control points.
 void blend_simplex(int dimension, int order, std::vector<Vec3>& nodes) {
     const Lattice& lattice = Lattice::of(dimension, order);
-    const std::vector<int> order_of_gmsh = gmsh_order(lattice);
-    std::vector<Vec3> control(nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        control[at(order_of_gmsh[i])] = nodes[i];
-    }
-    control = nodes_to_bezier(lattice, control);
+    std::vector<Vec3> control = gmsh_to_bezier(lattice, nodes);
     if (dimension == 2) {
         blend_triangle(lattice, control);
     } else {
         blend_tetrahedron(lattice, control);
     }
-    control = bezier_to_nodes(lattice, control);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        nodes[i] = control[at(order_of_gmsh[i])];
-    }
+    nodes = bezier_to_gmsh(lattice, control);
 }
 
 /// A square of (n + 1)^2 values whose inner values are blended from those on its sides (Coons 1967).

@@ -12,7 +12,7 @@
 #include "base/parallel.h"
 #include "base/rounds.h"
 #include "elements/bezier/bernstein.h"
-#include "elements/bezier/node_orders.h"
+#include "elements/product/reference_nodes.h"
 #include "geometry/session.h"
 #include "mesh/intersection/nearest_tree.h"
 #include "mesh/intersection/triangle_distance.h"
@@ -31,14 +31,13 @@ class CurvedTriangles {
     CurvedTriangles(const std::vector<Vec3>& nodes, int order, const std::vector<std::int32_t>& triangles)
         : lattice_(Lattice::of(2, order)), steps_(order == 1 ? 1 : kSteps) {
         const auto width = static_cast<std::size_t>(lattice_.size());
-        const std::vector<int> place = gmsh_order(lattice_);
         control_.resize(triangles.size() / width);
         for (std::size_t t = 0; t < control_.size(); ++t) {
             std::vector<Vec3> own(width);
             for (std::size_t i = 0; i < width; ++i) {
-                own[static_cast<std::size_t>(place[i])] = nodes[static_cast<std::size_t>(triangles[t * width + i])];
+                own[i] = nodes[static_cast<std::size_t>(triangles[t * width + i])];
             }
-            control_[t] = nodes_to_bezier(lattice_, own);
+            control_[t] = gmsh_to_bezier(lattice_, own);
             cut(t);
         }
         tree_.emplace(points_, flat_);

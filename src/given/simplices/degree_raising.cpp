@@ -29,26 +29,6 @@ std::vector<Corners> faces_of(const CurvedSurface& surface, const std::vector<Te
     return faces;
 }
 
-/// The control points of a triangle with one degree more: those of its edge from corner 0 to 1, and the inner ones.
-struct Raised {
-    std::vector<Vec3> edge;
-    std::vector<Vec3> inner;
-};
-
-Raised raised(const Lattice& low, const Lattice& high, const std::vector<Vec3>& control) {
-    const std::vector<Vec3> all = raised_to(high.degree(), low, control);
-    Raised result;
-    for (int m = 1; m < high.degree(); ++m) {
-        result.edge.push_back(all[static_cast<std::size_t>(high.index({high.degree() - m, m, 0, 0}))]);
-    }
-    for (int i = 0; i < high.size(); ++i) {
-        if (high.carriers(i) == 3) {
-            result.inner.push_back(all[static_cast<std::size_t>(i)]);
-        }
-    }
-    return result;
-}
-
 class Placing {
   public:
     Placing(SurfaceEditor& editor, TetrahedralMesh* volume)
@@ -174,14 +154,7 @@ class Placing {
     void restore_face(const Corners& v) {
         std::vector<Vec3> control;
         before_.triangle(v, control);
-        const Lattice& lattice = Lattice::of(2, before_.order());
-        std::vector<Vec3> inner;
-        for (int i = 0; i < lattice.size(); ++i) {
-            if (lattice.carriers(i) == 3) {
-                inner.push_back(control[static_cast<std::size_t>(i)]);
-            }
-        }
-        shapes().set_face(v, inner);
+        shapes().set_inside(v, control);
     }
 
     SurfaceEditor& editor_;
@@ -210,13 +183,18 @@ CurvedSurface with_degree_raised(const CurvedSurface& surface, const std::vector
             if (shapes.has_edge(turned[0], turned[1])) {
                 bent = true;
                 shapes.triangle(turned, control);
-                result.shapes.set_edge(turned[0], turned[1], raised(low, high, control).edge);
+                const std::vector<Vec3> all = raised_to(high.degree(), low, control);
+                std::vector<Vec3> edge;
+                for (int m = 1; m < high.degree(); ++m) {
+                    edge.push_back(all[static_cast<std::size_t>(high.index({high.degree() - m, m, 0, 0}))]);
+                }
+                result.shapes.set_edge(turned[0], turned[1], edge);
             }
         }
         // Blending a triangle from its edges reproduces quadratic triangles.
         if (bent && (shapes.order() > 2 || shapes.has_face(v))) {
             shapes.triangle(v, control);
-            result.shapes.set_face(v, raised(low, high, control).inner);
+            result.shapes.set_inside(v, raised_to(high.degree(), low, control));
         }
     }
     return result;

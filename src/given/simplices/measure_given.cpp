@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "curve/surface/node_placement.h"
-#include "elements/bezier/node_orders.h"
+#include "elements/product/reference_nodes.h"
 #include "given/matching/matching.h"
 
 namespace mq::curve {
@@ -27,12 +27,7 @@ GivenMesh corners_of(const std::vector<Vec3>& nodes, const std::vector<std::int3
 /// @param corners  vertices of the surface
 void set_shapes(CurvedShapes& shapes, const std::array<int, 3>& corners, const std::vector<Vec3>& given) {
     const Lattice& lattice = Lattice::of(2, shapes.order());
-    std::vector<Vec3> nodes(given.size());
-    const std::vector<int> order = gmsh_order(lattice);
-    for (std::size_t i = 0; i < given.size(); ++i) {
-        nodes[static_cast<std::size_t>(order[i])] = given[i];
-    }
-    const std::vector<Vec3> control = nodes_to_bezier(lattice, nodes);
+    const std::vector<Vec3> control = gmsh_to_bezier(lattice, given);
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         std::vector<Vec3> inner;
@@ -44,15 +39,7 @@ void set_shapes(CurvedShapes& shapes, const std::array<int, 3>& corners, const s
         }
         shapes.set_edge(corners[k], corners[next], inner);
     }
-    std::vector<Vec3> inside;
-    for (int i = 0; i < lattice.size(); ++i) {
-        if (lattice.carriers(i) == 3) {
-            inside.push_back(control[static_cast<std::size_t>(i)]);
-        }
-    }
-    if (!inside.empty()) {
-        shapes.set_face(corners, inside);
-    }
+    shapes.set_inside(corners, control);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "curve/curve.h"
-#include "elements/bezier/node_orders.h"
 #include "elements/bezier/validity.h"
+#include "elements/product/reference_nodes.h"
 #include "triangulate/triangulate.h"
 
 /// Makes curved meshes, and checks the properties of every one, measured from its nodes alone.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "curve/output/curved_mesh.h"
-#include "elements/bezier/node_orders.h"
+#include "elements/product/reference_nodes.h"
 
 namespace mq::curve {
 

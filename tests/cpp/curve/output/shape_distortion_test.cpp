@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "curve/elements.h"
 #include "elements/bezier/jacobian.h"
-#include "elements/bezier/node_orders.h"
+#include "elements/product/reference_nodes.h"
 #include "mesh/quality/triangle_quality.h"
 
 namespace mq::curve {

@@ -21,7 +21,7 @@ ProductPoint random_place(const ProductLattice& lattice, std::mt19937& random) {
     return p;
 }
 
-double largest_of(const ProductForm& form) {
+double largest_of(const JacobianForm& form) {
     double most = 0.0;
     for (const double c : form.coefficients) {
         most = std::max(most, std::abs(c));
@@ -35,7 +35,7 @@ void expect_jacobian(ElementKind kind, int order, bool serendipity, std::mt19937
     const ElementJacobian jacobian(kind, order, nodes);
     for (int repeat = 0; repeat < 3; ++repeat) {
         const PolynomialMap map(kind, order, serendipity, 2.0, random);
-        const ProductForm form = jacobian.of(map.nodes(kind, order, nodes));
+        const JacobianForm form = jacobian.of(map.nodes(kind, order, nodes));
         double factor = 0.0;
         for (int i = 0; i < 10; ++i) {
             const ProductPoint place = random_place(*form.lattice, random);
@@ -75,11 +75,11 @@ TEST(ElementJacobian, RoundingIsWithinItsBound) {
         for (const Vec3& x : reference_nodes(kind, 3)) {
             nodes.emplace_back(Vec3((192.0 * x).array().round()) + Vec3(whole(random), whole(random), whole(random)));
         }
-        const ProductForm form = jacobian.of(nodes);
+        const JacobianForm form = jacobian.of(nodes);
         for (Vec3& x : nodes) {
             x = 3.0 * x + Vec3(3e5, -7e5, 1e6);
         }
-        const ProductForm other = jacobian.of(nodes);
+        const JacobianForm other = jacobian.of(nodes);
         const double factor = largest_of(other) / largest_of(form);
         for (std::size_t i = 0; i < form.coefficients.size(); ++i) {
             EXPECT_LE(std::abs(other.coefficients[i] - factor * form.coefficients[i]),

@@ -1,72 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "elements/product/product_lattice.h"
+#include "elements/bezier/product_lattice.h"
 
 #include <algorithm>
 
 #include "base/memory/never_destroyed.h"
+#include "elements/bezier/bernstein.h"
 
 namespace mq::curve {
 
 namespace {
 
-/// The lattice of a factor. Lines need degrees beyond those of simplices: the Jacobian of a hexahedron of order 5 has
-/// degree 14 along each axis.
-const Lattice& lattice_of(const ProductLattice::Factor& factor) {
-    static const auto& lines = never_destroyed([] {
-        std::vector<Lattice> all;
-        for (int degree = 0; degree < 3 * kMaxOrder; ++degree) {
-            all.emplace_back(1, degree);
-        }
-        return all;
-    }());
-    return factor.dimension == 1 ? lines.at(static_cast<std::size_t>(factor.degree))
-                                 : Lattice::of(factor.dimension, factor.degree);
-}
-
-/// Rows of points of a lattice that differ by moves from corner a to corner b: each is a polynomial in one variable.
-std::vector<std::vector<int>> rows_along(const Lattice& lattice, int a, int b) {
-    const auto from = static_cast<std::size_t>(a);
-    const auto to = static_cast<std::size_t>(b);
-    std::vector<std::vector<int>> rows;
-    for (int i = 0; i < lattice.size(); ++i) {
-        Exponents e = lattice.exponents(i);
-        if (e[to] != 0) {
-            continue;
-        }
-        std::vector<int> row{i};
-        while (e[from] > 0) {
-            --e[from];
-            ++e[to];
-            row.push_back(lattice.index(e));
-        }
-        rows.push_back(std::move(row));
-    }
-    return rows;
-}
-
-/// De Casteljau's algorithm at 1/2 on a row of blocks of `width` numbers, which lie at `at` in the three lists.
-void halve_row(const double* c, const std::vector<int>& at, std::size_t width, std::vector<double>& row, double* first,
-               double* second) {
-    const std::size_t degree = at.size() - 1;
-    row.resize(at.size() * width);
-    for (std::size_t k = 0; k <= degree; ++k) {
-        std::copy_n(c + static_cast<std::size_t>(at[k]) * width, width, row.data() + k * width);
-    }
-    for (std::size_t step = 0; step <= degree; ++step) {
-        const std::size_t left = degree - step;
-        std::copy_n(row.data(), width, first + static_cast<std::size_t>(at[step]) * width);
-        std::copy_n(row.data() + left * width, width, second + static_cast<std::size_t>(at[left]) * width);
-        for (std::size_t x = 0; x < left * width; ++x) {
-            row[x] = 0.5 * (row[x] + row[x + width]);
+std::vector<ProductLattice> all_simplices() {
+    std::vector<ProductLattice> all;
+    for (int dimension = 1; dimension <= 3; ++dimension) {
+        for (int degree = 0; degree <= kMaxDegree; ++degree) {
+            all.push_back(ProductLattice({{dimension, degree}}));
         }
     }
+    return all;
 }
 
 }  // namespace
 
 ProductLattice::ProductLattice(std::vector<Factor> factors) {
     for (const Factor& f : factors) {
-        factors_.push_back(&lattice_of(f));
+        factors_.push_back(&Lattice::of(f.dimension, f.degree));
         size_ *= factors_.back()->size();
     }
     corner_of_factors_.push_back({});
@@ -87,6 +45,11 @@ ProductLattice::ProductLattice(std::vector<Factor> factors) {
         }
         corners_.push_back(index(at));
     }
+}
+
+const ProductLattice& ProductLattice::simplex(int dimension, int degree) {
+    static const auto& all = never_destroyed(all_simplices());
+    return all[static_cast<std::size_t>((dimension - 1) * (kMaxDegree + 1) + degree)];
 }
 
 std::vector<ProductLattice::Factor> ProductLattice::lowered(int f) const {
@@ -159,16 +122,10 @@ std::pair<std::vector<double>, std::vector<double>> ProductLattice::halve(const 
     for (int k = f + 1; k < factors(); ++k) {
         width *= static_cast<std::size_t>(factor(k).size());
     }
-    const std::size_t block = width * static_cast<std::size_t>(factor(f).size());
-    const std::vector<std::vector<int>> rows = rows_along(factor(f), a, b);
     std::pair<std::vector<double>, std::vector<double>> halves{std::vector<double>(c.size()),
                                                                std::vector<double>(c.size())};
-    std::vector<double> row;
-    for (std::size_t start = 0; start < c.size(); start += block) {
-        for (const std::vector<int>& at : rows) {
-            halve_row(c.data() + start, at, width, row, halves.first.data() + start, halves.second.data() + start);
-        }
-    }
+    halve_blocks(factor(f), c.size() / width / static_cast<std::size_t>(factor(f).size()), width, c.data(), a, b,
+                 halves.first.data(), halves.second.data());
     return halves;
 }
 

@@ -23,6 +23,8 @@ class ProductLattice {
     using Indices = std::array<int, 3>;
 
     explicit ProductLattice(std::vector<Factor> factors);
+    /// That of one factor, from a table.
+    static const ProductLattice& simplex(int dimension, int degree);
 
     int factors() const { return static_cast<int>(factors_.size()); }
     const Lattice& factor(int f) const { return *factors_[static_cast<std::size_t>(f)]; }

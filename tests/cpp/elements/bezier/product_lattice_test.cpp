@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "elements/product/product_lattice.h"
+#include "elements/bezier/product_lattice.h"
 
 #include <gtest/gtest.h>
 
