@@ -327,30 +327,32 @@ class ConstrainedTriangulation {
     /// Covers a region by other triangles. Edges inside it have no label.
     template <std::size_t N>
     void retile(const std::array<NumberedTriangle, N>& tiles, std::initializer_list<Beyond> region) {
-        for (const NumberedTriangle& tile : tiles) {
+        for (const auto& [number, corners] : tiles) {
             for (int k = 0; k < 3; ++k) {
-                const int v = tile.corners[static_cast<std::size_t>(k)];
-                corner_[static_cast<std::size_t>(3 * tile.number + k)] = v;
-                out_[static_cast<std::size_t>(v)] = 3 * tile.number + k;
+                const int v = corners[static_cast<std::size_t>(k)];
+                corner_[static_cast<std::size_t>(3 * number + k)] = v;
+                out_[static_cast<std::size_t>(v)] = 3 * number + k;
             }
         }
-        for (const NumberedTriangle& tile : tiles) {
-            for (int h = 3 * tile.number; h < 3 * tile.number + 3; ++h) {
-                const Beyond* outer = std::find_if(region.begin(), region.end(), [&](const Beyond& one) {
-                    return one.from == corner(h) && one.to == target(h);
-                });
+        for (const auto& [number, corners] : tiles) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int from = corners[k];
+                const int to = corners[k == 2 ? 0 : k + 1];
+                const int h = 3 * number + static_cast<int>(k);
+                const Beyond* outer = std::find_if(region.begin(), region.end(),
+                                                   [&](const Beyond& one) { return one.from == from && one.to == to; });
                 label_[static_cast<std::size_t>(h)] = outer != region.end() ? outer->label : -1;
-                link(h, outer != region.end() ? outer->twin : within(tiles, target(h), corner(h)));
+                link(h, outer != region.end() ? outer->twin : within(tiles, to, from));
             }
         }
     }
 
     template <std::size_t N>
-    int within(const std::array<NumberedTriangle, N>& tiles, int from, int to) const {
-        for (const NumberedTriangle& tile : tiles) {
-            for (int h = 3 * tile.number; h < 3 * tile.number + 3; ++h) {
-                if (corner(h) == from && target(h) == to) {
-                    return h;
+    static int within(const std::array<NumberedTriangle, N>& tiles, int from, int to) {
+        for (const auto& [number, corners] : tiles) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (corners[k] == from && corners[k == 2 ? 0 : k + 1] == to) {
+                    return 3 * number + static_cast<int>(k);
                 }
             }
         }
