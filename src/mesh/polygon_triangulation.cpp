@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/chord_table.h"
 #include "base/error.h"
 #include "base/predicates.h"
 
@@ -24,78 +25,38 @@ struct Weight {
     friend Weight operator+(const Weight& a, const Weight& b) { return {a.avoided + b.avoided, a.area + b.area}; }
 };
 
-/// The best triangulations of all polygons i..j that a chord i-j cuts off.
-class LeastArea {
-  public:
-    /// @param part positions in the loop, in its direction
-    LeastArea(const std::vector<Vec3>& loop, const std::vector<std::int32_t>& part, const AvoidTriangle& avoid)
-        : loop_(loop), part_(part), avoid_(avoid), best_(part.size() * part.size()), apex_(best_.size(), -1) {
-        const std::size_t count = part.size();
-        for (std::size_t length = 2; length < count; ++length) {
-            for (std::size_t i = 0; i + length < count; ++i) {
-                choose(i, i + length);
-            }
-        }
-    }
-
-    void append_to(std::vector<Triangle>& triangles) const {
-        std::vector<std::array<std::size_t, 2>> chords{{0, part_.size() - 1}};
-        while (!chords.empty()) {
-            const auto [i, j] = chords.back();
-            chords.pop_back();
-            if (j - i < 2) {
-                continue;
-            }
-            const auto k = static_cast<std::size_t>(apex_[at(i, j)]);
-            triangles.push_back({part_[i], part_[k], part_[j]});
-            chords.push_back({k, j});
-            chords.push_back({i, k});
-        }
-    }
-
-  private:
-    std::size_t at(std::size_t i, std::size_t j) const { return i * part_.size() + j; }
-
-    void choose(std::size_t i, std::size_t j) {
-        Weight best{std::numeric_limits<std::int32_t>::max(), 0.0};
-        std::int32_t apex = -1;
-        for (std::size_t k = i + 1; k < j; ++k) {
-            const Weight sides = best_[at(i, k)] + best_[at(k, j)];
-            if (!(sides < best)) {
-                continue;
-            }
-            Weight whole = sides;
-            const Vec3& a = loop_[part_[i]];
-            const Vec3 u = loop_[part_[k]] - a;
-            const Vec3 v = loop_[part_[j]] - a;
-            whole.area += u.cross(v).norm();
-            if (whole < best) {
-                whole.avoided += to_be_avoided(i, k, j, whole.area - sides.area, u.squaredNorm() + v.squaredNorm());
-            }
-            if (whole < best) {
-                best = whole;
-                apex = static_cast<std::int32_t>(k);
-            }
-        }
-        best_[at(i, j)] = best;
-        apex_[at(i, j)] = apex;
-    }
-
-    bool to_be_avoided(std::size_t i, std::size_t k, std::size_t j, double area, double scale) const {
+/// Appends the best triangulation of a part, which is positions in the loop in its direction.
+void append_best(const std::vector<Vec3>& loop, const std::vector<std::int32_t>& part, const AvoidTriangle& avoid,
+                 std::vector<Triangle>& triangles) {
+    const auto to_be_avoided = [&](const Triangle& t, double area, double scale) {
         // Relative height far above rounding, so that exact arithmetic is needed only below it.
         constexpr double kFlat = 1e-10;
-        if (area <= kFlat * scale && collinear(loop_[part_[i]], loop_[part_[k]], loop_[part_[j]])) {
-            return true;
-        }
-        return avoid_ && avoid_({part_[i], part_[k], part_[j]});
-    }
-
-    const std::vector<Vec3>& loop_;
-    const std::vector<std::int32_t>& part_;
-    const AvoidTriangle& avoid_;
-    std::vector<Weight> best_;  ///< best triangulation of the polygon from i to j
-    std::vector<std::int32_t> apex_;
-};
+        return (area <= kFlat * scale && collinear(loop[t[0]], loop[t[1]], loop[t[2]])) || (avoid && avoid(t));
+    };
+    ChordTable<Weight> table;
+    table.find(part.size(), {}, {std::numeric_limits<std::int32_t>::max(), 0.0},
+               [&](std::size_t i, std::size_t k, std::size_t j, const Weight& left, const Weight& right, Weight& best) {
+                   const Weight sides = left + right;
+                   if (!(sides < best)) {
+                       return false;
+                   }
+                   Weight whole = sides;
+                   const Vec3& a = loop[part[i]];
+                   const Vec3 u = loop[part[k]] - a;
+                   const Vec3 v = loop[part[j]] - a;
+                   whole.area += u.cross(v).norm();
+                   if (whole < best && to_be_avoided({part[i], part[k], part[j]}, whole.area - sides.area,
+                                                     u.squaredNorm() + v.squaredNorm())) {
+                       ++whole.avoided;
+                   }
+                   const bool better = whole < best;
+                   best = better ? whole : best;
+                   return better;
+               });
+    table.for_each_triangle([&](std::size_t i, std::size_t k, std::size_t j) {
+        triangles.push_back({part[i], part[k], part[j]});
+    });
+}
 
 /// The shortest chord between vertices of the polygon that are at least a quarter of it apart. Very long polygons are
 /// sampled.
@@ -136,7 +97,7 @@ std::vector<mesh::Triangle> fill_hole(const std::vector<Vec3>& loop, const Avoid
         const std::vector<std::int32_t> part = std::move(parts.back());
         parts.pop_back();
         if (part.size() <= kLongestWholeLoop) {
-            LeastArea(loop, part, avoid).append_to(triangles);
+            append_best(loop, part, avoid, triangles);
             continue;
         }
         const auto [i, j] = dividing_chord(loop, part);

@@ -7,7 +7,7 @@
 
 #include "base/progress.h"
 #include "boolean/exact/exact_point.h"
-#include "mesh/corner_table.h"
+#include "mesh/constrained_triangulation.h"
 
 namespace mq::boolean {
 
@@ -19,20 +19,39 @@ struct Line {
     PlanePoints plane;  ///< the other plane, for a cut
 };
 
+/// Exact points of one plane, which is seen along one of the axes.
+struct PointsOfPlane {
+    int axis;
+    int turn;  ///< -1 when the plane's triangles then run clockwise
+    std::vector<ExactPoint> points;
+
+    int orient(int a, int b, int c) const;
+    bool ahead(int a, int b, int c) const;
+    [[noreturn]] static void outside();
+    static std::array<mesh::NumberedTriangle, 2> flipped(int t, int o, const std::array<int, 4>& v) {
+        return {{{t, {v[3], v[1], v[2]}}, {o, {v[2], v[0], v[3]}}}};
+    }
+    static std::array<mesh::NumberedTriangle, 2> divided(int t, int n, const std::array<int, 4>& v) {
+        return {{{n, {v[3], v[1], v[2]}}, {t, {v[0], v[3], v[2]}}}};
+    }
+    static std::array<int, 2> suspects(int t, int o) { return {t, o + 1}; }
+    static unsigned examined(unsigned /*turn*/, unsigned k) { return 2 - k; }
+};
+
 /// A triangulation of exact points of one plane in which given segments become edges. Segments may cross: the crossing
-/// becomes a point. Topology and predicates are exact; the plane is seen along one of the axes.
-class ExactConstrainedTriangulation {
+/// becomes a point. Topology and predicates are exact.
+class ExactConstrainedTriangulation : public mesh::ConstrainedTriangulation<PointsOfPlane> {
   public:
     /// A plane that thousands of others cut takes long: every function looks for a cancellation.
     /// @param plane the plane's points, seen along `axis`
     /// @param turn -1 when the plane's triangles then run clockwise
     ExactConstrainedTriangulation(const PlanePoints& plane, int axis, int turn, const Progress* progress = nullptr)
-        : plane_(plane), axis_(axis), turn_(turn), progress_(progress) {}
+        : ConstrainedTriangulation({axis, turn, {}}, progress), plane_(plane) {}
 
     /// Adds a point without a place in the triangulation yet; returns its index here.
-    int add_point(ExactPoint point);
+    int add_point(ExactPoint point) { return add_vertex(std::move(point)); }
     /// Begins with one triangle, which runs counter-clockwise.
-    void start(int a, int b, int c);
+    void start(int a, int b, int c) { add_triangle(a, b, c); }
     /// Puts a point on the edge from a to b, in its inside.
     void split_edge(int a, int b, int point);
     /// Inserts a point, and swaps edges around it that are no constraints where that enlarges the smallest angle, so
@@ -47,64 +66,15 @@ class ExactConstrainedTriangulation {
 
     /// Triangles of point indices, counter-clockwise.
     std::vector<std::array<int, 3>> triangles() const;
-    const std::vector<ExactPoint>& points() const { return points_; }
+    const std::vector<ExactPoint>& points() const { return points_.points; }
     /// Whether a point lies in the closed triangle a, b, c (counter-clockwise).
     bool in_triangle(int point, int a, int b, int c) const;
 
   private:
-    /// A place on the way of a segment: half-edge h = 3 t + k runs from corner k of triangle t.
-    struct Crossing {
-        int half_edge = -1;  ///< the half-edge that is crossed; -1: the segment passes through `vertex`
-        int vertex = -1;
-    };
-
-    static int next(int h) { return mesh::next_corner(h); }
-    static int prev(int h) { return mesh::previous_corner(h); }
-    int origin(int h) const { return corner_[static_cast<std::size_t>(h)]; }
-    int target(int h) const { return origin(next(h)); }
-    int apex(int h) const { return origin(prev(h)); }
-    int twin(int h) const { return twin_[static_cast<std::size_t>(h)]; }
-    int line(int h) const { return line_[static_cast<std::size_t>(h)]; }
-    void link(int h, int other);
-    void set_line(int h, int value);
-    void set_triangle(int t, int a, int b, int c);
-    int new_triangle(int a, int b, int c);
-    int orient(int a, int b, int c) const;
-    /// The half-edge from a to b, or -1.
-    int find(int a, int b) const;
-    template <typename Visit>
-    void around(int vertex, Visit&& visit) const;
-    /// A segment that becomes a chain of edges, and how far it has come.
-    struct Segment {
-        int from = -1;
-        int to = -1;
-        int line = -1;
-        int before = -1;  ///< the point before `at`; -1: there is none yet
-        int at = -1;
-    };
-    int side(const Segment& segment, int point) const;
-    Crossing leave(const Segment& segment) const;
-    bool ahead(int a, int b, int c) const;
-    int step(const Segment& segment);
-    void clear_way(const Segment& segment, int end, const std::vector<std::array<int, 2>>& crossed);
-    int place(int point);
-    void improve_around(int point);
-    bool flippable(int h) const;
-    void flip(int h);
     int split_at_crossing(int h, int line);
-    void split(int h, int point);
-    void split_triangle(int t, int point);
     bool better_flipped(int h) const;
 
     PlanePoints plane_;
-    int axis_;
-    int turn_;
-    const Progress* progress_;
-    std::vector<ExactPoint> points_;
-    std::vector<int> out_;     ///< one outgoing half-edge for each point, -1 when it is not placed
-    std::vector<int> corner_;  ///< by half-edge
-    std::vector<int> twin_;
-    std::vector<int> line_;
     std::vector<Line> lines_;
 };
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "base/chord_table.h"
 #include "curve/surface/editor.h"
 #include "curve/surface/tuning.h"
 
@@ -108,24 +109,18 @@ class BestTriangulation {
     }
 
     std::vector<SurfaceEditor::Corners> find() const {
-        std::vector<double> best(n_ * n_, 1.0);
-        std::vector<std::size_t> apex(n_ * n_, 0);
-        for (std::size_t length = 2; length < n_; ++length) {
-            for (std::size_t i = 0; i + length < n_; ++i) {
-                const std::size_t j = i + length;
-                best[i * n_ + j] = kImpossible;
-                for (std::size_t k = i + 1; k < j; ++k) {
-                    const double worst = std::min({quality(i, k, j), best[i * n_ + k], best[k * n_ + j]});
-                    if (worst > best[i * n_ + j]) {
-                        best[i * n_ + j] = worst;
-                        apex[i * n_ + j] = k;
-                    }
-                }
-            }
-        }
+        ChordTable<double> table;
+        const auto worst = [&](std::size_t i, std::size_t k, std::size_t j, double left, double right, double& best) {
+            const double value = std::min({quality_[slot(i, k, j)], left, right});
+            const bool better = value > best;
+            best = better ? value : best;
+            return better;
+        };
         std::vector<SurfaceEditor::Corners> result;
-        if (best[n_ - 1] > kImpossible) {
-            collect(apex, 0, n_ - 1, result);
+        if (table.find(n_, 1.0, kImpossible, worst) > kImpossible) {
+            table.for_each_triangle([&](std::size_t i, std::size_t k, std::size_t j) {
+                result.push_back({{cavity_.border[i], cavity_.border[k], cavity_.border[j]}, face()});
+            });
         }
         return result;
     }
@@ -134,7 +129,7 @@ class BestTriangulation {
     /// The quality of a triangulation that is not possible.
     static constexpr double kImpossible = -std::numeric_limits<double>::max();
 
-    double quality(std::size_t i, std::size_t k, std::size_t j) const { return quality_[(i * n_ + k) * n_ + j]; }
+    std::size_t slot(std::size_t i, std::size_t k, std::size_t j) const { return (i * n_ + k) * n_ + j; }
     int face() const { return editor_.triangle(cavity_.triangles.front()).face; }
 
     /// Chords must be new to the mesh, or lie in the cavity.
@@ -161,14 +156,14 @@ class BestTriangulation {
                 }
                 for (std::size_t k = i + 1; k < j && allowed(i, j); ++k) {
                     if (allowed(i, k) && allowed(k, j)) {
-                        slots.push_back((i * n_ + k) * n_ + j);
+                        slots.push_back(slot(i, k, j));
                     }
                 }
             }
         }
-        for (const std::size_t slot : slots) {
-            const std::array<int, 3> corners{cavity_.border[slot / n_ / n_], cavity_.border[slot / n_ % n_],
-                                             cavity_.border[slot % n_]};
+        for (const std::size_t at : slots) {
+            const std::array<int, 3> corners{cavity_.border[at / n_ / n_], cavity_.border[at / n_ % n_],
+                                             cavity_.border[at % n_]};
             candidates.push_back(surface.add_triangle(corners, face()));
         }
         editor_.placement.place(candidates);
@@ -181,17 +176,6 @@ class BestTriangulation {
             surface.shapes.forget_edge(a, b);
         }
         editor_.placement.place(cavity_.triangles);
-    }
-
-    void collect(const std::vector<std::size_t>& apex, std::size_t i, std::size_t j,
-                 std::vector<SurfaceEditor::Corners>& result) const {
-        if (j < i + 2) {
-            return;
-        }
-        const std::size_t k = apex[i * n_ + j];
-        result.push_back({{cavity_.border[i], cavity_.border[k], cavity_.border[j]}, face()});
-        collect(apex, i, k, result);
-        collect(apex, k, j, result);
     }
 
     SurfaceEditor& editor_;

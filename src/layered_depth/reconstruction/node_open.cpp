@@ -2,101 +2,38 @@
 #include "layered_depth/reconstruction/node_open.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "layered_depth/reconstruction/border_stitching.h"
 #include "layered_depth/reconstruction/directed_edge_set.h"
+#include "mesh/corner_table.h"
 
 namespace mq::boolean {
 
-namespace {
-
-/// The triangles around one point, each given by its corner 3 * triangle + i at the point.
-class PointFans {
-  public:
-    explicit PointFans(std::vector<mesh::Triangle>& triangles) : triangles_(triangles) {}
-
-    /// Groups the corners into fans. @return the number of fans
-    int sort(const std::uint32_t* first, const std::uint32_t* last);
-    /// Moves all corners of a fan to another point.
-    void rename(int fan, std::int32_t point) {
-        for (std::size_t k = 0; k < corners_.size(); ++k) {
-            if (fan_[k] == fan) {
-                triangles_[corners_[k] / 3][corners_[k] % 3] = point;
-            }
-        }
-    }
-
-  private:
-    std::int32_t next(std::uint32_t corner) const { return triangles_[corner / 3][(corner % 3 + 1) % 3]; }
-    std::int32_t previous(std::uint32_t corner) const { return triangles_[corner / 3][(corner % 3 + 2) % 3]; }
-
-    std::vector<mesh::Triangle>& triangles_;
-    std::vector<std::uint32_t> corners_;
-    std::vector<int> fan_;
-};
-
-int PointFans::sort(const std::uint32_t* first, const std::uint32_t* last) {
-    corners_.assign(first, last);
-    fan_.assign(corners_.size(), -1);
-    int fans = 0;
-    for (std::size_t start = 0; start < corners_.size(); ++start) {
-        if (fan_[start] >= 0) {
-            continue;
-        }
-        std::vector<std::size_t> open{start};
-        fan_[start] = fans;
-        while (!open.empty()) {
-            const std::uint32_t corner = corners_[open.back()];
-            open.pop_back();
-            for (std::size_t k = 0; k < corners_.size(); ++k) {
-                if (fan_[k] < 0 && (previous(corner) == next(corners_[k]) || next(corner) == previous(corners_[k]))) {
-                    fan_[k] = fans;
-                    open.push_back(k);
-                }
-            }
-        }
-        ++fans;
-    }
-    return fans;
-}
-
-}  // namespace
-
 std::vector<std::int32_t> open_nodes(std::vector<Vec3>& points, std::vector<mesh::Triangle>& triangles,
                                      const std::vector<std::uint8_t>& candidate) {
-    std::vector<std::uint32_t> begin(candidate.size() + 1, 0);
-    for (const mesh::Triangle& t : triangles) {
-        for (const std::int32_t p : t) {
-            begin[p + 1] += candidate[p];
+    const mesh::VertexFans fans = mesh::fans(triangles, mesh::edge_twins(triangles, points.size()));
+    std::vector<std::array<std::int32_t, 2>> opened;  // points to be examined, with their fans
+    for (std::size_t f = 0; f < fans.vertex_of.size(); ++f) {
+        if (candidate[fans.vertex_of[f]] != 0) {
+            opened.push_back({fans.vertex_of[f], static_cast<std::int32_t>(f)});
         }
     }
-    for (std::size_t p = 0; p < candidate.size(); ++p) {
-        begin[p + 1] += begin[p];
-    }
-    std::vector<std::uint32_t> corners(begin.back());
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-    for (std::size_t k = 0; k < triangles.size(); ++k) {
-        for (int i = 0; i < 3; ++i) {
-            const std::int32_t p = triangles[k][i];
-            if (candidate[p] != 0) {
-                corners[next[p]++] = static_cast<std::uint32_t>(3 * k + i);
-            }
-        }
-    }
+    std::sort(opened.begin(), opened.end());
+    std::vector<std::int32_t> point_of = fans.vertex_of;
     std::vector<std::int32_t> originals;
-    PointFans fans(triangles);
-    for (std::size_t p = 0; p < candidate.size(); ++p) {
-        if (begin[p] == begin[p + 1]) {
-            continue;
-        }
-        const int count = fans.sort(corners.data() + begin[p], corners.data() + begin[p + 1]);
-        for (int fan = 1; fan < count; ++fan) {
+    for (std::size_t k = 1; k < opened.size(); ++k) {
+        const auto [p, fan] = opened[k];
+        if (p == opened[k - 1][0]) {
             const Vec3 copy = points[p];
-            fans.rename(fan, static_cast<std::int32_t>(points.size()));
+            point_of[fan] = static_cast<std::int32_t>(points.size());
             points.push_back(copy);
-            originals.push_back(static_cast<std::int32_t>(p));
+            originals.push_back(p);
         }
+    }
+    for (std::size_t corner = 0; corner < fans.fan_of.size(); ++corner) {
+        triangles[corner / 3][corner % 3] = point_of[fans.fan_of[corner]];
     }
     return originals;
 }

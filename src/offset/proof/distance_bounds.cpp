@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "base/parallel.h"
 #include "mesh/intersection/triangle_distance.h"
@@ -117,11 +119,20 @@ ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& prog
     return result;
 }
 
-/// A piece of a triangle.
-struct Piece {
-    Corners corners;
-    int divisions;
-};
+/// Calls must_divide(piece, divisions) for a triangle and for the quarters of each piece for which it returns true.
+template <typename MustDivide>
+void divide(const Corners& whole, MustDivide&& must_divide) {
+    std::vector<std::pair<Corners, int>> stack{{whole, 0}};
+    while (!stack.empty()) {
+        const auto [piece, divisions] = stack.back();
+        stack.pop_back();
+        if (must_divide(piece, divisions)) {
+            for (const Corners& quarter : divided(piece)) {
+                stack.emplace_back(quarter, divisions + 1);
+            }
+        }
+    }
+}
 
 /// Raises a bound to the bound for one triangle.
 void raise_bound(const Corners& whole, const SearchedSurface& surface, double wanted, double fineness,
@@ -132,48 +143,37 @@ void raise_bound(const Corners& whole, const SearchedSurface& surface, double wa
     if (wanted - near > found.bound) {
         found = {wanted - near, middle};
     }
-    std::vector<Piece> stack{{whole, 0}};
-    while (!stack.empty()) {
-        const Piece piece = stack.back();
-        stack.pop_back();
-        const Vec3 here = centre(piece.corners);
-        const double far = farthest(piece.corners, here, surface);
+    divide(whole, [&](const Corners& piece, int divisions) {
+        const Vec3 here = centre(piece);
+        const double far = farthest(piece, here, surface);
         if (far - wanted <= found.bound) {
-            continue;
+            return false;
         }
         double attained = 0.0;
-        for (const Vec3& p : piece.corners) {
+        for (const Vec3& p : piece) {
             attained = std::max(attained, surface.tree.nearest(p).distance);
         }
-        if (far - std::max(attained, wanted) <= fineness || piece.divisions == kMostDivisions) {
+        if (far - std::max(attained, wanted) <= fineness || divisions == kMostDivisions) {
             found = {far - wanted, here};
-            continue;
+            return false;
         }
-        for (const Corners& quarter : divided(piece.corners)) {
-            stack.push_back({quarter, piece.divisions + 1});
-        }
-    }
+        return true;
+    });
 }
 
 }  // namespace
 
 bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double distance) {
     constexpr int kDivisions = 4;
-    std::vector<Piece> stack{{triangle, 0}};
-    while (!stack.empty()) {
-        const Piece piece = stack.back();
-        stack.pop_back();
-        if (farthest(piece.corners, centre(piece.corners), surface) < distance) {
-            continue;
-        }
-        if (piece.divisions == kDivisions || surface.tree.any_within(centre(piece.corners), distance, 0) < 0) {
+    bool holds = true;
+    divide(triangle, [&](const Corners& piece, int divisions) {
+        if (!holds || farthest(piece, centre(piece), surface) < distance) {
             return false;
         }
-        for (const Corners& quarter : divided(piece.corners)) {
-            stack.push_back({quarter, piece.divisions + 1});
-        }
-    }
-    return true;
+        holds = divisions < kDivisions && surface.tree.any_within(centre(piece), distance, 0) >= 0;
+        return holds;
+    });
+    return holds;
 }
 
 ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
@@ -236,33 +236,23 @@ ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, cons
     return over_all(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
         const Vec3 cross = (whole[1] - whole[0]).cross(whole[2] - whole[0]);
         const Vec3 ahead = cross.squaredNorm() > 0.0 ? Vec3(gap * cross.normalized()) : Vec3(Vec3::Zero());
-        std::vector<Piece> stack{{whole, 0}};
-        while (!stack.empty()) {
-            const Piece piece = stack.back();
-            stack.pop_back();
-            const Vec3 here = centre(piece.corners);
-            const Corners beyond{piece.corners[0] + ahead, piece.corners[1] + ahead, piece.corners[2] + ahead};
-            if (farthest(piece.corners, here, surface) < least ||
+        divide(whole, [&](const Corners& piece, int divisions) {
+            const Vec3 here = centre(piece);
+            const Corners beyond{piece[0] + ahead, piece[1] + ahead, piece[2] + ahead};
+            if (farthest(piece, here, surface) < least ||
                 farthest(beyond, here + ahead, surface) < least + ahead.norm()) {
-                continue;
+                return false;
             }
-            const double far = farthest(piece.corners, here, result);
-            if (far <= found.bound) {
-                continue;
-            }
+            const double far = farthest(piece, here, result);
             // A piece smaller than its distance from the surface lies on one side of it.
-            const double size = radius(piece.corners, here);
-            if (size < surface.tree.nearest(here).distance && is_behind(here, surface)) {
-                continue;
+            const double size = radius(piece, here);
+            if (far <= found.bound || (size < surface.tree.nearest(here).distance && is_behind(here, surface))) {
+                return false;
             }
-            if (far <= enough || piece.divisions == kMostDivisions || size < 0.25 * enough) {
-                found = {far, here};
-            } else {
-                for (const Corners& quarter : divided(piece.corners)) {
-                    stack.push_back({quarter, piece.divisions + 1});
-                }
-            }
-        }
+            const bool is_small = far <= enough || divisions == kMostDivisions || size < 0.25 * enough;
+            found = is_small ? ProvenBound{far, here} : found;
+            return !is_small;
+        });
     });
 }
 

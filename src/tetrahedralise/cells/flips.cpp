@@ -88,11 +88,24 @@ bool Flipper::plan_ring(int a, int b, const FlipRule& rule) {
             return false;
         }
     }
-    if (!best_triangulation(a, b, rule)) {
+    const auto improve = [&](std::size_t i, std::size_t k, std::size_t j, double left, double right, double& best) {
+        const double sides = std::min(left, right);
+        if (!(sides > best) || crosses_chord(i, k) || crosses_chord(k, j) || crosses_chord(i, j)) {
+            return false;
+        }
+        const double value = std::min(sides, triangle_quality(a, b, i, k, j, rule));
+        const bool better = value > best;
+        best = better ? value : best;
+        return better;
+    };
+    if (!(table_.find(ring_.x.size(), std::numeric_limits<double>::max(), rule.floor, improve) > rule.floor)) {
         return false;
     }
     added_.clear();
-    collect(a, b, 0, static_cast<int>(ring_.x.size()) - 1);
+    table_.for_each_triangle([&](std::size_t i, std::size_t k, std::size_t j) {
+        added_.push_back({ring_.x[i], ring_.x[k], ring_.x[j], b});
+        added_.push_back({ring_.x[i], ring_.x[j], ring_.x[k], a});
+    });
     for (const auto& v : added_) {
         if (mesh_.orient(v[0], v[1], v[2], v[3]) <= 0) {
             return false;
@@ -102,54 +115,21 @@ bool Flipper::plan_ring(int a, int b, const FlipRule& rule) {
     return true;
 }
 
-bool Flipper::best_triangulation(int a, int b, const FlipRule& rule) {
-    const int n = static_cast<int>(ring_.x.size());
-    for (int i = 0; i + 1 < n; ++i) {
-        best_[i][i + 1] = std::numeric_limits<double>::max();
-    }
-    for (int span = 2; span < n; ++span) {
-        for (int i = 0; i + span < n; ++i) {
-            const int j = i + span;
-            best_[i][j] = rule.floor;
-            for (int k = i + 1; k < j; ++k) {
-                const double sides = std::min(best_[i][k], best_[k][j]);
-                if (!(sides > best_[i][j]) || crosses_chord(i, k) || crosses_chord(k, j) || crosses_chord(i, j)) {
-                    continue;
-                }
-                const double value = std::min(sides, triangle_quality(a, b, i, k, j, rule));
-                if (value > best_[i][j]) {
-                    best_[i][j] = value;
-                    choice_[i][j] = k;
-                }
-            }
-        }
-    }
-    return best_[0][n - 1] > rule.floor;
-}
-
-bool Flipper::crosses_chord(int i, int k) const {
-    const auto between = [&](int v) { return i < v && v < k; };
-    const auto end = [&](int v) { return v == i || v == k; };
+bool Flipper::crosses_chord(std::size_t i, std::size_t k) const {
+    const auto from = static_cast<int>(i);
+    const auto to = static_cast<int>(k);
+    const auto between = [&](int v) { return from < v && v < to; };
+    const auto end = [&](int v) { return v == from || v == to; };
     return chord_from_ >= 0 && between(chord_from_) != between(chord_to_) && !end(chord_from_) && !end(chord_to_);
 }
 
-double Flipper::triangle_quality(int a, int b, int i, int k, int j, const FlipRule& rule) const {
+double Flipper::triangle_quality(int a, int b, std::size_t i, std::size_t k, std::size_t j,
+                                 const FlipRule& rule) const {
     const int x = ring_.x[i];
     const int y = ring_.x[k];
     const int z = ring_.x[j];
     const double above = quality({x, y, z, b}, rule);
     return above > rule.floor ? std::min(above, quality({x, z, y, a}, rule)) : above;
-}
-
-void Flipper::collect(int a, int b, int i, int j) {
-    if (j - i < 2) {
-        return;
-    }
-    const int k = choice_[i][j];
-    added_.push_back({ring_.x[i], ring_.x[k], ring_.x[j], b});
-    added_.push_back({ring_.x[i], ring_.x[j], ring_.x[k], a});
-    collect(a, b, i, k);
-    collect(a, b, k, j);
 }
 
 }  // namespace mq::tetrahedralise

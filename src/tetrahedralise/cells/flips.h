@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
+#include "base/chord_table.h"
 #include "tetrahedralise/cells/cell_measure.h"
 #include "tetrahedralise/cells/tetrahedralisation.h"
 
@@ -53,11 +55,9 @@ class Flipper {
         mesh_.replace(removed_, added_, created_);
         return true;
     }
-    bool best_triangulation(int a, int b, const FlipRule& rule);
     double quality(const std::array<int, 4>& v, const FlipRule& rule) const;
-    double triangle_quality(int a, int b, int i, int k, int j, const FlipRule& rule) const;
-    bool crosses_chord(int i, int k) const;
-    void collect(int a, int b, int i, int j);
+    double triangle_quality(int a, int b, std::size_t i, std::size_t k, std::size_t j, const FlipRule& rule) const;
+    bool crosses_chord(std::size_t i, std::size_t k) const;
 
     static constexpr std::size_t kMost = 16;
 
@@ -65,8 +65,7 @@ class Flipper {
     EdgeRing ring_;
     int chord_from_ = -1;
     int chord_to_ = -1;
-    std::array<std::array<double, kMost>, kMost> best_{};
-    std::array<std::array<int, kMost>, kMost> choice_{};
+    ChordTable<double> table_;
     std::vector<std::array<int, 4>> added_;
     std::vector<int> removed_;
     std::vector<int> created_;

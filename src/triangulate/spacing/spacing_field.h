@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <vector>
+#include <algorithm>
 
+#include "base/box_tree.h"
 #include "base/tuning.h"
 #include "base/vec.h"
 
@@ -28,7 +29,7 @@ class SpacingField {
     MESHQUALITY_TUNED(double, kGrowth, 0.3);
 
     /// Adds a point in the shape's coordinates and its spacing, mm.
-    void add(const Vec3& point, double spacing) { sources_.push_back({point, spacing}); }
+    void add(const Vec3& point, double spacing) { sources_.items.push_back({point, spacing}); }
     /// To be called after the last `add` and before the first `at`, and again after further additions. O(n log n).
     void build();
     /// Returns the least of `most` and, over all given points, their spacing plus kGrowth times the distance to them,
@@ -40,18 +41,17 @@ class SpacingField {
         Vec3 point;
         double spacing;
     };
-    // A node of a tree over sources_, halved at the median; children 2 i + 1 and 2 i + 2.
-    struct Node {
+    struct Bounds {
         Box box;
         double least = 1e300;
-        int begin = 0;
-        int end = 0;
+        void add(const Source& source) {
+            box.add(source.point);
+            least = std::min(least, source.spacing);
+        }
+        static const Vec3& position(const Source& source) { return source.point; }
     };
-    void build_node(std::size_t node, int begin, int end);
-    static double bound(const Node& node, const Vec3& point);
 
-    std::vector<Source> sources_;
-    std::vector<Node> nodes_;
+    BoxTree<Source, Bounds> sources_;
 };
 
 }  // namespace mq::triangulate

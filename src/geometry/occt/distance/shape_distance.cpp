@@ -37,6 +37,7 @@
 #include <optional>
 #include <string>
 
+#include "base/box_tree.h"
 #include "base/error.h"
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
@@ -66,32 +67,13 @@ TopoDS_Shape scaled(const TopoDS_Shape& shape, double factor) {
     return factor == 1.0 ? shape : BRepBuilderAPI_Transform(shape, scaling, true).Shape();
 }
 
-/// A box around a shape.
-class BoundingBox {
-  public:
-    explicit BoundingBox(const TopoDS_Shape& shape) {
-        Bnd_Box box;
-        BRepBndLib::Add(shape, box, false);
-        box.Get(low_[0], low_[1], low_[2], high_[0], high_[1], high_[2]);
-    }
-
-    void add(const BoundingBox& other) {
-        low_ = low_.cwiseMin(other.low_);
-        high_ = high_.cwiseMax(other.high_);
-    }
-    Vec3 middle() const { return 0.5 * (low_ + high_); }
-    Eigen::Index longest_axis() const {
-        Eigen::Index axis = 0;
-        (high_ - low_).maxCoeff(&axis);
-        return axis;
-    }
-    /// A lower bound for the squared distances of the contents.
-    double square_distance(const Vec3& p) const { return (low_ - p).cwiseMax(p - high_).cwiseMax(0.0).squaredNorm(); }
-
-  private:
-    Vec3 low_;
-    Vec3 high_;
-};
+Box box_of(const TopoDS_Shape& shape) {
+    Bnd_Box bounds;
+    BRepBndLib::Add(shape, bounds, false);
+    Box box;
+    bounds.Get(box.low[0], box.low[1], box.low[2], box.high[0], box.high[1], box.high[2]);
+    return box;
+}
 
 /// The surface from `low` along one vector to `high` along the other; periodic if the curve is.
 Handle(Geom_BSplineSurface)
@@ -147,7 +129,7 @@ Handle(Geom_BSplineSurface) spline_of(const BRepAdaptor_Surface& surface, double
 /// One edge, prepared once for many points.
 class EdgeDistance {
   public:
-    explicit EdgeDistance(const TopoDS_Edge& edge) : curve_(edge), box_(edge) {
+    explicit EdgeDistance(const TopoDS_Edge& edge) : curve_(edge), box_(box_of(edge)) {
         if (const Handle(Geom_BSplineCurve) spline = spline_of(curve_); !spline.IsNull()) {
             tree_.emplace(spline, curve_.FirstParameter(), curve_.LastParameter());
         } else {
@@ -158,7 +140,7 @@ class EdgeDistance {
     /// The smaller of `square`, the smallest known squared distance, and the squared distance from the inside of the
     /// edge.
     double measure(const Vec3& point, double square) {
-        if (box_.square_distance(point) >= square) {
+        if (gap(box_, point).squaredNorm() >= square) {
             return square;
         }
         if (tree_) {
@@ -173,7 +155,7 @@ class EdgeDistance {
 
   private:
     BRepAdaptor_Curve curve_;
-    BoundingBox box_;
+    Box box_;
     std::optional<PatchTree> tree_;  // for splines
     Extrema_ExtPC nearest_;          // for all others
 };
@@ -182,7 +164,7 @@ class EdgeDistance {
 class FaceDistance {
   public:
     explicit FaceDistance(const TopoDS_Face& face)
-        : surface_(face, false), trimmed_(face, resolution(surface_, BRep_Tool::Tolerance(face))), box_(face) {
+        : surface_(face, false), trimmed_(face, resolution(surface_, BRep_Tool::Tolerance(face))), box_(box_of(face)) {
         double u[2];
         double v[2];
         BRepTools::UVBounds(face, u[0], u[1], v[0], v[1]);
@@ -208,7 +190,7 @@ class FaceDistance {
         }
     }
 
-    const BoundingBox& box() const { return box_; }
+    const Box& box() const { return box_; }
     /// The smaller of the squared distance and the smallest known one.
     double measure(const Vec3& point, double square) {
         const gp_Pnt p(point.x(), point.y(), point.z());
@@ -256,7 +238,7 @@ class FaceDistance {
     Extrema_ExtPS inside_;           // for all others
     std::vector<std::unique_ptr<EdgeDistance>> edges_;
     std::vector<gp_Pnt> corners_;
-    BoundingBox box_;
+    Box box_;
 };
 
 /// The faces of a shape in a tree of boxes.
@@ -272,74 +254,35 @@ class ShapeDistance {
             check_cancelled(progress);
             const OpenCascadeWait wait(progress,
                                        Message::of(phrases::kReading, {{"name", "Face" + std::to_string(i)}}));
-            faces_.push_back(std::make_unique<FaceDistance>(TopoDS::Face(map(i))));
+            faces_.items.push_back(std::make_unique<FaceDistance>(TopoDS::Face(map(i))));
         }
-        nodes_.reserve(2 * faces_.size());
-        build(0, faces_.size());
+        faces_.build(1);
     }
 
     /// The face that was nearest to the point before is tried first: it often is to the next point, too.
     double measure(const Vec3& point) {
-        double square = faces_[last_]->measure(point, std::numeric_limits<double>::infinity());
-        visit(0, point, square);
+        double square = faces_.items[last_]->measure(point, std::numeric_limits<double>::infinity());
+        const std::size_t tried = last_;
+        faces_.search(
+            square, [&](const Bounds& bounds) { return gap(bounds.box, point).squaredNorm(); },
+            [&](std::size_t face) {
+                const double nearer = face == tried ? square : faces_.items[face]->measure(point, square);
+                if (nearer < square) {
+                    square = nearer;
+                    last_ = face;
+                }
+            });
         return std::sqrt(square);
     }
 
   private:
-    struct Node {
-        BoundingBox box;
-        std::size_t first;  // first of its faces, and the end of these
-        std::size_t last;
-        std::size_t second_child;  // the first child is the next node in the list
+    struct Bounds {
+        Box box;
+        void add(const std::unique_ptr<FaceDistance>& face) { box.add(face->box()); }
+        static Vec3 position(const std::unique_ptr<FaceDistance>& face) { return face->box().center(); }
     };
 
-    std::size_t build(std::size_t first, std::size_t last) {
-        const std::size_t at = nodes_.size();
-        BoundingBox box = faces_[first]->box();
-        for (std::size_t f = first + 1; f < last; ++f) {
-            box.add(faces_[f]->box());
-        }
-        nodes_.push_back({box, first, last, 0});
-        if (last - first > 1) {
-            const std::size_t middle = (first + last) / 2;
-            const Eigen::Index axis = box.longest_axis();
-            std::nth_element(faces_.begin() + static_cast<std::ptrdiff_t>(first),
-                             faces_.begin() + static_cast<std::ptrdiff_t>(middle),
-                             faces_.begin() + static_cast<std::ptrdiff_t>(last), [axis](const auto& a, const auto& b) {
-                                 return a->box().middle()[axis] < b->box().middle()[axis];
-                             });
-            build(first, middle);
-            const std::size_t second = build(middle, last);
-            nodes_[at].second_child = second;
-        }
-        return at;
-    }
-
-    void visit(std::size_t at, const Vec3& point, double& square) {
-        const Node& node = nodes_[at];
-        if (node.last - node.first == 1) {
-            const double nearer = node.first == last_ ? square : faces_[node.first]->measure(point, square);
-            if (nearer < square) {
-                square = nearer;
-                last_ = node.first;
-            }
-            return;
-        }
-        std::pair<double, std::size_t> children[2] = {
-            {nodes_[at + 1].box.square_distance(point), at + 1},
-            {nodes_[node.second_child].box.square_distance(point), node.second_child}};
-        if (children[1] < children[0]) {
-            std::swap(children[0], children[1]);
-        }
-        for (const auto& [least, child] : children) {
-            if (least < square) {
-                visit(child, point, square);
-            }
-        }
-    }
-
-    std::vector<std::unique_ptr<FaceDistance>> faces_;
-    std::vector<Node> nodes_;
+    BoxTree<std::unique_ptr<FaceDistance>, Bounds> faces_;
     std::size_t last_ = 0;  // the face that was nearest
 };
 
