@@ -27,7 +27,7 @@ void SpacingField::build() {
 double SpacingField::at(const Vec3& point, double most) const {
     double best = most;
     sources_.search(
-        best, [&](const Bounds& bounds) { return bounds.least + kGrowth * gap(bounds.box, point).norm(); },
+        best, [&](const Bounds& bounds) { return bounds.least + kGrowth * geometry::gap(bounds.box, point).norm(); },
         [&](std::size_t i) {
             const Source& source = sources_.items[i];
             best = std::min(best, source.spacing + kGrowth * (source.point - point).norm());

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "base/box_tree.h"
 #include "base/tuning.h"
 #include "base/vec.h"
+#include "geometry/box_tree.h"
 
 namespace mq::triangulate {
 
@@ -51,7 +51,7 @@ class SpacingField {
         static const Vec3& position(const Source& source) { return source.point; }
     };
 
-    BoxTree<Source, Bounds> sources_;
+    geometry::BoxTree<Source, Bounds> sources_;
 };
 
 }  // namespace mq::triangulate

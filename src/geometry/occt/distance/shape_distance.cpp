@@ -37,10 +37,10 @@
 #include <optional>
 #include <string>
 
-#include "base/box_tree.h"
 #include "base/error.h"
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "geometry/box_tree.h"
 #include "geometry/occt/distance/patch_tree.h"
 
 namespace mq::geometry {

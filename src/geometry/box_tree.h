@@ -8,7 +8,7 @@
 
 #include "base/vec.h"
 
-namespace mq {
+namespace mq::geometry {
 
 /// The distances of a point from a box along the axes, whose norm is the distance.
 inline Vec3 gap(const Box& box, const Vec3& p) {
@@ -90,4 +90,4 @@ class BoxTree {
     std::vector<Node> nodes_;
 };
 
-}  // namespace mq
+}  // namespace mq::geometry
