@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iterator>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "contour/tuning.h"
 #include "mesh/intersection/embedded_star.h"
 #include "mesh/intersection/triangle_contact.h"
+#include "mesh/simplex_stars.h"
 
 namespace mq::contour {
 
@@ -124,9 +124,9 @@ class EdgeCollapse {
             const Triangle& c = surface_.triangles[t];
             const std::int32_t plane = surface_.plane[t];
             planes_[t] = plane >= 0 ? crossings_[plane].normal : normal(c);
+            stars_.add(static_cast<int>(t), c);
             const Vec3& on = plane >= 0 ? crossings_[plane].on_input : surface_.points[c[0]];
             for (int k = 0; k < 3; ++k) {
-                stars_[c[k]].push_back(static_cast<std::int32_t>(t));
                 quadrics_[c[k]].add_plane(on, planes_[t], 1.0);
                 longest = std::max(longest, (surface_.points[c[k]] - surface_.points[c[(k + 1) % 3]]).norm());
             }
@@ -146,19 +146,8 @@ class EdgeCollapse {
         }
     }
 
-    /// The triangles at an edge.
-    std::array<std::int32_t, 2> sides(std::int32_t a, std::int32_t b) const {
-        std::array<std::int32_t, 2> found{-1, -1};
-        std::size_t count = 0;
-        for (const std::int32_t t : stars_[a]) {
-            if (has(surface_.triangles[t], b) && count < 2) {
-                found[count++] = t;
-            }
-        }
-        return found;
-    }
     bool is_border(std::int32_t a, std::int32_t b) const {
-        const std::array<std::int32_t, 2> two = sides(a, b);
+        const std::vector<int> two = stars_.of({a, b}, surface_.triangles);
         return surface_.patch[two[0]] != surface_.patch[two[1]];
     }
     bool on_border(std::int32_t v) const {
@@ -169,10 +158,10 @@ class EdgeCollapse {
     /// it.
     void keep_border(std::int32_t a, std::int32_t b) {
         const double weight = std::pow(limits_.distance / limits_.border, 2.0);
-        const std::array<std::int32_t, 2> two = sides(a, b);
+        const std::vector<int> two = stars_.of({a, b}, surface_.triangles);
         const Vec3 along = surface_.points[b] - surface_.points[a];
         // A block ends at edges of one triangle, which are fixed.
-        if (two[1] < 0 || surface_.patch[two[0]] == surface_.patch[two[1]] || along.squaredNorm() == 0.0) {
+        if (two.size() < 2 || surface_.patch[two[0]] == surface_.patch[two[1]] || along.squaredNorm() == 0.0) {
             return;
         }
         for (const std::int32_t t : two) {
@@ -236,29 +225,11 @@ class EdgeCollapse {
     /// What holds a vertex in its place: 2 a fixed triangle, 1 a border between patches, 0 nothing.
     int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border(v) ? 1 : 0; }
 
-    /// The vertices that have an edge with v.
-    void find_ring(std::int32_t v, std::vector<std::int32_t>& found) const {
-        found.clear();
-        for (const std::int32_t t : stars_[v]) {
-            for (const std::int32_t w : surface_.triangles[t]) {
-                if (w != v) {
-                    found.push_back(w);
-                }
-            }
-        }
-        std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-    }
-
-    /// The link condition: only the two vertices opposite to the edge are joined to both of its ends.
-    bool keeps_links(const Candidate& edge) {
-        find_ring(edge.a, ring_);
-        find_ring(edge.b, other_ring_);
-        common_.clear();
-        std::set_intersection(ring_.begin(), ring_.end(), other_ring_.begin(), other_ring_.end(),
-                              std::back_inserter(common_));
-        constexpr std::size_t kOfTetrahedron = 6;  // neighbours of both ends
-        return common_.size() == 2 && ring_.size() + other_ring_.size() > kOfTetrahedron;
+    /// Whether the surface stays 2-manifold, and is no tetrahedron.
+    bool keeps_links(const Candidate& edge) const {
+        constexpr std::size_t kOfTetrahedron = 6;  // triangles at both ends
+        return stars_[edge.a].size() + stars_[edge.b].size() > kOfTetrahedron &&
+               stars_.link_condition(edge.a, edge.b, surface_.triangles);
     }
 
     /// Tries the best place and the places of both ends, and takes the first at which the surface stays sound.
@@ -467,15 +438,14 @@ class EdgeCollapse {
             }
         }
         surface_.points[edge.a] = edge.place;
-        stars_[edge.a].clear();
-        std::sort(star.begin(), star.end());
         for (const std::int32_t t : star) {
             Triangle& c = surface_.triangles[t];
+            stars_.remove(t, c);
             if (edge.takes(c)) {
-                drop(t, edge);
+                c = {-1, -1, -1};
             } else {
                 c = renamed(c, edge, edge.a);
-                stars_[edge.a].push_back(t);
+                stars_.add(t, c);
                 if (limits_.keeps_apart) {
                     grid_.add(t, corners(c));
                 }
@@ -485,22 +455,11 @@ class EdgeCollapse {
     }
     void collapse(const Candidate& edge) {
         apply(edge);
-        stars_[edge.b].clear();
         quadrics_[edge.a].add(quadrics_[edge.b]);
         ++ages_[edge.b];
-        find_ring(edge.a, ring_);
-        for (const std::int32_t v : ring_) {
+        for (const std::int32_t v : stars_.link({edge.a}, surface_.triangles)) {
             assess(std::min(edge.a, v), std::max(edge.a, v), [&](const Queued& one) { queue_.push(one); });
         }
-    }
-    /// Removes a vanished triangle of the edge from the stars of the vertices beside the edge.
-    void drop(std::int32_t t, const Candidate& edge) {
-        for (const std::int32_t v : surface_.triangles[t]) {
-            if (!edge.is_end(v)) {
-                stars_[v].erase(std::find(stars_[v].begin(), stars_[v].end(), t));
-            }
-        }
-        surface_.triangles[t] = {-1, -1, -1};
     }
 
     /// Removes vertices and triangles that are gone.
@@ -508,7 +467,7 @@ class EdgeCollapse {
         std::vector<std::int32_t> index(surface_.points.size(), -1);
         std::size_t count = 0;
         for (std::size_t v = 0; v < surface_.points.size(); ++v) {
-            if (!stars_[v].empty()) {
+            if (!stars_[static_cast<std::int32_t>(v)].empty()) {
                 index[v] = static_cast<std::int32_t>(count);
                 surface_.points[count++] = surface_.points[v];
             }
@@ -537,7 +496,7 @@ class EdgeCollapse {
     Progress& progress_;
     double from_;
     CancelPace pace_;
-    std::vector<std::vector<std::int32_t>> stars_;
+    mesh::SimplexStars stars_;
     std::vector<std::int32_t> ages_;
     std::vector<char> stays_;  ///< by vertex: whether a fixed triangle has it
     std::vector<Quadric> quadrics_;
@@ -551,9 +510,6 @@ class EdgeCollapse {
     std::vector<std::pair<std::int32_t, bool>> embedded_;  ///< vertices of moved triangles, whether their star is
     std::vector<mesh::StarSector> star_;                   ///< the star under test
     std::vector<Vec3> of_pair_;                            ///< points of two triangles that are tested
-    std::vector<std::int32_t> ring_;                       ///< vertices around an end of an edge
-    std::vector<std::int32_t> other_ring_;                 ///< those around the other end
-    std::vector<std::int32_t> common_;                     ///< those around both
 };
 
 }  // namespace

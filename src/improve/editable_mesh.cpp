@@ -62,54 +62,26 @@ EditableMesh::EditableMesh(const mesh::TriangleMesh& given, double feature_angle
     });
 }
 
-std::vector<int> EditableMesh::around_edge(int a, int b) const {
-    // A vertex in the middle of a fan may have thousands of triangles, the others of the fan have few.
-    const bool fewer_at_a = stars_[a].size() <= stars_[b].size();
-    const std::vector<int>& star = stars_[fewer_at_a ? a : b];
-    const int other = fewer_at_a ? b : a;
-    std::vector<int> found;
-    std::copy_if(star.begin(), star.end(), std::back_inserter(found), [&](int t) {
-        const Triangle& c = triangles_[t];
-        return c[0] == other || c[1] == other || c[2] == other;
-    });
-    return found;
-}
-
-std::vector<int> EditableMesh::neighbours(int v) const {
-    std::vector<int> found;
-    for (const int t : stars_[v]) {
-        std::copy_if(triangles_[t].begin(), triangles_[t].end(), std::back_inserter(found),
-                     [&](int w) { return w != v; });
-    }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
-}
-
 int EditableMesh::add_vertex(const Vec3& point) {
     points_.push_back(point);
-    stars_.emplace_back();
+    stars_.resize(points_.size());
     sharp_at_.emplace_back();
     return vertex_count() - 1;
 }
 
 void EditableMesh::forget_last_vertex() {
     points_.pop_back();
-    stars_.pop_back();
+    stars_.resize(points_.size());
     sharp_at_.pop_back();
 }
 
 void EditableMesh::apply(const LocalOperation& change) {
     for (const int t : change.removed) {
         gone_[t] = 1;
-        for (const std::int32_t v : triangles_[t]) {
-            stars_[v].erase(std::find(stars_[v].begin(), stars_[v].end(), t));
-        }
+        stars_.remove(t, triangles_[t]);
     }
     for (const Triangle& c : change.added) {
-        for (const std::int32_t v : c) {
-            stars_[v].push_back(triangle_count());
-        }
+        stars_.add(triangle_count(), c);
         triangles_.push_back(c);
         gone_.push_back(0);
     }
@@ -132,12 +104,10 @@ void EditableMesh::restore(State state) {
 }
 
 void EditableMesh::find_stars() {
-    stars_.assign(points_.size(), {});
+    stars_ = mesh::SimplexStars(points_.size());
     for (int t = 0; t < triangle_count(); ++t) {
-        for (const std::int32_t v : triangles_[t]) {
-            if (!gone_[t]) {
-                stars_[v].push_back(t);
-            }
+        if (!gone_[t]) {
+            stars_.add(t, triangles_[t]);
         }
     }
 }
@@ -146,7 +116,7 @@ mesh::TriangleMesh EditableMesh::result() const {
     mesh::TriangleMesh mesh;
     std::vector<std::int32_t> index(points_.size(), -1);
     for (std::size_t v = 0; v < points_.size(); ++v) {
-        if (!stars_[v].empty()) {
+        if (!star(static_cast<int>(v)).empty()) {
             index[v] = static_cast<std::int32_t>(mesh.vertices.size());
             mesh.vertices.push_back(points_[v]);
         }

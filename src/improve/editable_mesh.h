@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/simplex_stars.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::improve {
@@ -43,9 +44,11 @@ class EditableMesh {
     /// The other ends of the sharp edges at a vertex, in ascending order.
     const std::vector<int>& sharp_neighbours(int v) const { return sharp_at_[v]; }
     /// The triangles with the edge a-b, in ascending order.
-    std::vector<int> around_edge(int a, int b) const;
+    std::vector<int> around_edge(int a, int b) const { return stars_.of({a, b}, triangles_); }
     /// All vertices joined to one, in ascending order.
-    std::vector<int> neighbours(int v) const;
+    std::vector<int> neighbours(int v) const { return stars_.link({v}, triangles_); }
+    /// Whether an edge may be collapsed, by the connections alone.
+    bool link_condition(int a, int b) const { return stars_.link_condition(a, b, triangles_); }
 
     int add_vertex(const Vec3& point);
     /// Removes the last vertex, which no triangle uses yet.
@@ -72,7 +75,7 @@ class EditableMesh {
     std::vector<Vec3> points_;
     std::vector<Triangle> triangles_;
     std::vector<char> gone_;
-    std::vector<std::vector<int>> stars_;
+    mesh::SimplexStars stars_;
     std::vector<std::vector<int>> sharp_at_;
     int alive_ = 0;
 };

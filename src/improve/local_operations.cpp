@@ -46,13 +46,7 @@ std::optional<LocalOperation> collapse_edge(const EditableMesh& mesh, int from, 
     if (free == Freedom::None || (free == Freedom::Curve && !mesh.is_sharp(from, to))) {
         return std::nullopt;
     }
-    // The link condition: each vertex joined to both must belong to a triangle of the edge, ...
-    const bool fewer_at_from = mesh.star(from).size() <= mesh.star(to).size();
-    const std::vector<int> joined = mesh.neighbours(fewer_at_from ? from : to);
-    const int other = fewer_at_from ? to : from;
-    const auto common = std::count_if(joined.begin(), joined.end(),
-                                      [&](int w) { return w != other && !mesh.around_edge(w, other).empty(); });
-    if (static_cast<std::size_t>(common) != mesh.around_edge(from, to).size()) {
+    if (!mesh.link_condition(from, to)) {
         return std::nullopt;
     }
     LocalOperation change;
@@ -62,8 +56,8 @@ std::optional<LocalOperation> collapse_edge(const EditableMesh& mesh, int from, 
             change.added.push_back(with(mesh.triangle(t), from, to));
         }
     }
-    // ... and no two triangles that differ in the ends of the edge alone, as two faces of a tetrahedron do, may
-    // coincide afterwards.
+    // No two triangles that differ in the ends of the edge alone, as two faces of a tetrahedron do, may coincide
+    // afterwards.
     const auto is_there = [&](const mesh::Triangle& t) {
         const std::vector<int>& around = mesh.star(to);
         return std::any_of(around.begin(), around.end(), [&](int other_triangle) {

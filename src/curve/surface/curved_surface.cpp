@@ -7,7 +7,7 @@ namespace mq::curve {
 
 int CurvedSurface::add_vertex(const Vertex& vertex) {
     shapes.vertices.push_back(vertex);
-    of_vertex_.resize(shapes.vertices.size());
+    stars_.resize(shapes.vertices.size());
     return static_cast<int>(shapes.vertices.size()) - 1;
 }
 
@@ -17,19 +17,14 @@ int CurvedSurface::add_triangle(const std::array<int, 3>& corners, int face) {
     triangle.corners = corners;
     triangle.face = face;
     triangles.push_back(triangle);
-    for (const int v : corners) {
-        of_vertex_[static_cast<std::size_t>(v)].push_back(index);
-    }
+    stars_.add(index, corners);
     return index;
 }
 
 void CurvedSurface::remove_triangle(int triangle) {
     SurfaceTriangle& t = triangles[static_cast<std::size_t>(triangle)];
     t.alive = false;
-    for (const int v : t.corners) {
-        std::vector<int>& list = of_vertex_[static_cast<std::size_t>(v)];
-        list.erase(std::find(list.begin(), list.end(), triangle));
-    }
+    stars_.remove(triangle, t.corners);
 }
 
 void CurvedSurface::withdraw_triangle() {
@@ -40,24 +35,7 @@ void CurvedSurface::withdraw_triangle() {
 void CurvedSurface::revive_triangle(int triangle) {
     SurfaceTriangle& t = triangles[static_cast<std::size_t>(triangle)];
     t.alive = true;
-    for (const int v : t.corners) {
-        of_vertex_[static_cast<std::size_t>(v)].push_back(triangle);
-    }
-}
-
-std::vector<int> CurvedSurface::triangles_of_edge(int a, int b) const {
-    std::vector<int> result;
-    for (const int t : triangles_of_vertex(a)) {
-        const auto& corners = triangles[static_cast<std::size_t>(t)].corners;
-        if (std::find(corners.begin(), corners.end(), b) != corners.end()) {
-            result.push_back(t);
-        }
-    }
-    return result;
-}
-
-bool CurvedSurface::has_edge(int a, int b) const {
-    return !triangles_of_edge(a, b).empty();
+    stars_.add(triangle, t.corners);
 }
 
 const Segment* CurvedSurface::segment(int a, int b) const {

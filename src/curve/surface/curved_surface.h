@@ -7,6 +7,7 @@
 
 #include "elements/bezier/curved_shapes.h"
 #include "geometry/session.h"
+#include "mesh/simplex_stars.h"
 
 namespace mq::curve {
 
@@ -58,9 +59,13 @@ class CurvedSurface {
     void withdraw_triangle();
     void revive_triangle(int triangle);
     /// Living triangles with both vertices.
-    std::vector<int> triangles_of_edge(int a, int b) const;
-    const std::vector<int>& triangles_of_vertex(int v) const { return of_vertex_[static_cast<std::size_t>(v)]; }
-    bool has_edge(int a, int b) const;
+    std::vector<int> triangles_of_edge(int a, int b) const { return stars_.of({a, b}, triangles); }
+    const std::vector<int>& triangles_of_vertex(int v) const { return stars_[v]; }
+    bool has_edge(int a, int b) const { return stars_.joined(a, b, triangles); }
+    /// The vertices that have an edge with v, in ascending order.
+    std::vector<int> neighbours(int v) const { return stars_.link({v}, triangles); }
+    /// Whether an edge may be collapsed, by the connections alone.
+    bool link_condition(int a, int b) const { return stars_.link_condition(a, b, triangles); }
     int add_vertex(const Vertex& vertex);
     /// Parameters at a and b of the CAD edge under mesh edge (a, b); nullptr when it lies inside a face.
     const Segment* segment(int a, int b) const;
@@ -76,7 +81,7 @@ class CurvedSurface {
     }
 
   private:
-    std::vector<std::vector<int>> of_vertex_;
+    mesh::SimplexStars stars_;
 };
 
 /// Vertices of meshes made by triangulate() are rounded to single precision: this fraction of the model's size is their

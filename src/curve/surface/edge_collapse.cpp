@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
-#include <set>
 
 #include "curve/surface/editor.h"
 
@@ -8,21 +7,10 @@ namespace mq::curve {
 
 namespace {
 
-std::set<int> neighbours(const CurvedSurface& surface, int v) {
-    std::set<int> result;
-    for (const int t : surface.triangles_of_vertex(v)) {
-        for (const int other : surface.triangles[static_cast<std::size_t>(t)].corners) {
-            result.insert(other);
-        }
-    }
-    result.erase(v);
-    return result;
-}
-
 /// The neighbour of `a` along its CAD edge on the side away from `b`; -1 when there is not exactly one.
 int next_along(const CurvedSurface& surface, int a, int b) {
     int found = -1;
-    for (const int v : neighbours(surface, a)) {
+    for (const int v : surface.neighbours(a)) {
         if (v != b && surface.segment(a, v) != nullptr) {
             if (found >= 0) {
                 return -1;
@@ -45,11 +33,7 @@ bool allowed(const CurvedSurface& surface, int a, int b, int& along) {
             return false;
         }
     }
-    // Link condition: only the corners opposite to the edge may neighbour both ends.
-    const std::set<int> of_a = neighbours(surface, a);
-    const std::set<int> of_b = neighbours(surface, b);
-    const auto common = std::count_if(of_a.begin(), of_a.end(), [&](int v) { return of_b.count(v) > 0; });
-    return common == static_cast<std::ptrdiff_t>(surface.triangles_of_edge(a, b).size());
+    return surface.link_condition(a, b);
 }
 
 }  // namespace

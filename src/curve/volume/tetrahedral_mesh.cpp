@@ -15,14 +15,6 @@
 
 namespace mq::curve {
 
-namespace {
-
-bool holds(const std::array<int, 4>& corners, int v) {
-    return std::find(corners.begin(), corners.end(), v) != corners.end();
-}
-
-}  // namespace
-
 TetrahedralMesh::TetrahedralMesh(CurvedSurface& given) : surface(given) {
     for (const SurfaceTriangle& t : surface.triangles) {
         if (!t.alive) {
@@ -33,7 +25,7 @@ TetrahedralMesh::TetrahedralMesh(CurvedSurface& given) : surface(given) {
             fixed_edges_.insert(pair_key(t.corners[k], t.corners[(k + 1) % 3]));
         }
     }
-    of_vertex_.resize(surface.shapes.vertices.size());
+    stars_.resize(surface.shapes.vertices.size());
 }
 
 TetrahedralMesh::TetrahedralMesh(CurvedSurface& given, const std::vector<Tetrahedron>& kept) : TetrahedralMesh(given) {
@@ -50,55 +42,20 @@ int TetrahedralMesh::add(const std::array<int, 4>& corners, int volume) {
     t.corners = corners;
     t.volume = volume;
     tetrahedra.push_back(t);
-    for (const int v : corners) {
-        of_vertex_[static_cast<std::size_t>(v)].push_back(index);
-    }
+    stars_.add(index, corners);
     return index;
 }
 
 void TetrahedralMesh::remove(int tetrahedron) {
     Tetrahedron& t = tetrahedra[static_cast<std::size_t>(tetrahedron)];
     t.alive = false;
-    for (const int v : t.corners) {
-        std::vector<int>& list = of_vertex_[static_cast<std::size_t>(v)];
-        list.erase(std::find(list.begin(), list.end(), tetrahedron));
-    }
+    stars_.remove(tetrahedron, t.corners);
 }
 
 int TetrahedralMesh::add_vertex(const Vec3& point, int volume) {
     const int v = surface.add_vertex({point, {3, volume}});
-    of_vertex_.resize(surface.shapes.vertices.size());
+    stars_.resize(surface.shapes.vertices.size());
     return v;
-}
-
-const std::vector<int>& TetrahedralMesh::of_vertex(int v) const {
-    return of_vertex_[static_cast<std::size_t>(v)];
-}
-
-std::vector<int> TetrahedralMesh::of_edge(int a, int b) const {
-    std::vector<int> result;
-    for (const int t : of_vertex(a)) {
-        if (holds(tetrahedra[static_cast<std::size_t>(t)].corners, b)) {
-            result.push_back(t);
-        }
-    }
-    return result;
-}
-
-std::vector<int> TetrahedralMesh::of_face(int a, int b, int c) const {
-    std::vector<int> result;
-    for (const int t : of_vertex(a)) {
-        const auto& corners = tetrahedra[static_cast<std::size_t>(t)].corners;
-        if (holds(corners, b) && holds(corners, c)) {
-            result.push_back(t);
-        }
-    }
-    return result;
-}
-
-bool TetrahedralMesh::has_edge(int a, int b) const {
-    return std::any_of(of_vertex(a).begin(), of_vertex(a).end(),
-                       [&](int t) { return holds(tetrahedra[static_cast<std::size_t>(t)].corners, b); });
 }
 
 double TetrahedralMesh::straight_jacobian(const std::array<int, 4>& c) const {

@@ -35,10 +35,12 @@ class TetrahedralMesh {
     void remove(int tetrahedron);
     int add_vertex(const Vec3& point, int volume);
 
-    const std::vector<int>& of_vertex(int v) const;
-    std::vector<int> of_edge(int a, int b) const;
-    std::vector<int> of_face(int a, int b, int c) const;
-    bool has_edge(int a, int b) const;
+    const std::vector<int>& of_vertex(int v) const { return stars_[v]; }
+    std::vector<int> of_edge(int a, int b) const { return stars_.of({a, b}, tetrahedra); }
+    std::vector<int> of_face(int a, int b, int c) const { return stars_.of({a, b, c}, tetrahedra); }
+    bool has_edge(int a, int b) const { return stars_.joined(a, b, tetrahedra); }
+    /// Whether an edge may be collapsed, by the connections alone.
+    bool link_condition(int a, int b) const { return stars_.link_condition(a, b, tetrahedra); }
     bool fixed_edge(int a, int b) const { return fixed_edges_.count(pair_key(a, b)) > 0; }
     bool fixed_face(int a, int b, int c) const { return fixed_faces_.count(face_key(a, b, c)) > 0; }
     /// Six times the volume of the straight tetrahedron.
@@ -63,7 +65,7 @@ class TetrahedralMesh {
   private:
     double squared_edges(const std::array<int, 4>& corners) const;
 
-    std::vector<std::vector<int>> of_vertex_;
+    mesh::SimplexStars stars_;
     std::unordered_set<EdgeKey> fixed_edges_;
     std::unordered_set<FaceKey, KeyHash> fixed_faces_;
 };

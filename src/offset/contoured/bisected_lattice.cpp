@@ -31,10 +31,10 @@ BisectedLattice::BisectedLattice(const Box& box, double side, double finest) : f
                 do {
                     std::array<std::uint64_t, 3> place{x, y, z};
                     Cell cell{};
-                    cell.nodes[0] = node_at(place);
+                    cell[0] = node_at(place);
                     for (std::size_t k = 0; k < 3; ++k) {
                         ++place[axes[k]];
-                        cell.nodes[k + 1] = node_at(place);
+                        cell[k + 1] = node_at(place);
                     }
                     add(cell);
                 } while (std::next_permutation(axes.begin(), axes.end()));
@@ -50,8 +50,7 @@ std::array<std::int32_t, 2> BisectedLattice::longest_edge(const Cell& cell) cons
     double most = -1.0;
     for (std::size_t i = 0; i < 4; ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-            const std::array<std::int32_t, 2> edge{std::min(cell.nodes[i], cell.nodes[j]),
-                                                   std::max(cell.nodes[i], cell.nodes[j])};
+            const std::array<std::int32_t, 2> edge{std::min(cell[i], cell[j]), std::max(cell[i], cell[j])};
             const double length = (at(edge[0]) - at(edge[1])).squaredNorm();
             if (length > most * (1.0 + kSame) || (length > most * (1.0 - kSame) && edge < longest)) {
                 longest = edge;
@@ -67,32 +66,21 @@ bool BisectedLattice::is_divisible(const Cell& cell) const {
     return (at(a) - at(b)).norm() > finest_;
 }
 
-std::vector<std::size_t> BisectedLattice::cells_around(std::int32_t a, std::int32_t b) const {
-    std::vector<std::size_t> around;
-    for (const std::int32_t k : cells_at_[static_cast<std::size_t>(a)]) {
-        const auto& nodes = cells_[static_cast<std::size_t>(k)].nodes;
-        if (std::find(nodes.begin(), nodes.end(), b) != nodes.end()) {
-            around.push_back(static_cast<std::size_t>(k));
-        }
-    }
-    return around;
-}
-
 void BisectedLattice::divide(std::size_t first) {
     // A cell waits until its longest edge is the longest one of all cells around that edge. A cell that waits for
     // another one has a shorter longest edge than that one, or one equal within rounding errors, and no cell waits
     // twice: so this terminates.
-    std::vector<std::size_t> waiting{first};
+    std::vector<int> waiting{static_cast<int>(first)};
     while (!waiting.empty()) {
-        const std::size_t last = waiting.back();
+        const auto last = static_cast<std::size_t>(waiting.back());
         if (is_divided(last)) {
             waiting.pop_back();
             continue;
         }
         const std::array<std::int32_t, 2> edge = longest_edge(cells_[last]);
-        const std::vector<std::size_t> around = cells_around(edge[0], edge[1]);
-        const auto other =
-            std::find_if(around.begin(), around.end(), [&](std::size_t k) { return longest_edge(cells_[k]) != edge; });
+        const std::vector<int> around = undivided_.of({edge[0], edge[1]}, cells_);
+        const auto other = std::find_if(around.begin(), around.end(),
+                                        [&](int k) { return longest_edge(cell(static_cast<std::size_t>(k))) != edge; });
         if (other != around.end() && std::find(waiting.begin(), waiting.end(), *other) == waiting.end()) {
             waiting.push_back(*other);
         } else {
@@ -102,26 +90,24 @@ void BisectedLattice::divide(std::size_t first) {
 }
 
 void BisectedLattice::divide_edge(std::int32_t a, std::int32_t b, const Vec3& point) {
-    const std::vector<std::size_t> around = cells_around(a, b);
+    const std::vector<int> around = undivided_.of({a, b}, cells_);
     if (around.empty()) {
         return;
     }
     const std::int32_t middle = add_node(point);
-    for (const std::size_t k : around) {
-        bisect(k, a, b, middle);
+    for (const int k : around) {
+        bisect(static_cast<std::size_t>(k), a, b, middle);
     }
 }
 
 std::int32_t BisectedLattice::add_node(const Vec3& place) {
     nodes_.push_back(place);
-    cells_at_.emplace_back();
+    undivided_.resize(nodes_.size());
     return static_cast<std::int32_t>(nodes_.size() - 1);
 }
 
 void BisectedLattice::add(const Cell& cell) {
-    for (const std::int32_t node : cell.nodes) {
-        cells_at_[static_cast<std::size_t>(node)].push_back(static_cast<std::int32_t>(cells_.size()));
-    }
+    undivided_.add(static_cast<int>(cells_.size()), cell);
     cells_.push_back(cell);
     divided_.push_back(0);
 }
@@ -129,13 +115,10 @@ void BisectedLattice::add(const Cell& cell) {
 void BisectedLattice::bisect(std::size_t index, std::int32_t a, std::int32_t b, std::int32_t middle) {
     const Cell cell = cells_[index];
     divided_[index] = 1;
-    for (const std::int32_t node : cell.nodes) {
-        std::vector<std::int32_t>& there = cells_at_[static_cast<std::size_t>(node)];
-        there.erase(std::find(there.begin(), there.end(), static_cast<std::int32_t>(index)));
-    }
+    undivided_.remove(static_cast<int>(index), cell);
     for (const std::int32_t end : {a, b}) {
         Cell half = cell;
-        std::replace(half.nodes.begin(), half.nodes.end(), end, middle);
+        std::replace(half.begin(), half.end(), end, middle);
         add(half);
     }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "mesh/simplex_stars.h"
 
 namespace mq::offset {
 
@@ -16,9 +17,7 @@ namespace mq::offset {
 /// other point, which makes other shapes.
 class BisectedLattice {
   public:
-    struct Cell {
-        std::array<std::int32_t, 4> nodes;
-    };
+    using Cell = std::array<std::int32_t, 4>;  ///< its nodes
 
     /// @param box  the box that the lattice fills at least
     /// @param side  mm: side of the cubes
@@ -31,9 +30,7 @@ class BisectedLattice {
     bool is_divided(std::size_t cell) const { return divided_[cell] != 0; }
     const Cell& cell(std::size_t index) const { return cells_[index]; }
     const Vec3& at(std::int32_t node) const { return nodes_[static_cast<std::size_t>(node)]; }
-    std::array<Vec3, 4> corners(const Cell& cell) const {
-        return {at(cell.nodes[0]), at(cell.nodes[1]), at(cell.nodes[2]), at(cell.nodes[3])};
-    }
+    std::array<Vec3, 4> corners(const Cell& cell) const { return {at(cell[0]), at(cell[1]), at(cell[2]), at(cell[3])}; }
     /// Whether a cell has an edge that may be divided.
     bool is_divisible(const Cell& cell) const;
     /// Divides a cell at its longest edge, unless it is divided already. Cells around that edge that have a longer edge
@@ -47,13 +44,12 @@ class BisectedLattice {
     std::int32_t add_node(const Vec3& place);
     void add(const Cell& cell);
     void bisect(std::size_t cell, std::int32_t a, std::int32_t b, std::int32_t middle);
-    std::vector<std::size_t> cells_around(std::int32_t a, std::int32_t b) const;
     std::array<std::int32_t, 2> longest_edge(const Cell& cell) const;
 
     double finest_;
     std::vector<Vec3> nodes_;
-    std::vector<std::vector<std::int32_t>> cells_at_;  ///< by node: the undivided cells that have it
     std::vector<Cell> cells_;
+    mesh::SimplexStars undivided_;
     std::vector<char> divided_;
 };
 

@@ -85,7 +85,7 @@ class Refinement {
         result.is_within_slack = is_within_slack(cell);
         for (std::size_t i = 0; i < 4 && !result.is_within_slack; ++i) {
             for (std::size_t j = 0; j < i && result.edge[0] < 0; ++j) {
-                find_feature(std::min(cell.nodes[i], cell.nodes[j]), std::max(cell.nodes[i], cell.nodes[j]), result);
+                find_feature(std::min(cell[i], cell[j]), std::max(cell[i], cell[j]), result);
             }
         }
         return result;
@@ -127,7 +127,7 @@ class Refinement {
         // The contour may pass any point of the cell: each node bounds the distance of such points from the offset.
         const Tetrahedron corners = lattice_.corners(lattice_.cell(cell));
         double least = std::numeric_limits<double>::infinity();
-        for (const std::int32_t node : lattice_.cell(cell).nodes) {
+        for (const std::int32_t node : lattice_.cell(cell)) {
             double reach = 0.0;
             for (const Vec3& corner : corners) {
                 reach = std::max(reach, (corner - lattice_.at(node)).norm());
@@ -153,7 +153,7 @@ class Refinement {
         std::vector<std::array<std::int32_t, 2>> edges;
         const std::size_t known = crossings_.size();
         for (const std::size_t cell : fresh) {
-            const auto& nodes = lattice_.cell(cell).nodes;
+            const auto& nodes = lattice_.cell(cell);
             for (std::size_t i = 0; i < 4; ++i) {
                 for (std::size_t j = 0; j < i; ++j) {
                     if (is_outside(nodes[i]) != is_outside(nodes[j])) {
@@ -217,13 +217,13 @@ class Refinement {
         result.corners = lattice_.corners(cell);
         std::array<bool, 4> outside{};
         for (std::size_t k = 0; k < 4; ++k) {
-            outside[k] = is_outside(cell.nodes[k]);
+            outside[k] = is_outside(cell[k]);
         }
         result.polygon = contour::cell_polygon(result.corners, outside);
         for (std::size_t k = 0; k < static_cast<std::size_t>(result.polygon.count); ++k) {
             const auto& ends = result.polygon.edges[k];
-            result.crossings[k] = numbers_.at(
-                pair_key(cell.nodes[static_cast<std::size_t>(ends[0])], cell.nodes[static_cast<std::size_t>(ends[1])]));
+            result.crossings[k] =
+                numbers_.at(pair_key(cell[static_cast<std::size_t>(ends[0])], cell[static_cast<std::size_t>(ends[1])]));
         }
         return result;
     }
@@ -231,7 +231,7 @@ class Refinement {
     bool is_within_slack(const Cell& cell) const {
         const CrossedCell here = crossed(cell);
         if (here.polygon.count == 0) {
-            const LevelSample& level = levels_[static_cast<std::size_t>(cell.nodes[0])];
+            const LevelSample& level = levels_[static_cast<std::size_t>(cell[0])];
             return proof_.proves(here.corners, level.value >= 0.0, level.source);
         }
         const CellSurface surface = contour::cell_surface(here, crossings_, &level_set_);
@@ -267,7 +267,7 @@ class Refinement {
             const std::array<std::size_t, 3> face{(opposite + 1) % 4, (opposite + 2) % 4, (opposite + 3) % 4};
             std::array<bool, 3> outside{};
             for (std::size_t k = 0; k < 3; ++k) {
-                outside[k] = is_outside(cell.nodes[face[k]]);
+                outside[k] = is_outside(cell[face[k]]);
             }
             const auto count = std::count(outside.begin(), outside.end(), true);
             if (count == 0 || count == 3) {
@@ -303,9 +303,7 @@ class Refinement {
     /// @param face  its corners; the first one is alone on its side
     bool divided_face_holds(const Cell& cell, const CrossedCell& here, const CellSurface& surface,
                             const std::array<std::size_t, 3>& face, bool lone_outside) const {
-        const auto crossing_to = [&](std::size_t corner) {
-            return numbers_.at(pair_key(cell.nodes[face[0]], cell.nodes[corner]));
-        };
+        const auto crossing_to = [&](std::size_t corner) { return numbers_.at(pair_key(cell[face[0]], cell[corner])); };
         const std::int32_t first = crossing_to(face[1]);
         const std::int32_t second = crossing_to(face[2]);
         const Vec3& b = crossings_[static_cast<std::size_t>(first)].point;
@@ -344,7 +342,7 @@ class Refinement {
             if (cell.polygon.count == 0) {
                 continue;
             }
-            for (const std::int32_t node : lattice_.cell(k).nodes) {
+            for (const std::int32_t node : lattice_.cell(k)) {
                 if (taken[static_cast<std::size_t>(node)] == 0) {
                     taken[static_cast<std::size_t>(node)] = 1;
                     result.nodes.push_back({lattice_.at(node), value(node)});

@@ -46,7 +46,7 @@ double conforming_volume(const BisectedLattice& lattice) {
         for (std::size_t opposite = 0; opposite < 4; ++opposite) {
             std::array<std::int32_t, 3> face{};
             for (std::size_t i = 0; i < 3; ++i) {
-                face[i] = cell.nodes[(opposite + 1 + i) % 4];
+                face[i] = cell[(opposite + 1 + i) % 4];
                 all.add(lattice.at(face[i]));
             }
             std::sort(face.begin(), face.end());
@@ -128,13 +128,13 @@ TEST(BisectedLattice, AnEdgeIsDividedAnywhere) {
     const double all = conforming_volume(lattice);
     const std::size_t nodes = lattice.node_count();
     const BisectedLattice::Cell cell = lattice.cell(7);
-    const Vec3 place = 0.8 * lattice.at(cell.nodes[0]) + 0.2 * lattice.at(cell.nodes[3]);
-    lattice.divide_edge(cell.nodes[0], cell.nodes[3], place);
+    const Vec3 place = 0.8 * lattice.at(cell[0]) + 0.2 * lattice.at(cell[3]);
+    lattice.divide_edge(cell[0], cell[3], place);
     EXPECT_EQ(lattice.node_count(), nodes + 1);
     EXPECT_EQ(lattice.at(static_cast<std::int32_t>(nodes)), place);
     EXPECT_TRUE(lattice.is_divided(7));
     EXPECT_NEAR(conforming_volume(lattice), all, 1e-9);
-    lattice.divide_edge(cell.nodes[0], cell.nodes[3], place);  // there is no such edge any more
+    lattice.divide_edge(cell[0], cell[3], place);  // there is no such edge any more
     EXPECT_EQ(lattice.node_count(), nodes + 1);
 }
 
