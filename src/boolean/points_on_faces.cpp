@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/rounds.h"
+#include "base/tuning.h"
 
 namespace mq::boolean {
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "base/parallel.h"
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "boolean/points_on_faces.h"
 #include "boolean/tuning.h"
 #include "mesh/intersection/aabb_tree.h"

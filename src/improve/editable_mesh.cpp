@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/angle.h"
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "improve/tuning.h"
 #include "mesh/edge_table.h"
 #include "mesh/quality/triangle_quality.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "mesh/intersection/triangle_distance.h"
 
 namespace mq::inspection {

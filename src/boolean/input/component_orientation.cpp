@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/predicates.h"
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "boolean/input/operand_mesh.h"
 #include "boolean/input/tuning.h"
 #include "mesh/intersection/aabb_tree.h"

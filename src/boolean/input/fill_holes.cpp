@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/key_set.h"
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "boolean/input/operand_mesh.h"
 #include "boolean/input/tuning.h"
 #include "mesh/intersection/aabb_tree.h"

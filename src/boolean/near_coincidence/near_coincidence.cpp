@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "base/predicates.h"
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "boolean/near_coincidence/tuning.h"
 
 namespace mq::boolean {

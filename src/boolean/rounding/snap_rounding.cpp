@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "boolean/arrangement/arrangement.h"
 #include "boolean/arrangement/cells.h"
 #include "boolean/rounding/separate_copies.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/rounds.h"
+#include "base/tuning.h"
 
 namespace mq::curve {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "curve/surface/tuning.h"
 
 namespace mq::curve {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "curve/volume/editor.h"
 #include "curve/volume/tuning.h"
 #include "curve/volume/untangle.h"

@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "elements/bezier/bernstein.h"
 #include "elements/product/reference_nodes.h"
 #include "geometry/session.h"

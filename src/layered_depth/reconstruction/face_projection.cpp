@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "boolean/points_on_faces.h"
 #include "mesh/quality/surface_verification.h"
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "base/rounds.h"
+#include "base/tuning.h"
 #include "mesh/corner_table.h"
 
 namespace mq::boolean {
