@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "base/chord_table.h"
 #include "base/error.h"
 #include "base/predicates.h"
-#include "mesh/chord_table.h"
 
 namespace mq::mesh {
 namespace {

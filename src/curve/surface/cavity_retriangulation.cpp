@@ -4,9 +4,9 @@
 #include <map>
 #include <set>
 
+#include "base/chord_table.h"
 #include "curve/surface/editor.h"
 #include "curve/surface/tuning.h"
-#include "mesh/chord_table.h"
 
 namespace mq::curve {
 
@@ -109,7 +109,7 @@ class BestTriangulation {
     }
 
     std::vector<SurfaceEditor::Corners> find() const {
-        mesh::ChordTable<double> table;
+        ChordTable<double> table;
         const auto worst = [&](std::size_t i, std::size_t k, std::size_t j, double left, double right, double& best) {
             const double value = std::min({quality_[slot(i, k, j)], left, right});
             const bool better = value > best;

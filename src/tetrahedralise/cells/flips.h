@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "mesh/chord_table.h"
+#include "base/chord_table.h"
 #include "tetrahedralise/cells/cell_measure.h"
 #include "tetrahedralise/cells/tetrahedralisation.h"
 
@@ -65,7 +65,7 @@ class Flipper {
     EdgeRing ring_;
     int chord_from_ = -1;
     int chord_to_ = -1;
-    mesh::ChordTable<double> table_;
+    ChordTable<double> table_;
     std::vector<std::array<int, 4>> added_;
     std::vector<int> removed_;
     std::vector<int> created_;

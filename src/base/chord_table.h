@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace mq::mesh {
+namespace mq {
 
 /// The best triangulation of a polygon of n vertices, by dynamic programming over its chords (Klincsek 1980): for each
 /// chord i < j, the best value of the polygon i..j that it cuts off, and the apex k of the triangle at the chord. Time
@@ -59,4 +59,4 @@ class ChordTable {
     std::vector<std::size_t> apex_;
 };
 
-}  // namespace mq::mesh
+}  // namespace mq
