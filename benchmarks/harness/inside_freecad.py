@@ -73,7 +73,8 @@ def _run(script, arguments):
     if not program:
         return "freecadcmd is not found: put it on PATH or name it in MESHQUALITY_FREECADCMD"
     environment = {**os.environ, VARIABLE: json.dumps(arguments), "PYTHONPATH": str(ROOT / "tests")}
-    command = [program, "-P", str(ROOT / "Mod"), "-P", str(ROOT / "tests"), str(Path(script).resolve())]
+    folders = (ROOT / "Mod", ROOT / "tests", ROOT / "benchmarks", *filter(Path.is_dir, (ROOT / "benchmarks").iterdir()))
+    command = [program, *(word for folder in folders for word in ("-P", str(folder))), str(Path(script).resolve())]
     return subprocess.run(command, stdin=subprocess.DEVNULL, env=environment).returncode
 
 

@@ -65,15 +65,21 @@ class SimplexStars {
         return found;
     }
     /// The link condition, under which the collapse of edge (a, b) keeps the mesh a manifold: only the vertices in the
-    /// link of the edge are joined to both of its ends.
+    /// link of the edge are joined to both of its ends. Two triangles with the same vertices at the edge miss it.
     template <typename Simplices>
     bool link_condition(int a, int b, const Simplices& simplices) const {
+        const std::vector<int> edge_link = link({a, b}, simplices);
+        const std::vector<int> at_edge = of({a, b}, simplices);
+        if (!at_edge.empty() && corners_of(simplices, at_edge[0]).size() == 3 && at_edge.size() != edge_link.size()) {
+            return false;
+        }
         const bool fewer_at_a = (*this)[a].size() <= (*this)[b].size();
-        const std::vector<int> around = link({fewer_at_a ? a : b}, simplices);
         const int other = fewer_at_a ? b : a;
-        const auto common = std::count_if(around.begin(), around.end(),
-                                          [&](int v) { return v != other && joined(v, other, simplices); });
-        return static_cast<std::size_t>(common) == link({a, b}, simplices).size();
+        const std::vector<int> around = link({fewer_at_a ? a : b}, simplices);
+        return std::none_of(around.begin(), around.end(), [&](int v) {
+            return v != other && !std::binary_search(edge_link.begin(), edge_link.end(), v) &&
+                   joined(v, other, simplices);
+        });
     }
 
   private:

@@ -360,6 +360,18 @@ Answer ShapeAnswerer::volume_contains(int index, const Vec3& point) {
 
 }  // namespace
 
+Box box_of_shape(const TopoDS_Shape& shape) {
+    Box box = make_shape_model(shape)->topology().box;
+    Bnd_Box quick;
+    BRepBndLib::Add(shape, quick, Standard_False);
+    if (!quick.IsVoid() && !quick.IsOpen()) {
+        quick.SetGap(0.0);
+        box.low = box.low.cwiseMax(to_vec(quick.CornerMin()));
+        box.high = box.high.cwiseMin(to_vec(quick.CornerMax()));
+    }
+    return box;
+}
+
 std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress, Creases creases,
                                         const VirtualTopology& join, Evaluation evaluation) {
     if (shape.IsNull()) {

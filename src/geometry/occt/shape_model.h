@@ -38,6 +38,11 @@ std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progres
                                         Creases creases = Creases::Keep, const VirtualTopology& join = {},
                                         Evaluation evaluation = Evaluation::Fast);
 
+/// The box of a shape without its tolerances; near curved faces as close as Topology::box. Call it on the engine's
+/// thread.
+/// @throws as make_shape_model
+Box box_of_shape(const TopoDS_Shape& shape);
+
 /// The version of OpenCASCADE used in this build, "7.6.3".
 const char* occt_version();
 

@@ -193,7 +193,7 @@ const Box& Operands::box_of_shape(std::size_t operand) const {
     std::optional<Box>& box = boxes_[operand];
     if (!box) {
         try {
-            engine_.run([&] { box = geometry::make_shape_model(*given_[operand].shape)->topology().box; });
+            engine_.run([&] { box = geometry::box_of_shape(*given_[operand].shape); });
         } catch (const InvalidInput& error) {
             throw named(given_[operand].name, error);
         }

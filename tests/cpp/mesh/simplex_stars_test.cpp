@@ -43,6 +43,11 @@ TEST(SimplexStars, ALinkOfAnEdgeForbidsCollapsesThatPinchASurface) {
     EXPECT_FALSE(stars.link_condition(0, 1, surface)) << "3 is joined to both, without a triangle";
 }
 
+TEST(SimplexStars, TwoTrianglesWithTheSameVerticesAtAnEdgeForbidItsCollapse) {
+    const std::vector<Triangle> surface{{0, 1, 2}, {0, 2, 1}, {1, 2, 3}, {2, 0, 3}};
+    EXPECT_FALSE(stars_of(surface, 4).link_condition(0, 1, surface));
+}
+
 TEST(SimplexStars, TetrahedraHaveFacesAndRingsOfEdges) {
     // Three tetrahedra around the edge 0-1, and one on a face of the ring.
     const std::vector<std::array<int, 4>> ring{{0, 1, 2, 3}, {0, 1, 3, 4}, {0, 1, 4, 2}, {0, 2, 3, 5}};
