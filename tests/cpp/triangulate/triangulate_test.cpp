@@ -160,7 +160,7 @@ TEST(Triangulate, IsCompleteWithAsManyTrianglesAsItMayHave) {
 // its triangles, which once took more than fifteen minutes.
 TEST(Triangulate, EndsAtTheBudgetWithLongFans) {
     TriangulateOptions options;
-    options.edges_per_circle = 1e5;
+    options.max_edge = 2.0 * M_PI / 1e5;
     options.max_triangles = 100000;
     const Result result = mesh_of(geometry::make_sphere(1.0), options);
     EXPECT_FALSE(result.report.complete);
