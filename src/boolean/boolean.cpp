@@ -423,9 +423,10 @@ BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, co
         result = join_differences(operands, options, watched);
     }
     if (result->faults_left > 0) {
-        throw TopologyError("the result cannot be held in single precision without triangles that touch or cross: " +
-                            mesh::counted(result->faults_left, "triangle") +
-                            " of the operands meet there; choose a larger tolerance, or move an operand by a little");
+        throw TopologyError(
+            "the result cannot be held in single precision without triangles that touch or cross: at least " +
+            mesh::counted(result->faults_left, "triangle") +
+            " of the operands meet there; choose a larger tolerance, or move an operand by a little");
     }
     return std::move(*result);
 }

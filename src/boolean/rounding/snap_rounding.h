@@ -22,7 +22,7 @@ struct RoundingCount {
     double unit = 0.0;          ///< spacing of single-precision numbers at the farthest vertex, mm
     double error_bound = 0.0;   ///< bound for the distance of the surfaces before and after, both ways, mm
     /// Triangles of the soup (ResultMesh::from) that keep contacts, when the distance or the rounds allowed are used
-    /// up; empty: the surface is embedded.
+    /// up, of a tangle (EmbeddingFaults::is_tangle) those that were found; empty: the surface is embedded.
     std::vector<std::int32_t> faulty;
 };
 

@@ -284,9 +284,9 @@ class OffsetPipeline {
             extraction, {box.largest_side(), 2.0 * OffsetTuning::kRoundingShare * tolerance_, true}, progress_);
         if (!rounded.faulty.empty()) {
             throw TopologyError(
-                "the offset cannot be held in single precision without triangles that touch or cross: " +
+                "the offset cannot be held in single precision without triangles that touch or cross: at least " +
                 std::to_string(rounded.faulty.size()) +
-                " triangles or more meet there; choose a larger tolerance, or another distance");
+                " triangles meet there; choose a larger tolerance, or another distance");
         }
         for (const std::int32_t from : draft.from) {
             result_.triangle_source.push_back(soup_.source[static_cast<std::size_t>(from)].triangle);
