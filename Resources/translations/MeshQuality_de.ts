@@ -947,10 +947,6 @@
         <translation>Element {0} auf {1}</translation>
     </message>
     <message>
-        <source>The mesh cannot be drawn in colour: {0}</source>
-        <translation>Das Netz kann nicht farbig gezeichnet werden: {0}</translation>
-    </message>
-    <message>
         <source>Draw edges</source>
         <translation>Kanten zeichnen</translation>
     </message>

@@ -378,8 +378,8 @@ class QualityView(gui_helpers.GuiTest):
 
     def legend_of(self, panel, background):
         """The pixels of the legend in a picture with this background."""
-        left, low = panel.scene.scene.legend_place(gui_helpers.WIDTH, gui_helpers.HEIGHT)
-        width, high = panel.scene.legend_size
+        left, low = panel.scene.legend.place_in(gui_helpers.WIDTH, gui_helpers.HEIGHT)
+        width, high = panel.scene.legend.size
         rows = self.saved(f"quality_legend_{background}", background=background)
         return rows[gui_helpers.HEIGHT - low - high:gui_helpers.HEIGHT - low, left:left + width]
 
@@ -467,7 +467,7 @@ class QualityView(gui_helpers.GuiTest):
                     window.move(1400 - 1423, 0)  # the right side of the 3D view is on the screen
                     gui_helpers.wait_until_still()  # while the window moves, all of the pictures differ
                     both = self.screen_with(panel, f"quality_cube_{corner}_{size[1]}")
-                    panel.scene.scene.legend(np.zeros((0, 0, 4), dtype=np.uint8), 0, 0)
+                    panel.scene.legend.show(np.zeros((0, 0, 4), dtype=np.uint8), 0, 0)
                     cube_alone = self.screen_with(panel)
                     parameters.SetBool("ShowNaviCube", False)
                     gui_helpers.wait(0.2)

@@ -50,7 +50,6 @@ STAGES = {
     "offset": [["offset/proof"], ["offset/trimmed"], ["offset/contoured"]],
     "wrap": [["wrap/lattice"], ["wrap/outside"], ["wrap/surface"], ["wrap/measure"], ["wrap"]],
     "workflows": [["workflows/operands"], ["workflows"]],
-    "view": [["view"]],
     "python": [["python/freecad"], ["python"]],
 }
 MAX_FILES = 24  # of C++ in a folder of src: about ten rooms

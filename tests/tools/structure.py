@@ -16,7 +16,7 @@ ROWS = [
     ["elements"],
     ["triangulate", "curve", "boolean", "improve", "inspection", "contour"],
     ["layered_depth", "given", "offset", "wrap"],
-    ["workflows", "view"],
+    ["workflows"],
     ["python"],
 ]
 RANK = {module: rank for rank, row in enumerate(ROWS) for module in row}
@@ -128,7 +128,7 @@ def _foreign(module, name):
         ("OpenCASCADE", OPENCASCADE.search(name), {"occt", "python"}),
         ("pybind11 and Python", re.match(r"pybind11/|Python\.h$|numpy/", name), {"python"}),
         ("SWIG", "swig" in name.lower(), {"python"}),
-        ("Coin", re.match(r"Inventor/", name), {"view"}),
+        ("Coin", re.match(r"Inventor/", name), set()),
         ("FreeCAD", re.match(r"(App|Base|Gui|Mod)/", name), set()),
     ]
     return [f"{module} may not include {library} ({name})" for library, hit, home in homes

@@ -1,12 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a curved mesh is drawn: smooth elements with their curved edges, coloured by quality.
-
-The nodes are made here rather than in the core: pivy comes with every FreeCAD and fits its Coin,
-whereas a core linked to Coin would have to be built for the Coin of each FreeCAD. The numbers
-come from the core as arrays.
-"""
-
-import ctypes
+"""How a curved mesh is drawn: smooth elements with their curved edges, coloured by quality."""
 
 import numpy as np
 from pivy import coin
@@ -16,6 +9,7 @@ from ..core.curving import loader_of
 from ..errors import Error
 from .mesh_view import MeshView
 from .view import edge_detail
+from .view.coin_fields import fill, unlit
 from .view.colour_scale import colours_of
 
 MODE = "Curved"
@@ -58,10 +52,9 @@ class CurvedMeshScene:
         for node in (hints, behind, self._material, self._binding, self._normals, normal_binding,
                      self._faces):
             surface.addChild(node)
-        light, plain = coin.SoLightModel(), coin.SoMaterialBinding()
-        light.model = coin.SoLightModel.BASE_COLOR
+        plain = coin.SoMaterialBinding()
         plain.value = coin.SoMaterialBinding.OVERALL
-        for node in (self._points, light, plain, self._line_colour, self._line_style, self._lines):
+        for node in (self._points, unlit(), plain, self._line_colour, self._line_style, self._lines):
             edges.addChild(node)
         self._detail = edge_detail.thinned(edges, 0)
         for node in (self._points, surface, self._detail):
@@ -71,17 +64,17 @@ class CurvedMeshScene:
     def show(self, drawing):
         """Takes the geometry of a Drawing."""
         self._element = drawing.element
-        _fill(self._points.point, drawing.points)
-        _fill(self._normals.vector, drawing.normals)
-        _fill(self._faces.coordIndex, drawing.faces)
-        _fill(self._faces.normalIndex, drawing.face_normals)
-        _fill(self._lines.coordIndex, drawing.lines)
+        fill(self._points.point, drawing.points)
+        fill(self._normals.vector, drawing.normals)
+        fill(self._faces.coordIndex, drawing.faces)
+        fill(self._faces.normalIndex, drawing.face_normals)
+        fill(self._lines.coordIndex, drawing.lines)
         edge_detail.set_count(self._detail, np.count_nonzero(drawing.lines == -1))
 
     def colour(self, quality, transparency=0.0):
         """Colours each curved triangle by its quality."""
         self._binding.value = coin.SoMaterialBinding.PER_FACE
-        _fill(self._material.diffuseColor,
+        fill(self._material.diffuseColor,
               np.asarray(colours_of(quality)[self._element], dtype=np.float32))
         self._material.transparency = transparency
 
@@ -95,18 +88,6 @@ class CurvedMeshScene:
         """Colour and width in pixels of the elements' edges."""
         self._line_colour.rgb = colour
         self._line_style.lineWidth = width
-
-
-def _fill(field, rows):
-    """Puts a float32 or int32 array into a Coin field of such numbers, byte by byte: by way of lists
-    that takes a hundred times as long.
-    """
-    rows = np.ascontiguousarray(rows)
-    field.setNum(len(rows))
-    if len(rows):
-        memory = field.startEditing()
-        ctypes.memmove(int(getattr(memory, "this", memory)), rows.ctypes.data, rows.nbytes)
-        field.finishEditing()
 
 
 def _runs(rows):

@@ -79,12 +79,7 @@ class QualityPanel:
         self._make_form(measure)
         self.measures.setCurrentIndex(self.data.measures.index(measure) if measure in self.data.measures else 0)
         view = FreeCADGui.getDocument(self._document).activeView()
-        try:
-            self.scene = QualityScene(view)
-        except ImportError as error:
-            self.scene = None
-            self._say(translate(
-                "MeshQuality", "The mesh cannot be drawn in colour: {0}").format(error))
+        self.scene = QualityScene(view)
         self._source, self._hidden = source, None
         FreeCAD.addDocumentObserver(self)
         self._choose_measure()
@@ -176,8 +171,7 @@ class QualityPanel:
             self._job.cancel()
         if gone:
             return
-        if self.scene is not None:
-            self.scene.close()
+        self.scene.close()
         if self._hidden is not None:
             self._hidden.end()
 
@@ -233,7 +227,7 @@ class QualityPanel:
     def _take(self, measure, found):
         if not self._found and not self.data.curved:
             self.faults.begin(self.data.faults)
-        if not self._found and self.scene is not None:
+        if not self._found:
             self._hidden = visibility.Hidden(self._source)
             self.scene.show(self.data)
             self.edges.setChecked(len(self.data.corners) <= visibility.MOST_WITH_EDGES)
@@ -253,8 +247,7 @@ class QualityPanel:
         self.hint.setText(_hint())
         self._list_worst()
         self._list_faces(found.faces)
-        if self.scene is not None:
-            self.scene.colour(found.colours, found.coarse, found.scale)
+        self.scene.colour(found.colours, found.coarse, found.scale)
         self._light_up(self.data.marked(measure, found.values))
 
     def _within_range(self, measure, found):
@@ -333,7 +326,7 @@ class QualityPanel:
         self._light_up(chosen)
 
     def _pick_worst(self, row):
-        if row < 0 or self.scene is None:
+        if row < 0:
             return
         chosen = np.zeros(self.data.elements, dtype=bool)
         chosen[self._worst[row]] = True
@@ -358,18 +351,15 @@ class QualityPanel:
         lit = np.zeros(self.data.elements, dtype=bool)
         lit[chosen] = True
         self._light_up(lit)
-        if len(place) and self.scene is not None:
+        if len(place):
             self.scene.fly_to(self.data.corners[place], AROUND)
 
     def _light_up(self, chosen):
         self.lit = chosen
-        if self.scene is not None:
-            self.scene.close_again()
-            self.scene.light_up(self.data.triangles_of(chosen))
+        self.scene.close_again()
+        self.scene.light_up(self.data.triangles_of(chosen))
 
     def _draw_edges(self, *_):
-        if self.scene is None:
-            return
         if not self.edges.isChecked() or self.data.has_lines:
             self.scene.draw_edges(self.data, self.edges.isChecked())
             return

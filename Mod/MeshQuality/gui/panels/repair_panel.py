@@ -37,11 +37,7 @@ class RepairPanel(MeshPanel):
 
     def _light_up(self, chosen, place):
         if self.scene is None:
-            try:
-                self.scene = QualityScene(FreeCADGui.getDocument(self.operations[0].document).activeView())
-            except ImportError as error:
-                self._say(translate("MeshQuality", "The mesh cannot be drawn in colour: {0}").format(error))
-                return
+            self.scene = QualityScene(FreeCADGui.getDocument(self.operations[0].document).activeView())
         self.scene.light_up(self._corners[chosen])
         if len(place):
             self.scene.fly_to(self._corners[place], AROUND, within=self._corners)

@@ -6,7 +6,7 @@ What is drawn follows the camera, as Coin decides at each drawing by the square 
 
 from pivy import coin
 
-PIXELS = 5.0  # square pixels of the box for each edge, as src/view has it: edges are 5 pixels long where it is filled to 70 %
+PIXELS = 5.0  # square pixels of the box for each edge: edges are 5 pixels long where it is filled to 70 %
 
 
 def thinned(lines, edges):

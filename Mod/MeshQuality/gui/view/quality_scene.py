@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The quality of a mesh in a 3D view: colours, lit elements, a legend, and the camera's flight."""
 
-import importlib
-
 import FreeCADGui
 import numpy as np
 from pivy import coin
 from PySide import QtCore
 
 from . import legend
+from .legend_node import LegendNode
+from .mesh_nodes import MeshNodes
 
 _STEPS, _TICK = 16, 25  # of a flight; ms
 _SLOW = 0.05  # seconds of drawing from which on moving is drawn coarsely
@@ -21,19 +21,19 @@ _FITS = 1.5  # ... and of one in which it is seen whole
 class QualityScene:
     """Draws in one 3D view until `close`.
 
-    legend_size  (width, height) of the legend in pixels; None before there is one
+    scene   MeshNodes
+    legend  LegendNode
+    node    that of both
     """
 
     def __init__(self, view):
-        # Built for one Coin, unlike the rest: without it there are no colours, but all numbers.
-        module = importlib.import_module("MeshQuality._view")
-        self.scene = module.QualityScene()
-        self.view = view
-        self.node = coin.SoNode.getByName(self.scene.name)
+        self.scene, self.legend, self.view = MeshNodes(), LegendNode(), view
+        self.node = self.scene.root
+        self.node.addChild(self.legend.node)
         self._graph = view.getSceneGraph()
         self._graph.addChild(self.node)
         self.flight = None
-        self._corners = self._colours = self.legend_size = None
+        self._corners = self._colours = None
         self._opened = False
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
@@ -86,9 +86,7 @@ class QualityScene:
         self.scene.colour(colours)
         if coarse is not None:
             self.scene.colour_coarse(coarse)
-        picture = legend.picture(scale, self._view_height())
-        self.legend_size = picture.shape[1::-1]
-        self.scene.legend(picture, *legend.corner_to_leave())
+        self.legend.show(legend.picture(scale, self._view_height()), *legend.corner_to_leave())
 
     def _view_height(self):
         """In pixels that do not depend on the screen's scale."""
