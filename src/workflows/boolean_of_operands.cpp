@@ -170,7 +170,7 @@ std::string empty_difference(double tolerance) {
 /// Projects vertices made on faces of shapes onto their surfaces. No vertex moves farther than `limit`, mm.
 void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std::vector<BooleanOperand>& operands,
                    geometry::Engine& engine, double limit, Progress& progress) {
-    constexpr double kRounding = 5e-7;  // fraction of the size: a few steps of single precision
+    constexpr double kSinglePrecision = 5e-7;  // fraction of the size: a few steps of single precision
     if (std::none_of(operands.begin(), operands.end(), [](const BooleanOperand& o) { return o.shape != nullptr; })) {
         return;
     }
@@ -185,7 +185,7 @@ void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std
         }
     }
     BooleanReport& figures = surface.figures;
-    const double near = figures.error_bound + kRounding * frame.size();
+    const double near = figures.error_bound + kSinglePrecision * frame.size();
     const boolean::CadProjection fit =
         boolean::project_to_cad(surface.mesh, surface.triangle_source, native, engine, near, limit, progress);
     figures.fitted_vertices = fit.moved;

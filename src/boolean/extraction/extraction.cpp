@@ -210,9 +210,9 @@ bool marked(const std::vector<char>& list, const PointTable& points, std::int32_
 std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrangement,
                                     const std::vector<std::int32_t>& kept) {
     // No operand has used the vertex yet.
-    constexpr std::int32_t kNone = -1;
+    constexpr std::int32_t kUnused = -1;
     std::vector<char> result(static_cast<std::size_t>(arrangement.points.size()), 0);
-    std::vector<std::int32_t> operand(result.size(), kNone);
+    std::vector<std::int32_t> operand(result.size(), kUnused);
     for (const std::int32_t f : kept) {
         const Face& face = arrangement.faces[static_cast<std::size_t>(f)];
         const std::int32_t own = soup.source[static_cast<std::size_t>(face.source)].operand;
@@ -222,7 +222,7 @@ std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrange
         });
         for (const std::int32_t p : face.points) {
             const auto i = static_cast<std::size_t>(p);
-            if (!face.whole || face.stack >= 0 || (operand[i] != kNone && operand[i] != own) || beside_shared ||
+            if (!face.whole || face.stack >= 0 || (operand[i] != kUnused && operand[i] != own) || beside_shared ||
                 marked(soup.moved, arrangement.points, p)) {
                 result[i] = 1;
             }

@@ -29,7 +29,7 @@ using geometry::Session;
 class CurvedTriangles {
   public:
     CurvedTriangles(const std::vector<Vec3>& nodes, int order, const std::vector<std::int32_t>& triangles)
-        : lattice_(Lattice::of(2, order)), steps_(order == 1 ? 1 : kSteps) {
+        : lattice_(Lattice::of(2, order)), steps_(order == 1 ? 1 : kFlatPieces) {
         const auto width = static_cast<std::size_t>(lattice_.size());
         control_.resize(triangles.size() / width);
         for (std::size_t t = 0; t < control_.size(); ++t) {
@@ -61,7 +61,7 @@ class CurvedTriangles {
     }
 
   private:
-    static constexpr int kSteps = 4;  // flat triangles along an edge of a curved one
+    static constexpr int kFlatPieces = 4;  // flat triangles along an edge of a curved one
     static constexpr std::size_t kMostOwners = 8;
 
     std::size_t owner(std::int32_t flat) const { return static_cast<std::size_t>(flat) / cells(); }

@@ -22,7 +22,7 @@ using geometry::Query;
 /// measured at samples only.
 constexpr double kDeviations = 4.0;
 /// The rounding of vertices to single precision, as a fraction of the grid's side.
-constexpr double kRounding = 1e-6;
+constexpr double kSinglePrecision = 1e-6;
 /// A depth within this distance (grid units) of a node counts as at the node: faces of boxes that lie in planes of the
 /// grid stay in these planes.
 constexpr double kAtNode = 1e-9;
@@ -54,7 +54,8 @@ class FaceSampler {
           shape_(shape),
           session_(engine, shape.model, progress),
           progress_(progress),
-          deviation_(kDeviations * std::max(shape.chord_height, 0.0) + kRounding * grid.spacing() * grid.cells()) {}
+          deviation_(kDeviations * std::max(shape.chord_height, 0.0) +
+                     kSinglePrecision * grid.spacing() * grid.cells()) {}
 
     void run(FaceSampleCounts& counts);
 

@@ -44,7 +44,7 @@ void AngleRefinement::push_touched() {
     // Triangles that are worth a thread: about half a millisecond.
     constexpr int kWorthAThread = 2048;
     // Triangles that are examined at a time: the results for all would take as much memory as the mesh.
-    constexpr std::size_t kAtOnce = 16384;
+    constexpr std::size_t kTrianglesAtOnce = 16384;
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
     struct Found {
@@ -52,8 +52,8 @@ void AngleRefinement::push_touched() {
         std::array<int, 3> encroached{-1, -1, -1};  // segments
     };
     std::vector<Found> found;
-    for (std::size_t from = 0; from < touched_.size(); from += kAtOnce) {
-        found.assign(std::min(kAtOnce, touched_.size() - from), {});
+    for (std::size_t from = 0; from < touched_.size(); from += kTrianglesAtOnce) {
+        found.assign(std::min(kTrianglesAtOnce, touched_.size() - from), {});
         for_chunks(static_cast<int>(found.size()), kWorthAThread, [&](int k) {
             const int t = touched_[from + static_cast<std::size_t>(k)];
             Found& of_triangle = found[static_cast<std::size_t>(k)];
@@ -284,9 +284,9 @@ bool AngleRefinement::request_finer_chords(int a, int b, int vertex) {
 // At the apex of a slender cone at least three triangles are needed, whose angles sum up to less than three times the
 // bound.
 bool AngleRefinement::slender_apex(int h) const {
-    constexpr std::size_t kLeast = 3;  // triangles; fewer do not surround a point
-    const auto fan = apex_fan(work_.mesh, h, kLeast);
-    return fan && fan->sum < static_cast<double>(kLeast) * bound_;
+    constexpr std::size_t kLeastTriangles = 3;  // triangles; fewer do not surround a point
+    const auto fan = apex_fan(work_.mesh, h, kLeastTriangles);
+    return fan && fan->sum < static_cast<double>(kLeastTriangles) * bound_;
 }
 
 bool AngleRefinement::insert_apex_ring(const QueuedTriangle& bad) {

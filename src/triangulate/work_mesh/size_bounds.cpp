@@ -12,7 +12,8 @@ namespace mq::triangulate {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::infinity();  // Length in mm of an entity without a bound.
+constexpr double kUnboundedLength =
+    std::numeric_limits<double>::infinity();  // Length in mm of an entity without a bound.
 
 }  // namespace
 
@@ -40,11 +41,11 @@ std::vector<LocalSize> sizes_of_pieces(const std::vector<LocalSize>& local, cons
 }
 
 EdgeBounds::EdgeBounds(const geometry::Topology& topology, double max_edge, const std::vector<LocalSize>& local)
-    : everywhere_(max_edge > 0.0 ? max_edge : kNone), any_(max_edge > 0.0 || !local.empty()) {
+    : everywhere_(max_edge > 0.0 ? max_edge : kUnboundedLength), any_(max_edge > 0.0 || !local.empty()) {
     const std::size_t counts[3] = {topology.nodes.size(), topology.edges.size(), topology.faces.size()};
     for (const LocalSize& size : local) {
         std::vector<double>& bounds = of_entity_[size.dimension];
-        bounds.resize(counts[size.dimension], kNone);
+        bounds.resize(counts[size.dimension], kUnboundedLength);
         double& bound = bounds[static_cast<std::size_t>(size.index)];
         bound = std::min(bound, size.max_edge);
     }

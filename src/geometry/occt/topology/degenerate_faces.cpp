@@ -123,8 +123,8 @@ class DegenerateFaces : EdgeJoining {
         Sliver result;
         const Face& data = topology_.faces[static_cast<std::size_t>(face)];
         // Edges around a sliver at most: the cost grows with its square.
-        constexpr std::size_t kMost = 12;
-        if (data.loops.size() != 1 || data.loops.front().uses.size() > kMost) {
+        constexpr std::size_t kMostSliverEdges = 12;
+        if (data.loops.size() != 1 || data.loops.front().uses.size() > kMostSliverEdges) {
             return result;
         }
         for (const int use : data.loops.front().uses) {
