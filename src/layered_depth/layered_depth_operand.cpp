@@ -54,10 +54,10 @@ UniformOperand::UniformOperand(const mesh::TriangleMesh& given, const std::strin
     try {
         Operand operand = prepare_operand(given, name, reach, progress);
         if (operand.repairs.any()) {
-            take(std::move(operand), name);
+            adopt(std::move(operand), name);
         }
     } catch (const OpenOperand&) {
-        take(prepare_open_operand(given, name, progress), name);
+        adopt(prepare_open_operand(given, name, progress), name);
         winding_ = std::make_unique<mesh::WindingNumber>(made_->vertices, made_->triangles);
         require_volume(*made_, *winding_, name, progress);
     }
@@ -77,7 +77,7 @@ std::vector<std::int32_t> UniformOperand::faces(const std::vector<std::int32_t>&
     return faces;
 }
 
-void UniformOperand::take(Operand&& operand, const std::string& name) {
+void UniformOperand::adopt(Operand&& operand, const std::string& name) {
     source_.reserve(operand.triangles.size());
     for (std::size_t t = 0; t < operand.triangles.size(); ++t) {
         source_.push_back(has_corners_of(operand, t, *given_) ? operand.source[t] : -1);

@@ -44,7 +44,7 @@ class UniformOperand {
     double largest_move() const { return largest_move_; }  ///< mm: by closing cracks
 
   private:
-    void take(Operand&& operand, const std::string& name);
+    void adopt(Operand&& operand, const std::string& name);
 
     const mesh::TriangleMesh* given_ = nullptr;
     std::unique_ptr<mesh::TriangleMesh> made_;

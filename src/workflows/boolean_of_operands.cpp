@@ -26,7 +26,7 @@ using boolean::Expression;
 using boolean::Operation;
 using boolean::UniformResult;
 
-void take(BooleanSurface& surface, BooleanResult&& result) {
+void assign(BooleanSurface& surface, BooleanResult&& result) {
     BooleanReport& figures = surface.figures;
     figures.error_bound = result.error_bound;
     figures.retained = result.retained;
@@ -82,7 +82,7 @@ std::string samples_of_faces(const UniformResult& result) {
     return text;
 }
 
-void take(BooleanSurface& surface, UniformResult&& result) {
+void assign(BooleanSurface& surface, UniformResult&& result) {
     BooleanReport& figures = surface.figures;
     figures.method = "uniform";
     figures.error_bound = result.error_bound;
@@ -148,7 +148,8 @@ void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const std::
         tolerance = boolean::uniform_bound(frame.size(), uniform.resolution);
     }
     const boolean::CadOperands cad = cad_of(operands, engine, progress);
-    take(surface, boolean::sound_layered_depth_boolean(frame.meshes(), expression, uniform, tolerance, progress, cad));
+    assign(surface,
+           boolean::sound_layered_depth_boolean(frame.meshes(), expression, uniform, tolerance, progress, cad));
     surface.figures.tolerance_asked = tolerance;
 }
 
@@ -246,7 +247,7 @@ class BooleanRun {
     BooleanSurface exact() const {
         BooleanSurface result;
         const double limit = options_.tolerance_for(frame_.size());
-        take(result, boolean::boolean(frame_.meshes(), expression_, options_, &progress_));
+        assign(result, boolean::boolean(frame_.meshes(), expression_, options_, &progress_));
         result.figures.tolerance_asked = limit;
         fit_to_shapes(result, frame_, operands_, engine_, limit, progress_);
         return result;

@@ -162,14 +162,14 @@ class Divider {
                 }
             });
             for (FaceDivision& division : done) {
-                take(std::move(division), known);
+                append(std::move(division), known);
             }
         }
     }
 
     /// Appends the pieces of one division, which numbered its crossings as if they were the first after the `known`
     /// points.
-    void take(FaceDivision&& division, std::int32_t known) {
+    void append(FaceDivision&& division, std::int32_t known) {
         const std::int32_t shift = result_.points.size() - known;
         for (ExactPoint& p : division.crossings) {
             result_.points.add(std::move(p));

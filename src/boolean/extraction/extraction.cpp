@@ -233,8 +233,8 @@ std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrange
 }
 
 /// Takes the vertices in the order of their first use, and leaves unused ones out.
-void take_vertices(const Soup& soup, const PointTable& points,
-                   const std::map<std::int32_t, std::vector<std::int32_t>>& copies, Extraction& result) {
+void add_vertices(const Soup& soup, const PointTable& points,
+                  const std::map<std::int32_t, std::vector<std::int32_t>>& copies, Extraction& result) {
     std::int32_t all = points.size();
     std::vector<std::int32_t> place;  // for each copy beyond the table's points the point where it lies
     for (const auto& entry : copies) {
@@ -309,7 +309,7 @@ Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells
     FanOpener opener(arrangement.points, result.draft.triangles, result.draft.from);
     const auto copies = opener.run(suspicious_points(soup, arrangement, kept));
     progress.check();
-    take_vertices(soup, arrangement.points, copies, result);
+    add_vertices(soup, arrangement.points, copies, result);
     DoubleEdges(result).run(opener.wedges());
     result.draft.displacement.assign(result.draft.triangles.size(), 0.0);
     return result;

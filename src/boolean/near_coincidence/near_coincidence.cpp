@@ -181,7 +181,7 @@ class PlanesToLeave {
     }
 
     /// Fixes the displacements of all vertices with planes.
-    void settle() {
+    void assign_displacements() {
         for (const auto& [v, spaces] : planes_) {
             std::optional<Vec3> way = ShortestDisplacement::in(spaces);
             if (!way || way->norm() > options_.tolerance) {
@@ -300,7 +300,7 @@ NearCoincidence overlap_contacts(Soup& soup, const FacingSearch& search, const E
                                        }
                                    });
         }
-        planes.settle();
+        planes.assign_displacements();
         first = last;
     }
     NearCoincidence result;

@@ -162,7 +162,7 @@ struct Shell {
 };
 
 /// The tangents of the triangle's curved edges.
-void take_tangents(const CurvedShapes& edges, const std::array<int, 3>& corners, Shell& shell) {
+void add_tangents(const CurvedShapes& edges, const std::array<int, 3>& corners, Shell& shell) {
     for (std::size_t k = 0; k < 3; ++k) {
         const int from = corners[k];
         const int to = corners[(k + 1) % 3];
@@ -202,7 +202,7 @@ Shell shell_of(const CurvedSurface& surface, const CurvedShapes& edges, std::siz
             };
             sum += at(0).dot(at(1).cross(at(2)));
             shell.triangles.push_back(corners);
-            take_tangents(edges, corners, shell);
+            add_tangents(edges, corners, shell);
         }
     }
     if (sum < 0.0) {

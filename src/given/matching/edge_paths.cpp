@@ -146,15 +146,15 @@ class Finder {
         return least;
     }
 
-    template <typename Take>
-    void for_vertices_near(const Vec3& point, double distance, Take take) const {
+    template <typename Visit>
+    void for_vertices_near(const Vec3& point, double distance, Visit visit) const {
         Box box;
         box.add(point - Vec3::Constant(distance));
         box.add(point + Vec3::Constant(distance));
         tree_->for_each_in_box(box, [&](std::int32_t t) {
             for (const int v : triangles_[static_cast<std::size_t>(t)]) {
                 if ((at(v) - point).norm() <= distance) {
-                    take(v);
+                    visit(v);
                 }
             }
         });

@@ -115,8 +115,8 @@ void name_given_nodes(const std::vector<int>& given_node, CurvedMesh& mesh) {
 
 /// Puts the given tetrahedra into the repaired surface. If the cavities around changed triangles cannot be filled, the
 /// surface goes back to its state after placing.
-void take_over_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMesh& given, MatchedMesh& matched,
-                          const MatchedMesh& placed, LocalRemeshing& done, Progress& progress, CurveReport& report) {
+void adopt_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMesh& given, MatchedMesh& matched,
+                      const MatchedMesh& placed, LocalRemeshing& done, Progress& progress, CurveReport& report) {
     const std::size_t triangles_before = placed.surface.triangles.size();
     const std::vector<int> vertex_of_node = matched.vertex_of_node;
     try {
@@ -195,7 +195,7 @@ std::unique_ptr<Curving> curved_at(geometry::Session& session, const GivenMesh& 
     if (!given.tetrahedra.empty()) {
         progress.stage("filling", 0.5, 0.6);
         LocalRemeshing remeshing;
-        take_over_tetrahedra(curving->volume, curving->given, matched, placed, remeshing, progress, report);
+        adopt_tetrahedra(curving->volume, curving->given, matched, placed, remeshing, progress, report);
         clock.end("filling");
         progress.stage("repairing the volume", 0.6, 0.95);
         VolumeRepairs repairs = repair_volume(*curving->volume, progress, RepairScope::Invalid);

@@ -217,7 +217,7 @@ class PatchFinder {
     std::vector<std::int32_t> run(const Progress* progress) {
         std::int32_t trial = 0;
         std::int32_t patches = 0;
-        take_large_stars(trial, patches);
+        assign_large_stars(trial, patches);
         for (std::size_t seed = 0; seed < triangles_.size(); ++seed) {
             if (tried_[seed] != kUnassigned) {
                 continue;
@@ -240,7 +240,7 @@ class PatchFinder {
   private:
     /// A star with more triangles than the largest patch is one where it is embedded: as their boxes all meet in its
     /// center, every two of them would be tested.
-    void take_large_stars(std::int32_t& trial, std::int32_t& patches) {
+    void assign_large_stars(std::int32_t& trial, std::int32_t& patches) {
         std::vector<std::uint32_t> valence(vertices_.size(), 0);
         for (const Triangle& t : triangles_) {
             for (const std::int32_t v : t) {

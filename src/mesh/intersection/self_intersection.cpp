@@ -54,7 +54,7 @@ class Collector {
         return found_.size() < limit_;
     }
 
-    std::vector<ContactPair> take() { return std::move(found_); }
+    std::vector<ContactPair> release() { return std::move(found_); }
 
   private:
     bool in_one_patch(std::int32_t i, std::int32_t j) const {
@@ -208,7 +208,7 @@ std::vector<ContactPair> SelfIntersectionSearch::pairs(std::size_t limit) {
             check_cancelled(progress_);  // a collector checks for a cancellation only after many pairs
             Collector collector(vertices_, triangles_, patch_, embedded, limit, progress_);
             tree_->for_each_own_pair(tasks[first + static_cast<std::size_t>(k)], collector);
-            found[static_cast<std::size_t>(k)] = collector.take();
+            found[static_cast<std::size_t>(k)] = collector.release();
         });
         for (const std::vector<ContactPair>& part : found) {
             all.insert(all.end(), part.begin(), part.end());
@@ -272,7 +272,7 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
     part->for_each_pair(*whole, [&](std::int32_t i, std::int32_t j) {
         return i == j || (in_subset[j] != 0 && j < i) || collector(i, j);
     });
-    return sorted(collector.take());
+    return sorted(collector.release());
 }
 
 }  // namespace mq::mesh

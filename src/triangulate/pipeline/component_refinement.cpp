@@ -333,7 +333,7 @@ void join_into(Refinement& whole, ChordErrorCache& measured, const ComponentWork
     work.shrinks.resize(static_cast<std::size_t>(work.mesh.vertex_count()), 0);
     for (std::size_t i = 0; i < works.size(); ++i) {
         work.progress.check();
-        works[i]->give(work, measured, joined.first[i], joined.vertices[i]);
+        works[i]->write_to(work, measured, joined.first[i], joined.vertices[i]);
     }
 }
 

@@ -154,7 +154,7 @@ bool AngleRefinement::retry_exempted() {
 
 bool AngleRefinement::refine_round() {
     work_.progress.check();
-    const std::vector<Job> jobs = take_jobs();
+    const std::vector<Job> jobs = next_jobs();
     if (jobs.empty()) {
         return !segments_.idle() || !queue_.empty() || !again_.empty() || !touched_.empty();
     }
@@ -172,7 +172,7 @@ bool AngleRefinement::refine_round() {
     return true;
 }
 
-std::vector<AngleRefinement::Job> AngleRefinement::take_jobs() {
+std::vector<AngleRefinement::Job> AngleRefinement::next_jobs() {
     std::vector<Job> jobs;
     jobs.swap(again_);
     const std::size_t most = sites_in_round_ > 0
@@ -186,7 +186,7 @@ std::vector<AngleRefinement::Job> AngleRefinement::take_jobs() {
             continue;
         }
         if (bad.turned()) {
-            take_turned(bad, jobs);
+            add_turned(bad, jobs);
             continue;
         }
         if (exempt_narrow_corner(bad) || exempt_where_narrow(bad) || insert_apex_ring(bad)) {
@@ -210,7 +210,7 @@ std::optional<Candidate> AngleRefinement::site_by_rule(int triangle, int attempt
 }
 
 // Each triangle is taken once: if its split is refused, it stays.
-void AngleRefinement::take_turned(const QueuedTriangle& bad, std::vector<Job>& jobs) {
+void AngleRefinement::add_turned(const QueuedTriangle& bad, std::vector<Job>& jobs) {
     turned_.mark(work_.mesh, bad.triangle);
     touched_.push_back(bad.triangle);
     const int h = most_turned_side(work_.mesh, bad.triangle);

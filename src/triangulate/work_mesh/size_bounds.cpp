@@ -53,23 +53,23 @@ EdgeBounds::EdgeBounds(const geometry::Topology& topology, double max_edge, cons
 
 double EdgeBounds::of(const ClassifiedMesh& mesh, int half_edge) const {
     double least = everywhere_;
-    const auto take = [&](int dimension, int index) {
+    const auto include = [&](int dimension, int index) {
         if (!of_entity_[dimension].empty() && index >= 0) {
             least = std::min(least, of_entity_[dimension][static_cast<std::size_t>(index)]);
         }
     };
-    take(2, mesh.face_of(half_edge / 3));
+    include(2, mesh.face_of(half_edge / 3));
     const int s = mesh.segment_of(half_edge);
     if (s >= 0) {
-        take(1, mesh.segment(s).edge);
+        include(1, mesh.segment(s).edge);
         for (const auto& use : mesh.segment(s).uses) {
-            take(2, mesh.face_of(use.half_edge / 3));
+            include(2, mesh.face_of(use.half_edge / 3));
         }
     }
     for (const int h : {half_edge, ClassifiedMesh::next(half_edge)}) {
         const mesh::VertexEntity& entity = mesh.vertex(mesh.vertex_of(h)).entity;
         if (entity[0] == 0) {
-            take(0, entity[1]);
+            include(0, entity[1]);
         }
     }
     return least;

@@ -69,7 +69,7 @@ class Spikes : EdgeJoining {
             const Sides other{sides.shorter, sides.longer, loop.uses[(i + n - 1) % n], sides.tips, false};
             for (const Sides& both : {sides, other}) {
                 const std::optional<Spike> spike = spike_between(both);
-                if (spike && take_off(loop, *spike)) {
+                if (spike && cut_off(loop, *spike)) {
                     return true;
                 }
             }
@@ -149,7 +149,7 @@ class Spikes : EdgeJoining {
         return std::all_of(uses.begin(), uses.end(), [&](int use) { return use == tip || leaves_corner(use); });
     }
 
-    bool take_off(Loop& loop, const Spike& spike) {
+    bool cut_off(Loop& loop, const Spike& spike) {
         const int a = edge_of(spike.sides.longer);
         const int b = edge_of(spike.sides.shorter);
         const int face = use_of(spike.sides.longer).face;
