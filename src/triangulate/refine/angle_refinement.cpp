@@ -168,7 +168,7 @@ bool AngleRefinement::refine_round() {
             work_on(jobs[i], points[i]);
         }
     }
-    segments_.floors().look(jobs.size());
+    segments_.floors().check_after(jobs.size());
     return true;
 }
 
@@ -356,7 +356,7 @@ void AngleRefinement::work_on(const Job& job, const std::optional<SurfacePoint>&
         give_up(job, Cause::NarrowCluster, {work_.mesh.segment_of(corner)});
         return;
     }
-    const Surroundings around = look_around(work_.mesh, place.triangle, p->point);
+    const Surroundings around = surroundings_of(work_.mesh, place.triangle, p->point);
     if (divides_guarded_fan(around.triangles)) {
         give_up(job, Cause::Crowded);
         return;

@@ -356,7 +356,7 @@ void ChordRefinement::split_one(const Violation& violation, const std::optional<
         return;
     }
     bool split_segment = false;
-    for (const int s : look_around(work_.mesh, h / 3, p->point).encroached) {
+    for (const int s : surroundings_of(work_.mesh, h / 3, p->point).encroached) {
         if (segments_.may_split(s)) {
             segments_.request(s);
             split_segment = true;
