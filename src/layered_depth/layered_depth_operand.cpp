@@ -27,7 +27,7 @@ void require_valid(const mesh::TriangleMesh& mesh, const std::string& name) {
 constexpr int kEstimate = 65;
 
 /// Refuses a sheet, which bounds no volume: the surface that closes it would be about as large as the sheet itself.
-void require_volume(const mesh::TriangleMesh& mesh, const mesh::WindingNumber& winding, const std::string& name,
+void require_volume(const mesh::TriangleMesh& mesh, const mesh::SurfaceWinding& winding, const std::string& name,
                     const Progress* progress) {
     const OperandSet alone({&mesh}, {winding.border()});
     const SampleGrid grid(winding.tree().box(), kEstimate);
@@ -58,7 +58,7 @@ UniformOperand::UniformOperand(const mesh::TriangleMesh& given, const std::strin
         }
     } catch (const OpenOperand&) {
         adopt(prepare_open_operand(given, name, progress), name);
-        winding_ = std::make_unique<mesh::WindingNumber>(made_->vertices, made_->triangles);
+        winding_ = std::make_unique<mesh::SurfaceWinding>(made_->vertices, made_->triangles);
         require_volume(*made_, *winding_, name, progress);
     }
 }

@@ -141,7 +141,7 @@ std::size_t TetrahedralMesh::invalid() const {
                                                   [](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0); }));
 }
 
-std::vector<int> TetrahedralMesh::living() const {
+std::vector<int> TetrahedralMesh::live_tetrahedra() const {
     std::vector<int> result;
     for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
         if (tetrahedra[t].alive) {

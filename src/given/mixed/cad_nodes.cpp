@@ -149,7 +149,7 @@ bool CadNodes::on_cad_edge(std::int32_t a, std::int32_t b) const {
 }
 
 void CadNodes::place(std::vector<Vec3>& nodes) {
-    placement_.place(living(found_.matched.surface));
+    placement_.place(live_triangles(found_.matched.surface));
     write_edges_to(nodes);
     write_triangles_to(nodes);
     place_quadrilaterals(nodes);
@@ -301,7 +301,7 @@ std::size_t CadNodes::follow_edges(std::vector<Vec3>& nodes) {
         any = follow_edges_of(face, nodes, changed) || any;
     }
     if (any) {
-        placement_.place(living(found_.matched.surface));
+        placement_.place(live_triangles(found_.matched.surface));
         write_triangles_to(nodes);
         place_quadrilaterals(nodes);
     }

@@ -17,7 +17,7 @@ using Corners = std::array<int, 3>;
 
 std::vector<Corners> faces_of(const CurvedSurface& surface, const std::vector<Tetrahedron>& tetrahedra) {
     std::vector<Corners> faces;
-    for (const int t : living(surface)) {
+    for (const int t : live_triangles(surface)) {
         faces.push_back(surface.triangles[static_cast<std::size_t>(t)].corners);
     }
     for (const Tetrahedron& t : tetrahedra) {
@@ -39,7 +39,7 @@ class Placing {
     }
 
     std::size_t run(const Progress& progress) {
-        const std::vector<int> all = living(editor_.surface);
+        const std::vector<int> all = live_triangles(editor_.surface);
         for (const int t : all) {
             if (editor_.triangle(t).quality > 0.0) {
                 valid_triangles_.insert(t);
@@ -54,7 +54,7 @@ class Placing {
         }
         editor_.placement.place(all);
         if (volume_ != nullptr) {
-            volume_->measure(volume_->living(), &progress);
+            volume_->measure(volume_->live_tetrahedra(), &progress);
         }
         while (undo_invalid()) {
             progress.check();

@@ -12,7 +12,7 @@
 
 #include "base/disjoint_sets.h"
 #include "mesh/intersection/nearest_tree.h"
-#include "mesh/intersection/winding_number.h"
+#include "mesh/intersection/surface_winding.h"
 
 namespace mq::triangulate {
 
@@ -35,7 +35,7 @@ struct Surface {
     }
 
     std::vector<mesh::Triangle> triangles;
-    mesh::WindingNumber winding;
+    mesh::SurfaceWinding winding;
     mesh::NearestTree tree;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/injectivity/winding_number.h"
+#include "curve/injectivity/curved_winding.h"
 
 #include <algorithm>
 #include <array>
@@ -83,7 +83,7 @@ std::optional<double> angle_of_gap(const Vec3& from, const Vec3& to, const Vec3&
 
 }  // namespace
 
-std::optional<int> winding_number(const Lattice& lattice, const std::vector<std::vector<Vec3>>& patches,
+std::optional<int> curved_winding(const Lattice& lattice, const std::vector<std::vector<Vec3>>& patches,
                                   const Vec3& point, double margin) {
     // Most pieces that are examined: enough for a point at a distance of a thousandth of the size from patches that
     // bend by all of it.
