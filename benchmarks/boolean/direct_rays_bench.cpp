@@ -66,7 +66,7 @@ Counts shoot(const TopoDS_Shape& shape, int rays) {
     const gp_Pnt low = bounds.CornerMin(), high = bounds.CornerMax();
     box.add(Vec3(low.X(), low.Y(), low.Z()));
     box.add(Vec3(high.X(), high.Y(), high.Z()));
-    const boolean::SampleGrid grid(box, rays);
+    const layered_depth::SampleGrid grid(box, rays);
     const int n = grid.rays();
     const double size = box.largest_side();
     Counts counts;

@@ -61,7 +61,7 @@ mesh::TriangleMesh read_ply(const std::string& path) {
     return mesh;
 }
 
-void print(const boolean::UniformResult& r, int resolution, double wall, double cpu) {
+void print(const layered_depth::UniformResult& r, int resolution, double wall, double cpu) {
     std::printf("%d: %.3f s wall, %.3f s CPU |", resolution, wall, cpu);
     for (const auto& [name, seconds] : r.seconds) {
         std::printf(" %s %.3f", name.c_str(), seconds);
@@ -77,7 +77,7 @@ void print(const boolean::UniformResult& r, int resolution, double wall, double 
         r.refused_triangles, r.opened_nodes, r.unsampled_triangles);
 }
 
-void check(const boolean::UniformResult& r) {
+void check(const layered_depth::UniformResult& r) {
     const mesh::MeshReport report = mesh::measure(r.mesh);
     std::printf("   check: border %zu, nonmanifold %zu, misoriented %zu, pinched %zu, degenerate %zu, volume %.9g\n",
                 report.border_edges, report.nonmanifold_edges, report.misoriented_edges, report.pinched_vertices,
@@ -113,11 +113,11 @@ int main(int argc, char** argv) {
         const mesh::TriangleMesh a = read_ply(argv[1]), b = read_ply(argv[2]);
         const boolean::Operation operation = boolean::operation_from(argv[3]);
         for (const int resolution : resolutions) {
-            boolean::LayeredDepthOptions options;
+            layered_depth::LayeredDepthOptions options;
             options.resolution = resolution;
             const auto start = std::chrono::steady_clock::now();
             const double cpu = cpu_seconds();
-            const boolean::UniformResult r = boolean::layered_depth_boolean(a, b, operation, options, nullptr);
+            const layered_depth::UniformResult r = layered_depth::layered_depth_boolean(a, b, operation, options, nullptr);
             const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
             print(r, resolution, wall.count(), cpu_seconds() - cpu);
             check(r);

@@ -19,6 +19,7 @@ namespace {
 
 using namespace mq;
 using namespace mq::curve;
+using namespace mq::elements;
 
 /// Tetrahedra whose nodes are off their straight places by up to `size` of an edge.
 std::vector<std::vector<Vec3>> elements(int order, double size) {

@@ -29,6 +29,7 @@ namespace {
 
 using namespace mq;
 using namespace mq::curve;
+using namespace mq::elements;
 
 constexpr int kEdgePoints = 24;
 constexpr int kFacePoints = 12;
@@ -110,18 +111,18 @@ class FaceScene {
         : session_(engine_, face_over_arc(rest)),
           surface(classify(session_, straight(rest, inside, triangles), 2)),
           editor(session_, surface) {
-        editor.placement.place(living(surface));
+        editor.placement.place(live_triangles(surface));
     }
 
     void print() const {
         std::vector<std::pair<std::array<int, 3>, double>> elements;
-        for (const int t : living(surface)) {
+        for (const int t : live_triangles(surface)) {
             elements.emplace_back(editor.triangle(t).corners, editor.triangle(t).quality);
         }
         print_state(surface.shapes, elements, [&](int a, int b) { return surface.segment(a, b) != nullptr; });
     }
     int triangle(const std::array<int, 3>& corners) const {
-        for (const int t : living(surface)) {
+        for (const int t : live_triangles(surface)) {
             const FaceKey key = face_key(corners[0], corners[1], corners[2]);
             const auto& v = editor.triangle(t).corners;
             if (face_key(v[0], v[1], v[2]) == key) {
@@ -238,11 +239,11 @@ class RegionScene {
             }
             volume->add(v, 0);
         }
-        volume->measure(volume->living());
+        volume->measure(volume->live_tetrahedra());
     }
     int worst() const {
         int found = -1;
-        for (const int t : volume->living()) {
+        for (const int t : volume->live_tetrahedra()) {
             if (found < 0 || quality(t) < quality(found)) {
                 found = t;
             }
@@ -253,7 +254,7 @@ class RegionScene {
 
     void print() const {
         std::vector<std::pair<std::array<int, 4>, double>> elements;
-        for (const int t : volume->living()) {
+        for (const int t : volume->live_tetrahedra()) {
             elements.emplace_back(volume->tetrahedra[static_cast<std::size_t>(t)].corners, quality(t));
         }
         print_state(surface.shapes, elements, [&](int a, int b) { return volume->fixed_edge(a, b); });
@@ -328,7 +329,7 @@ void curving_in_regions() {
                 return false;
             }
             const Progress progress;
-            UntanglingPatch patch(*scene->volume, scene->volume->living(), {}, scene->surface.shapes.order(), progress);
+            UntanglingPatch patch(*scene->volume, scene->volume->live_tetrahedra(), {}, scene->surface.shapes.order(), progress);
             patch.propagate_curvature(VolumeTuning::kInwardSweeps);
             untangle(patch, VolumeTuning::kTargetJacobian, progress);
             patch.store(progress);
@@ -344,7 +345,7 @@ void curving_in_regions() {
             }
             const double before = scene->quality(scene->worst());
             relocate_vertex(*scene->editor, 6, star, 1.0);
-            scene->volume->measure(scene->volume->living());
+            scene->volume->measure(scene->volume->live_tetrahedra());
             return scene->quality(scene->worst()) > before;
         });
     }

@@ -12,7 +12,7 @@
 namespace {
 
 using namespace mq;
-using namespace mq::curve;
+using namespace mq::elements;
 
 /// Elements whose nodes are off their straight places by up to 0.1 / order along each axis.
 std::vector<std::vector<Vec3>> elements(ElementKind kind, int order, int count) {

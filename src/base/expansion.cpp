@@ -88,14 +88,14 @@ Expansion operator+(const Expansion& a, const Expansion& b) {
     const double* b_next = b.terms();
     const double* a_end = a_next + a.size_;
     const double* b_end = b_next + b.size_;
-    const auto take_smallest = [&] {
+    const auto next_smallest = [&] {
         const bool from_a = b_next == b_end || (a_next != a_end && std::abs(*a_next) < std::abs(*b_next));
         return from_a ? *a_next++ : *b_next++;
     };
     Expansion result;
-    double sum = take_smallest();
+    double sum = next_smallest();
     while (a_next != a_end || b_next != b_end) {
-        const Rounded step = two_sum(sum, take_smallest());
+        const Rounded step = two_sum(sum, next_smallest());
         result.append(step.error);
         sum = step.value;
     }

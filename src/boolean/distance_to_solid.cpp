@@ -111,7 +111,8 @@ void DistanceToSolid::search(double searched, double reach) {
         if (step.norm() < searched) {
             continue;
         }
-        if (++tried > kMost || step.norm() >= best_ || try_step(step) || (tried <= kMostAround && try_around(step))) {
+        if (++tried > kMostSteps || step.norm() >= best_ || try_step(step) ||
+            (tried <= kMostAround && try_around(step))) {
             break;
         }
     }

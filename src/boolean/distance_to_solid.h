@@ -31,7 +31,7 @@ class DistanceToSolid {
     /// smaller balls.
     static constexpr double kNear = 0.125;
     /// Most steps that are tried singly, with the surroundings of their ends, in pairs, and in threes.
-    static constexpr std::size_t kMost = 256;
+    static constexpr std::size_t kMostSteps = 256;
     static constexpr std::size_t kMostAround = 8;
     static constexpr std::size_t kMostInPairs = 16;
     static constexpr std::size_t kMostInThrees = 6;

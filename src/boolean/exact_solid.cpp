@@ -139,7 +139,7 @@ bool ExactSolid::has_ball(const Vec3& p, bool inside, double radius) const {
 }
 
 bool ExactSolid::guesses_inside(std::size_t operand, const Vec3& p) const {
-    const mesh::WindingNumber& winding = *operands_[operand].winding;
+    const mesh::SurfaceWinding& winding = *operands_[operand].winding;
     return winding.tree().box().contains(p) && winding.at(p) >= 0.5;
 }
 

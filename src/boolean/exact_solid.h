@@ -9,7 +9,7 @@
 #include "base/vec.h"
 #include "boolean/input/operation.h"
 #include "mesh/intersection/nearest_tree.h"
-#include "mesh/intersection/winding_number.h"
+#include "mesh/intersection/surface_winding.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
@@ -20,7 +20,7 @@ struct EnclosedOperand {
     const std::vector<mesh::Triangle>* triangles = nullptr;
     /// Null: the triangles are closed, and points with a winding number of at least 1 are inside. Else points at which
     /// this is at least 0.5 are inside.
-    const mesh::WindingNumber* winding = nullptr;
+    const mesh::SurfaceWinding* winding = nullptr;
     std::vector<char> retained{};  ///< for each triangle whether the result has it bit for bit; empty: it has none
 };
 

@@ -187,18 +187,18 @@ class Fitting {
             const std::size_t before = moved.size();
             for (const std::int32_t t : faulty) {
                 for (const std::int32_t v : result_.triangles[static_cast<std::size_t>(t)]) {
-                    take_back(moved, v);
+                    undo(moved, v);
                 }
             }
             if (moved.size() == before || round == kMostRounds) {
                 while (!moved.empty()) {
-                    take_back(moved, moved.begin()->first);
+                    undo(moved, moved.begin()->first);
                 }
             }
         }
         return all - moved.size();
     }
-    void take_back(std::map<std::int32_t, const Candidate*>& moved, std::int32_t vertex) {
+    void undo(std::map<std::int32_t, const Candidate*>& moved, std::int32_t vertex) {
         const auto found = moved.find(vertex);
         if (found != moved.end()) {
             result_.vertices[static_cast<std::size_t>(vertex)] = found->second->before;

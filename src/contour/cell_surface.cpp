@@ -52,9 +52,9 @@ Vec3 kept_inside(const Vec3& point, const Vec3& middle, const Corners& corners) 
 /// next point.
 template <typename Step>
 Vec3 projected(Vec3 point, const LevelSet& level_set, std::int32_t guess, const Step& step) {
-    constexpr int kSteps = 3;
+    constexpr int kProjectionSteps = 3;
     LevelSample level = level_set.at(point, guess);
-    for (int i = 0; i < kSteps && std::abs(level.value) > level_set.resolution(); ++i) {
+    for (int i = 0; i < kProjectionSteps && std::abs(level.value) > level_set.resolution(); ++i) {
         const Vec3 next = step(point, level);
         const LevelSample there = level_set.at(next, level.source);
         if (std::abs(there.value) >= std::abs(level.value)) {

@@ -60,7 +60,7 @@ struct Candidate {
 
     bool is_end(std::int32_t v) const { return v == a || v == b; }
     /// Whether a triangle vanishes with the edge: it has both ends.
-    bool takes(const Triangle& t) const { return has(t, a) && has(t, b); }
+    bool removes(const Triangle& t) const { return has(t, a) && has(t, b); }
 };
 
 class EdgeCollapse {
@@ -265,7 +265,7 @@ class EdgeCollapse {
     bool all_of_moved(const Candidate& edge, const Visit& visit) const {
         return all_at(edge, [&](std::int32_t t) {
             const Triangle& c = surface_.triangles[t];
-            return edge.takes(c) || visit(t, corners_at(c, edge));
+            return edge.removes(c) || visit(t, corners_at(c, edge));
         });
     }
 
@@ -346,7 +346,7 @@ class EdgeCollapse {
         star_.clear();
         const auto place = [&](std::int32_t w) { return w == edge.a ? edge.place : surface_.points[w]; };
         const auto add = [&](std::int32_t t) {
-            if (!edge.takes(surface_.triangles[t])) {
+            if (!edge.removes(surface_.triangles[t])) {
                 const Triangle c = renamed(surface_.triangles[t], edge, edge.a);
                 const std::size_t k = c[0] == v ? 0 : c[1] == v ? 1 : 2;
                 const std::int32_t from = c[(k + 1) % 3];
@@ -441,7 +441,7 @@ class EdgeCollapse {
         for (const std::int32_t t : star) {
             Triangle& c = surface_.triangles[t];
             stars_.remove(t, c);
-            if (edge.takes(c)) {
+            if (edge.removes(c)) {
                 c = {-1, -1, -1};
             } else {
                 c = renamed(c, edge, edge.a);

@@ -155,7 +155,7 @@ class Blocks {
         }
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
             if (is_fixed[t] != 0) {
-                take(all, surface_, t, surface_.triangles[t]);
+                append(all, surface_, t, surface_.triangles[t]);
             }
         }
         for (const Block& block : blocks_) {
@@ -170,12 +170,12 @@ class Blocks {
                 for (std::int32_t& v : triangle) {
                     v = index[v];
                 }
-                take(all, block.surface, t, triangle);
+                append(all, block.surface, t, triangle);
             }
         }
         surface_ = std::move(all);
     }
-    static void take(Contour& all, const Contour& from, std::size_t t, const mesh::Triangle& triangle) {
+    static void append(Contour& all, const Contour& from, std::size_t t, const mesh::Triangle& triangle) {
         all.triangles.push_back(triangle);
         all.source.push_back(from.source[t]);
         all.patch.push_back(from.patch[t]);

@@ -32,7 +32,7 @@ void repair(SurfaceEditor& editor, const geometry::Topology& topology, const Cur
     if (!options.repair) {
         return;
     }
-    note(repair_surface(editor, progress), report);
+    add_counts(repair_surface(editor, progress), report);
     if (options.volume) {
         const int halved = refine_crossings(editor, topology, progress);
         report.repairs.emplace_back("surface edges split where faces cross", static_cast<std::size_t>(halved));
@@ -85,7 +85,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     clock.end("classifying");
     watched.stage("curving the surface", 0.1, 0.3);
     SurfaceEditor editor(session, surface);
-    editor.placement.place(living(surface));
+    editor.placement.place(live_triangles(surface));
     clock.end("curving the surface");
     watched.stage("repairing the surface", 0.3, 0.5);
     repair(editor, session.topology(), options, watched, report);
@@ -94,10 +94,10 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     std::optional<RepairedTetrahedralMesh> filled;
     if (options.volume) {
         filled.emplace(tetrahedralise_and_repair(session, surface, watched, clock));
-        note(filled->repairs, report);
+        add_counts(filled->repairs, report);
     }
-    CurvedMesh result = measured(editor, straight_triangles, filled ? &filled->volume : nullptr, session.topology(),
-                                 options.straighten, report, watched);
+    CurvedMesh result = measured_mesh(editor, straight_triangles, filled ? &filled->volume : nullptr,
+                                      session.topology(), options.straighten, report, watched);
     clock.end("measuring");
     report.seconds = joined(report.seconds);
     report.cpu_seconds = cpu_seconds() - start;

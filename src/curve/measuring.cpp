@@ -21,7 +21,7 @@ namespace {
 /// @param straightened triangles by their index.
 void measure_surface(SurfaceEditor& editor, const geometry::Topology& topology, const std::set<int>& straightened,
                      CurveReport& report) {
-    const std::vector<int> triangles = living(editor.surface);
+    const std::vector<int> triangles = live_triangles(editor.surface);
     double sum = 0.0;
     report.min_distortion = 1.0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -73,15 +73,15 @@ void note_gaps(SurfaceEditor& editor, const geometry::Topology& topology, CurveR
                            ": elements there leave the shape to reach it");
 }
 
-/// The qualities of the living tetrahedra.
-std::vector<Quality> qualities_of(const TetrahedralMesh& volume, const std::vector<int>& living,
+/// The qualities of the live tetrahedra.
+std::vector<Quality> qualities_of(const TetrahedralMesh& volume, const std::vector<int>& live,
                                   const Progress& progress) {
     const Lattice& lattice = Lattice::of(3, volume.shapes().order());
-    std::vector<Quality> qualities(living.size());
-    for_chunks(static_cast<int>(living.size()), [&](int i) {
+    std::vector<Quality> qualities(live.size());
+    for_chunks(static_cast<int>(live.size()), [&](int i) {
         progress.check();
         const auto k = static_cast<std::size_t>(i);
-        const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(living[k])];
+        const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(live[k])];
         std::vector<Vec3> control;
         volume.shapes().tetrahedron(tetrahedron.corners, control);
         qualities[k] = quality_of(jacobian_of(lattice, control), volume.straight_jacobian(tetrahedron.corners));
@@ -91,18 +91,18 @@ std::vector<Quality> qualities_of(const TetrahedralMesh& volume, const std::vect
 
 /// Figures of the tetrahedra replace those of the surface; invalid triangles stay counted.
 /// @param straightened tetrahedra by their index.
-/// @return the scaled Jacobian of each living tetrahedron.
+/// @return the scaled Jacobian of each live tetrahedron.
 std::vector<double> measure_volume(const TetrahedralMesh& volume, const std::set<int>& straightened,
                                    CurveReport& report, const Progress& progress) {
     std::vector<double> scaled;
-    const std::vector<int> living = volume.living();
-    const std::vector<Quality> qualities = qualities_of(volume, living, progress);
-    report.elements = living.size();
+    const std::vector<int> live = volume.live_tetrahedra();
+    const std::vector<Quality> qualities = qualities_of(volume, live, progress);
+    report.elements = live.size();
     report.min_distortion = 1.0;
     report.min_scaled_jacobian = 1.0;
     double sum = 0.0;
-    for (std::size_t i = 0; i < living.size(); ++i) {
-        const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(living[i])];
+    for (std::size_t i = 0; i < live.size(); ++i) {
+        const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(live[i])];
         report.min_distortion = std::min(report.min_distortion, qualities[i].distortion);
         report.min_scaled_jacobian = std::min(report.min_scaled_jacobian, qualities[i].scaled_jacobian);
         scaled.push_back(qualities[i].scaled_jacobian);
@@ -110,7 +110,7 @@ std::vector<double> measure_volume(const TetrahedralMesh& volume, const std::set
         const auto name = [&] {
             return "tetrahedron " + std::to_string(i) + " of Solid" + std::to_string(tetrahedron.volume + 1);
         };
-        if (straightened.count(living[i]) > 0) {
+        if (straightened.count(live[i]) > 0) {
             report.straightened.push_back(name());
         }
         if (!(tetrahedron.quality > 0.0)) {
@@ -118,7 +118,7 @@ std::vector<double> measure_volume(const TetrahedralMesh& volume, const std::set
             report.invalid_elements.push_back(name());
         }
     }
-    report.mean_distortion = living.empty() ? 0.0 : sum / static_cast<double>(living.size());
+    report.mean_distortion = live.empty() ? 0.0 : sum / static_cast<double>(live.size());
     return scaled;
 }
 
@@ -133,7 +133,7 @@ double largest_distortion(const CurvedMesh& mesh, bool volume, Progress& progres
 
 }  // namespace
 
-std::vector<int> living(const CurvedSurface& surface) {
+std::vector<int> live_triangles(const CurvedSurface& surface) {
     std::vector<int> result;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         if (surface.triangles[t].alive) {
@@ -143,7 +143,7 @@ std::vector<int> living(const CurvedSurface& surface) {
     return result;
 }
 
-void note(const SurfaceRepairs& repairs, CurveReport& report) {
+void add_counts(const SurfaceRepairs& repairs, CurveReport& report) {
     report.invalid_before += static_cast<std::size_t>(repairs.invalid_before);
     const auto add = [&](const char* name, int count) {
         report.repairs.emplace_back(name, static_cast<std::size_t>(count));
@@ -162,7 +162,7 @@ void note(const SurfaceRepairs& repairs, CurveReport& report) {
     add("surface edges split in repair", repairs.splits);
 }
 
-void note(const VolumeRepairs& repairs, CurveReport& report) {
+void add_counts(const VolumeRepairs& repairs, CurveReport& report) {
     report.invalid_before += static_cast<std::size_t>(repairs.invalid_before);
     report.repairs.emplace_back("edge swaps in regions", repairs.edge_swaps);
     report.repairs.emplace_back("face swaps in regions", repairs.face_swaps);
@@ -176,16 +176,16 @@ void note(const VolumeRepairs& repairs, CurveReport& report) {
     report.repairs.emplace_back("cavities filled anew", repairs.cavities);
 }
 
-CurvedMesh measured(SurfaceEditor& editor, const std::set<int>& straight_triangles, TetrahedralMesh* volume,
-                    const geometry::Topology& topology, bool straighten, CurveReport& report, Progress& progress,
-                    std::vector<int>* number) {
+CurvedMesh measured_mesh(SurfaceEditor& editor, const std::set<int>& straight_triangles, TetrahedralMesh* volume,
+                         const geometry::Topology& topology, bool straighten, CurveReport& report, Progress& progress,
+                         std::vector<int>* number) {
     std::vector<Tetrahedron> tetrahedra;
     std::vector<double> qualities;
     if (volume != nullptr) {
         const std::set<int> straight_tetrahedra = straighten ? straighten_tetrahedra(*volume, editor) : std::set<int>();
         measure_surface(editor, topology, straight_triangles, report);
         qualities = measure_volume(*volume, straight_tetrahedra, report, progress);
-        for (const int t : volume->living()) {
+        for (const int t : volume->live_tetrahedra()) {
             tetrahedra.push_back(volume->tetrahedra[static_cast<std::size_t>(t)]);
         }
     } else {
@@ -196,7 +196,7 @@ CurvedMesh measured(SurfaceEditor& editor, const std::set<int>& straight_triangl
     report.volume = enclosed_volume(editor.surface, topology, progress);
     CurvedMesh result = assemble(editor.surface, tetrahedra, number);
     result.tetrahedron_quality = std::move(qualities);
-    for (const int t : living(editor.surface)) {
+    for (const int t : live_triangles(editor.surface)) {
         result.triangle_quality.push_back(editor.triangle(t).quality);
     }
     report.max_shape_distortion = largest_distortion(result, volume != nullptr, progress);

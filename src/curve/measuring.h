@@ -12,11 +12,11 @@
 namespace mq::curve {
 
 /// The triangles of a surface that are not dead.
-std::vector<int> living(const CurvedSurface& surface);
+std::vector<int> live_triangles(const CurvedSurface& surface);
 
 /// Puts the numbers of repairs into a report.
-void note(const SurfaceRepairs& repairs, CurveReport& report);
-void note(const VolumeRepairs& repairs, CurveReport& report);
+void add_counts(const SurfaceRepairs& repairs, CurveReport& report);
+void add_counts(const VolumeRepairs& repairs, CurveReport& report);
 
 /// Numbers and measures the curved elements, after tetrahedra that stay invalid were made straight where `straighten`
 /// asks for it.
@@ -24,8 +24,8 @@ void note(const VolumeRepairs& repairs, CurveReport& report);
 /// @param volume  nullptr: there are triangles only
 /// @param report  gets the figures
 /// @param number  as for assemble()
-CurvedMesh measured(SurfaceEditor& editor, const std::set<int>& straight_triangles, TetrahedralMesh* volume,
-                    const geometry::Topology& topology, bool straighten, CurveReport& report, Progress& progress,
-                    std::vector<int>* number = nullptr);
+CurvedMesh measured_mesh(SurfaceEditor& editor, const std::set<int>& straight_triangles, TetrahedralMesh* volume,
+                         const geometry::Topology& topology, bool straighten, CurveReport& report, Progress& progress,
+                         std::vector<int>* number = nullptr);
 
 }  // namespace mq::curve

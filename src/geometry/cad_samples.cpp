@@ -15,7 +15,7 @@ constexpr int kInSurface = 2;  // points in each span of a surface along each pa
 /// Degree above which a span gets as many points as its degree.
 constexpr int kCubic = 3;
 // Points of a face in one direction at most, for 2 MB and 40 ms; surfaces with more spans are sampled more coarsely.
-constexpr std::size_t kMost = 256;
+constexpr std::size_t kMostParameters = 256;
 
 // `in_each` parameters in each span, ascending.
 std::vector<double> parameters_in(const KnotSpans& spans, int in_each) {
@@ -31,12 +31,12 @@ std::vector<double> parameters_in(const KnotSpans& spans, int in_each) {
 
 // Drops parameters evenly if there are too many.
 std::vector<double> thinned(std::vector<double> parameters) {
-    if (parameters.size() <= kMost) {
+    if (parameters.size() <= kMostParameters) {
         return parameters;
     }
     std::vector<double> fewer;
-    for (std::size_t i = 0; i < kMost; ++i) {
-        fewer.push_back(parameters[i * parameters.size() / kMost]);
+    for (std::size_t i = 0; i < kMostParameters; ++i) {
+        fewer.push_back(parameters[i * parameters.size() / kMostParameters]);
     }
     return fewer;
 }
@@ -117,7 +117,7 @@ const CadSamples::OfFace& CadSamples::of_face(int face) {
     for (std::size_t k = 0; k < 2; ++k) {
         // Triangles are about as long as wide: points that lie farther apart in one direction would miss them.
         const double finer = steps[1 - k] > 0.0 ? std::ceil(0.5 * steps[k] / steps[1 - k]) : 1.0;
-        in_each[k] *= static_cast<int>(std::clamp(finer, 1.0, static_cast<double>(kMost)));
+        in_each[k] *= static_cast<int>(std::clamp(finer, 1.0, static_cast<double>(kMostParameters)));
         result.uv[k] = thinned(parameters_in(spans[k], in_each[k]));
     }
     Engine::Batch batch;

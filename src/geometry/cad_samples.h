@@ -23,7 +23,7 @@ class CadSamples {
     CadSamples(Session& session, const SinglePrecisionGrid& grid) : session_(session), grid_(grid) {}
 
     /// Takes over the points of other edges and faces of the same model.
-    void take_over(CadSamples& other) {
+    void adopt(CadSamples& other) {
         edges_.merge(other.edges_);
         faces_.merge(other.faces_);
     }

@@ -9,7 +9,7 @@ namespace mq::geometry {
 struct DetailCorners {
     /// Radians: least angle between the edges or faces that meet once a detail is contracted. Above the bounds that are
     /// usually asked for, so that no corner is made that cannot keep them.
-    static constexpr double kLeast = 30.0 * kDegree;
+    static constexpr double kLeastAngle = 30.0 * kDegree;
     /// Distance from a contracted edge at which its neighbours are compared, in lengths of detail.
     static constexpr double kReach = 8.0;
 };

@@ -44,7 +44,7 @@ struct Job {
 };
 
 /// Time between two checks whether a waiting caller was cancelled: much less than the 0.2 s that users may notice.
-constexpr std::chrono::milliseconds kBetweenLooks(20);
+constexpr std::chrono::milliseconds kPollInterval(20);
 
 bool is_cancelled(const Progress* progress) {
     return progress != nullptr && progress->cancelled();
@@ -141,7 +141,7 @@ Engine::Impl::~Impl() {
 /// @throws Cancelled
 bool Engine::Impl::push(Job& job, const Progress* progress) {
     std::unique_lock<std::mutex> lock(mutex_);
-    while (!not_full_.wait_for(lock, kBetweenLooks, [this] { return stopping_ || queue_.size() < capacity_; })) {
+    while (!not_full_.wait_for(lock, kPollInterval, [this] { return stopping_ || queue_.size() < capacity_; })) {
         check_cancelled(progress);
     }
     if (stopping_) {
@@ -167,7 +167,7 @@ bool Engine::Impl::push(Job& job, const Progress* progress) {
 template <typename Result>
 bool Engine::Impl::wait(const std::future<Result>& result, std::uint64_t number, const Progress* progress,
                         const EngineGate* gate) {
-    while (result.wait_for(kBetweenLooks) != std::future_status::ready) {
+    while (result.wait_for(kPollInterval) != std::future_status::ready) {
         const bool closed = gate != nullptr && gate->closed();
         if ((closed || is_cancelled(progress)) && withdraw(number)) {
             check_cancelled(progress);

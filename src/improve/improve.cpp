@@ -77,8 +77,8 @@ class Condition {
 
   private:
     static mesh::Verification verified(const mesh::TriangleMesh& mesh, Progress& progress) {
-        constexpr std::size_t kMost = 1000000;  // faults of one kind that are counted at most
-        return mesh::verify(mesh.vertices, mesh.triangles, nullptr, kMost, &progress);
+        constexpr std::size_t kMostFaults = 1000000;  // faults of one kind that are counted at most
+        return mesh::verify(mesh.vertices, mesh.triangles, nullptr, kMostFaults, &progress);
     }
     static double angle(const mesh::TriangleMesh& mesh, const mesh::Triangle& t) {
         const auto corner = [&](std::size_t k) { return mesh.vertices[static_cast<std::size_t>(t[k])]; };

@@ -27,7 +27,7 @@ void require_valid(const mesh::TriangleMesh& mesh, const std::string& name) {
 constexpr int kEstimate = 65;
 
 /// Refuses a sheet, which bounds no volume: the surface that closes it would be about as large as the sheet itself.
-void require_volume(const mesh::TriangleMesh& mesh, const mesh::WindingNumber& winding, const std::string& name,
+void require_volume(const mesh::TriangleMesh& mesh, const mesh::SurfaceWinding& winding, const std::string& name,
                     const Progress* progress) {
     const OperandSet alone({&mesh}, {winding.border()});
     const SampleGrid grid(winding.tree().box(), kEstimate);
@@ -54,11 +54,11 @@ UniformOperand::UniformOperand(const mesh::TriangleMesh& given, const std::strin
     try {
         Operand operand = prepare_operand(given, name, reach, progress);
         if (operand.repairs.any()) {
-            take(std::move(operand), name);
+            adopt(std::move(operand), name);
         }
     } catch (const OpenOperand&) {
-        take(prepare_open_operand(given, name, progress), name);
-        winding_ = std::make_unique<mesh::WindingNumber>(made_->vertices, made_->triangles);
+        adopt(prepare_open_operand(given, name, progress), name);
+        winding_ = std::make_unique<mesh::SurfaceWinding>(made_->vertices, made_->triangles);
         require_volume(*made_, *winding_, name, progress);
     }
 }
@@ -77,7 +77,7 @@ std::vector<std::int32_t> UniformOperand::faces(const std::vector<std::int32_t>&
     return faces;
 }
 
-void UniformOperand::take(Operand&& operand, const std::string& name) {
+void UniformOperand::adopt(Operand&& operand, const std::string& name) {
     source_.reserve(operand.triangles.size());
     for (std::size_t t = 0; t < operand.triangles.size(); ++t) {
         source_.push_back(has_corners_of(operand, t, *given_) ? operand.source[t] : -1);

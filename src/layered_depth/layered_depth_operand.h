@@ -8,7 +8,7 @@
 
 #include "base/progress.h"
 #include "boolean/input/operand_repair.h"
-#include "mesh/intersection/winding_number.h"
+#include "mesh/intersection/surface_winding.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
@@ -31,7 +31,7 @@ class UniformOperand {
     bool as_given() const { return made_ == nullptr; }
     /// Whether it is still open after repair.
     bool open() const { return winding_ != nullptr; }
-    const mesh::WindingNumber& winding() const { return *winding_; }
+    const mesh::SurfaceWinding& winding() const { return *winding_; }
     /// For a triangle of mesh() the given triangle with the same corners; -1: made or changed by the repair.
     std::int32_t source(std::int32_t triangle) const {
         return as_given() ? triangle : source_[static_cast<std::size_t>(triangle)];
@@ -44,11 +44,11 @@ class UniformOperand {
     double largest_move() const { return largest_move_; }  ///< mm: by closing cracks
 
   private:
-    void take(Operand&& operand, const std::string& name);
+    void adopt(Operand&& operand, const std::string& name);
 
     const mesh::TriangleMesh* given_ = nullptr;
     std::unique_ptr<mesh::TriangleMesh> made_;
-    std::unique_ptr<mesh::WindingNumber> winding_;
+    std::unique_ptr<mesh::SurfaceWinding> winding_;
     std::vector<std::int32_t> source_;
     std::vector<std::int32_t> origin_;  ///< by triangle: the given triangle that it is, or is a piece of; -1: none
     std::string repaired_;

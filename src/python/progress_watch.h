@@ -28,7 +28,7 @@ class Watcher {
 
     /// With the GIL: checks for Ctrl-C, and calls back when something changed or some time has passed, since the answer
     /// is the caller's only way to cancel. An exception of the callback cancels the work and is kept for `rethrow`.
-    void look() {
+    void poll() {
         if (progress_.cancelled()) {
             return;
         }
@@ -92,7 +92,7 @@ auto watch(const pybind11::object& callback, Work&& work) {
     constexpr std::chrono::milliseconds kSlice(20);
     Progress progress;
     Watcher watcher(progress, callback);
-    watcher.look();
+    watcher.poll();
     RunningWork running(progress);
     auto future = std::async(std::launch::async, [&] {
         const RunningWork::End end(running);
@@ -102,7 +102,7 @@ auto watch(const pybind11::object& callback, Work&& work) {
     {
         FreedLock free;
         while (future.wait_for(kSlice) != std::future_status::ready) {
-            free.locked([&] { watcher.look(); });
+            free.locked([&] { watcher.poll(); });
         }
     }
     watcher.rethrow();

@@ -108,7 +108,7 @@ bool InteriorPoints::try_point(const Vec3& p, int cell) {
         return false;
     }
     const double length = length_at(p, insertion_.corners());
-    if (!has_room(p, length)) {
+    if (!is_far_enough(p, length)) {
         return false;
     }
     insertion_.close(mesh_.add_point(p));
@@ -128,7 +128,7 @@ double InteriorPoints::length_at(const Vec3& p, const std::vector<int>& around) 
 }
 
 /// Whether the vertices and the surface around are far enough away.
-bool InteriorPoints::has_room(const Vec3& p, double length) const {
+bool InteriorPoints::is_far_enough(const Vec3& p, double length) const {
     const double least = TetrahedralisationTuning::kLeastDistance * length;
     for (const int v : insertion_.corners()) {
         if ((mesh_.point(v) - p).squaredNorm() < least * least) {

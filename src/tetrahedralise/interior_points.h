@@ -34,7 +34,7 @@ class InteriorPoints {
     void consider(int cell);
     bool try_point(const Vec3& p, int cell);
     double length_at(const Vec3& p, const std::vector<int>& around) const;
-    bool has_room(const Vec3& p, double length) const;
+    bool is_far_enough(const Vec3& p, double length) const;
 
     Tetrahedralisation& mesh_;
     double growth_;

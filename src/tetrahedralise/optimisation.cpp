@@ -63,11 +63,11 @@ bool Optimisation::sweep(std::size_t begin, std::size_t end, const Progress& pro
                          const Plan& plan, const Apply& apply) {
     // Least number of plans of a thread in a block, so that starting it pays. Blocks grow until one plan in kAgain has
     // to be made again.
-    constexpr std::size_t kLeast = 4;
-    constexpr std::size_t kMost = 256;
+    constexpr std::size_t kLeastPlans = 4;
+    constexpr std::size_t kMostPlans = 256;
     constexpr std::size_t kAgain = 8;
     const std::size_t threads = planners_.size();
-    std::size_t ahead = threads > 1 ? kLeast * threads : 0;
+    std::size_t ahead = threads > 1 ? kLeastPlans * threads : 0;
     std::vector<Change> plans;
     std::vector<std::size_t> planned;
     bool any = false;
@@ -103,8 +103,8 @@ bool Optimisation::sweep(std::size_t begin, std::size_t end, const Progress& pro
             apply(begin, change);
             any = change.helps || any;
         }
-        ahead = kAgain * again > planned.size() ? std::max(ahead / 2, kLeast * threads)
-                                                : std::min(2 * ahead, kMost * threads);
+        ahead = kAgain * again > planned.size() ? std::max(ahead / 2, kLeastPlans * threads)
+                                                : std::min(2 * ahead, kMostPlans * threads);
     }
     return any;
 }

@@ -246,7 +246,7 @@ Result mesh_shape(const Task& task, const std::vector<geometry::Fingerprint>& ke
     std::vector<int> touched;
     std::string released;
     if (restore != nullptr) {
-        restore->settle(first.faces.chains, work, findings.chords, options.min_angle);
+        restore->mark_settled(first.faces.chains, work, findings.chords, options.min_angle);
     }
     separate_doubled_edges(work, touched);
     work.budget = options.budget();  // from here on, so that the first mesh may have any number of triangles

@@ -26,7 +26,7 @@ using boolean::Expression;
 using boolean::Operation;
 using boolean::UniformResult;
 
-void take(BooleanSurface& surface, BooleanResult&& result) {
+void assign(BooleanSurface& surface, BooleanResult&& result) {
     BooleanReport& figures = surface.figures;
     figures.error_bound = result.error_bound;
     figures.retained = result.retained;
@@ -82,7 +82,7 @@ std::string samples_of_faces(const UniformResult& result) {
     return text;
 }
 
-void take(BooleanSurface& surface, UniformResult&& result) {
+void assign(BooleanSurface& surface, UniformResult&& result) {
     BooleanReport& figures = surface.figures;
     figures.method = "uniform";
     figures.error_bound = result.error_bound;
@@ -148,7 +148,8 @@ void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const std::
         tolerance = boolean::uniform_bound(frame.size(), uniform.resolution);
     }
     const boolean::CadOperands cad = cad_of(operands, engine, progress);
-    take(surface, boolean::sound_layered_depth_boolean(frame.meshes(), expression, uniform, tolerance, progress, cad));
+    assign(surface,
+           boolean::sound_layered_depth_boolean(frame.meshes(), expression, uniform, tolerance, progress, cad));
     surface.figures.tolerance_asked = tolerance;
 }
 
@@ -170,7 +171,7 @@ std::string empty_difference(double tolerance) {
 /// Projects vertices made on faces of shapes onto their surfaces. No vertex moves farther than `limit`, mm.
 void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std::vector<BooleanOperand>& operands,
                    geometry::Engine& engine, double limit, Progress& progress) {
-    constexpr double kRounding = 5e-7;  // fraction of the size: a few steps of single precision
+    constexpr double kSinglePrecision = 5e-7;  // fraction of the size: a few steps of single precision
     if (std::none_of(operands.begin(), operands.end(), [](const BooleanOperand& o) { return o.shape != nullptr; })) {
         return;
     }
@@ -185,7 +186,7 @@ void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std
         }
     }
     BooleanReport& figures = surface.figures;
-    const double near = figures.error_bound + kRounding * frame.size();
+    const double near = figures.error_bound + kSinglePrecision * frame.size();
     const boolean::CadProjection fit =
         boolean::project_to_cad(surface.mesh, surface.triangle_source, native, engine, near, limit, progress);
     figures.fitted_vertices = fit.moved;
@@ -246,7 +247,7 @@ class BooleanRun {
     BooleanSurface exact() const {
         BooleanSurface result;
         const double limit = options_.tolerance_for(frame_.size());
-        take(result, boolean::boolean(frame_.meshes(), expression_, options_, &progress_));
+        assign(result, boolean::boolean(frame_.meshes(), expression_, options_, &progress_));
         result.figures.tolerance_asked = limit;
         fit_to_shapes(result, frame_, operands_, engine_, limit, progress_);
         return result;

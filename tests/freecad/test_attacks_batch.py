@@ -27,7 +27,7 @@ from test_cli import COMMAND, run
 import MeshQuality as mq
 from MeshQuality import files, limits
 from MeshQuality.batch import ledger, part, plan
-from MeshQuality.cli import worker
+from MeshQuality.cli import output_file
 
 ENDLESS = ("--chord-height", "5e-6", "--max-triangles", "2000000000")
 
@@ -96,7 +96,7 @@ class Started(BatchTest):
 class Owners(Started):
     def test_freecad_of_a_single_command_ends_when_that_is_killed(self):
         ball = self.shape("ball.brep", Part.makeSphere(5))
-        self.assert_ends_with_its_owner("cli/worker.py", self.start("triangulate", ball, *ENDLESS))
+        self.assert_ends_with_its_owner("cli/job.py", self.start("triangulate", ball, *ENDLESS))
 
     @NEEDS_DASK
     def test_freecads_of_a_batch_end_when_that_is_killed(self):
@@ -325,11 +325,11 @@ class FullDisk(unittest.TestCase):
 
     def test_the_reason_is_said_and_nothing_is_left(self):
         with mock.patch.object(files, "disk_is_full", return_value=True), self.assertRaises(files.DiskFull) as caught:
-            worker.written(self.job, self.full)
+            output_file.written(self.job, self.full)
         self.assertIn("the disk is full", str(caught.exception))
         self.assertEqual(os.listdir(self.folder), [])
         with self.assertRaises(mq.IoError) as caught:
-            worker.written(self.job, self.full)
+            output_file.written(self.job, self.full)
         self.assertNotIn("full", str(caught.exception))
 
     def test_the_part_is_done_again_without_being_asked(self):

@@ -28,7 +28,7 @@ import Part
 from test_cli import COMMAND, run
 
 from MeshQuality.batch import charts, cluster, command, freecad_pool, part, plan, report, table
-from MeshQuality.cli import worker
+from MeshQuality.cli import job as cli_job
 from MeshQuality.cli.exit_status import DONE
 
 HAS_DASK = importlib.util.find_spec("distributed") is not None
@@ -533,7 +533,7 @@ class Report(unittest.TestCase):
         for name in ("a", "b"):
             path = os.path.join(folder, f"{name}.brep")
             Part.makeLine(FreeCAD.Vector(), FreeCAD.Vector(len(name), 2, 3)).exportBrep(path)
-            result = worker.run({"command": "triangulate", "input": path, "options": {}, "output": None})
+            result = cli_job.run({"command": "triangulate", "input": path, "options": {}, "output": None})
             self.assertNotEqual(result["status"], DONE)
             self.assertIn("kind", result, result)
             kinds.append(result["kind"])

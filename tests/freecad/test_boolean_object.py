@@ -10,7 +10,7 @@ import numpy as np
 
 import MeshQuality as mq
 from MeshQuality import options
-from MeshQuality.cli import worker
+from MeshQuality.cli import input_files
 
 
 class BooleanObjectTest(helpers.DocumentTest):
@@ -296,8 +296,8 @@ class OfContainers(BooleanObjectTest):
         self.other.Visibility = True
         Mesh.createBox(1, 1, 1).write(other)
         self.document.saveAs(path)
-        sources = [worker.read_operand(path, "Part"), worker.read_operand(other)]
+        sources = [input_files.read_operand(path, "Part"), input_files.read_operand(other)]
         result = mq.boolean(sources, operation="union", tolerance=0.01)
         self.assertAlmostEqual(result.report.volume, self.whole + 1.0, places=4)
         with self.assertRaisesRegex(mq.InvalidInput, "2 objects with shapes, and 'Part' holds meshes, too: choose one"):
-            worker.read_operand(path)
+            input_files.read_operand(path)

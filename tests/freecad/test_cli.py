@@ -37,7 +37,7 @@ def workers_of(pid):
             with open(f"/proc/{entry}/stat", encoding="utf-8", errors="replace") as stream:
                 parent = stream.read().rpartition(")")[2].split()[1]
             with open(f"/proc/{entry}/cmdline", "rb") as stream:
-                works = b"cli/worker.py" in stream.read()
+                works = b"cli/job.py" in stream.read()
         except OSError:
             continue
         if parent == str(pid) and works:

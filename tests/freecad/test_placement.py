@@ -13,7 +13,7 @@ import Part
 from FreeCAD import Placement, Rotation, Vector
 
 import MeshQuality as mq
-from MeshQuality.cli import worker
+from MeshQuality.cli import input_files
 from MeshQuality.core.sources import convert, frames
 
 TURNED = Placement(Vector(20, -30, 40), Rotation(Vector(1, 2, 3), 50))
@@ -492,8 +492,8 @@ class CommandLine(PlacementTest):
         path = os.path.join(self.folder, "nested.FCStd")
         self.document.saveAs(path)
         wanted = box_of(Part.getShape(home, "B."))
-        self.assert_same_box(box_of(worker.read_shape(path)), wanted)
-        self.assert_same_box(box_of(worker.read_shape(path, "B")), wanted)
+        self.assert_same_box(box_of(input_files.read_shape(path)), wanted)
+        self.assert_same_box(box_of(input_files.read_shape(path, "B")), wanted)
 
 
 @unittest.skipUnless(os.path.exists(ASSEMBLY), f"there is no {ASSEMBLY}")

@@ -101,7 +101,7 @@ class Left(Started):
 
     def test_a_command_at_work_keeps_its_folder(self):
         process = self.working()
-        self.assertTrue(wait_until(lambda: self.freecads("cli/worker.py")))
+        self.assertTrue(wait_until(lambda: self.freecads("cli/job.py")))
         self.next_command()
         self.assertIsNone(process.poll())
         self.assertGreater(len(self.left()), 1)
@@ -111,8 +111,8 @@ class Left(Started):
 
     def test_freecad_killed_leaves_nothing(self):
         process = self.working()
-        self.assertTrue(wait_until(lambda: self.freecads("cli/worker.py")))
-        for pid in self.freecads("cli/worker.py"):
+        self.assertTrue(wait_until(lambda: self.freecads("cli/job.py")))
+        for pid in self.freecads("cli/job.py"):
             os.kill(pid, signal.SIGKILL)
         self.assertEqual(process.wait(20), 1)
         self.assertEqual(self.left(), [])

@@ -52,9 +52,9 @@ STAGES = {
     "workflows": [["workflows/operands"], ["workflows"]],
     "python": [["python/freecad"], ["python"]],
 }
-MAX_FILES = 24  # of C++ in a folder of src: about ten rooms
+MAX_FILES = 24  # of C++ in a folder of src: about ten pairs of header and source
 FILES = {".h", ".cpp", ".i"}
-# Rooms with an algorithm: a pair of header and source. This share of them has a test of its own, tests/cpp/ROOM_test.cpp.
+# Pairs of header and source, with an algorithm. This share of them has a test of its own, tests/cpp/PAIR_test.cpp.
 LEAST_TESTED = 0.6
 
 
@@ -93,27 +93,27 @@ def check_stage_includes(root):
 
 
 def check_tests_mirror(root):
-    """A test named after a room of src lies in the folder of that room."""
-    rooms = {}
+    """A test named after a pair of src lies in the folder of that pair."""
+    pairs = {}
     for path in _cpp_files(root):
-        rooms.setdefault((path.parts[0], path.stem), set()).add(path.parent.as_posix())
+        pairs.setdefault((path.parts[0], path.stem), set()).add(path.parent.as_posix())
     faults = []
     for path in sorted((root / "tests" / "cpp").rglob("*_test.cpp")):
         relative = path.relative_to(root / "tests" / "cpp")
-        homes = rooms.get((relative.parts[0], path.name.removesuffix("_test.cpp")), set())
+        homes = pairs.get((relative.parts[0], path.name.removesuffix("_test.cpp")), set())
         if homes and relative.parent.as_posix() not in homes:
             faults.append(f"tests/cpp/{relative} belongs to tests/cpp/{min(homes)}")
     return faults
 
 
 def check_tested(root):
-    """Enough rooms with an algorithm have a test of their name."""
-    rooms = {path.with_suffix("").as_posix() for path in _cpp_files(root) if path.suffix == ".cpp"}
-    rooms = {room for room in rooms if (root / "src" / f"{room}.h").exists() and not room.startswith("python")}
-    tested = [room for room in rooms if (root / "tests" / "cpp" / f"{room}_test.cpp").exists()]
-    share = len(tested) / max(len(rooms), 1)
+    """Enough pairs with an algorithm have a test of their name."""
+    pairs = {path.with_suffix("").as_posix() for path in _cpp_files(root) if path.suffix == ".cpp"}
+    pairs = {pair for pair in pairs if (root / "src" / f"{pair}.h").exists() and not pair.startswith("python")}
+    tested = [pair for pair in pairs if (root / "tests" / "cpp" / f"{pair}_test.cpp").exists()]
+    share = len(tested) / max(len(pairs), 1)
     return [] if share >= LEAST_TESTED else [
-        f"{len(tested)} of {len(rooms)} rooms have a test of their name, less than {LEAST_TESTED:.0%}"]
+        f"{len(tested)} of {len(pairs)} pairs have a test of their name, less than {LEAST_TESTED:.0%}"]
 
 
 CHECKS = [check_folders, check_stage_includes, check_tests_mirror, check_tested]

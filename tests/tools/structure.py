@@ -69,19 +69,24 @@ def _module(path):
     return "occt" if parts[1:3] == ("geometry", "occt") else parts[1]
 
 
-def arrows(root):
-    """Module -> the modules it may include, itself too: CMakeLists.txt's links followed through."""
+def links(root):
+    """Module -> the modules that CMakeLists.txt links it to."""
     text = re.sub(r"#.*", "", _read(root, Path("CMakeLists.txt")))
     direct = {}
     for call in re.finditer(r"\bmq_module\((\w+)([^)]*)\)", text):
         direct.setdefault(call[1], set()).update(re.findall(r"\bmq_(\w+)", call[2]))
     for call in re.finditer(r"\btarget_link_libraries\(mq_(\w+)([^)]*)\)", text):
         direct.setdefault(call[1], set()).update(re.findall(r"\bmq_(\w+)", call[2]))
-    reach = {}
+    return {module: others - {"flags"} for module, others in direct.items()}
+
+
+def arrows(root):
+    """Module -> the modules it may include, itself too: the links followed through."""
+    direct, reach = links(root), {}
     for module in direct:
         seen, queue = {module}, [module]
         while queue:
-            new = direct.get(queue.pop(), set()) - seen - {"flags"}
+            new = direct.get(queue.pop(), set()) - seen
             seen |= new
             queue += new
         reach[module] = seen
@@ -133,6 +138,21 @@ def _foreign(module, name):
     ]
     return [f"{module} may not include {library} ({name})" for library, hit, home in homes
             if hit and module not in home]
+
+
+def check_namespaces(root):
+    """Code of src/ is in the namespace of its module, of `base` in mq; of other modules it may declare types, no more."""
+    faults = []
+    for path in source_files(root):
+        module = _module(path)
+        if module is None or path.suffix not in CPP:
+            continue
+        own = {"base": "mq", "occt": "mq::geometry"}.get(module, f"mq::{module}")
+        text = _read(root, path)
+        for found in re.finditer(r"^namespace (mq[\w:]*) \{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL):
+            if found[1] != own and not re.fullmatch(r"((class|struct) \w+;|\s)*", found[2]):
+                faults.append(f"{path}:{text.count(chr(10), 0, found.start()) + 1}: code of {module} is in {own}, not in {found[1]}")
+    return faults
 
 
 def check_python_imports(root):
@@ -265,4 +285,4 @@ def _name(head):
     return match[1] if match else "a function"
 
 
-CHECKS = [check_arrows, check_includes, check_python_imports, check_texts, check_functions]
+CHECKS = [check_arrows, check_includes, check_namespaces, check_python_imports, check_texts, check_functions]

@@ -3,6 +3,8 @@
 
 import tempfile
 import unittest
+from importlib.machinery import SourceFileLoader
+from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
 
 import header_names
@@ -38,8 +40,17 @@ class HouseRules(unittest.TestCase):
     def test_arrows_point_down(self):
         self.assert_kept(structure.check_arrows)
 
+    def test_the_picture_shows_them(self):
+        loader = SourceFileLoader("architecture_picture", str(ROOT / "tools" / "architecture_picture"))
+        picture = module_from_spec(spec_from_loader(loader.name, loader))
+        loader.exec_module(picture)
+        self.assertEqual(picture.drawn(), picture.PICTURE.read_text(encoding="utf-8"), "run tools/architecture_picture")
+
     def test_includes_follow_the_arrows(self):
         self.assert_kept(structure.check_includes)
+
+    def test_namespaces_are_modules(self):
+        self.assert_kept(structure.check_namespaces)
 
     def test_python_imports(self):
         self.assert_kept(structure.check_python_imports)
@@ -62,7 +73,7 @@ class HouseRules(unittest.TestCase):
     def test_tests_mirror_the_folders(self):
         self.assert_kept(stages.check_tests_mirror)
 
-    def test_rooms_with_tests_of_their_name(self):
+    def test_pairs_with_tests_of_their_name(self):
         self.assert_kept(stages.check_tested)
 
 
@@ -107,6 +118,14 @@ class Checker(unittest.TestCase):
         wrong = CMAKE.replace("mq_module(mesh mq_base)", "mq_module(mesh mq_triangulate)")
         found = self.faults(structure.check_arrows, CMakeLists_dot_txt=wrong)
         self.assertIn("CMakeLists.txt: mq_mesh may not use mq_triangulate", found)
+
+    def test_namespace_of_another_module(self):
+        code = LICENCE + "namespace mq::geometry {\nint f();\n}  // namespace mq::geometry\n"
+        self.assertEqual(self.faults(structure.check_namespaces, src__mesh__mesh_dot_h=code),
+                         ["src/mesh/mesh.h:2: code of mesh is in mq::mesh, not in mq::geometry"])
+        self.assertEqual(self.faults(structure.check_namespaces, src__geometry__occt__shape_dot_h=code), [])
+        declared = LICENCE + "namespace mq::geometry {\nclass Model;\n}  // namespace mq::geometry\n"
+        self.assertEqual(self.faults(structure.check_namespaces, src__triangulate__mesh_dot_h=declared), [])
 
     def test_foreign_headers(self):
         for header in ("BRep_Tool.hxx", "gp_Pnt.hxx", "pybind11/pybind11.h", "Inventor/SbVec3f.h"):
@@ -160,7 +179,7 @@ class Stages(unittest.TestCase):
         self.assertEqual(found, ["src/mesh/heap is no stage of tests/tools/stages.py"])
 
     def test_a_folder_with_too_many_files(self):
-        files = [(f"src/mesh/room{k}.h", "") for k in range(stages.MAX_FILES + 1)]
+        files = [(f"src/mesh/pair{k}.h", "") for k in range(stages.MAX_FILES + 1)]
         self.assertEqual(len(self.faults(stages.check_folders, *files)), 1)
 
     def test_an_include_of_a_higher_stage(self):
@@ -175,10 +194,10 @@ class Stages(unittest.TestCase):
         self.assertEqual(found, ["tests/cpp/mesh/y_test.cpp belongs to tests/cpp/mesh/io"])
 
     def test_too_few_tests(self):
-        rooms = [(f"src/mesh/room{k}{end}", "") for k in range(3) for end in (".h", ".cpp")]
-        self.assertEqual(len(self.faults(stages.check_tested, *rooms)), 1)
-        self.assertEqual(self.faults(stages.check_tested, *rooms, ("tests/cpp/mesh/room0_test.cpp", ""),
-                                     ("tests/cpp/mesh/room1_test.cpp", "")), [])
+        pairs = [(f"src/mesh/pair{k}{end}", "") for k in range(3) for end in (".h", ".cpp")]
+        self.assertEqual(len(self.faults(stages.check_tested, *pairs)), 1)
+        self.assertEqual(self.faults(stages.check_tested, *pairs, ("tests/cpp/mesh/pair0_test.cpp", ""),
+                                     ("tests/cpp/mesh/pair1_test.cpp", "")), [])
 
 
 class CppFunctions(unittest.TestCase):

@@ -11,7 +11,7 @@ import time
 import FreeCAD
 
 from MeshQuality.batch import LONG_LIST, SHOWN_OF_LIST
-from MeshQuality.cli import worker
+from MeshQuality.cli import job as cli_job
 from MeshQuality.limits import end_itself_after, end_with_owner, limit_memory
 
 _GRACE = 30  # seconds beyond the limit of a job
@@ -60,7 +60,7 @@ def done(job):
     """The result of one job as plain data."""
     forget_peak()
     start = time.monotonic()
-    result = worker.run(job)
+    result = cli_job.run(job)
     for name in list(FreeCAD.listDocuments()):
         FreeCAD.closeDocument(name)
     resident, peak = memory_now()

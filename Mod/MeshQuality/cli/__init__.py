@@ -7,9 +7,13 @@
     freecad_process  FreeCAD's console program: where it is, how it is waited for
     signals          what ends it
     single_job       a job in a FreeCAD of its own
-    worker           what runs in that
+    job              what runs in that, with
+    input_files      what its files hold
+    output_file      the file that it writes
+    progress_line    its progress at a terminal
+    report_fields    what it tells of the result
     main             all of it, and `meshquality batch`, which is built on the others
 
-Only `worker` imports FreeCAD. The job travels in a file, because FreeCAD's own option parser takes what is on its
+Only `job` and what it has beside it import FreeCAD. The job travels in a file, because FreeCAD's own option parser takes what is on its
 command line, and the result comes back in one, because FreeCAD prints to stdout.
 """

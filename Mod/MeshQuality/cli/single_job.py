@@ -70,7 +70,7 @@ def _run_in_freecad(job, folder, deadline):
                    "MESHQUALITY_TERMINAL": str(int(at_terminal))}
     with limits.ownership() as (ends, owner):
         process = subprocess.Popen(
-            freecad_command(os.path.join("cli", "worker.py")), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            freecad_command(os.path.join("cli", "job.py")), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE, pass_fds=ends, env={**environment, **owner})
         code, words = wait_for(process, deadline)
     try:

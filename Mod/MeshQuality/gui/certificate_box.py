@@ -107,7 +107,7 @@ class CertificateBox(QtGui.QWidget):
         corners = convert.moved(np.array([tuple(corner) for corner in self._obj.CertificatePlace]),
                                 frames.motion_of(self._obj))
         if len(corners):
-            self._look_at(FreeCADGui.getDocument(self._obj.Document.Name).activeView(), corners)
+            self._show_places(FreeCADGui.getDocument(self._obj.Document.Name).activeView(), corners)
         else:
             FreeCADGui.SendMsgToActiveView("ViewSelection")
 
@@ -129,7 +129,7 @@ class CertificateBox(QtGui.QWidget):
             frames.object_of(source).ViewObject.Visibility = True
         places = np.array([tuple(point) for point in self._obj.Places[2 * row:2 * row + 2]])
         places = convert.moved(places, frames.motion_of(self._obj))
-        self._look_at(FreeCADGui.getDocument(self._obj.Document.Name).activeView(), places[[0, 1, 1]],
+        self._show_places(FreeCADGui.getDocument(self._obj.Document.Name).activeView(), places[[0, 1, 1]],
                       convert.size_of(self._obj.Proxy.sources(self._obj)[0]))
 
     def _remember(self, view):
@@ -148,7 +148,7 @@ class CertificateBox(QtGui.QWidget):
         for face in faces:
             select_face(source, face)
 
-    def _look_at(self, view, corners, around=None):
+    def _show_places(self, view, corners, around=None):
         if not hasattr(view, "getCameraNode"):
             return  # of another kind than the 3D view
         self._end_mark()

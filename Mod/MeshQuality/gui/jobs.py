@@ -130,7 +130,7 @@ class Job(QtCore.QObject):
         self._thread = threading.Thread(target=self._work, name=self.title, daemon=True)
         self._thread.start()
 
-    def look(self):
+    def poll(self):
         """Reports how far the work is, takes its result once it has ended, and then ends."""
         if not self.wanted():
             self._cancel.set()
@@ -230,7 +230,7 @@ class Queue(QtCore.QObject):
         self._collector = Collector()
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(_POLL)
-        self._timer.timeout.connect(self._look)
+        self._timer.timeout.connect(self._poll)
         QtCore.QCoreApplication.instance().aboutToQuit.connect(self.close)
 
     def __len__(self):
@@ -253,14 +253,14 @@ class Queue(QtCore.QObject):
             if not job.wait:  # the core gives what waits there a time to end in, too
                 job.join(_GRACE)
 
-    def _look(self):
+    def _poll(self):
         if self.running is None:
             self._start_next()
         if self.running is None:
             self._timer.stop()
         else:
             self._collector.collect()
-            self.running.look()
+            self.running.poll()
             for job in self._waiting:
                 job.changed.emit()
             if self.running.over:

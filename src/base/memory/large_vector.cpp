@@ -12,7 +12,7 @@ namespace mq {
 
 #ifdef __linux__
 
-void* take_block(std::size_t bytes) {
+void* allocate_block(std::size_t bytes) {
     // Smaller blocks would waste a large fraction of their last page, as large pages have 2 MB.
     constexpr std::size_t kWorthLargePages = std::size_t{1} << 24;
     void* block = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -31,7 +31,7 @@ void free_block(void* block, std::size_t bytes) noexcept {
 
 #else
 
-void* take_block(std::size_t bytes) {
+void* allocate_block(std::size_t bytes) {
     return ::operator new(bytes);
 }
 

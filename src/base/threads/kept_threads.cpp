@@ -53,7 +53,7 @@ class KeptThread {
     void start(const Serve& serve) {
         thread_ = std::thread(serve);
     }
-    void give(Calls& calls, int number) {
+    void assign(Calls& calls, int number) {
         {
             const std::lock_guard<std::mutex> lock(mutex_);
             calls_ = &calls;
@@ -62,7 +62,7 @@ class KeptThread {
         given_.notify_one();
     }
     /// @return true if the call was still queued; it will not run then
-    bool take_back(const Calls& calls) {
+    bool withdraw(const Calls& calls) {
         const std::lock_guard<std::mutex> lock(mutex_);
         const bool waits = calls_ == &calls;
         calls_ = waits ? nullptr : calls_;
@@ -106,7 +106,7 @@ class KeptThreads::Impl {
 
     /// @return a thread that waits, else a new one
     /// @throws std::system_error, std::bad_alloc when there is none to be had
-    KeptThread& take_one() {
+    KeptThread& waiting_or_new() {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!waiting_.empty()) {
             KeptThread& last = *waiting_.back();
@@ -167,9 +167,9 @@ KeptThreads::~KeptThreads() = default;
 void KeptThreads::run(const std::function<void()>& work, const std::function<void()>& meanwhile) {
     const std::function<void(int)> call = [&](int /*number*/) { work(); };
     Calls calls(call);
-    KeptThread& thread = impl_->take_one();
+    KeptThread& thread = impl_->waiting_or_new();
     calls.add();
-    thread.give(calls, 1);
+    thread.assign(calls, 1);
     meanwhile();
     calls.wait();
 }
@@ -191,18 +191,18 @@ void run_with_others(int others, const std::function<void(int)>& work) {
     given.reserve(static_cast<std::size_t>(std::max(0, others)));
     for (int number = 1; number <= others; ++number) {
         try {
-            given.push_back(&threads.take_one());
+            given.push_back(&threads.waiting_or_new());
         } catch (const std::system_error&) {
             break;  // the threads that could be started do the work
         } catch (const std::bad_alloc&) {
             break;
         }
         calls.add();
-        given.back()->give(calls, number);
+        given.back()->assign(calls, number);
     }
     work(0);
     for (KeptThread* thread : given) {
-        if (thread->take_back(calls)) {
+        if (thread->withdraw(calls)) {
             threads.keep(*thread);
             calls.end_one();
         }

@@ -145,12 +145,12 @@ class Divider {
 
     /// Divides all tasks in parallel, and appends the pieces in the order of the tasks.
     void divide(const std::vector<Task>& tasks) {
-        constexpr std::size_t kAtOnce = 16384;  // divided tasks held in memory at once; bounds the memory
+        constexpr std::size_t kTasksAtOnce = 16384;  // divided tasks held in memory at once; bounds the memory
         // Tasks in one parallel job: enough that starting a job costs little beside its work.
         constexpr std::size_t kBlock = 64;
-        for (std::size_t first = 0; first < tasks.size(); first += kAtOnce) {
+        for (std::size_t first = 0; first < tasks.size(); first += kTasksAtOnce) {
             const std::int32_t known = result_.points.size();
-            std::vector<FaceDivision> done(std::min(kAtOnce, tasks.size() - first));
+            std::vector<FaceDivision> done(std::min(kTasksAtOnce, tasks.size() - first));
             parallel_for(static_cast<int>((done.size() + kBlock - 1) / kBlock), [&](int block) {
                 progress_.check();
                 const std::size_t from = kBlock * static_cast<std::size_t>(block);
@@ -162,14 +162,14 @@ class Divider {
                 }
             });
             for (FaceDivision& division : done) {
-                take(std::move(division), known);
+                append(std::move(division), known);
             }
         }
     }
 
     /// Appends the pieces of one division, which numbered its crossings as if they were the first after the `known`
     /// points.
-    void take(FaceDivision&& division, std::int32_t known) {
+    void append(FaceDivision&& division, std::int32_t known) {
         const std::int32_t shift = result_.points.size() - known;
         for (ExactPoint& p : division.crossings) {
             result_.points.add(std::move(p));

@@ -58,7 +58,7 @@ class CellFinder {
         progress_.check();
         find_sides();
         progress_.check();
-        add_up();
+        propagate_windings();
         std::vector<std::vector<std::int32_t>> faces(static_cast<std::size_t>(components_));
         for (std::size_t f = 0; f < patch_.size(); ++f) {
             faces[static_cast<std::size_t>(body_[static_cast<std::size_t>(patch_[f])])].push_back(
@@ -66,7 +66,7 @@ class CellFinder {
         }
         for (std::int32_t component = 0; component < components_; ++component) {
             progress_.check();
-            settle(component, faces[static_cast<std::size_t>(component)]);
+            assign_windings(component, faces[static_cast<std::size_t>(component)]);
         }
         return std::move(cells_);
     }
@@ -155,7 +155,7 @@ class CellFinder {
     }
 
     /// Computes the windings of all cells relative to one cell of each component.
-    void add_up() {
+    void propagate_windings() {
         std::vector<std::int32_t> face_of(cells_.patches, -1);
         for (std::size_t f = 0; f < patch_.size(); ++f) {
             face_of[static_cast<std::size_t>(patch_[f])] = static_cast<std::int32_t>(f);
@@ -211,7 +211,7 @@ class CellFinder {
 
     /// Makes a component's windings absolute by one ray from its largest face. A component too thin to hold a point of
     /// double precision encloses nothing: all its cells become one.
-    void settle(std::int32_t component, const std::vector<std::int32_t>& faces) {
+    void assign_windings(std::int32_t component, const std::vector<std::int32_t>& faces) {
         const std::vector<std::int32_t>& cells = component_cells_[static_cast<std::size_t>(component)];
         const std::optional<RayWinding> found = winding_in_front(soup_, arrangement_, faces);
         if (!found.has_value()) {

@@ -210,9 +210,9 @@ bool marked(const std::vector<char>& list, const PointTable& points, std::int32_
 std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrangement,
                                     const std::vector<std::int32_t>& kept) {
     // No operand has used the vertex yet.
-    constexpr std::int32_t kNone = -1;
+    constexpr std::int32_t kUnused = -1;
     std::vector<char> result(static_cast<std::size_t>(arrangement.points.size()), 0);
-    std::vector<std::int32_t> operand(result.size(), kNone);
+    std::vector<std::int32_t> operand(result.size(), kUnused);
     for (const std::int32_t f : kept) {
         const Face& face = arrangement.faces[static_cast<std::size_t>(f)];
         const std::int32_t own = soup.source[static_cast<std::size_t>(face.source)].operand;
@@ -222,7 +222,7 @@ std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrange
         });
         for (const std::int32_t p : face.points) {
             const auto i = static_cast<std::size_t>(p);
-            if (!face.whole || face.stack >= 0 || (operand[i] != kNone && operand[i] != own) || beside_shared ||
+            if (!face.whole || face.stack >= 0 || (operand[i] != kUnused && operand[i] != own) || beside_shared ||
                 marked(soup.moved, arrangement.points, p)) {
                 result[i] = 1;
             }
@@ -233,8 +233,8 @@ std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrange
 }
 
 /// Takes the vertices in the order of their first use, and leaves unused ones out.
-void take_vertices(const Soup& soup, const PointTable& points,
-                   const std::map<std::int32_t, std::vector<std::int32_t>>& copies, Extraction& result) {
+void add_vertices(const Soup& soup, const PointTable& points,
+                  const std::map<std::int32_t, std::vector<std::int32_t>>& copies, Extraction& result) {
     std::int32_t all = points.size();
     std::vector<std::int32_t> place;  // for each copy beyond the table's points the point where it lies
     for (const auto& entry : copies) {
@@ -309,7 +309,7 @@ Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells
     FanOpener opener(arrangement.points, result.draft.triangles, result.draft.from);
     const auto copies = opener.run(suspicious_points(soup, arrangement, kept));
     progress.check();
-    take_vertices(soup, arrangement.points, copies, result);
+    add_vertices(soup, arrangement.points, copies, result);
     DoubleEdges(result).run(opener.wedges());
     result.draft.displacement.assign(result.draft.triangles.size(), 0.0);
     return result;

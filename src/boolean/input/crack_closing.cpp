@@ -219,7 +219,7 @@ class CrackClosing {
         for (const std::int32_t v : border_vertices()) {
             check_cancelled(progress_);
             VertexOnEdge nearest{reach_of(v), 0.0, v, -1};
-            for_each_near(tree, v, [&](std::int32_t k) { take_if_nearer(v, borders_[k], nearest); });
+            for_each_near(tree, v, [&](std::int32_t k) { keep_if_nearer(v, borders_[k], nearest); });
             if (nearest.corner >= 0) {
                 all.push_back(nearest);
             }
@@ -245,7 +245,7 @@ class CrackClosing {
         return largest;
     }
 
-    void take_if_nearer(std::int32_t v, std::int32_t corner, VertexOnEdge& nearest) const {
+    void keep_if_nearer(std::int32_t v, std::int32_t corner, VertexOnEdge& nearest) const {
         const mesh::Triangle& t = draft_.triangles[corner / 3];
         if (std::find(t.begin(), t.end(), v) != t.end() || !faces(v, corner)) {
             return;

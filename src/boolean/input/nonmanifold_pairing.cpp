@@ -174,7 +174,7 @@ std::size_t surplus_leaf(const std::vector<Leaf>& leaves, bool way) {
 }
 
 /// Removes leaves until as many run in one direction as in the other.
-std::vector<Leaf> take_out_surplus(std::vector<Leaf>& leaves) {
+std::vector<Leaf> remove_surplus(std::vector<Leaf>& leaves) {
     std::vector<Leaf> surplus;
     const auto upward = std::count_if(leaves.begin(), leaves.end(), [](const Leaf& leaf) { return leaf.upward; });
     const bool way = 2 * upward > static_cast<std::ptrdiff_t>(leaves.size());
@@ -207,7 +207,7 @@ void pair_brackets(OperandMesh& draft, const std::vector<Leaf>& leaves) {
 
 /// Two remaining triangles are paired, too, whatever their directions; three or more are on the border.
 void pair_leaves(OperandMesh& draft, std::vector<Leaf> leaves) {
-    const std::vector<Leaf> surplus = take_out_surplus(leaves);
+    const std::vector<Leaf> surplus = remove_surplus(leaves);
     pair_brackets(draft, leaves);
     if (surplus.size() == 2) {
         draft.pair(surplus[0].corner, surplus[1].corner);

@@ -34,17 +34,17 @@ std::vector<FacingPair> facing_pairs(const Soup& soup, const FacingSearch& searc
                                      const std::vector<CoincidentTriangle>& twins, double reach,
                                      const Progress& progress) {
     // Triangles of one task: enough that starting a task costs little.
-    constexpr std::size_t kAtOnce = 2048;
+    constexpr std::size_t kTrianglesAtOnce = 2048;
     const std::vector<std::int32_t>& near = search.near();
     std::vector<char> twin(soup.triangles.size(), 0);
     for (const CoincidentTriangle& triangle : twins) {
         twin[static_cast<std::size_t>(triangle.triangle)] = 1;
     }
-    std::vector<std::vector<FacingPair>> found((near.size() + kAtOnce - 1) / kAtOnce);
+    std::vector<std::vector<FacingPair>> found((near.size() + kTrianglesAtOnce - 1) / kTrianglesAtOnce);
     parallel_for(static_cast<int>(found.size()), [&](int k) {
         check_cancelled(&progress);
-        const std::size_t first = kAtOnce * static_cast<std::size_t>(k);
-        for (std::size_t i = first; i < std::min(first + kAtOnce, near.size()); ++i) {
+        const std::size_t first = kTrianglesAtOnce * static_cast<std::size_t>(k);
+        for (std::size_t i = first; i < std::min(first + kTrianglesAtOnce, near.size()); ++i) {
             if (twin[static_cast<std::size_t>(near[i])] != 0) {
                 continue;
             }

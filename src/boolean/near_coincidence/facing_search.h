@@ -32,13 +32,13 @@ struct BoundingCircle {
     /// their planes differ by more than 45 degrees, or they lie side by side, seen along the axis.
     bool may_face(const BoundingCircle& other, double margin) const {
         // Normals have rounding errors; overlap_of decides.
-        constexpr double kRounding = 1e-9;
+        constexpr double kNormalRounding = 1e-9;
         const Vec3 way = other.middle - middle;
         const double along = way.dot(axis);
         // Shifting an edge by the margin shifts the corners of the enlarged triangle farther; the neglected area lies
         // beside a corner.
         const double reach = radius + other.radius + 2.0 * margin;
-        return std::abs(axis.dot(other.axis)) > NearCoincidenceTuning::kParallelPlanes - kRounding &&
+        return std::abs(axis.dot(other.axis)) > NearCoincidenceTuning::kParallelPlanes - kNormalRounding &&
                way.squaredNorm() - along * along <= reach * reach;
     }
 

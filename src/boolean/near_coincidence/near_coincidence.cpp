@@ -75,7 +75,7 @@ class ShortestDisplacement {
   private:
     explicit ShortestDisplacement(const std::vector<HalfSpace>& spaces) : spaces_(spaces) {
         for (const HalfSpace& space : spaces) {
-            slack_ = std::max(slack_, kRounding * std::abs(space.least));
+            slack_ = std::max(slack_, kDistanceRounding * std::abs(space.least));
         }
     }
 
@@ -139,7 +139,7 @@ class ShortestDisplacement {
         return Vec3(directions.transpose() * products.inverse() * least);
     }
 
-    static constexpr double kRounding = 1e-6;           ///< a fraction of the largest distance asked for
+    static constexpr double kDistanceRounding = 1e-6;   ///< a fraction of the largest distance asked for
     static constexpr double kLeastDeterminant = 1e-10;  ///< planes at less than 1e-5 from each other are dependent
 
     const std::vector<HalfSpace>& spaces_;
@@ -181,7 +181,7 @@ class PlanesToLeave {
     }
 
     /// Fixes the displacements of all vertices with planes.
-    void settle() {
+    void assign_displacements() {
         for (const auto& [v, spaces] : planes_) {
             std::optional<Vec3> way = ShortestDisplacement::in(spaces);
             if (!way || way->norm() > options_.tolerance) {
@@ -300,7 +300,7 @@ NearCoincidence overlap_contacts(Soup& soup, const FacingSearch& search, const E
                                        }
                                    });
         }
-        planes.settle();
+        planes.assign_displacements();
         first = last;
     }
     NearCoincidence result;

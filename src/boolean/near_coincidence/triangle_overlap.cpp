@@ -117,8 +117,8 @@ Overlap overlap_of(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q, d
     common.clip([&](const Vec3& x) { return reach + height(x); });
     result.area = common.area();
     // Triangles side by side overlap by rounding.
-    constexpr double kRounding = 1e-9;  // a fraction of the smaller triangle's area
-    if (result.area <= kRounding * std::min(m.norm(), n.norm())) {
+    constexpr double kAreaRounding = 1e-9;  // a fraction of the smaller triangle's area
+    if (result.area <= kAreaRounding * std::min(m.norm(), n.norm())) {
         return {};
     }
     for (const Vec3& x : common) {

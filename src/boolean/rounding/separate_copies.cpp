@@ -27,7 +27,7 @@ struct Surroundings {
 
 using Copies = std::unordered_map<std::int32_t, Surroundings>;
 
-void look_around(const ResultMesh& draft, Copies& copies) {
+void measure_surroundings(const ResultMesh& draft, Copies& copies) {
     for (const Triangle& c : draft.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto found = copies.find(c[k]);
@@ -60,7 +60,7 @@ std::size_t separate_copies(Extraction& extraction, double distance, double leas
     if (copies.empty()) {
         return 0;
     }
-    look_around(draft, copies);
+    measure_surroundings(draft, copies);
     std::vector<double> moved(draft.vertices.size(), 0.0);
     for (const auto& [v, around] : copies) {
         const double length = std::max(std::min(distance, RoundingTuning::kCopyPartOfEdge * around.shortest), least);

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "curve/injectivity/winding_number.h"
+#include "curve/injectivity/curved_winding.h"
 #include "elements/product/element_derivatives.h"
 #include "elements/product/node_cells.h"
 #include "elements/product/reference_nodes.h"
@@ -229,7 +229,7 @@ class Elements {
             control.push_back(patches.control(t));
         }
         const std::optional<int> turns =
-            winding_number(patches.lattice(), control, point - patches.middle(), 0.5 * depth_ + patches.rounding());
+            curved_winding(patches.lattice(), control, point - patches.middle(), 0.5 * depth_ + patches.rounding());
         return turns && *turns != 0;
     }
 

@@ -134,12 +134,13 @@ std::vector<Pair> compare_quickly(const SurfacePatches& patches, const std::vect
     // Comparisons of pieces for one pair: nearly all pairs need fewer.
     constexpr int kFew = 48;
     // Pairs of one task: a few hundred microseconds of work between two reports of the progress.
-    constexpr std::size_t kAtOnce = 64;
-    constexpr std::size_t kInRound = 256 * kAtOnce;
+    constexpr std::size_t kPairsAtOnce = 64;
+    constexpr std::size_t kInRound = 256 * kPairsAtOnce;
     std::vector<Pair> left;
     for (std::size_t round = 0; round < pairs.size(); round += kInRound) {
         const std::size_t count = std::min(kInRound, pairs.size() - round);
-        const std::vector<PatchVerdict> found = verdicts(patches, pairs.data() + round, count, kFew, kAtOnce, progress);
+        const std::vector<PatchVerdict> found =
+            verdicts(patches, pairs.data() + round, count, kFew, kPairsAtOnce, progress);
         for (std::size_t i = 0; i < count; ++i) {
             if (found[i].contact == PatchContact::NotProven && found[i].looked_at >= kFew) {
                 left.push_back(pairs[round + i]);

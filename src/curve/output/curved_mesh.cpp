@@ -240,9 +240,9 @@ void require_count(std::size_t count, std::size_t expected, const std::string& w
 
 /// The number from 1 that files have is an int32, too.
 void require_entity(std::int32_t dimension, std::int32_t index, const char* owner) {
-    constexpr std::int32_t kMost =
+    constexpr std::int32_t kMostEntities =
         std::numeric_limits<std::int32_t>::max() - 1;  // so that the number of nodes fits into the type, too
-    if (dimension < 0 || dimension > 3 || index < 0 || index > kMost) {
+    if (dimension < 0 || dimension > 3 || index < 0 || index > kMostEntities) {
         throw InvalidInput(std::string(owner) + " lies on entity " + std::to_string(index) + " of dimension " +
                            std::to_string(dimension) + ": dimensions are 0 to 3, and entities are numbered from 0");
     }

@@ -76,13 +76,13 @@ CuspRepair open_cusp(SurfaceEditor& editor, int a, int b, int c) {
     const double before = worst(editor, beside);
     double best = before;
     Warp kept;
-    const auto take = [&](const Warp& warp) {
+    const auto apply = [&](const Warp& warp) {
         editor.placement.set_warped(a, b, warp.by[0], warp.degree);
         editor.placement.set_warped(a, c, warp.by[1], warp.degree);
         editor.placement.place(beside);
     };
     for (const Warp& warp : warps(surface.shapes.order())) {
-        take(warp);
+        apply(warp);
         const double now = worst(editor, beside);
         if (now > best + 1e-3) {
             best = now;
@@ -93,7 +93,7 @@ CuspRepair open_cusp(SurfaceEditor& editor, int a, int b, int c) {
         }
     }
     if (best > before) {
-        take(kept);
+        apply(kept);
         if (0.5 * straight < SurfaceTuning::kThinnestCusp ||
             editor.rms_deviation(beside) <= SurfaceTuning::kCuspDeviation * editor.plain_deviation()) {
             return CuspRepair::Opened;
@@ -108,7 +108,7 @@ CuspRepair open_cusp(SurfaceEditor& editor, int a, int b, int c) {
     if (!(best > before)) {
         return CuspRepair::None;
     }
-    take(kept);
+    apply(kept);
     return CuspRepair::Opened;
 }
 

@@ -114,7 +114,7 @@ bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<C
         indices.push_back(surface.add_triangle(corners.corners, corners.face));
     }
     if (!inner_edges_sound(indices)) {
-        take_back(removed, indices, fresh);
+        undo(removed, indices, fresh);
         return false;
     }
     placement.place(indices);
@@ -126,7 +126,7 @@ bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<C
     }
     const bool adds_invalid = rule != Rule::Try && invalid_after > invalid_before;
     if (adds_invalid || (rule == Rule::Improve && worst_after <= worst_before + 1e-3)) {
-        take_back(removed, indices, fresh);
+        undo(removed, indices, fresh);
         return false;
     }
     for (const auto& corners : old) {
@@ -141,8 +141,8 @@ bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<C
     return true;
 }
 
-void SurfaceEditor::take_back(const std::vector<int>& removed, const std::vector<int>& added,
-                              const std::vector<std::pair<int, int>>& fresh_edges) {
+void SurfaceEditor::undo(const std::vector<int>& removed, const std::vector<int>& added,
+                         const std::vector<std::pair<int, int>>& fresh_edges) {
     for (auto t = added.rbegin(); t != added.rend(); ++t) {
         surface.shapes.forget_face(triangle(*t).corners);
         surface.withdraw_triangle();

@@ -41,8 +41,8 @@ class SurfaceEditor {
     CurvedSurface& surface;
 
   private:
-    void take_back(const std::vector<int>& removed, const std::vector<int>& added,
-                   const std::vector<std::pair<int, int>>& fresh_edges);
+    void undo(const std::vector<int>& removed, const std::vector<int>& added,
+              const std::vector<std::pair<int, int>>& fresh_edges);
     bool inner_edges_sound(const std::vector<int>& triangles) const;
     bool straight_sound(const std::vector<int>& removed, const std::vector<Corners>& added) const;
 

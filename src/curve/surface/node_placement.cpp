@@ -300,9 +300,9 @@ std::vector<double> Placement::deviations(const std::vector<int>& triangles) {
 bool Placement::on_edge(int vertex, int edge, double t_from, double t_to, double allowed, double& t, Vec3& point) {
     // Tolerance as a fraction of the size: vertices of the triangulation are rounded to single precision. Twice the
     // tolerance of an edge is the distance of two curves that represent it.
-    constexpr double kRounding = 4e-7;
+    constexpr double kSinglePrecision = 4e-7;
     const geometry::Topology& topology = session_.topology();
-    const double tolerance = std::max(kRounding * topology.box.largest_side(),
+    const double tolerance = std::max(kSinglePrecision * topology.box.largest_side(),
                                       2.0 * topology.edges[static_cast<std::size_t>(edge)].tolerance);
     const double low = std::min(t_from, t_to);
     const double high = std::max(t_from, t_to);

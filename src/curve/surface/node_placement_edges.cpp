@@ -411,13 +411,13 @@ CurvedShapes edges_of_second_order(geometry::Session& session, const CurvedSurfa
     CurvedSurface quadratic = surface;
     quadratic.shapes = CurvedShapes(2);
     quadratic.shapes.vertices = surface.shapes.vertices;
-    std::vector<int> living;
+    std::vector<int> live;
     for (std::size_t t = 0; t < quadratic.triangles.size(); ++t) {
         if (quadratic.triangles[t].alive) {
-            living.push_back(static_cast<int>(t));
+            live.push_back(static_cast<int>(t));
         }
     }
-    Placement(session, quadratic).place(living);
+    Placement(session, quadratic).place(live);
     return std::move(quadratic.shapes);
 }
 

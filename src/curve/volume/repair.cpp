@@ -28,7 +28,7 @@ class Repair {
           folded_(volume.surface) {}
 
     VolumeRepairs run() {
-        volume_.measure(volume_.living(), &progress_);
+        volume_.measure(volume_.live_tetrahedra(), &progress_);
         done_.invalid_before = invalid();
         for (int round = 0; round < kMostRounds && free_corners(); ++round) {
         }

@@ -50,7 +50,7 @@ std::set<int> straighten_triangles(SurfaceEditor& editor) {
 std::set<int> straighten_tetrahedra(TetrahedralMesh& volume, SurfaceEditor& editor) {
     std::set<int> done;
     for (std::set<int> vertices;; vertices.clear()) {
-        for (const int t : volume.living()) {
+        for (const int t : volume.live_tetrahedra()) {
             const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
             if (!(tetrahedron.quality > 0.0) && done.insert(t).second) {
                 make_straight(volume.shapes(), tetrahedron.corners);

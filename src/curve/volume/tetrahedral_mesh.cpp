@@ -141,7 +141,7 @@ std::size_t TetrahedralMesh::invalid() const {
                                                   [](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0); }));
 }
 
-std::vector<int> TetrahedralMesh::living() const {
+std::vector<int> TetrahedralMesh::live_tetrahedra() const {
     std::vector<int> result;
     for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
         if (tetrahedra[t].alive) {
@@ -162,7 +162,7 @@ struct Shell {
 };
 
 /// The tangents of the triangle's curved edges.
-void take_tangents(const CurvedShapes& edges, const std::array<int, 3>& corners, Shell& shell) {
+void add_tangents(const CurvedShapes& edges, const std::array<int, 3>& corners, Shell& shell) {
     for (std::size_t k = 0; k < 3; ++k) {
         const int from = corners[k];
         const int to = corners[(k + 1) % 3];
@@ -202,7 +202,7 @@ Shell shell_of(const CurvedSurface& surface, const CurvedShapes& edges, std::siz
             };
             sum += at(0).dot(at(1).cross(at(2)));
             shell.triangles.push_back(corners);
-            take_tangents(edges, corners, shell);
+            add_tangents(edges, corners, shell);
         }
     }
     if (sum < 0.0) {

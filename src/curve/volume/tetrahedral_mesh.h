@@ -21,7 +21,7 @@ struct Tetrahedron {
 class TetrahedralMesh {
   public:
     explicit TetrahedralMesh(CurvedSurface& surface);
-    /// With the living of these tetrahedra, and their qualities.
+    /// With those of these tetrahedra that are alive, and their qualities.
     TetrahedralMesh(CurvedSurface& surface, const std::vector<Tetrahedron>& kept);
 
     CurvedSurface& surface;
@@ -58,7 +58,7 @@ class TetrahedralMesh {
     /// Sets the qualities of elements, in parallel where there are many.
     /// @throws Cancelled
     void measure(const std::vector<int>& tetrahedra, const Progress* progress = nullptr);
-    std::vector<int> living() const;
+    std::vector<int> live_tetrahedra() const;
     /// Number of tetrahedra that are not removed and not valid, by their qualities.
     std::size_t invalid() const;
 

@@ -25,7 +25,7 @@ UntanglingPatch::UntanglingPatch(TetrahedralMesh& volume, const std::vector<int>
       is_member_(tetrahedra.begin(), tetrahedra.end()) {
     for (const int t : members_) {
         progress.check();
-        take_element(t);
+        add_element(t);
     }
 }
 
@@ -85,7 +85,7 @@ bool UntanglingPatch::inside_face(int a, int b, int c) const {
            std::all_of(beside.begin(), beside.end(), [&](int t) { return is_member_.count(t) > 0; });
 }
 
-void UntanglingPatch::take_element(int t) {
+void UntanglingPatch::add_element(int t) {
     const std::array<int, 4>& v = volume_.tetrahedra[static_cast<std::size_t>(t)].corners;
     const int q = lattice_.degree();
     std::vector<int> index(static_cast<std::size_t>(lattice_.size()), -1);
@@ -117,14 +117,14 @@ void UntanglingPatch::take_element(int t) {
         }
     }
     for (std::size_t f = 0; f < kFaces.size() && q > 2; ++f) {
-        take_face(v, kFaces[f], index);
+        add_face(v, kFaces[f], index);
     }
     points_of_.push_back(std::move(index));
     reference_.push_back(volume_.reference_jacobian(v));
 }
 
-void UntanglingPatch::take_face(const std::array<int, 4>& v, const std::array<std::size_t, 3>& face,
-                                std::vector<int>& index) {
+void UntanglingPatch::add_face(const std::array<int, 4>& v, const std::array<std::size_t, 3>& face,
+                               std::vector<int>& index) {
     const Lattice& face_lattice = Lattice::of(2, lattice_.degree());
     std::array<std::size_t, 3> local = face;
     std::sort(local.begin(), local.end(), [&](std::size_t x, std::size_t y) { return v[x] < v[y]; });

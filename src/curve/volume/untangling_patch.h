@@ -55,8 +55,8 @@ class UntanglingPatch {
     std::vector<Vec3> edge_points(int a, int b) const;
     std::vector<Vec3> raised(const FreeEdge& edge) const;
     int add_point(const Vec3& p, bool free);
-    void take_element(int t);
-    void take_face(const std::array<int, 4>& v, const std::array<std::size_t, 3>& face, std::vector<int>& index);
+    void add_element(int t);
+    void add_face(const std::array<int, 4>& v, const std::array<std::size_t, 3>& face, std::vector<int>& index);
     void reblend_faces();
     void forget_inner_faces();
     int move_vertices();

@@ -12,7 +12,7 @@ namespace {
 // Bound of the rounding error, relative to the product of the lengths. Each coefficient is a sum, with positive weights
 // that add up to one, of box products; each of those has an error of less than 12 units in the last place of the
 // product of the lengths, and the sums add fewer than 50.
-constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double kCoefficientRounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 double longest(const std::vector<Vec3>& vectors) {
     double square = 0.0;
@@ -56,7 +56,7 @@ JacobianForm jacobian_of(const Lattice& lattice, const std::vector<Vec3>& contro
     JacobianForm form;
     form.lattice = &ProductLattice::simplex(3, 3 * m);
     form.coefficients = dot(3, r, m, cross(3, s, m, t, m), 2 * m);
-    form.rounding = kRounding * longest(r) * longest(s) * longest(t);
+    form.rounding = kCoefficientRounding * longest(r) * longest(s) * longest(t);
     return form;
 }
 
@@ -95,7 +95,7 @@ JacobianForm normal_component(const Lattice& lattice, const std::vector<Vec3>& c
     JacobianForm form;
     form.lattice = &ProductLattice::simplex(2, 3 * lattice.degree() - 2);
     form.coefficients = dot(2, normals, lattice.degree(), cross(2, r, m, s, m), 2 * m);
-    form.rounding = kRounding * longest(r) * longest(s) * longest(normals);
+    form.rounding = kCoefficientRounding * longest(r) * longest(s) * longest(normals);
     return form;
 }
 
@@ -103,7 +103,8 @@ NormalForm normal_of(const Lattice& lattice, const std::vector<Vec3>& control) {
     const int m = lattice.degree() - 1;
     const std::vector<Vec3> r = derivative(lattice, control, 1);
     const std::vector<Vec3> s = derivative(lattice, control, 2);
-    return {&ProductLattice::simplex(2, 2 * m), cross(2, r, m, s, m), kRounding * longest(r) * longest(s), 0};
+    return {&ProductLattice::simplex(2, 2 * m), cross(2, r, m, s, m), kCoefficientRounding * longest(r) * longest(s),
+            0};
 }
 
 JacobianForm stretch_of(const Lattice& lattice, const std::vector<Vec3>& control) {
@@ -117,7 +118,7 @@ JacobianForm stretch_of(const Lattice& lattice, const std::vector<Vec3>& control
         for (std::size_t i = 0; i < square.size(); ++i) {
             form.coefficients[i] += square[i];
         }
-        form.rounding += kRounding * longest(along) * longest(along);
+        form.rounding += kCoefficientRounding * longest(along) * longest(along);
     };
     for (int k = 1; k <= dimension; ++k) {
         const std::vector<Vec3> from_first = derivative(lattice, control, k);

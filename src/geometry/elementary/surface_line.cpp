@@ -74,7 +74,7 @@ struct DepressedQuartic {
     /// The root between two places of different sign where the quartic is monotone: Newton's method within brackets.
     double root_between(double low, double high) const {
         // Number of steps in which bisection alone reaches the rounding of doubles.
-        constexpr int kSteps = 60;
+        constexpr int kRootSteps = 60;
         // A step this short, as a fraction of the major radius, is rounding.
         constexpr double kLastStep = 2e-15;
         const bool rises = at(high) > 0.0;
@@ -82,7 +82,7 @@ struct DepressedQuartic {
         const double far = std::max(std::abs(low), std::abs(high));
         const double zero = 2e-16 * (((far * far + std::abs(c2)) * far + std::abs(c1)) * far + std::abs(c0));
         double s = 0.5 * (low + high);
-        for (int step = 0; step < kSteps; ++step) {
+        for (int step = 0; step < kRootSteps; ++step) {
             const double value = at(s);
             if (std::abs(value) <= zero) {
                 return s;
@@ -201,8 +201,8 @@ Vec3 normal_near(const ElementarySurface& surface, const Vec3& point) {
     }
     const double length = n.norm();
     // Lengths below this fraction of the radius define no direction.
-    constexpr double kNone = 1e-12;
-    if (!(length > kNone * std::max(std::abs(surface.radius), std::abs(surface.minor))) &&
+    constexpr double kNoDirection = 1e-12;
+    if (!(length > kNoDirection * std::max(std::abs(surface.radius), std::abs(surface.minor))) &&
         surface.kind != Kind::Plane) {
         return Vec3::Zero();
     }

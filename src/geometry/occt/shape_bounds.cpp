@@ -21,11 +21,11 @@ class CurveReach {
   public:
     CurveReach(const BRepAdaptor_Curve& curve, double first, double last) : curve_(curve), first_(first) {
         // Samples of a curve at least.
-        constexpr int kLeast = 16;
+        constexpr int kLeastSamples = 16;
         // Samples of a curve at most; bounds the time.
-        constexpr int kMost = 200;
+        constexpr int kMostSamples = 200;
         const int spans = curve.GetType() == GeomAbs_BSplineCurve ? 3 * curve.NbKnots() : 0;
-        const int count = std::clamp(spans, kLeast, kMost);
+        const int count = std::clamp(spans, kLeastSamples, kMostSamples);
         step_ = (last - first) / count;
         for (int k = 0; k <= count; ++k) {
             points_.push_back(to_vec(curve.Value(first + k * step_)));
@@ -57,12 +57,12 @@ class CurveReach {
         // Relative step at which the search ends: the remaining error is of the order of its square.
         constexpr double kEnd = 1e-3;
         // Steps at most, so that the search ends on degenerate curves.
-        constexpr int kSteps = 200;
+        constexpr int kPatternSteps = 200;
         const double last = first_ + (static_cast<double>(points_.size()) - 1.0) * step_;
         double t = first_ + static_cast<double>(k) * step_;
         Vec3 best = points_[k];
         double part = 0.5;
-        for (int step = 0; step < kSteps && part > kEnd; ++step) {
+        for (int step = 0; step < kPatternSteps && part > kEnd; ++step) {
             bool better = false;
             for (const double next : {t - part * step_, t + part * step_}) {
                 const Vec3 p = to_vec(curve_.Value(std::clamp(next, first_, last)));

@@ -62,7 +62,7 @@ class ShapeAnswerer final : public Answerer {
     Answer answer(const Query& query) noexcept override;
     FaceEvaluator& face(int index);
     /// Takes over the curves that were made while the shape was read.
-    void take(EdgeCurves curves) { edges_ = std::move(curves); }
+    void adopt(EdgeCurves curves) { edges_ = std::move(curves); }
     /// Drops the evaluators of entities that have changed.
     void forget_face(int index) {
         if (index < static_cast<int>(faces_.size())) {
@@ -136,7 +136,7 @@ ShapeModel::ShapeModel(const TopoDS_Shape& given, Creases creases, const Virtual
     std::vector<std::string> failures;
     read_topology(shape, creases, join, failures, progress);
     if (evaluation == Evaluation::Fast) {
-        first_.take(std::exchange(live_.curves, EdgeCurves()));
+        first_.adopt(std::exchange(live_.curves, EdgeCurves()));
     }
     topology_.faults.insert(topology_.faults.end(), failures.begin(), failures.end());
     const std::vector<std::string> faults = kernel_faults(shape, live_, topology_, progress);

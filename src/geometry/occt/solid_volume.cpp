@@ -92,14 +92,15 @@ Integral by_rule(const Function& f, double low, double high) {
 }
 
 /// Fraction of the terms' size by which an integrand is rounded at most: no halving makes that less.
-constexpr double kRounding = 0x1p-46;
+constexpr double kIntegrandRounding = 0x1p-46;
 
 /// Halves the interval until the error is that fraction of the integral of the absolute value over the whole interval,
 /// or as small as rounding.
 template <typename Function>
 Integral adaptive(const Function& f, double low, double high, double allowed, int halvings) {
     const Integral whole = by_rule(f, low, high);
-    const double most = std::max(allowed > 0.0 ? allowed : -allowed * whole.absolute, kRounding * whole.of_terms);
+    const double most =
+        std::max(allowed > 0.0 ? allowed : -allowed * whole.absolute, kIntegrandRounding * whole.of_terms);
     if (whole.error <= most || halvings == 0) {
         return whole;
     }

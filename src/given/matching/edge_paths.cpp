@@ -146,15 +146,15 @@ class Finder {
         return least;
     }
 
-    template <typename Take>
-    void for_vertices_near(const Vec3& point, double distance, Take take) const {
+    template <typename Visit>
+    void for_vertices_near(const Vec3& point, double distance, Visit visit) const {
         Box box;
         box.add(point - Vec3::Constant(distance));
         box.add(point + Vec3::Constant(distance));
         tree_->for_each_in_box(box, [&](std::int32_t t) {
             for (const int v : triangles_[static_cast<std::size_t>(t)]) {
                 if ((at(v) - point).norm() <= distance) {
-                    take(v);
+                    visit(v);
                 }
             }
         });
@@ -366,15 +366,15 @@ class Finder {
         for (std::size_t i = 0; i < inner.size(); ++i) {
             position.emplace(inner[i].vertex, i + 1);
         }
-        constexpr int kNone = -1;
-        std::vector<int> length(inner.size() + 2, kNone);
+        constexpr int kUnreached = -1;
+        std::vector<int> length(inner.size() + 2, kUnreached);
         std::vector<std::size_t> before(inner.size() + 2, 0);
         length[0] = 0;
         const auto relax = [&](int vertex, std::size_t here) {
             for (const int other : graph_.neighbours[static_cast<std::size_t>(vertex)]) {
                 const auto known = position.find(other);
                 const std::size_t from = other == first ? 0 : known == position.end() ? here : known->second;
-                if (from < here && length[from] != kNone && length[from] + 1 > length[here]) {
+                if (from < here && length[from] != kUnreached && length[from] + 1 > length[here]) {
                     length[here] = length[from] + 1;
                     before[here] = from;
                 }
@@ -386,7 +386,7 @@ class Finder {
         const std::size_t end = inner.size() + 1;
         relax(last, end);
         // A closed edge needs at least three mesh edges.
-        if (length[end] == kNone || (first == last && length[end] < 3)) {
+        if (length[end] == kUnreached || (first == last && length[end] < 3)) {
             return {};
         }
         EdgePath polyline{{last}, 0.0};

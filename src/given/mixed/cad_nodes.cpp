@@ -149,13 +149,13 @@ bool CadNodes::on_cad_edge(std::int32_t a, std::int32_t b) const {
 }
 
 void CadNodes::place(std::vector<Vec3>& nodes) {
-    placement_.place(living(found_.matched.surface));
-    take_edges(nodes);
-    take_triangles(nodes);
+    placement_.place(live_triangles(found_.matched.surface));
+    write_edges_to(nodes);
+    write_triangles_to(nodes);
     place_quadrilaterals(nodes);
 }
 
-void CadNodes::take_edges(std::vector<Vec3>& nodes) {
+void CadNodes::write_edges_to(std::vector<Vec3>& nodes) {
     const Lattice& line = Lattice::of(1, table_.order());
     for (const auto& [a, b] : edges_) {
         const std::vector<std::int32_t> numbers = table_.edge(a, b);
@@ -179,7 +179,7 @@ void CadNodes::put_edge(std::int32_t a, std::int32_t b, const std::vector<Vec3>&
     found_.matched.surface.shapes.set_edge(vertex(a), vertex(b), {control.begin() + 1, control.end() - 1});
 }
 
-void CadNodes::take_triangles(std::vector<Vec3>& nodes) {
+void CadNodes::write_triangles_to(std::vector<Vec3>& nodes) {
     const Lattice& lattice = Lattice::of(2, table_.order());
     const Blending& blending = Blending::of(ElementKind::Triangle, table_.order());
     std::vector<Vec3> control;
@@ -197,7 +197,7 @@ void CadNodes::take_triangles(std::vector<Vec3>& nodes) {
     }
 }
 
-void CadNodes::take_back(const std::vector<Vec3>& nodes) {
+void CadNodes::read_from(const std::vector<Vec3>& nodes) {
     const Lattice& lattice = Lattice::of(2, table_.order());
     for (const auto& [a, b] : edges_) {
         put_edge(a, b, nodes);
@@ -301,8 +301,8 @@ std::size_t CadNodes::follow_edges(std::vector<Vec3>& nodes) {
         any = follow_edges_of(face, nodes, changed) || any;
     }
     if (any) {
-        placement_.place(living(found_.matched.surface));
-        take_triangles(nodes);
+        placement_.place(live_triangles(found_.matched.surface));
+        write_triangles_to(nodes);
         place_quadrilaterals(nodes);
     }
     return changed;

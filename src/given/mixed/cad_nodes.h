@@ -49,7 +49,7 @@ class CadNodes {
 
     /// Takes nodes that others have moved: sets the shapes of edges and triangles of the surface from them, and
     /// measures these.
-    void take_back(const std::vector<Vec3>& nodes);
+    void read_from(const std::vector<Vec3>& nodes);
 
     /// Whether these are the corners of an edge or a face on the CAD.
     bool has(const std::vector<std::int32_t>& corners) const { return sides_.count(sorted(corners)) > 0; }
@@ -62,8 +62,8 @@ class CadNodes {
     static std::vector<std::int32_t> sorted(std::vector<std::int32_t> corners);
     int vertex(std::int32_t corner) const { return found_.matched.vertex_of_node[static_cast<std::size_t>(corner)]; }
     bool on_cad_edge(std::int32_t a, std::int32_t b) const;
-    void take_edges(std::vector<Vec3>& nodes);
-    void take_triangles(std::vector<Vec3>& nodes);
+    void write_edges_to(std::vector<Vec3>& nodes);
+    void write_triangles_to(std::vector<Vec3>& nodes);
     void place_quadrilaterals(std::vector<Vec3>& nodes);
     void put_edge(std::int32_t a, std::int32_t b, const std::vector<Vec3>& nodes);
     std::vector<Vec3> projected(int face, const std::vector<Vec3>& points);

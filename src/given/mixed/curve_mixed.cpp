@@ -394,7 +394,7 @@ class MixedCurving {
             revert_unhelpful_moves(elements_, before, quality_before, quality_, nodes_);
         if (nodes_ != before || quality_ != quality_before) {
             prove_all();
-            cad_.take_back(nodes_);
+            cad_.read_from(nodes_);
         }
         for (const std::size_t e : straightened) {
             report_.straightened.push_back(name_of_element(e));

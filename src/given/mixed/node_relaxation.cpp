@@ -18,7 +18,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// The work ends when the least sample, relative to the straight element, reaches this value.
 constexpr double kTarget = 0.15;
 constexpr int kBarrierMoves = 8;
-constexpr int kSteps = 25;
+constexpr int kDescentSteps = 25;
 constexpr int kHalvings = 12;
 
 std::size_t at(std::int64_t i) {
@@ -156,7 +156,7 @@ bool minimise(Patch& patch, Eigen::VectorXd& x, const Progress& progress) {
     Eigen::VectorXd direction = -gradient;
     double length = gradient.size() > 0 ? 0.02 * patch.size() / std::max(gradient.cwiseAbs().maxCoeff(), 1e-300) : 0.0;
     bool moved = false;
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0; step < kDescentSteps; ++step) {
         progress.check();
         const double slope = direction.dot(gradient);
         Eigen::VectorXd next;

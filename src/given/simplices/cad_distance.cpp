@@ -29,7 +29,7 @@ using geometry::Session;
 class CurvedTriangles {
   public:
     CurvedTriangles(const std::vector<Vec3>& nodes, int order, const std::vector<std::int32_t>& triangles)
-        : lattice_(Lattice::of(2, order)), steps_(order == 1 ? 1 : kSteps) {
+        : lattice_(Lattice::of(2, order)), steps_(order == 1 ? 1 : kFlatPieces) {
         const auto width = static_cast<std::size_t>(lattice_.size());
         control_.resize(triangles.size() / width);
         for (std::size_t t = 0; t < control_.size(); ++t) {
@@ -61,7 +61,7 @@ class CurvedTriangles {
     }
 
   private:
-    static constexpr int kSteps = 4;  // flat triangles along an edge of a curved one
+    static constexpr int kFlatPieces = 4;  // flat triangles along an edge of a curved one
     static constexpr std::size_t kMostOwners = 8;
 
     std::size_t owner(std::int32_t flat) const { return static_cast<std::size_t>(flat) / cells(); }
@@ -353,7 +353,7 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
         spacing_for(extents, double(triangles.size()) / Lattice::of(2, order).size(), topology.box.largest_side());
     CadDistances result;
     double largest = -1.0;
-    const auto take = [&](const Samples& samples, const std::vector<int>& faces) {
+    const auto add_distances = [&](const Samples& samples, const std::vector<int>& faces) {
         const auto [distance, point] = farthest(surface, samples.points, watched);
         if (distance > largest) {
             largest = distance;
@@ -374,7 +374,7 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
             continue;
         }
         const Samples samples = samples_of_face(session, static_cast<int>(f), extents[f], spacing);
-        take(samples, {static_cast<int>(f)});
+        add_distances(samples, {static_cast<int>(f)});
         result.face_grids.push_back({topology.of_shape({2, static_cast<int>(f)}).index, topology.faces[f].low,
                                      topology.faces[f].high, samples.columns, samples.rows});
         for (const geometry::Loop& loop : topology.faces[f].loops) {
@@ -387,7 +387,7 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
         if (!topology.edges[e].degenerate && !faces_of_edge[e].empty()) {
             const Samples samples = samples_of_edge(session, static_cast<int>(e), spacing);
-            take(samples, faces_of_edge[e]);
+            add_distances(samples, faces_of_edge[e]);
             const geometry::Entity own = topology.of_shape({1, static_cast<int>(e)});
             if (own.dimension == 1) {
                 result.edge_grids.push_back({own.index, topology.edges[e].t0, topology.edges[e].t1, samples.columns});

@@ -115,8 +115,8 @@ void name_given_nodes(const std::vector<int>& given_node, CurvedMesh& mesh) {
 
 /// Puts the given tetrahedra into the repaired surface. If the cavities around changed triangles cannot be filled, the
 /// surface goes back to its state after placing.
-void take_over_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMesh& given, MatchedMesh& matched,
-                          const MatchedMesh& placed, LocalRemeshing& done, Progress& progress, CurveReport& report) {
+void adopt_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMesh& given, MatchedMesh& matched,
+                      const MatchedMesh& placed, LocalRemeshing& done, Progress& progress, CurveReport& report) {
     const std::size_t triangles_before = placed.surface.triangles.size();
     const std::vector<int> vertex_of_node = matched.vertex_of_node;
     try {
@@ -181,12 +181,12 @@ std::unique_ptr<Curving> curved_at(geometry::Session& session, const GivenMesh& 
     CurveReport& report = curving->report;
     clock.end("classifying");
     progress.stage("curving the surface", 0.2, 0.4);
-    curving->editor->placement.place(living(matched.surface));
+    curving->editor->placement.place(live_triangles(matched.surface));
     const MatchedMesh placed = matched;
     clock.end("curving the surface");
     progress.stage("repairing the surface", 0.4, 0.5);
     if (options.repair) {
-        note(repair_surface(*curving->editor, progress, RepairScope::Invalid), report);
+        add_counts(repair_surface(*curving->editor, progress, RepairScope::Invalid), report);
     }
     if (options.straighten) {
         curving->straight_triangles = straighten_triangles(*curving->editor);
@@ -195,13 +195,13 @@ std::unique_ptr<Curving> curved_at(geometry::Session& session, const GivenMesh& 
     if (!given.tetrahedra.empty()) {
         progress.stage("filling", 0.5, 0.6);
         LocalRemeshing remeshing;
-        take_over_tetrahedra(curving->volume, curving->given, matched, placed, remeshing, progress, report);
+        adopt_tetrahedra(curving->volume, curving->given, matched, placed, remeshing, progress, report);
         clock.end("filling");
         progress.stage("repairing the volume", 0.6, 0.95);
         VolumeRepairs repairs = repair_volume(*curving->volume, progress, RepairScope::Invalid);
         remesh_and_repair(curving->volume, matched.surface, RepairScope::Invalid, remeshing, progress);
         repairs.cavities = static_cast<int>(remeshing.cavities);
-        note(repairs, report);
+        add_counts(repairs, report);
         clock.end("repairing the volume");
     }
     report.seconds = std::move(seconds);
@@ -258,8 +258,8 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
     CurveReport report = std::move(curving->report);
     StageTimer clock(report.seconds);
     std::vector<int> number;
-    CurvedMesh result = measured(*curving->editor, curving->straight_triangles, curving->tetrahedra(),
-                                 session.topology(), options.straighten, report, watched, &number);
+    CurvedMesh result = measured_mesh(*curving->editor, curving->straight_triangles, curving->tetrahedra(),
+                                      session.topology(), options.straighten, report, watched, &number);
     result.given_node = given_nodes(curving->matched.vertex_of_node, number, result.vertices);
     compare(curving->given, result, report);
     name_given_nodes(curving->matched.given_node, result);

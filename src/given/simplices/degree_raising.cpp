@@ -17,7 +17,7 @@ using Corners = std::array<int, 3>;
 
 std::vector<Corners> faces_of(const CurvedSurface& surface, const std::vector<Tetrahedron>& tetrahedra) {
     std::vector<Corners> faces;
-    for (const int t : living(surface)) {
+    for (const int t : live_triangles(surface)) {
         faces.push_back(surface.triangles[static_cast<std::size_t>(t)].corners);
     }
     for (const Tetrahedron& t : tetrahedra) {
@@ -39,7 +39,7 @@ class Placing {
     }
 
     std::size_t run(const Progress& progress) {
-        const std::vector<int> all = living(editor_.surface);
+        const std::vector<int> all = live_triangles(editor_.surface);
         for (const int t : all) {
             if (editor_.triangle(t).quality > 0.0) {
                 valid_triangles_.insert(t);
@@ -54,9 +54,9 @@ class Placing {
         }
         editor_.placement.place(all);
         if (volume_ != nullptr) {
-            volume_->measure(volume_->living(), &progress);
+            volume_->measure(volume_->live_tetrahedra(), &progress);
         }
-        while (take_back_invalid()) {
+        while (undo_invalid()) {
             progress.check();
         }
         return faces_.size();
@@ -68,10 +68,10 @@ class Placing {
 
     /// Gives the edges and faces on the surface of elements that became invalid their former shapes.
     /// @return whether there were elements with new shapes among these.
-    bool take_back_invalid() {
+    bool undo_invalid() {
         std::set<int> touched;
         std::set<std::pair<int, int>> edges;
-        const auto take_back = [&](const auto& corners) {
+        const auto mark_edges = [&](const auto& corners) {
             for (std::size_t i = 0; i < corners.size(); ++i) {
                 for (std::size_t k = i + 1; k < corners.size(); ++k) {
                     const std::pair<int, int> edge = std::minmax(corners[i], corners[k]);
@@ -83,15 +83,15 @@ class Placing {
         };
         for (const int t : valid_triangles_) {
             if (!(editor_.triangle(t).quality > 0.0) && faces_.insert(t).second) {
-                take_back(editor_.triangle(t).corners);
+                mark_edges(editor_.triangle(t).corners);
                 touched.insert(t);
             }
         }
         for (std::size_t t = 0; t < valid_.size(); ++t) {
             const Tetrahedron& tetrahedron = volume_->tetrahedra[t];
             if (tetrahedron.alive && valid_[t] != 0 && !(tetrahedron.quality > 0.0)) {
-                take_back(tetrahedron.corners);
-                take_back_faces(tetrahedron.corners, touched);
+                mark_edges(tetrahedron.corners);
+                mark_faces(tetrahedron.corners, touched);
             }
         }
         for (const auto& [a, b] : edges) {
@@ -104,7 +104,7 @@ class Placing {
         return !touched.empty();
     }
 
-    void take_back_faces(const std::array<int, 4>& corners, std::set<int>& touched) {
+    void mark_faces(const std::array<int, 4>& corners, std::set<int>& touched) {
         for (const Corners& face : outward_faces(corners)) {
             for (const int t : editor_.surface.triangles_of_edge(face[0], face[1])) {
                 const Corners& own = editor_.triangle(t).corners;

@@ -231,7 +231,7 @@ FaceProjection FaceProjector::apply(const std::vector<mesh::Triangle>& reconstru
         }
     }
     // Undoes the longest of the moves of a triangle's vertices, as the triangle turns over.
-    const auto take_back = [&](const mesh::Triangle& t) {
+    const auto undo = [&](const mesh::Triangle& t) {
         if (!turns_over(t)) {
             return false;
         }
@@ -248,10 +248,10 @@ FaceProjection FaceProjector::apply(const std::vector<mesh::Triangle>& reconstru
     for (bool again = true; again;) {
         again = false;
         for (const mesh::Triangle& t : surface_.triangles) {
-            again = take_back(t) || again;
+            again = undo(t) || again;
         }
         for (const mesh::Triangle& t : reconstructed) {
-            again = take_back(t) || again;
+            again = undo(t) || again;
         }
     }
     undo_contacts(reconstructed);

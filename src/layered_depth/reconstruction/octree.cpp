@@ -222,7 +222,7 @@ void OctreeBuilder::Subtree::add_sheets(Leaf& leaf, const CellBox& box, const Ce
         const std::uint8_t sheet = sheets.of_edge[edge_of(box, *s)];
         const Vec3 position = shared_.position(*s), normal = shared_.normal(*s);
         all.add(position, normal);
-        if (sheet != CellSheets::kNone) {
+        if (sheet != CellSheets::kNoSheet) {
             contents[sheet].quadric.add(position, normal);
             contents[sheet].faces.add(shared_.triangle(*s));
             (s->reconstructed != 0 ? contents[sheet].reconstructed : contents[sheet].retained) = true;

@@ -46,10 +46,10 @@ bool is_inside(std::uint8_t nodes, int node) {
 
 CellSheets find_sheets(std::uint8_t nodes, std::uint8_t flipped) {
     std::array<std::uint8_t, kCellEdges> label{};
-    label.fill(CellSheets::kNone);
+    label.fill(CellSheets::kNoSheet);
     const auto join = [&](int e, int f) {
         for (const int edge : {e, f}) {
-            label[edge] = label[edge] == CellSheets::kNone ? static_cast<std::uint8_t>(edge) : label[edge];
+            label[edge] = label[edge] == CellSheets::kNoSheet ? static_cast<std::uint8_t>(edge) : label[edge];
         }
         const std::uint8_t from = std::max(label[e], label[f]), to = std::min(label[e], label[f]);
         std::replace(label.begin(), label.end(), from, to);
@@ -86,7 +86,7 @@ CellSheets find_sheets(std::uint8_t nodes, std::uint8_t flipped) {
         if (label[e] == e) {
             number[e] = sheets.count++;
         }
-        sheets.of_edge[e] = label[e] == CellSheets::kNone ? CellSheets::kNone : number[label[e]];
+        sheets.of_edge[e] = label[e] == CellSheets::kNoSheet ? CellSheets::kNoSheet : number[label[e]];
     }
     return sheets;
 }

@@ -49,10 +49,10 @@ inline int edge_of(const CellBox& box, const CellSample& s) {
 /// nodes if the face is in `flipped` (bit 2 * axis + side).
 struct CellSheets {
     std::uint8_t count = 0;
-    std::array<std::uint8_t, kCellEdges> of_edge{};  ///< the sheet of each edge; kNone without a sign change
+    std::array<std::uint8_t, kCellEdges> of_edge{};  ///< the sheet of each edge; kNoSheet without a sign change
 
     /// The sheet of an edge without a sign change.
-    static constexpr std::uint8_t kNone = 255;
+    static constexpr std::uint8_t kNoSheet = 255;
 };
 CellSheets find_sheets(std::uint8_t nodes, std::uint8_t flipped = 0);
 /// The faces whose four edges all change sign and belong to one sheet, bit 2 * axis + side. If two such cells share

@@ -22,7 +22,7 @@ using geometry::Query;
 /// measured at samples only.
 constexpr double kDeviations = 4.0;
 /// The rounding of vertices to single precision, as a fraction of the grid's side.
-constexpr double kRounding = 1e-6;
+constexpr double kSinglePrecision = 1e-6;
 /// A depth within this distance (grid units) of a node counts as at the node: faces of boxes that lie in planes of the
 /// grid stay in these planes.
 constexpr double kAtNode = 1e-9;
@@ -54,7 +54,8 @@ class FaceSampler {
           shape_(shape),
           session_(engine, shape.model, progress),
           progress_(progress),
-          deviation_(kDeviations * std::max(shape.chord_height, 0.0) + kRounding * grid.spacing() * grid.cells()) {}
+          deviation_(kDeviations * std::max(shape.chord_height, 0.0) +
+                     kSinglePrecision * grid.spacing() * grid.cells()) {}
 
     void run(FaceSampleCounts& counts);
 
@@ -74,7 +75,7 @@ class FaceSampler {
     std::size_t solve_by_newton(const std::vector<std::vector<SampleRef>>& rows, bool inserted);
     LineAtTriangle line_at(const SampleRef& ref) const;
     bool solve_by_formula(const SampleRef& ref, bool inserted);
-    bool take(const SampleRef& ref, const LineAtTriangle& line, double t, const Vec3& normal, bool inserted);
+    bool move_sample(const SampleRef& ref, const LineAtTriangle& line, double t, const Vec3& normal, bool inserted);
     std::int32_t face_of(const SampleRef& ref) const { return pair_.face[set_[ref.axis].triangle(ref.index)]; }
     Vec3 corner(std::int32_t triangle, int i) const { return origin_ + pair_.points[pair_.triangles[triangle][i]]; }
 
@@ -152,7 +153,8 @@ LineAtTriangle FaceSampler::line_at(const SampleRef& ref) const {
 
 /// Moves a sample along its ray. Refused if the surface is crossed in the other direction than the triangle, or if the
 /// point is too far from the triangle (for an inserted sample: outside of its interval).
-bool FaceSampler::take(const SampleRef& ref, const LineAtTriangle& line, double t, const Vec3& normal, bool inserted) {
+bool FaceSampler::move_sample(const SampleRef& ref, const LineAtTriangle& line, double t, const Vec3& normal,
+                              bool inserted) {
     LayeredDepthImage& image = set_[ref.axis];
     const Vec3 outward = normal.dot(line.normal) < 0.0 ? Vec3(-normal) : normal;
     const double turn = outward.dot(line.along);
@@ -181,7 +183,7 @@ bool FaceSampler::solve_by_formula(const SampleRef& ref, bool inserted) {
     for (int i = 0; i < roots.count; ++i) {
         const double root = t[static_cast<std::size_t>(i)];
         const Vec3 normal = geometry::normal_near(surface, line.point + root * line.along);
-        if (normal != Vec3::Zero() && take(ref, line, root, normal, inserted)) {
+        if (normal != Vec3::Zero() && move_sample(ref, line, root, normal, inserted)) {
             return true;
         }
     }
@@ -252,7 +254,8 @@ bool FaceSampler::NewtonSolver::solve(const SampleRef& ref, bool inserted) {
     const auto solved = [&](const Vec2& guess) {
         const geometry::Answer answer =
             answerer_.answer(Query::face_on_line(face_, line.point, line.along, guess.x(), guess.y()));
-        return answer.status == geometry::Status::Ok && sampler_.take(ref, line, answer.t, answer.normal, inserted);
+        return answer.status == geometry::Status::Ok &&
+               sampler_.move_sample(ref, line, answer.t, answer.normal, inserted);
     };
     if (corners_) {
         const Vec3 a = sampler_.corner(triangle_, 0);

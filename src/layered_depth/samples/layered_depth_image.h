@@ -46,7 +46,7 @@ class SampleGrid {
 /// If the surface of an operand is open, each edge of its border is listed as a triangle (a, b, b) without area that no
 /// ray meets: it stands for the missing surface. These triangles follow the operand's own.
 struct OperandSet {
-    /// @param borders  for each operand the edges (a, b, b) of its border (see mesh::WindingNumber::border); empty if
+    /// @param borders  for each operand the edges (a, b, b) of its border (see mesh::SurfaceWinding::border); empty if
     /// all operands are closed
     explicit OperandSet(const std::vector<const mesh::TriangleMesh*>& operands,
                         const std::vector<std::vector<mesh::Triangle>>& borders = {});

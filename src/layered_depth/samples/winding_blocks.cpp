@@ -19,7 +19,7 @@ constexpr std::size_t kBlocksPerTask = 256;
 
 }  // namespace
 
-WindingBlocks::WindingBlocks(const SampleGrid& grid, const mesh::WindingNumber& winding, const Box& box,
+WindingBlocks::WindingBlocks(const SampleGrid& grid, const mesh::SurfaceWinding& winding, const Box& box,
                              const Progress* progress)
     : grid_(grid), winding_(winding), box_(box) {
     Block root;

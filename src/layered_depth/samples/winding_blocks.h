@@ -8,7 +8,7 @@
 
 #include "base/progress.h"
 #include "layered_depth/samples/layered_depth_image.h"
-#include "mesh/intersection/winding_number.h"
+#include "mesh/intersection/surface_winding.h"
 
 namespace mq::boolean {
 
@@ -34,7 +34,8 @@ class WindingBlocks {
     };
 
     /// @param box of the operand: points outside of it are outside of the operand
-    WindingBlocks(const SampleGrid& grid, const mesh::WindingNumber& winding, const Box& box, const Progress* progress);
+    WindingBlocks(const SampleGrid& grid, const mesh::SurfaceWinding& winding, const Box& box,
+                  const Progress* progress);
 
     /// The leaf that contains a point, in grid coordinates.
     const Block& at(const Vec3& g) const;
@@ -43,7 +44,7 @@ class WindingBlocks {
     bool must_split(Block& block) const;
 
     const SampleGrid& grid_;
-    const mesh::WindingNumber& winding_;
+    const mesh::SurfaceWinding& winding_;
     Box box_;
     std::vector<Block> blocks_;
 };

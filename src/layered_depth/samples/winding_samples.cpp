@@ -30,7 +30,7 @@ struct RaySamples {
 class RayWalk {
   public:
     RayWalk(const LayeredDepthImage& image, int axis, const OperandSet& operands, int operand, const SampleGrid& grid,
-            const mesh::WindingNumber& winding, const WindingBlocks& blocks, const Box& box)
+            const mesh::SurfaceWinding& winding, const WindingBlocks& blocks, const Box& box)
         : image_(image),
           axis_(axis),
           operands_(operands),
@@ -73,7 +73,7 @@ class RayWalk {
     const OperandSet& operands_;
     std::int32_t gap_;
     const SampleGrid& grid_;
-    const mesh::WindingNumber& winding_;
+    const mesh::SurfaceWinding& winding_;
     const WindingBlocks& blocks_;
     Box box_;  // the operand's box in grid coordinates, cut to the grid
 
@@ -279,7 +279,7 @@ LayeredDepthImage joined(std::vector<RaySamples>& rows, WindingSampleCounts& cou
 }
 
 /// The box of the operand in grid coordinates, cut to the grid.
-Box box_in_grid(const mesh::WindingNumber& winding, const SampleGrid& grid) {
+Box box_in_grid(const mesh::SurfaceWinding& winding, const SampleGrid& grid) {
     Box box;
     const Box whole = winding.tree().box();
     box.low = grid.to_grid(whole.low).cwiseMax(0.0);
@@ -290,7 +290,7 @@ Box box_in_grid(const mesh::WindingNumber& winding, const SampleGrid& grid) {
 }  // namespace
 
 void sample_by_winding(LayeredDepthSet& set, const OperandSet& operands, int operand, const SampleGrid& grid,
-                       const mesh::WindingNumber& winding, WindingSampleCounts& counts, const Progress* progress) {
+                       const mesh::SurfaceWinding& winding, WindingSampleCounts& counts, const Progress* progress) {
     const WindingBlocks blocks(grid, winding, winding.tree().box(), progress);
     const Box box = box_in_grid(winding, grid);
     for (int axis = 0; axis < 3; ++axis) {

@@ -4,7 +4,7 @@
 #include "base/progress.h"
 #include "layered_depth/samples/layered_depth_image.h"
 #include "layered_depth/samples/node_consistency.h"
-#include "mesh/intersection/winding_number.h"
+#include "mesh/intersection/surface_winding.h"
 
 namespace mq::boolean {
 
@@ -31,6 +31,6 @@ struct WindingSampleCounts {
 /// @param winding of the operand's triangles, in the frame of the grid
 /// @throws Cancelled
 void sample_by_winding(LayeredDepthSet& set, const OperandSet& operands, int operand, const SampleGrid& grid,
-                       const mesh::WindingNumber& winding, WindingSampleCounts& counts, const Progress* progress);
+                       const mesh::SurfaceWinding& winding, WindingSampleCounts& counts, const Progress* progress);
 
 }  // namespace mq::boolean

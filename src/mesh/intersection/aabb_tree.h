@@ -87,10 +87,10 @@ class AabbTree {
 
     std::size_t node_count() const { return nodes_.size(); }
     Box node_box(std::int32_t node) const;
-    /// Children before their parents: take(node, i) for each triangle i of a leaf, join(node, child) for the two
+    /// Children before their parents: add(node, i) for each triangle i of a leaf, join(node, child) for the two
     /// children of every other node.
-    template <typename Take, typename Join>
-    void sum_up(Take&& take, Join&& join) const;
+    template <typename Add, typename Join>
+    void sum_up(Add&& add, Join&& join) const;
     /// Visits nodes from the root downwards: the children of a node if divide(node) is true; visit(i) is called for
     /// each triangle of the leaves that are reached.
     template <typename Divide, typename Visit>
@@ -327,8 +327,8 @@ void AabbTree::for_each_on_ray(const Vec3& origin, const Vec3& direction, double
     descend(Ray(origin, direction, reach), visit);
 }
 
-template <typename Take, typename Join>
-void AabbTree::sum_up(Take&& take, Join&& join) const {
+template <typename Add, typename Join>
+void AabbTree::sum_up(Add&& add, Join&& join) const {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
         const Node& node = nodes_[n];
         const auto index = static_cast<std::int32_t>(n);
@@ -337,7 +337,7 @@ void AabbTree::sum_up(Take&& take, Join&& join) const {
             join(index, node.first + 1);
         }
         for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-            take(index, items_[i].triangle);
+            add(index, items_[i].triangle);
         }
     }
 }

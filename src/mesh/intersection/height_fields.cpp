@@ -16,8 +16,8 @@ namespace mq::mesh {
 namespace {
 
 /// No patch, trial or number was assigned yet.
-constexpr std::int32_t kNone = -1;
-constexpr std::size_t kMost =
+constexpr std::int32_t kUnassigned = -1;
+constexpr std::size_t kMostTriangles =
     4096;  ///< largest number of triangles in a patch; larger patches overlap themselves more often
 constexpr double kSteepest = 0.5;  ///< least cosine between the axis and the normal of a triangle
 
@@ -211,15 +211,15 @@ class PatchFinder {
           triangles_(triangles),
           fewest_(fewest),
           twins_(edge_twins(triangles, vertices.size())),
-          patch_(triangles.size(), kNone),
-          tried_(triangles.size(), kNone) {}
+          patch_(triangles.size(), kUnassigned),
+          tried_(triangles.size(), kUnassigned) {}
 
     std::vector<std::int32_t> run(const Progress* progress) {
         std::int32_t trial = 0;
         std::int32_t patches = 0;
-        take_large_stars(trial, patches);
+        assign_large_stars(trial, patches);
         for (std::size_t seed = 0; seed < triangles_.size(); ++seed) {
-            if (tried_[seed] != kNone) {
+            if (tried_[seed] != kUnassigned) {
                 continue;
             }
             const View view = grow(static_cast<std::int32_t>(seed), trial);
@@ -240,21 +240,21 @@ class PatchFinder {
   private:
     /// A star with more triangles than the largest patch is one where it is embedded: as their boxes all meet in its
     /// center, every two of them would be tested.
-    void take_large_stars(std::int32_t& trial, std::int32_t& patches) {
+    void assign_large_stars(std::int32_t& trial, std::int32_t& patches) {
         std::vector<std::uint32_t> valence(vertices_.size(), 0);
         for (const Triangle& t : triangles_) {
             for (const std::int32_t v : t) {
                 ++valence[static_cast<std::size_t>(v)];
             }
         }
-        if (std::none_of(valence.begin(), valence.end(), [](std::uint32_t count) { return count > kMost; })) {
+        if (std::none_of(valence.begin(), valence.end(), [](std::uint32_t count) { return count > kMostTriangles; })) {
             return;
         }
         const VertexStars stars(triangles_, vertices_.size());
         for (std::size_t v = 0; v < vertices_.size(); ++v) {
             const VertexStars::Star star = stars[v];
-            if (star.size() <= kMost ||
-                std::any_of(star.begin(), star.end(), [&](std::uint32_t c) { return tried_[c / 3] != kNone; }) ||
+            if (star.size() <= kMostTriangles ||
+                std::any_of(star.begin(), star.end(), [&](std::uint32_t c) { return tried_[c / 3] != kUnassigned; }) ||
                 !embedded_star(vertices_, triangles_, star)) {
                 continue;
             }
@@ -297,10 +297,10 @@ class PatchFinder {
         if (!fits(seed, view)) {
             return view;
         }
-        for (std::size_t i = 0; i < members_.size() && members_.size() < kMost; ++i) {
+        for (std::size_t i = 0; i < members_.size() && members_.size() < kMostTriangles; ++i) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::int32_t twin = twins_[3 * static_cast<std::size_t>(members_[i]) + k];
-                if (twin >= 0 && tried_[static_cast<std::size_t>(twin / 3)] == kNone && fits(twin / 3, view)) {
+                if (twin >= 0 && tried_[static_cast<std::size_t>(twin / 3)] == kUnassigned && fits(twin / 3, view)) {
                     tried_[static_cast<std::size_t>(twin / 3)] = trial;
                     members_.push_back(twin / 3);
                 }

@@ -94,7 +94,7 @@ std::int32_t NearestTree::add(std::int32_t binary) {
         wide_[index].low[i].setZero();
         wide_[index].high[i].setZero();
     }
-    wide_[index].child.fill(kNone);
+    wide_[index].child.fill(kNoChild);
     for (std::size_t k = 0; k < entries.size(); ++k) {
         for (std::size_t i = 0; i < 3; ++i) {
             wide_[index].low[i][static_cast<Eigen::Index>(k)] = entries[k].bounds->low[i];
@@ -143,7 +143,7 @@ void NearestTree::for_each_near(const Vec3& p, const double& bound_squared, Visi
         const std::size_t bottom = height;
         for (std::size_t k = 0; k < kWidth; ++k) {
             const float d = distance[static_cast<Eigen::Index>(k)];
-            if (node.child[k] == kNone || static_cast<double>(d) > bound_squared) {
+            if (node.child[k] == kNoChild || static_cast<double>(d) > bound_squared) {
                 continue;
             }
             // The nearest on top.

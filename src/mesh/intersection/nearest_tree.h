@@ -42,8 +42,8 @@ class NearestTree : public AabbTree {
   private:
     static constexpr std::size_t kWidth = 4;
     using Lanes = Eigen::Array<float, kWidth, 1>;
-    static constexpr std::int32_t kNone = 0;  ///< the root, which is no child
-    /// Four boxes. A child is a node, ~triangle, or kNone.
+    static constexpr std::int32_t kNoChild = 0;  ///< the root, which is no child
+    /// Four boxes. A child is a node, ~triangle, or kNoChild.
     struct WideNode {
         std::array<Lanes, 3> low;
         std::array<Lanes, 3> high;

@@ -54,7 +54,7 @@ class Collector {
         return found_.size() < limit_;
     }
 
-    std::vector<ContactPair> take() { return std::move(found_); }
+    std::vector<ContactPair> release() { return std::move(found_); }
 
   private:
     bool in_one_patch(std::int32_t i, std::int32_t j) const {
@@ -96,7 +96,7 @@ class OccupiedCells {
     OccupiedCells(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                   const std::vector<std::int32_t>& marked)
         : grid_(vertices, box_of(vertices, triangles, marked),
-                {VertexGrid::kMost, VertexGrid::kMost, VertexGrid::kMost}),
+                {VertexGrid::kMostCells, VertexGrid::kMostCells, VertexGrid::kMostCells}),
           occupied_(grid_.size(), 0) {
         for (const std::int32_t t : marked) {
             all_ = all_ || !grid_.visit(triangles[t], kMostMarked, [this](std::size_t cell) {
@@ -156,17 +156,17 @@ std::vector<char> between_patches(std::size_t vertex_count, const std::vector<Tr
 std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                                     const std::vector<std::int32_t>& patch, const Progress* progress) {
     // Vertices in one parallel task: enough that starting a task costs little.
-    constexpr std::size_t kAtOnce = 8192;
+    constexpr std::size_t kVerticesAtOnce = 8192;
     std::vector<char> embedded = between_patches(vertices.size(), triangles, patch);
     std::vector<Triangle> around;  // all triangles with such a vertex
     std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(around), [&](const Triangle& t) {
         return std::any_of(t.begin(), t.end(), [&](std::int32_t v) { return embedded[v] != 0; });
     });
     const VertexStars stars(around, vertices.size());
-    parallel_for(static_cast<int>((vertices.size() + kAtOnce - 1) / kAtOnce), [&](int k) {
+    parallel_for(static_cast<int>((vertices.size() + kVerticesAtOnce - 1) / kVerticesAtOnce), [&](int k) {
         check_cancelled(progress);
-        const std::size_t first = kAtOnce * static_cast<std::size_t>(k);
-        for (std::size_t v = first; v < std::min(first + kAtOnce, vertices.size()); ++v) {
+        const std::size_t first = kVerticesAtOnce * static_cast<std::size_t>(k);
+        for (std::size_t v = first; v < std::min(first + kVerticesAtOnce, vertices.size()); ++v) {
             embedded[v] = static_cast<char>(embedded[v] != 0 && embedded_star(vertices, around, stars[v]));
         }
     });
@@ -208,7 +208,7 @@ std::vector<ContactPair> SelfIntersectionSearch::pairs(std::size_t limit) {
             check_cancelled(progress_);  // a collector checks for a cancellation only after many pairs
             Collector collector(vertices_, triangles_, patch_, embedded, limit, progress_);
             tree_->for_each_own_pair(tasks[first + static_cast<std::size_t>(k)], collector);
-            found[static_cast<std::size_t>(k)] = collector.take();
+            found[static_cast<std::size_t>(k)] = collector.release();
         });
         for (const std::vector<ContactPair>& part : found) {
             all.insert(all.end(), part.begin(), part.end());
@@ -272,7 +272,7 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
     part->for_each_pair(*whole, [&](std::int32_t i, std::int32_t j) {
         return i == j || (in_subset[j] != 0 && j < i) || collector(i, j);
     });
-    return sorted(collector.take());
+    return sorted(collector.release());
 }
 
 }  // namespace mq::mesh

@@ -75,7 +75,7 @@ double depth_of(const Vec3& p, const Vec3& q, const Corners& t) {
     return std::min(std::abs(normal.dot(p - t[0])), std::abs(normal.dot(q - t[0])));
 }
 
-void look_for_crossing(const Corners& edges, const Corners& other, TriangleDistance& found) {
+void include_crossing(const Corners& edges, const Corners& other, TriangleDistance& found) {
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3& p = edges[i];
         const Vec3& q = edges[(i + 1) % 3];
@@ -126,8 +126,8 @@ TriangleDistance triangle_distance(const Corners& first, const Corners& second) 
             keep_nearest(p, q, found);
         }
     }
-    look_for_crossing(first, second, found);
-    look_for_crossing(second, first, found);
+    include_crossing(first, second, found);
+    include_crossing(second, first, found);
     return found;
 }
 

@@ -19,9 +19,10 @@ namespace mq::mesh {
 /// cell take what is outside of the box.
 class VertexGrid {
   public:
-    static constexpr int kMost = 126;  ///< cells inside of the box along a side, so that an octet holds a coordinate
+    static constexpr int kMostCells =
+        126;  ///< cells inside of the box along a side, so that an octet holds a coordinate
 
-    /// @param count  cells inside of the box along each side, 1 to kMost
+    /// @param count  cells inside of the box along each side, 1 to kMostCells
     VertexGrid(const std::vector<Vec3>& vertices, const Box& box, const std::array<int, 3>& count)
         : cell_(vertices.size()), side_{count[0] + 2, count[1] + 2, count[2] + 2} {
         Vec3 scale;

@@ -59,10 +59,11 @@ class ElementLines {
     }
 
     void append(std::size_t k) const {
-        constexpr std::size_t kMost = 16, kFirst = 10;  // a line has at most 16 numbers, with that of the element
+        constexpr std::size_t kMostNumbers = 16,
+                              kFirst = 10;  // a line has at most 16 numbers, with that of the element
         out_.append_number(block_.first + k);
         for (std::size_t i = 0; i < places_.size(); ++i) {
-            out_ += places_.size() >= kMost && i == kFirst ? ",\n" : ",";
+            out_ += places_.size() >= kMostNumbers && i == kFirst ? ",\n" : ",";
             out_.append_number(block_.elements->of(k)[places_[i]] + 1);
         }
         out_ += '\n';

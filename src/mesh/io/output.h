@@ -21,7 +21,7 @@ class Output {
     explicit Output(Sink sink) : sink_(std::move(sink)), buffer_(new char[kSize]) {}
 
     Output& operator+=(char c) {
-        *room(1) = c;
+        *place(1) = c;
         ++used_;
         return *this;
     }
@@ -37,19 +37,19 @@ class Output {
             sink_(bytes, count);
             return;
         }
-        std::memcpy(room(count), bytes, count);
+        std::memcpy(place(count), bytes, count);
         used_ += count;
     }
 
     void append(std::size_t count, char c) {
-        std::memset(room(count), c, count);
+        std::memset(place(count), c, count);
         used_ += count;
     }
 
     /// Appends the shortest text that reads back as the same number.
     template <typename Number>
     void append_number(Number value) {
-        char* first = room(kNumber);
+        char* first = place(kNumber);
         used_ += static_cast<std::size_t>(std::to_chars(first, first + kNumber, value).ptr - first);
     }
 
@@ -70,7 +70,7 @@ class Output {
     static constexpr std::size_t kNumber = 32;  ///< more characters than the shortest text of any number has
 
     /// Where the next bytes go, up to `count` of them.
-    char* room(std::size_t count) {
+    char* place(std::size_t count) {
         if (used_ + count > kSize) {
             flush();
         }

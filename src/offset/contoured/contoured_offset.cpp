@@ -110,10 +110,10 @@ class ContouredOffset {
     /// chord apart in triangles up to 16 chords long: the chord of a ball of this distance whose arc is one tolerance
     /// high.
     bool is_near(const std::array<Vec3, 3>& c) const {
-        constexpr double kMost = 16.0;
+        constexpr double kMostChords = 16.0;
         const double longest = std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
         const double chord = std::sqrt(8.0 * distance_ * tolerance_);
-        const int parts = static_cast<int>(std::clamp(std::ceil(longest / chord), 2.0, kMost));
+        const int parts = static_cast<int>(std::clamp(std::ceil(longest / chord), 2.0, kMostChords));
         std::int32_t guess = -1;
         const auto near = [&](const Vec3& p) {
             const contour::LevelSample level = level_set_.at(p, guess);

@@ -9,7 +9,7 @@
 
 namespace mq::boolean {
 
-void settle_dilation(const Arrangement& arrangement, const mesh::NearestTree& tree, const DilationOptions& options,
+void assign_dilation(const Arrangement& arrangement, const mesh::NearestTree& tree, const DilationOptions& options,
                      Cells& cells, const Progress& progress) {
     const double deep = options.distance - options.tolerance;
     std::vector<char> within(arrangement.faces.size(), 0);

@@ -8,7 +8,7 @@
 
 namespace mq::boolean {
 
-/// How settle_dilation() tells the cells of an arrangement that lie within a distance of a surface.
+/// How assign_dilation() tells the cells of an arrangement that lie within a distance of a surface.
 struct DilationOptions {
     double distance = 0.0;   ///< mm
     double tolerance = 0.0;  ///< mm: larger than the error of the raw offset
@@ -25,7 +25,7 @@ struct DilationOptions {
 /// nearer by more than the tolerance, the cells on both sides of it are within the offset. All other cells are bounded
 /// by points at the distance; for these the winding number decides.
 /// @param tree  the triangles of the surface
-void settle_dilation(const Arrangement& arrangement, const mesh::NearestTree& tree, const DilationOptions& options,
+void assign_dilation(const Arrangement& arrangement, const mesh::NearestTree& tree, const DilationOptions& options,
                      Cells& cells, const Progress& progress);
 
 }  // namespace mq::boolean

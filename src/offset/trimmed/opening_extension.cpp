@@ -433,15 +433,15 @@ class OpeningExtension {
 
     /// Moves the vertices of rims along their walls, as far as the planes of the walls move by less than the flatness.
     void lift_walls() {
-        constexpr std::int32_t kNone = -1;
+        constexpr std::int32_t kNoDirection = -1;
         constexpr std::int32_t kSeveral = -2;
         const auto count = static_cast<std::int32_t>(twins_.size());
-        std::vector<std::int32_t> along(solid_.vertices.size(), kNone);  // directions
+        std::vector<std::int32_t> along(solid_.vertices.size(), kNoDirection);  // directions
         std::vector<double> lift(solid_.vertices.size(), kMostLift * options_.thickness);
         for (std::int32_t c = 0; c < count; ++c) {
             if (is_open(c)) {
                 std::int32_t& its = along[static_cast<std::size_t>(vertex(c))];
-                its = its == kNone || its == direction_at(c) ? direction_at(c) : kSeveral;
+                its = its == kNoDirection || its == direction_at(c) ? direction_at(c) : kSeveral;
             }
         }
         for (std::int32_t c = 0; c < count; ++c) {

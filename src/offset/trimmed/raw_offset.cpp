@@ -215,9 +215,9 @@ class RawOffsetBuilder {
         of_faces.normalize();
         of_triangles.normalize();
         // At the border of a face all of its triangles may lean to one side of its normal.
-        constexpr int kSteps = 16;
-        for (int step = surface_.normals.empty() ? kSteps : 0; step <= kSteps; ++step) {
-            const Vec3 direction = on_arc(of_faces, of_triangles, static_cast<double>(step) / kSteps);
+        constexpr int kArcSteps = 16;
+        for (int step = surface_.normals.empty() ? kArcSteps : 0; step <= kArcSteps; ++step) {
+            const Vec3 direction = on_arc(of_faces, of_triangles, static_cast<double>(step) / kArcSteps);
             bool is_near = true;
             for (std::size_t i = 0; i < count && is_near; ++i) {
                 is_near = direction.dot(normal(fan[(first + i) % fan.size()])) >= (step == 0 ? of_face : least_cosine);

@@ -150,7 +150,7 @@ class OffsetPipeline {
         const Arrangement arrangement = arrange(soup_, twins, crossing, progress_);
         stage("classifying", 0.6, 0.75);
         Cells cells = find_cells(soup_, arrangement, progress_);
-        settle_dilation(arrangement, searched_.tree, {distance_, OffsetTuning::kDeepShare * tolerance_, inward}, cells,
+        assign_dilation(arrangement, searched_.tree, {distance_, OffsetTuning::kDeepShare * tolerance_, inward}, cells,
                         progress_);
         stage("extracting", 0.75, 0.8);
         Extraction extraction = extract(soup_, arrangement, cells, Expression::chain(Operation::Union, 1), progress_);

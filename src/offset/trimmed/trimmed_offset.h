@@ -42,7 +42,7 @@ struct OffsetResult {
 /// exact offset.
 ///
 /// The raw offset of the surface is divided along its self-intersections (arrange), the cells within the distance are
-/// taken (settle_dilation), and their boundary is rounded (snap_round).
+/// taken (assign_dilation), and their boundary is rounded (snap_round).
 /// @param solid  closed, oriented outward, without self-intersections, as the results of boolean() are
 /// @throws InvalidInput for an option out of range
 /// @throws TopologyError if the result cannot be held in single precision, or more triangles cross than may be divided

@@ -72,7 +72,7 @@ bool Flipper::plan_face(int cell, int face, const FlipRule& rule) {
 }
 
 bool Flipper::plan_ring(int a, int b, const FlipRule& rule) {
-    if (ring_.x.size() > std::min(rule.most_around, kMost)) {
+    if (ring_.x.size() > std::min(rule.most_around, kMostAround)) {
         return false;
     }
     chord_from_ = chord_to_ = -1;

@@ -59,7 +59,7 @@ class Flipper {
     double triangle_quality(int a, int b, std::size_t i, std::size_t k, std::size_t j, const FlipRule& rule) const;
     bool crosses_chord(std::size_t i, std::size_t k) const;
 
-    static constexpr std::size_t kMost = 16;
+    static constexpr std::size_t kMostAround = 16;
 
     Tetrahedralisation& mesh_;
     EdgeRing ring_;

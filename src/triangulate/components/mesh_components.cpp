@@ -51,7 +51,7 @@ class Cutting {
         add_segments();
     }
 
-    MeshComponent take() { return std::move(result_); }
+    MeshComponent release() { return std::move(result_); }
 
   private:
     using Numbers = std::vector<int>;  // by index in the mesh: the index here, or -1
@@ -171,7 +171,7 @@ class Joining {
         add_segments(segment);
     }
 
-    JoinedComponents take() {
+    JoinedComponents release() {
         result_.vertices = std::move(vertices_);
         return std::move(result_);
     }
@@ -333,12 +333,12 @@ std::vector<std::vector<int>> groups_of(const std::vector<double>& work, std::si
 }
 
 MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles, const Progress* progress) {
-    return Cutting(mesh, std::move(triangles), progress).take();
+    return Cutting(mesh, std::move(triangles), progress).release();
 }
 
 JoinedComponents join(const ClassifiedMesh& divided, const std::vector<const MeshComponent*>& changed,
                       const Progress* progress) {
-    return Joining(divided, changed, progress).take();
+    return Joining(divided, changed, progress).release();
 }
 
 }  // namespace mq::triangulate

@@ -23,7 +23,7 @@ class Placement {
 
     bool place(const ClassifiedMesh& whole, const std::map<int, int>& nodes);
     bool keeps_sides() const;
-    bool take_points(geometry::Session& session);
+    bool evaluate_points(geometry::Session& session);
     void add_to(MeshComponent& component) const;
 
   private:
@@ -61,7 +61,7 @@ bool Placement::place(const ClassifiedMesh& whole, const std::map<int, int>& nod
 
 // Takes the points of the copy's own curves and surfaces.
 // @return whether these are where they should be
-bool Placement::take_points(geometry::Session& session) {
+bool Placement::evaluate_points(geometry::Session& session) {
     geometry::Engine::Batch batch;
     std::vector<int> vertices;
     for (int s = 0; s < original_.site_count(); ++s) {
@@ -161,7 +161,7 @@ bool add_placed(geometry::Session& session, const SinglePrecisionGrid& grid, con
                 const EqualBodies& equal, int copy, const ClassifiedMesh& whole, const std::map<int, int>& nodes,
                 MeshComponent& component) {
     Placement placement(grid, original, equal, copy);
-    if (!placement.place(whole, nodes) || !placement.take_points(session) || !placement.keeps_sides()) {
+    if (!placement.place(whole, nodes) || !placement.evaluate_points(session) || !placement.keeps_sides()) {
         return false;
     }
     session.check();

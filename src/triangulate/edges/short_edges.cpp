@@ -90,7 +90,7 @@ class ShortEdges {
             const Vec3 corner =
                 0.5 * (points_[topology_.uses[use].edge].front() + points_[topology_.uses[use].edge].back());
             return angle_between(point_along(before, false) - corner, point_along(after, true) - corner) >=
-                   geometry::DetailCorners::kLeast;
+                   geometry::DetailCorners::kLeastAngle;
         }
         return false;
     }

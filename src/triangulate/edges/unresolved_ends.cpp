@@ -147,7 +147,7 @@ void keep_open(geometry::Session& session, std::vector<FaceCorner> corners, std:
     const std::set<int> joined = joined_nodes(topology);
     const double reach = DetailCorners::kReach * topology.detail;
     // A margin, as the distance was measured from a place up to a detail away from the node.
-    const double least = DetailCorners::kLeast - 1.0 / DetailCorners::kReach;
+    const double least = DetailCorners::kLeastAngle - 1.0 / DetailCorners::kReach;
     const auto elsewhere = [&](const FaceCorner& corner) {
         const bool apart = !corner.at_one_node(topology);  // the edges between are contracted
         const auto closed = [&](int e) { return topology.edges[e].nodes[0] == topology.edges[e].nodes[1]; };

@@ -17,7 +17,7 @@ namespace mq::triangulate {
 /// a nut, the run-out of a thread) these cross there at will: vertices there would make triangles that fold, or edges
 /// that shrink without end. A single triangle spans the stretch instead.
 /// The same holds up to DetailCorners::kReach details from a node where details are joined or contracted, if the edges
-/// have opened by DetailCorners::kLeast there: a fillet that was tangent to the one edge leaves the other in its
+/// have opened by DetailCorners::kLeastAngle there: a fillet that was tangent to the one edge leaves the other in its
 /// direction, too.
 /// @param lengths  of the edges, mm; 0 for those that are a point
 std::vector<std::array<double, 2>> unresolved_ends(geometry::Session& session, const SinglePrecisionGrid& grid,

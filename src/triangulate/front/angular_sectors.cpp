@@ -29,7 +29,7 @@ bool AngularSectors::free(double from, double to) const {
     if (width <= kSame || width >= M_PI) {
         return false;
     }
-    return std::none_of(taken_.begin(), taken_.end(), [&](const Sector& s) {
+    return std::none_of(occupied_.begin(), occupied_.end(), [&](const Sector& s) {
         const double begins = turn(from, s.from);
         const double behind = turn(s.from, from);
         if (s.width <= kSame) {

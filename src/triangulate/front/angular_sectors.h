@@ -18,7 +18,7 @@ class AngularSectors {
     /// Whether the counter-clockwise sector between two directions is narrower than half a turn and unoccupied.
     bool free(double from, double to) const;
     /// Occupies the sector; two equal directions mark a cut (an edge with the face on both sides), not a full turn.
-    void take(double from, double to) { taken_.push_back({from, turn(from, to)}); }
+    void occupy(double from, double to) { occupied_.push_back({from, turn(from, to)}); }
 
     /// Returns the counter-clockwise angle between two directions, in [0, 2 pi).
     static double turn(double from, double to);
@@ -30,7 +30,7 @@ class AngularSectors {
     };
     Vec3 x_;
     Vec3 y_;
-    std::vector<Sector> taken_;
+    std::vector<Sector> occupied_;
 };
 
 }  // namespace mq::triangulate

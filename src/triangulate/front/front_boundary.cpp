@@ -71,7 +71,7 @@ void FrontBorder::check_angles() {
     }
 }
 
-void FrontBorder::take_outside(int site, AngularSectors& fan) const {
+void FrontBorder::occupy_outside(int site, AngularSectors& fan) const {
     const Vec3& here = border_.sites[site].point;
     for (const int b : before_[site]) {
         const double in = fan.angle_of(border_.sites[b].point - here);
@@ -84,7 +84,7 @@ void FrontBorder::take_outside(int site, AngularSectors& fan) const {
                 out = angle;
             }
         }
-        fan.take(in, out);
+        fan.occupy(in, out);
     }
 }
 

@@ -29,7 +29,7 @@ class FrontBorder {
     /// The reason why the border cannot be a front; empty if it can.
     const std::string& failure() const { return failure_; }
     /// Marks the sectors outside of the face around a site as occupied.
-    void take_outside(int site, AngularSectors& fan) const;
+    void occupy_outside(int site, AngularSectors& fan) const;
     /// Replaces a merged site in every triangle by that one of its images which is nearest to the triangle in (u, v).
     void part_merged(FaceMesh& face) const;
 

@@ -201,12 +201,12 @@ FaceMesh CacheRestore::restored(const EdgeDiscretisation& chains, int face) {
     return mesh;
 }
 
-void CacheRestore::settle(const EdgeDiscretisation& chains, Workspace& work, ChordErrorCache& measure,
-                          double min_angle) {
+void CacheRestore::mark_settled(const EdgeDiscretisation& chains, Workspace& work, ChordErrorCache& measure,
+                                double min_angle) {
     const auto triangles = work.mesh.triangles_by_face(faces_.size());
     for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
         if (faces_[f] != nullptr && same_borders(chains, f)) {  // no piece was halved for a neighbouring face
-            settle_face(f, triangles[f], min_angle * kDegree, work, measure);
+            mark_settled_face(f, triangles[f], min_angle * kDegree, work, measure);
             settled_[f] = corners(work.mesh, triangles[f]);
         }
     }
@@ -244,8 +244,8 @@ void CacheRestore::mark_given_up(const EdgeDiscretisation& chains, const std::ve
     }
 }
 
-void CacheRestore::settle_face(int face, const std::vector<int>& triangles, double bound, Workspace& work,
-                               ChordErrorCache& measure) const {
+void CacheRestore::mark_settled_face(int face, const std::vector<int>& triangles, double bound, Workspace& work,
+                                     ChordErrorCache& measure) const {
     const CachedFace& remembered = *faces_[face];
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const int t = triangles[i];
@@ -254,7 +254,7 @@ void CacheRestore::settle_face(int face, const std::vector<int>& triangles, doub
         }
         for (int k = 0; k < 3; ++k) {
             if (exact(face)) {
-                measure.take(3 * t + k, remembered.measured[3 * i + k]);
+                measure.set_measured(3 * t + k, remembered.measured[3 * i + k]);
             }
         }
     }

@@ -24,7 +24,7 @@ class CacheRestore {
     /// To be called once all faces are triangulated and assembled. Marks triangles of restored faces as settled if
     /// their angles reach `min_angle` (degrees), or if they were exempt and their neighbourhood is unchanged; passes
     /// the cached measurements on.
-    void settle(const EdgeDiscretisation& chains, Workspace& work, ChordErrorCache& measure, double min_angle);
+    void mark_settled(const EdgeDiscretisation& chains, Workspace& work, ChordErrorCache& measure, double min_angle);
 
     /// Whether any face was restored from the cache.
     bool began() const;
@@ -48,8 +48,8 @@ class CacheRestore {
     void drop_over_refined();
     bool made_fine_by_changes(int face) const;
     FaceMesh restored(const EdgeDiscretisation& chains, int face);
-    void settle_face(int face, const std::vector<int>& triangles, double bound, Workspace& work,
-                     ChordErrorCache& measure) const;
+    void mark_settled_face(int face, const std::vector<int>& triangles, double bound, Workspace& work,
+                           ChordErrorCache& measure) const;
     void mark_given_up(const EdgeDiscretisation& chains, const std::vector<std::vector<int>>& triangles,
                        Workspace& work) const;
     static std::vector<Corners> corners(const ClassifiedMesh& mesh, const std::vector<int>& triangles);

@@ -85,7 +85,7 @@ class FaceWriter {
         return own;
     }
 
-    CachedFace take() { return std::move(result_); }
+    CachedFace release() { return std::move(result_); }
 
   private:
     std::size_t min_sample_count(int edge, const CacheRestore* restore) const {
@@ -187,7 +187,7 @@ std::map<geometry::Fingerprint, std::shared_ptr<const CachedFace>> store(const W
         if (triangles[f].empty() || !writer.write(triangles[f])) {
             continue;
         }
-        auto face = std::make_shared<CachedFace>(writer.take());
+        auto face = std::make_shared<CachedFace>(writer.release());
         for (const int t : triangles[f]) {
             for (int h = 3 * t; h < 3 * t + 3; ++h) {
                 face->measured.push_back(measure.measured(h));

@@ -14,12 +14,12 @@ namespace {
 using Piece = FaceBoundary::Piece;
 using VertexUse = FaceMesh::VertexUse;
 
-constexpr int kSteps = 64;                    // Samples along a collapsed side at which normals are compared.
+constexpr int kNormalSamples = 64;            // Samples along a collapsed side at which normals are compared.
 constexpr double kMostTurn = 60.0 * kDegree;  // Radians: largest turn of the normal along one piece.
 // Distance of the samples from the side, as a fraction of the size of the domain: on the side itself there is no
 // normal.
 constexpr double kInside = 1e-3;
-constexpr double kRounding = 1e-9;  // rounding, as a fraction of the size of the domain
+constexpr double kDomainRounding = 1e-9;  // rounding, as a fraction of the size of the domain
 
 // Returns the parameter along which the side runs; -1: neither, where points between its ends would not lie on it
 // exactly. Removes a difference by rounding between the ends in the other parameter.
@@ -27,8 +27,8 @@ int direction_of(const geometry::Face& face, const VertexUse& from, VertexUse& t
     int direction = -1;
     for (int i = 0; i < 2; ++i) {
         const double range = face.high[i] - face.low[i];
-        if (std::abs(to.uv[1 - i] - from.uv[1 - i]) <= kRounding * (face.high[1 - i] - face.low[1 - i]) &&
-            std::abs(to.uv[i] - from.uv[i]) > kRounding * range) {
+        if (std::abs(to.uv[1 - i] - from.uv[1 - i]) <= kDomainRounding * (face.high[1 - i] - face.low[1 - i]) &&
+            std::abs(to.uv[i] - from.uv[i]) > kDomainRounding * range) {
             direction = i;
             to.uv[1 - i] = from.uv[1 - i];
         }
@@ -48,21 +48,21 @@ std::vector<double> places(geometry::Oracle& oracle, int face, const VertexUse& 
     const double range = data.high[across] - data.low[across];
     const double inwards = from.uv[across] < 0.5 * (data.low[across] + data.high[across]) ? kInside : -kInside;
     geometry::Engine::Batch batch;
-    for (int i = 0; i <= kSteps; ++i) {
-        Vec2 uv = between(from, to, static_cast<double>(i) / kSteps);
+    for (int i = 0; i <= kNormalSamples; ++i) {
+        Vec2 uv = between(from, to, static_cast<double>(i) / kNormalSamples);
         uv[across] += inwards * range;
         batch.push_back(geometry::Query::face_point(face, uv.x(), uv.y()));
     }
     const geometry::Engine::Answers answers = oracle.ask(std::move(batch));
     std::vector<double> result;
     double turn = 0.0;
-    for (int i = 1; i < kSteps; ++i) {
+    for (int i = 1; i < kNormalSamples; ++i) {
         if (!answers[i].found() || !answers[i - 1].found() || !answers[i + 1].found()) {
             continue;
         }
         turn += angle_between(answers[i - 1].normal, answers[i].normal);
         if (turn + angle_between(answers[i].normal, answers[i + 1].normal) > kMostTurn) {
-            result.push_back(static_cast<double>(i) / kSteps);
+            result.push_back(static_cast<double>(i) / kNormalSamples);
             turn = 0.0;
         }
     }

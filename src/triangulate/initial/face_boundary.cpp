@@ -26,8 +26,8 @@ struct Run {
 // they are the same everywhere.
 Vec2 metric_scale(geometry::Oracle& oracle, int face, bool plane) {
     const geometry::Face& f = oracle.topology().faces[face];
-    constexpr int kSteps = 5;  // Samples of the derivatives along each parameter; an average needs no more.
-    const int steps = plane ? 1 : kSteps;
+    constexpr int kDerivativeSamples = 5;  // Samples of the derivatives along each parameter; an average needs no more.
+    const int steps = plane ? 1 : kDerivativeSamples;
     geometry::Engine::Batch batch;
     batch.reserve(static_cast<std::size_t>(steps * steps));
     for (int i = 0; i < steps; ++i) {

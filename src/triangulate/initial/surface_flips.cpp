@@ -27,7 +27,7 @@ void SurfaceFlips::run() {
 }
 
 bool SurfaceFlips::better_flipped(int h) const {
-    constexpr double kRounding = 1e-9;  // Rounding of a cosine: a smaller gain could be undone by the next flip.
+    constexpr double kCosineRounding = 1e-9;  // Rounding of a cosine: a smaller gain could be undone by the next flip.
     const int g = plane.twin(h);
     const int a = plane.corner(h);
     const int b = plane.corner(ConstrainedDelaunay::next(h));
@@ -38,8 +38,9 @@ bool SurfaceFlips::better_flipped(int h) const {
     }
     const double now = std::min(uprightness(a, b, c), uprightness(b, a, d));
     const double then = std::min(uprightness(a, d, c), uprightness(d, b, c));
-    return then > now + kRounding || (for_angles && now == upright && then == upright &&
-                                      !locally_maxmin(site(a).point, site(b).point, site(c).point, site(d).point));
+    return then > now + kCosineRounding ||
+           (for_angles && now == upright && then == upright &&
+            !locally_maxmin(site(a).point, site(b).point, site(c).point, site(d).point));
 }
 
 // Returns the least cosine between the normal of a triangle and those of the surface at its corners, limited to

@@ -24,7 +24,7 @@ using geometry::Session;
 constexpr std::initializer_list<double> kBesideCurve{-0.15, 0.15};
 constexpr std::initializer_list<double> kBesideClose{-0.05, 0.05};  // The same where it is close to the tolerance.
 
-void take_into(Distance& result, double distance, const Vec3& point, bool avoidable) {
+void include(Distance& result, double distance, const Vec3& point, bool avoidable) {
     if (distance >= result.distance) {
         result.distance = distance;
         result.point = point;
@@ -37,10 +37,9 @@ void take_into(Distance& result, double distance, const Vec3& point, bool avoida
 
 // Adds the answer about a point of a piece to its distance. `unavoidable`: distance in mm between the point and the CAD
 // model that no mesh can avoid.
-void take_answer(Distance& result, const Answer& answer, const Vec3& point, double unavoidable, double tolerance) {
+void include_answer(Distance& result, const Answer& answer, const Vec3& point, double unavoidable, double tolerance) {
     if (answer.found()) {
-        take_into(result, answer.distance, point,
-                  answer.distance - unavoidable > MeasureTuning::kAvoidable * tolerance);
+        include(result, answer.distance, point, answer.distance - unavoidable > MeasureTuning::kAvoidable * tolerance);
     }
 }
 
@@ -91,7 +90,7 @@ ChordErrorCache::Measured ChordErrorCache::measured(int half_edge) const {
     return result;
 }
 
-void ChordErrorCache::take(int half_edge, const Measured& measured) {
+void ChordErrorCache::set_measured(int half_edge, const Measured& measured) {
     const int s = work_.mesh.segment_of(half_edge);
     known_.resize(static_cast<std::size_t>(work_.mesh.number_count()));
     known_[static_cast<std::size_t>(work_.mesh.number_of(s >= 0 ? half_edge_of(s) : half_edge))] = {
@@ -101,9 +100,9 @@ void ChordErrorCache::take(int half_edge, const Measured& measured) {
     }
 }
 
-void ChordErrorCache::take_over(const ChordErrorCache& other, int first) {
+void ChordErrorCache::adopt(const ChordErrorCache& other, int first) {
     for (int h = 0; h < other.work_.mesh.half_edge_count(); ++h) {
-        take(first + h, other.measured(h));
+        set_measured(first + h, other.measured(h));
     }
 }
 
@@ -142,7 +141,7 @@ std::vector<Distance> ChordErrorCache::of_segments(const std::vector<int>& segme
         const Vec3 p = between(mesh.vertex(s.vertices[0]).point, mesh.vertex(s.vertices[1]).point, at);
         const double guess = (1.0 - at) * s.t[0] + at * s.t[1];
         const Answer foot = answerer.answer(Query::edge_nearest(s.edge, work_.grid.to_shape(p), guess, s.t[0], s.t[1]));
-        take_answer(results[i], foot, p, 0.0, tolerance);
+        include_answer(results[i], foot, p, 0.0, tolerance);
         const Vec3 way = foot.found() ? Vec3(work_.grid.to_shape(p) - foot.point) : Vec3::Zero();
         return Offset{way.x(), way.y(), way.z()};
     };
@@ -163,7 +162,7 @@ std::vector<Distance> ChordErrorCache::of_segments(const std::vector<int>& segme
         if (!settled(half_edge_of(segments[i]), tolerance) && results[i].distance <= tolerance) {
             const BackwardDistance back = backward_distance(work_, s.edge, {mesh.vertex(s.vertices[0]).point, s.t[0]},
                                                             {mesh.vertex(s.vertices[1]).point, s.t[1]});
-            take_into(results[i], back.distance, back.nearest, back.distance > MeasureTuning::kAvoidable * tolerance);
+            include(results[i], back.distance, back.nearest, back.distance > MeasureTuning::kAvoidable * tolerance);
             unsettled.push_back(i);
         }
     }
@@ -225,7 +224,7 @@ std::optional<Answer> ChordErrorCache::measure_edge(Answerer& answerer, int half
         const Vec2 uv = (1.0 - at) * mesh.site(mesh.site_of(half_edge)).uv + at * mesh.site(mesh.site_of(next)).uv;
         Answer foot =
             answerer.answer(Query::face_nearest(mesh.face_of(half_edge / 3), work_.grid.to_shape(p), uv.x(), uv.y()));
-        take_answer(result, foot, p, unavoidable(offset(half_edge), offset(next), at, tolerance), tolerance);
+        include_answer(result, foot, p, unavoidable(offset(half_edge), offset(next), at, tolerance), tolerance);
         return foot;
     };
     std::optional<Answer> far;
@@ -375,7 +374,7 @@ void ChordErrorCache::measure_triangle(Answerer& answerer, int triangle, double 
         }
         const Answer foot =
             answerer.answer(Query::face_nearest(mesh.face_of(triangle), work_.grid.to_shape(p), uv.x(), uv.y()));
-        take_answer(result, foot, p, farthest > tolerance ? unavoidable : 0.0, tolerance);
+        include_answer(result, foot, p, farthest > tolerance ? unavoidable : 0.0, tolerance);
     };
     const TriangleHeights over = heights(h);
     if (!(over.bound() > MeasureTuning::kWorthAsking * tolerance)) {
@@ -409,7 +408,7 @@ void ChordErrorCache::measure_backward(int triangle, double tolerance, Distance&
             farthest = std::max(farthest, off);
         }
         unavoidable = farthest > tolerance ? unavoidable : 0.0;
-        take_into(result, p.distance, p.below, p.distance - unavoidable > MeasureTuning::kAvoidable * tolerance);
+        include(result, p.distance, p.below, p.distance - unavoidable > MeasureTuning::kAvoidable * tolerance);
     });
 }
 

@@ -59,9 +59,9 @@ class ChordErrorCache {
         std::array<double, 3> offset{0, 0, 0};  ///< offset of a segment's middle from its curve, mm
     };
     Measured measured(int half_edge) const;
-    void take(int half_edge, const Measured& measured);
+    void set_measured(int half_edge, const Measured& measured);
     /// Takes all measurements of the mesh of another cache, whose half-edges are `first`, first + 1, ... here.
-    void take_over(const ChordErrorCache& other, int first);
+    void adopt(const ChordErrorCache& other, int first);
 
     /// Follows ClassifiedMesh::renumber_edges.
     void renumber(const LargeVector<int>& renewed) { move_to_numbers(renewed, known_); }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSinglePrecision = 1.0 - 1e-6;
 
 // Pieces measured at a time: the results for all would be larger than the mesh.
-constexpr std::size_t kAtOnce = 8192;
+constexpr std::size_t kMeasuredAtOnce = 8192;
 
 struct Pieces {
     std::vector<int> segments;
@@ -27,9 +27,9 @@ struct Pieces {
 // Calls `see` for blocks of pieces.
 template <typename See>
 void in_blocks(const LargeVector<int>& pieces, const See& see) {
-    for (std::size_t from = 0; from < pieces.size(); from += kAtOnce) {
+    for (std::size_t from = 0; from < pieces.size(); from += kMeasuredAtOnce) {
         const int* const first = pieces.data() + from;
-        see(std::vector<int>(first, first + std::min(kAtOnce, pieces.size() - from)));
+        see(std::vector<int>(first, first + std::min(kMeasuredAtOnce, pieces.size() - from)));
     }
 }
 

@@ -17,7 +17,7 @@ using geometry::Query;
 // several local minima.
 constexpr std::array<double, 5> kGuesses{0.02, 0.25, 0.5, 0.75, 0.98};
 
-void take(SurfaceProjection& foot, const Answer& answer, int face) {
+void keep_nearer(SurfaceProjection& foot, const Answer& answer, int face) {
     if (answer.found() && answer.distance < foot.distance) {
         foot = {answer.distance, face, answer.point, Vec2(answer.u, answer.v), answer.normal};
     }
@@ -60,7 +60,7 @@ void ask_edges(Workspace& work, const std::vector<Vec3>& points, const Candidate
     }
     const Engine::Answers answers = work.session.ask(std::move(batch));
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        take(feet[owner[i]], answers[i], -1);
+        keep_nearer(feet[owner[i]], answers[i], -1);
     }
 }
 
@@ -82,7 +82,7 @@ std::vector<SurfaceProjection> project_onto(Workspace& work, const std::vector<V
     std::vector<SurfaceProjection> feet(points.size());
     if (count == 1) {
         for (std::size_t i = 0; i < points.size(); ++i) {
-            take(feet[i], nearest[i], sheets.faces[0]);
+            keep_nearer(feet[i], nearest[i], sheets.faces[0]);
         }
         return feet;
     }
@@ -93,7 +93,7 @@ std::vector<SurfaceProjection> project_onto(Workspace& work, const std::vector<V
     const Engine::Answers sides = work.session.ask(std::move(inside));
     for (std::size_t i = 0; i < nearest.size(); ++i) {
         if (sides[i].found() && sides[i].side >= 0) {
-            take(feet[i / count], nearest[i], sheets.faces[i % count]);
+            keep_nearer(feet[i / count], nearest[i], sheets.faces[i % count]);
         }
     }
     ask_edges(work, points, sheets, feet);

@@ -16,7 +16,7 @@ namespace {
 // The distance of apexes from the planes of sides is estimated from the other corners: this factor is the safety
 // margin.
 constexpr double kEstimated = 0.95;
-constexpr double kRounding = 1.0 - 1e-9;  // Margin for rounding in the comparison of angles.
+constexpr double kAngleMargin = 1.0 - 1e-9;  // Margin for rounding in the comparison of angles.
 
 // Whether the angle inside the disc between the side that ends at a corner and the one that begins there is smaller
 // than the one with this cosine. Far cheaper than the angle.
@@ -135,7 +135,7 @@ int side_without_apexes(const PlaneRim& rim, double angle) {
 }  // namespace
 
 FanFeasibility::FanFeasibility(const ClassifiedMesh& mesh, const Cavity& disc, double angle)
-    : angle_(kRounding * angle),
+    : angle_(kAngleMargin * angle),
       blocking_side_(side_without_apexes(PlaneRim(mesh, disc), angle_)),
       angles_(disc.rim.size(), 2.0 * M_PI),
       next_(disc.rim.size()),

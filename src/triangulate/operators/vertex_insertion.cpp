@@ -182,7 +182,7 @@ Location locate(const ClassifiedMesh& mesh, int triangle, const SurfacePoint& p)
     return {};
 }
 
-Surroundings look_around(const ClassifiedMesh& mesh, int triangle, const Vec3& p) {
+Surroundings surroundings_of(const ClassifiedMesh& mesh, int triangle, const Vec3& p) {
     Surroundings result;
     std::vector<int> queue{triangle};
     queue.reserve(32);
@@ -217,7 +217,7 @@ std::optional<Cause> insert_vertex(Workspace& work, int triangle, const SurfaceP
     if (!cavity.complete) {
         return Cause::Fold;
     }
-    if (!work.has_room(2)) {
+    if (!work.check_budget(2)) {
         return Cause::Budget;
     }
     const int face = mesh.face_of(triangle);

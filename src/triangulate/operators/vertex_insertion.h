@@ -57,7 +57,7 @@ struct Surroundings {
     double nearest = 1e300;       ///< distance to the nearest vertex, mm
     std::vector<int> triangles;   ///< the visited triangles, including `triangle`
 };
-Surroundings look_around(const ClassifiedMesh& mesh, int triangle, const Vec3& p);
+Surroundings surroundings_of(const ClassifiedMesh& mesh, int triangle, const Vec3& p);
 
 /// Inserts a vertex into a triangle, adds the neighbours that it would otherwise fold with, and restores the maxmin
 /// property. If the vertex would be too close to a corner or fold the mesh nevertheless, changes nothing and returns

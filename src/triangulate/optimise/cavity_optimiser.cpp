@@ -423,17 +423,17 @@ std::optional<SurfacePoint> CavityOptimiser::apex_near(const Cavity& disc, const
 }
 
 // Whether the budget has room for the fan.
-bool CavityOptimiser::has_room(const Retriangulation& proposal) {
+bool CavityOptimiser::within_budget(const Retriangulation& proposal) {
     const std::size_t now = proposal.disc.triangles.size();
     const std::size_t then = proposal.disc.rim.size() - (proposal.apex_site >= 0 ? 2 : 0);
-    return then <= now || work_.has_room(then - now);
+    return then <= now || work_.check_budget(then - now);
 }
 
 bool CavityOptimiser::apply(const Retriangulation& proposal) {
     const ClassifiedMesh& mesh = work_.mesh;
     const Cavity& disc = proposal.disc;
     int site = proposal.apex_site;
-    if (!has_room(proposal)) {
+    if (!within_budget(proposal)) {
         return false;
     }
     if (site >= 0) {
@@ -460,7 +460,7 @@ std::vector<int> CavityOptimiser::replace(const Cavity& disc, int apex_site) {
     undo_.about_to_remove(disc.triangles);
     const std::vector<int> added = replace_by_fan(work_, disc, apex_site, bound_);
     undo_.added(added);
-    look_again_around(added);
+    requeue_around(added);
     return added;
 }
 
@@ -468,12 +468,12 @@ bool CavityOptimiser::slide(int triangle) {
     const auto changed = slider_.improve(
         triangle, bound_, [&](double before) { return enough_after(before); }, undo_);
     undo_.added(changed);
-    look_again_around(changed);
+    requeue_around(changed);
     return !changed.empty();
 }
 
 // Triangles beside the change that failed before are tried again.
-void CavityOptimiser::look_again_around(const std::vector<int>& changed) {
+void CavityOptimiser::requeue_around(const std::vector<int>& changed) {
     for (const int t : changed) {
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             for (const int other : triangles_around(work_.mesh, h)) {

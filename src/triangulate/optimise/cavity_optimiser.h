@@ -100,7 +100,7 @@ class CavityOptimiser {
     std::vector<Cavity> grown(const std::vector<Cavity>& discs, const std::vector<int>& over) const;
     bool try_best(std::vector<Retriangulation>& proposals, double at_least);
     std::optional<SurfacePoint> apex_near(const Cavity& disc, const Vec3& p) const;
-    bool has_room(const Retriangulation& proposal);
+    bool within_budget(const Retriangulation& proposal);
     bool apply(const Retriangulation& proposal);
     std::vector<int> replace(const Cavity& disc, int apex_site);
     bool slide(int triangle);
@@ -139,7 +139,7 @@ class CavityOptimiser {
     bool can_be_split(int segment) const;
     bool split(int segment, double fraction);
 
-    void look_again_around(const std::vector<int>& changed);
+    void requeue_around(const std::vector<int>& changed);
     double enough_after(double before) const;
     bool good_enough(const Cavity& disc, const Corner& apex, int apex_site, double before) const;
     bool near_surface(const Cavity& disc, const Corner& apex, const Vec2& uv, int apex_site) const;

@@ -82,10 +82,10 @@ std::vector<int> EdgeVertexRelocation::triangles_around(const EdgeVertexStar& be
 std::optional<EdgeVertexRelocation::Angles> EdgeVertexRelocation::angles_with(const EdgeVertexStar& bead,
                                                                               const Vec3& point,
                                                                               const Angles& at_least) const {
-    constexpr double kNone = 2.0;
+    constexpr double kNoSquaredSine = 2.0;
     const ClassifiedMesh& mesh = work_.mesh;
     const double enough = sine_squared_below(at_least.beside);
-    double squared_sine = kNone;
+    double squared_sine = kNoSquaredSine;
     Angles least;
     for (std::size_t k = 0; k < bead.spokes.size(); ++k) {
         for (std::size_t i = 0; i < bead.spokes[k].size(); ++i) {
@@ -103,7 +103,7 @@ std::optional<EdgeVertexRelocation::Angles> EdgeVertexRelocation::angles_with(co
             }
         }
     }
-    least.beside = squared_sine < kNone ? std::asin(std::sqrt(squared_sine)) : least.beside;
+    least.beside = squared_sine < kNoSquaredSine ? std::asin(std::sqrt(squared_sine)) : least.beside;
     return least.beside >= at_least.beside ? std::optional(least) : std::nullopt;
 }
 
@@ -146,7 +146,7 @@ std::vector<EdgeVertexRelocation::Place> EdgeVertexRelocation::places_for(const 
     const auto at = [&](double step) { return t + step * (step < 0.0 ? back : on); };
     std::vector<double> parameters;
     const double shorter = std::abs(back) < std::abs(on) ? back : on;
-    for (const double step : OptimisationTuning::kSteps) {
+    for (const double step : OptimisationTuning::kEdgeSteps) {
         parameters.push_back(at(step));
         // Innermost pieces at small input angles are far longer than the next ones.
         parameters.push_back(t + step * shorter);

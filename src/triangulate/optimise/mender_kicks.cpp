@@ -108,7 +108,7 @@ void CavityOptimiser::add_moves(int triangle, std::vector<Perturbation>& kicks) 
 bool CavityOptimiser::move(int vertex, double step) {
     const std::vector<int> changed = slider_.move(vertex, step, bound_, undo_);
     undo_.added(changed);
-    look_again_around(changed);
+    requeue_around(changed);
     return !changed.empty();
 }
 
@@ -131,7 +131,7 @@ bool CavityOptimiser::split(int segment, double fraction) {
             return false;
         }
     }
-    if (!work_.has_room(old.uses.size())) {
+    if (!work_.check_budget(old.uses.size())) {
         return false;
     }
     std::vector<int> beside;
@@ -145,7 +145,7 @@ bool CavityOptimiser::split(int segment, double fraction) {
     undo_.added(halves);
     split_ = {segment, far};
     restore_exemptions(work_, halves, bound_, reason);
-    look_again_around(halves);
+    requeue_around(halves);
     return std::all_of(halves.begin(), halves.end(), [&](int h) { return alignment(mesh, h) >= least_aligned_; });
 }
 

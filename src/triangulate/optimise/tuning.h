@@ -56,7 +56,7 @@ struct OptimisationTuning {
     /// direction.
     static constexpr std::array<double, 4> kMoves{-0.3, -0.15, 0.15, 0.3};
     /// Steps of the relocation of vertices along their CAD edges, as the same fractions.
-    static constexpr std::array<double, 8> kSteps{-0.6, -0.45, -0.3, -0.15, 0.15, 0.3, 0.45, 0.6};
+    static constexpr std::array<double, 8> kEdgeSteps{-0.6, -0.45, -0.3, -0.15, 0.15, 0.3, 0.45, 0.6};
     /// Finer steps around the best of these, as the same fractions.
     static constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};
     /// Positions tried for one vertex on a CAD edge.

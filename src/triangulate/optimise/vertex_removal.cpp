@@ -180,14 +180,14 @@ std::vector<std::optional<VertexRemoval::RemovalPlan>> VertexRemoval::plans_for(
 // @return whether any was removed
 bool VertexRemoval::remove_some(std::vector<int>& candidates) {
     // Plans that are made at a time, about a MB.
-    constexpr std::size_t kAtOnce = 4096;
+    constexpr std::size_t kPlansAtOnce = 4096;
     // New triangles take the indices of old ones, so that these stay taken.
     LargeVector<char> taken(static_cast<std::size_t>(work_.mesh.triangle_count()), 0);
     bool changed = false;
     std::vector<int> later;
-    for (std::size_t from = 0; from < candidates.size(); from += kAtOnce) {
+    for (std::size_t from = 0; from < candidates.size(); from += kPlansAtOnce) {
         work_.progress.check();
-        const std::size_t to = std::min(from + kAtOnce, candidates.size());
+        const std::size_t to = std::min(from + kPlansAtOnce, candidates.size());
         std::vector<RemovalPlan> chosen;
         for (std::optional<RemovalPlan>& plan : plans_for(candidates.data() + from, candidates.data() + to)) {
             if (plan) {

@@ -30,7 +30,7 @@ namespace {
 
 // Components that are refined apart: enough for the cores of a large computer; each has tables of all CAD entities.
 // Copies of bodies are as many further ones.
-constexpr std::size_t kMost = 64;
+constexpr std::size_t kMostGroups = 64;
 // Largest fraction of the work on one body: otherwise its steps gain more from several threads.
 constexpr double kLargest = 0.75;
 
@@ -189,7 +189,7 @@ class BodyRefinement {
                 work.push_back(bodies_[b].work);
             }
         }
-        std::vector<Group> result = groups_of(work, kMost);
+        std::vector<Group> result = groups_of(work, kMostGroups);
         for (Group& group : result) {
             std::transform(group.begin(), group.end(), group.begin(),
                            [&](int i) { return members[static_cast<std::size_t>(i)]; });
@@ -333,7 +333,7 @@ void join_into(Refinement& whole, ChordErrorCache& measured, const ComponentWork
     work.shrinks.resize(static_cast<std::size_t>(work.mesh.vertex_count()), 0);
     for (std::size_t i = 0; i < works.size(); ++i) {
         work.progress.check();
-        works[i]->give(work, measured, joined.first[i], joined.vertices[i]);
+        works[i]->write_to(work, measured, joined.first[i], joined.vertices[i]);
     }
 }
 

@@ -50,14 +50,14 @@ ComponentWork::ComponentWork(MeshComponent component, const Common& common, bool
 
 ComponentWork::ComponentWork(MeshComponent component, const Common& common)
     : ComponentWork(std::move(component), common, false) {
-    take(common.whole.work(), common.measured);
+    read_from(common.whole.work(), common.measured);
     start(common.whole, index_of(common.whole.first_vertex()));
 }
 
 ComponentWork::ComponentWork(PlacedBodies& placed, const Common& common)
-    : ComponentWork(placed.take_component(), common, true) {
-    take(placed);
-    settle(common.whole.options().min_angle * kDegree);
+    : ComponentWork(placed.release_component(), common, true) {
+    read_from(placed);
+    mark_settled(common.whole.options().min_angle * kDegree);
     start(common.whole, work_.mesh.vertex_count());
 }
 
@@ -66,7 +66,7 @@ void ComponentWork::start(Refinement& whole, int first_vertex) {
                         [this](const char* stage) { clock_.end(stage); });
 }
 
-// Frees data that only refinement needs: `give` passes the rest on.
+// Frees data that only refinement needs: `write_to` passes the rest on.
 void ComponentWork::run() {
     refinement_->run();
     refinement_.reset();
@@ -80,11 +80,11 @@ int ComponentWork::index_of(int vertex_of_whole) const {
     return static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), vertex_of_whole) - vertices.begin());
 }
 
-void ComponentWork::take(const Workspace& whole, const ChordErrorCache& measured) {
+void ComponentWork::read_from(const Workspace& whole, const ChordErrorCache& measured) {
     for (std::size_t i = 0; i < component_.triangles.size(); ++i) {
         const int t = static_cast<int>(i);
         for (int k = 0; k < 3; ++k) {
-            findings_.chords.take(3 * t + k, measured.measured(3 * component_.triangles[i] + k));
+            findings_.chords.set_measured(3 * t + k, measured.measured(3 * component_.triangles[i] + k));
         }
         if (const Exemption* exemption = whole.exemption_of(component_.triangles[i])) {
             work_.exempt[t] = {exemption->cause, exemption->vertex < 0 ? -1 : index_of(exemption->vertex),
@@ -96,7 +96,7 @@ void ComponentWork::take(const Workspace& whole, const ChordErrorCache& measured
     }
 }
 
-void ComponentWork::take(const PlacedBodies& placed) {
+void ComponentWork::read_from(const PlacedBodies& placed) {
     for (const PlacedBodies::Copy& copy : placed.copies()) {
         progress_.check();
         work_.shrinks.insert(work_.shrinks.end(), copy.original.shrinks.begin(), copy.original.shrinks.end());
@@ -108,13 +108,13 @@ void ComponentWork::take(const PlacedBodies& placed) {
             exemption.edge = of_original.edge < 0 ? -1 : placed.equal().in_copy({1, of_original.edge}, copy.body);
             exemption.stamp = work_.mesh.stamp(t);
         }
-        take_measured(copy, placed.equal().motion[static_cast<std::size_t>(copy.body)]);
+        read_measured(copy, placed.equal().motion[static_cast<std::size_t>(copy.body)]);
     }
 }
 
 // A piece of a copy is as far from the CAD model as the piece of the original, up to the distance by which rounding has
 // moved its ends. So pieces that may exceed the tolerance by that distance are measured again.
-void ComponentWork::take_measured(const PlacedBodies::Copy& copy, const geometry::RigidMotion& motion) {
+void ComponentWork::read_measured(const PlacedBodies::Copy& copy, const geometry::RigidMotion& motion) {
     const ClassifiedMesh& original = copy.original.mesh;
     std::vector<double> moved(static_cast<std::size_t>(original.vertex_count()));  // by rounding, mm
     for (int v = 0; v < original.vertex_count(); ++v) {
@@ -130,13 +130,13 @@ void ComponentWork::take_measured(const PlacedBodies::Copy& copy, const geometry
             kSinglePrecision * static_cast<double>(measured.tolerance)) {
             const Vec3 offset = motion.of_direction(Vec3(measured.offset[0], measured.offset[1], measured.offset[2]));
             measured.offset = {offset.x(), offset.y(), offset.z()};
-            findings_.chords.take(3 * copy.first_triangle + h, measured);
+            findings_.chords.set_measured(3 * copy.first_triangle + h, measured);
         }
     }
 }
 
 // Marks triangles whose refinement was finished in the original.
-void ComponentWork::settle(double bound) {
+void ComponentWork::mark_settled(double bound) {
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         if (work_.exemption_of(t) != nullptr || smallest_angle(work_.mesh, t).angle >= bound) {
             work_.settled.mark(work_.mesh, t);
@@ -172,8 +172,8 @@ RefinedBody ComponentWork::body(const std::vector<int>& faces) const {
     return body;
 }
 
-void ComponentWork::give(Workspace& whole, ChordErrorCache& measured, int first, const std::vector<int>& vertices) {
-    measured.take_over(findings_.chords, 3 * first);
+void ComponentWork::write_to(Workspace& whole, ChordErrorCache& measured, int first, const std::vector<int>& vertices) {
+    measured.adopt(findings_.chords, 3 * first);
     for (const auto& [triangle, exemption] : work_.exempt) {
         if (exemption.stamp == work_.mesh.stamp(triangle)) {
             const int vertex = exemption.vertex < 0 ? -1 : vertices[static_cast<std::size_t>(exemption.vertex)];
@@ -190,7 +190,7 @@ void ComponentWork::give(Workspace& whole, ChordErrorCache& measured, int first,
         whole.shrinks[static_cast<std::size_t>(vertices[v])] = work_.shrinks[v];
     }
     whole.left_by_mending += work_.left_by_mending;
-    whole.span_points.take_over(work_.span_points);
+    whole.span_points.adopt(work_.span_points);
 }
 
 }  // namespace mq::triangulate

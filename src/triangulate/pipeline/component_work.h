@@ -47,7 +47,7 @@ class PlacedBodies {
 
     const EqualBodies& equal() const { return equal_; }
     const std::vector<Copy>& copies() const { return copies_; }
-    MeshComponent take_component() { return std::move(component_); }
+    MeshComponent release_component() { return std::move(component_); }
 
   private:
     const EqualBodies& equal_;
@@ -84,15 +84,15 @@ class ComponentWork {
     RefinedBody body(const std::vector<int>& faces) const;
     /// Passes measurements of triangles, edges and vertices on to the whole mesh, in which the component's first
     /// triangle is `first` and its vertices are `vertices`.
-    void give(Workspace& whole, ChordErrorCache& measured, int first, const std::vector<int>& vertices);
+    void write_to(Workspace& whole, ChordErrorCache& measured, int first, const std::vector<int>& vertices);
 
   private:
     ComponentWork(MeshComponent component, const Common& common, bool placed);
     int index_of(int vertex_of_whole) const;
-    void take(const Workspace& whole, const ChordErrorCache& measured);
-    void take(const PlacedBodies& placed);
-    void take_measured(const PlacedBodies::Copy& copy, const geometry::RigidMotion& motion);
-    void settle(double bound);
+    void read_from(const Workspace& whole, const ChordErrorCache& measured);
+    void read_from(const PlacedBodies& placed);
+    void read_measured(const PlacedBodies::Copy& copy, const geometry::RigidMotion& motion);
+    void mark_settled(double bound);
     void start(Refinement& whole, int first_vertex);
 
     MeshComponent component_;

@@ -44,7 +44,7 @@ void AngleRefinement::push_touched() {
     // Triangles that are worth a thread: about half a millisecond.
     constexpr int kWorthAThread = 2048;
     // Triangles that are examined at a time: the results for all would take as much memory as the mesh.
-    constexpr std::size_t kAtOnce = 16384;
+    constexpr std::size_t kTrianglesAtOnce = 16384;
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
     struct Found {
@@ -52,8 +52,8 @@ void AngleRefinement::push_touched() {
         std::array<int, 3> encroached{-1, -1, -1};  // segments
     };
     std::vector<Found> found;
-    for (std::size_t from = 0; from < touched_.size(); from += kAtOnce) {
-        found.assign(std::min(kAtOnce, touched_.size() - from), {});
+    for (std::size_t from = 0; from < touched_.size(); from += kTrianglesAtOnce) {
+        found.assign(std::min(kTrianglesAtOnce, touched_.size() - from), {});
         for_chunks(static_cast<int>(found.size()), kWorthAThread, [&](int k) {
             const int t = touched_[from + static_cast<std::size_t>(k)];
             Found& of_triangle = found[static_cast<std::size_t>(k)];
@@ -154,7 +154,7 @@ bool AngleRefinement::retry_exempted() {
 
 bool AngleRefinement::refine_round() {
     work_.progress.check();
-    const std::vector<Job> jobs = take_jobs();
+    const std::vector<Job> jobs = next_jobs();
     if (jobs.empty()) {
         return !segments_.idle() || !queue_.empty() || !again_.empty() || !touched_.empty();
     }
@@ -168,11 +168,11 @@ bool AngleRefinement::refine_round() {
             work_on(jobs[i], points[i]);
         }
     }
-    segments_.floors().look(jobs.size());
+    segments_.floors().check_after(jobs.size());
     return true;
 }
 
-std::vector<AngleRefinement::Job> AngleRefinement::take_jobs() {
+std::vector<AngleRefinement::Job> AngleRefinement::next_jobs() {
     std::vector<Job> jobs;
     jobs.swap(again_);
     const std::size_t most = sites_in_round_ > 0
@@ -186,7 +186,7 @@ std::vector<AngleRefinement::Job> AngleRefinement::take_jobs() {
             continue;
         }
         if (bad.turned()) {
-            take_turned(bad, jobs);
+            add_turned(bad, jobs);
             continue;
         }
         if (exempt_narrow_corner(bad) || exempt_where_narrow(bad) || insert_apex_ring(bad)) {
@@ -210,7 +210,7 @@ std::optional<Candidate> AngleRefinement::site_by_rule(int triangle, int attempt
 }
 
 // Each triangle is taken once: if its split is refused, it stays.
-void AngleRefinement::take_turned(const QueuedTriangle& bad, std::vector<Job>& jobs) {
+void AngleRefinement::add_turned(const QueuedTriangle& bad, std::vector<Job>& jobs) {
     turned_.mark(work_.mesh, bad.triangle);
     touched_.push_back(bad.triangle);
     const int h = most_turned_side(work_.mesh, bad.triangle);
@@ -284,9 +284,9 @@ bool AngleRefinement::request_finer_chords(int a, int b, int vertex) {
 // At the apex of a slender cone at least three triangles are needed, whose angles sum up to less than three times the
 // bound.
 bool AngleRefinement::slender_apex(int h) const {
-    constexpr std::size_t kLeast = 3;  // triangles; fewer do not surround a point
-    const auto fan = apex_fan(work_.mesh, h, kLeast);
-    return fan && fan->sum < static_cast<double>(kLeast) * bound_;
+    constexpr std::size_t kLeastTriangles = 3;  // triangles; fewer do not surround a point
+    const auto fan = apex_fan(work_.mesh, h, kLeastTriangles);
+    return fan && fan->sum < static_cast<double>(kLeastTriangles) * bound_;
 }
 
 bool AngleRefinement::insert_apex_ring(const QueuedTriangle& bad) {
@@ -356,7 +356,7 @@ void AngleRefinement::work_on(const Job& job, const std::optional<SurfacePoint>&
         give_up(job, Cause::NarrowCluster, {work_.mesh.segment_of(corner)});
         return;
     }
-    const Surroundings around = look_around(work_.mesh, place.triangle, p->point);
+    const Surroundings around = surroundings_of(work_.mesh, place.triangle, p->point);
     if (divides_guarded_fan(around.triangles)) {
         give_up(job, Cause::Crowded);
         return;

@@ -58,11 +58,11 @@ class AngleRefinement {
     /// Counts whatever lets a retry end in another way than the one before it.
     using State = std::array<std::size_t, 4>;
 
-    void take_turned(const QueuedTriangle& bad, std::vector<Job>& jobs);
+    void add_turned(const QueuedTriangle& bad, std::vector<Job>& jobs);
     std::optional<QueuedTriangle> if_bad(int triangle) const;
     void push_touched();
     bool refine_round();
-    std::vector<Job> take_jobs();
+    std::vector<Job> next_jobs();
     std::optional<Candidate> site_by_rule(int triangle, int attempt, int& blocking_segment) const;
     void handle_blocked(const QueuedTriangle& bad, int segment);
     void work_on(const Job& job, const std::optional<SurfacePoint>& p);

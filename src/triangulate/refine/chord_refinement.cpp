@@ -27,7 +27,7 @@ std::array<std::uint32_t, 2> stamps_beside(const ClassifiedMesh& mesh, int h) {
 }
 
 // Pieces measured, or surface points found, at a time: their results are larger than the mesh if all are kept.
-constexpr std::size_t kAtOnce = 8192;
+constexpr std::size_t kPiecesAtOnce = 8192;
 
 // Ratio of excesses that are alike: those of a chord and of one that is 10 % longer.
 constexpr double kAlike = 1.21;
@@ -130,8 +130,8 @@ std::vector<int> ChordRefinement::unpassed_edges() {
 
 void ChordRefinement::measure_edges(Violations& found) {
     const std::vector<int> edges = unpassed_edges();
-    for (std::size_t from = 0; from < edges.size(); from += kAtOnce) {
-        measure_edges(edges.data() + from, edges.data() + std::min(from + kAtOnce, edges.size()), found);
+    for (std::size_t from = 0; from < edges.size(); from += kPiecesAtOnce) {
+        measure_edges(edges.data() + from, edges.data() + std::min(from + kPiecesAtOnce, edges.size()), found);
     }
 }
 
@@ -166,9 +166,9 @@ void ChordRefinement::measure_triangles(Violations& found) {
             triangles.push_back(t);
         }
     }
-    for (std::size_t from = 0; from < triangles.size(); from += kAtOnce) {
+    for (std::size_t from = 0; from < triangles.size(); from += kPiecesAtOnce) {
         const auto begin = triangles.begin() + static_cast<std::ptrdiff_t>(from);
-        const auto count = static_cast<std::ptrdiff_t>(std::min(kAtOnce, triangles.size() - from));
+        const auto count = static_cast<std::ptrdiff_t>(std::min(kPiecesAtOnce, triangles.size() - from));
         measure_triangles(std::vector<int>(begin, begin + count), found);
     }
 }
@@ -307,8 +307,8 @@ void ChordRefinement::split(const Violations& found) {
         }
     }
     CancelPace pace(work_.progress);
-    for (std::size_t from = 0; from < inner.size() && !work_.over_budget(); from += kAtOnce) {
-        const std::size_t to = std::min(from + kAtOnce, inner.size());
+    for (std::size_t from = 0; from < inner.size() && !work_.over_budget(); from += kPiecesAtOnce) {
+        const std::size_t to = std::min(from + kPiecesAtOnce, inner.size());
         const SurfacePoints points = surface_points_of(inner.data() + from, inner.data() + to);
         for (std::size_t i = from; i < to && !work_.over_budget(); ++i) {
             pace.step();
@@ -356,7 +356,7 @@ void ChordRefinement::split_one(const Violation& violation, const std::optional<
         return;
     }
     bool split_segment = false;
-    for (const int s : look_around(work_.mesh, h / 3, p->point).encroached) {
+    for (const int s : surroundings_of(work_.mesh, h / 3, p->point).encroached) {
         if (segments_.may_split(s)) {
             segments_.request(s);
             split_segment = true;

@@ -39,10 +39,10 @@ std::vector<mesh::Triangle> borders_of(const ClassifiedMesh& mesh) {
     return borders;
 }
 
-class RoomSearch {
+class ShellSearch {
   public:
     // @param narrow  the vertices of nodes with a small input angle
-    RoomSearch(const ClassifiedMesh& mesh, const std::set<int>& narrow)
+    ShellSearch(const ClassifiedMesh& mesh, const std::set<int>& narrow)
         : mesh_(mesh),
           narrow_(narrow),
           points_(points_of(mesh)),
@@ -163,7 +163,7 @@ class RoomSearch {
 }  // namespace
 
 // Measures every node, since chords can enclose smaller angles later than the first ones do.
-CornerShells measure_room(const ClassifiedMesh& mesh) {
+CornerShells corner_shells(const ClassifiedMesh& mesh) {
     std::map<int, std::vector<int>> pieces;
     std::set<int> narrow;
     for (int s = 0; s < mesh.segment_count(); ++s) {
@@ -178,15 +178,15 @@ CornerShells measure_room(const ClassifiedMesh& mesh) {
             }
         }
     }
-    CornerShells room{std::vector<double>(static_cast<std::size_t>(mesh.vertex_count()), 0.0),
-                      {narrow.begin(), narrow.end()}};
+    CornerShells shells{std::vector<double>(static_cast<std::size_t>(mesh.vertex_count()), 0.0),
+                        {narrow.begin(), narrow.end()}};
     if (!pieces.empty()) {
-        const RoomSearch search(mesh, narrow);
+        const ShellSearch search(mesh, narrow);
         for (const auto& [node, segments] : pieces) {
-            room.innermost[static_cast<std::size_t>(node)] = search.innermost(node, segments);
+            shells.innermost[static_cast<std::size_t>(node)] = search.innermost(node, segments);
         }
     }
-    return room;
+    return shells;
 }
 
 }  // namespace mq::triangulate

@@ -13,6 +13,6 @@ struct CornerShells {
     std::vector<int> narrow_nodes;  ///< vertices of nodes with a small input angle, ascending
 };
 
-CornerShells measure_room(const ClassifiedMesh& mesh);
+CornerShells corner_shells(const ClassifiedMesh& mesh);
 
 }  // namespace mq::triangulate

@@ -12,10 +12,10 @@ namespace mq::triangulate {
 
 namespace {
 
-// Insertions between two checks: at least this number, and a fraction 1 / kLooked of the exempt triangles that a check
+// Insertions between two checks: at least this number, and a fraction 1 / kChecked of the exempt triangles that a check
 // visits, which bounds its cost.
-constexpr std::size_t kBetweenLooks = 32;
-constexpr std::size_t kLooked = 32;  // Divisor of the number of exempt triangles; see above.
+constexpr std::size_t kBetweenChecks = 32;
+constexpr std::size_t kChecked = 32;  // Divisor of the number of exempt triangles; see above.
 
 // Triangles that are crowded or would fold are none of these: along a narrow face many of them are given up until its
 // borders have been divided, and are good afterwards.
@@ -64,9 +64,9 @@ bool FaceSizeFloors::too_narrow(int triangle) const {
     return joins_near_sides(triangle) && near(h) && near(h + 1) && near(h + 2);
 }
 
-void FaceSizeFloors::look(std::size_t added) {
+void FaceSizeFloors::check_after(std::size_t added) {
     added_ += added;
-    if (added_ < std::max(kBetweenLooks, work_.exempt.size() / kLooked)) {
+    if (added_ < std::max(kBetweenChecks, work_.exempt.size() / kChecked)) {
         return;
     }
     added_ = 0;

@@ -29,7 +29,7 @@ class FaceSizeFloors {
     /// shorter than the floor are too long for the bound.
     bool too_narrow(int triangle) const;
     /// Counts `added` further insertions; checks the exempt triangles if enough were made, and raises floors.
-    void look(std::size_t added);
+    void check_after(std::size_t added);
     /// Returns how often any floor was raised.
     std::size_t raises() const { return raises_; }
 

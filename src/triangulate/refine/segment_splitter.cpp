@@ -28,13 +28,13 @@ constexpr double kOnShell = 1.01;  // tolerance of the intersection of a curve w
 }  // namespace
 
 SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes, double bound)
-    : work_(work), floors_(work, bound), guard_apexes_(guard_apexes), room_(measure_room(work.mesh)) {
-    for (double& radius : room_.innermost) {
+    : work_(work), floors_(work, bound), guard_apexes_(guard_apexes), shells_(corner_shells(work.mesh)) {
+    for (double& radius : shells_.innermost) {
         radius = std::max(radius, kAboveFloor * work.shortest_allowed());
     }
     for (int s = 0; s < work.mesh.segment_count(); ++s) {
         for (int end = 0; end < 2; ++end) {
-            double& radius = room_.innermost[work.mesh.segment(s).vertices[end]];
+            double& radius = shells_.innermost[work.mesh.segment(s).vertices[end]];
             radius = std::max(radius, kOnShell * unresolved(s, end));
         }
     }
@@ -60,7 +60,7 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
     if (corners[end].angle >= kAcuteCorner) {
         return {};
     }
-    const double innermost = room_.innermost[work_.mesh.segment(segment).vertices[end]];
+    const double innermost = shells_.innermost[work_.mesh.segment(segment).vertices[end]];
     const double shell = innermost * std::exp2(std::round(std::log2(0.5 * chord(segment) / innermost)));
     // If the other edge at a small input angle is split more finely already, its innermost vertex determines the
     // shell: a chord that ends farther out could cross that edge.
@@ -71,8 +71,8 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
 bool SegmentSplitter::is_terminal(int segment, int* corner_vertex) const {
     for (int end = 0; end < 2; ++end) {
         const int v = work_.mesh.segment(segment).vertices[end];
-        const bool innermost = v < static_cast<int>(room_.innermost.size()) &&
-                               chord(segment) <= kOnShell * room_.innermost[v] &&
+        const bool innermost = v < static_cast<int>(shells_.innermost.size()) &&
+                               chord(segment) <= kOnShell * shells_.innermost[v] &&
                                narrowest_corner(work_.mesh, segment, end).angle < kNarrowCorner;
         if (innermost || chord(segment) <= kOnShell * kOnShell * unresolved(segment, end)) {
             if (corner_vertex != nullptr) {
@@ -85,8 +85,8 @@ bool SegmentSplitter::is_terminal(int segment, int* corner_vertex) const {
 }
 
 int SegmentSplitter::narrow_corner_near(const Vec3& p) const {
-    for (const int v : room_.narrow_nodes) {
-        if ((work_.mesh.vertex(v).point - p).norm() <= RefinementTuning::kBesideShell * room_.innermost[v]) {
+    for (const int v : shells_.narrow_nodes) {
+        if ((work_.mesh.vertex(v).point - p).norm() <= RefinementTuning::kBesideShell * shells_.innermost[v]) {
             return v;
         }
     }
@@ -331,7 +331,7 @@ SegmentSplitter::Outcome SegmentSplitter::split(int segment, const Answer& place
             }
         }
     }
-    if (!work_.has_room(work_.mesh.segment(segment).uses.size())) {
+    if (!work_.check_budget(work_.mesh.segment(segment).uses.size())) {
         return Outcome::Later;
     }
     insert(segment, place.t, point, on_faces, cavities, touched);

@@ -92,7 +92,7 @@ class SegmentSplitter {
     FaceSizeFloors floors_;
     bool guard_apexes_;
     std::set<int> free_apexes_;
-    CornerShells room_;  // before refinement
+    CornerShells shells_;  // before refinement
     std::vector<int> pending_;
     std::vector<char> waiting_;   // by segment
     std::map<int, Shell> asked_;  // by segment, until it is split

@@ -12,7 +12,7 @@
 
 #include "base/disjoint_sets.h"
 #include "mesh/intersection/nearest_tree.h"
-#include "mesh/intersection/winding_number.h"
+#include "mesh/intersection/surface_winding.h"
 
 namespace mq::triangulate {
 
@@ -35,7 +35,7 @@ struct Surface {
     }
 
     std::vector<mesh::Triangle> triangles;
-    mesh::WindingNumber winding;
+    mesh::SurfaceWinding winding;
     mesh::NearestTree tree;
 };
 
@@ -57,8 +57,8 @@ class Overlaps {
           near_(2.0 * (deviation + work.grid.resolution())) {}
 
     std::vector<BodyOverlap> find() {
-        take_solids();
-        take_contacts();
+        add_solids();
+        add_contacts();
         std::vector<BodyOverlap> found;
         for (const auto& [volumes, contact] : worst_) {
             if (contact != BodyContact::Touching) {
@@ -91,7 +91,7 @@ class Overlaps {
     }
 
   private:
-    void take_solids() {
+    void add_solids() {
         std::map<int, int> volume_of;
         for (std::size_t v = 0; v < topology_.volumes.size(); ++v) {
             if (topology_.volumes[v].solid >= 0) {
@@ -111,7 +111,7 @@ class Overlaps {
         }
     }
 
-    void take_contacts() {
+    void add_contacts() {
         for (const FaceContact& contact : contacts_) {
             for (const auto& [volumes, how] : contact.contacts) {
                 BodyContact& worst = worst_[volumes];

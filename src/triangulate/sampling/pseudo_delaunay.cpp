@@ -120,7 +120,7 @@ void Front::place_sites(const std::vector<FaceSampler::Candidate>& samples) {
     for (std::size_t s = 0; s < sites_.size(); ++s) {
         fans_.emplace_back(normals_[s]);
         if (s < border_.sites.size()) {
-            outline_.take_outside(static_cast<int>(s), fans_.back());
+            outline_.occupy_outside(static_cast<int>(s), fans_.back());
         }
     }
 }
@@ -288,7 +288,7 @@ void Front::add_triangle(int a, int b, int c) {
         const int s = corners[i];
         const int right = corners[(i + 1) % 3];
         AngularSectors& fan = fans_[s];
-        fan.take(fan.angle_of(point(right) - point(s)), fan.angle_of(point(corners[(i + 2) % 3]) - point(s)));
+        fan.occupy(fan.angle_of(point(right) - point(s)), fan.angle_of(point(corners[(i + 2) % 3]) - point(s)));
         close_or_open(s, right, 3 * t + i);
     }
 }

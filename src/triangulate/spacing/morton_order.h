@@ -10,9 +10,9 @@ namespace mq::triangulate {
 /// Returns the place of a point of the unit square along a curve that visits near points soon after each other (Morton
 /// 1966).
 inline std::uint32_t morton_order(const Vec2& unit) {
-    constexpr double kSteps = 65535.0;  // Largest 16-bit number: two of them are interleaved in 32 bits.
-    const auto x = static_cast<std::uint32_t>(unit.x() * kSteps);
-    const auto y = static_cast<std::uint32_t>(unit.y() * kSteps);
+    constexpr double kLargestCoordinate = 65535.0;  // Largest 16-bit number: two of them are interleaved in 32 bits.
+    const auto x = static_cast<std::uint32_t>(unit.x() * kLargestCoordinate);
+    const auto y = static_cast<std::uint32_t>(unit.y() * kLargestCoordinate);
     std::uint32_t place = 0;
     for (unsigned bit = 0; bit < 16; ++bit) {
         place |= (((x >> bit) & 1U) << (2 * bit)) | (((y >> bit) & 1U) << (2 * bit + 1));

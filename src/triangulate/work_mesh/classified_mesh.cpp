@@ -189,7 +189,7 @@ NewIndices ClassifiedMesh::order_in_space(int vertices, int sites) {
     return renewed;
 }
 
-ClassifiedMesh::Link ClassifiedMesh::take(int h) const {
+ClassifiedMesh::Link ClassifiedMesh::link_of(int h) const {
     Link link{twin_[h], -1, number_[h]};
     if (link.twin < 0 && link.twin != kLoose) {
         const auto& uses = segments_[~link.twin].uses;
@@ -224,8 +224,8 @@ std::array<int, 3> ClassifiedMesh::split_triangle(int triangle, int site) {
     const int a = corner_[h];
     const int b = corner_[h + 1];
     const int c = corner_[h + 2];
-    const Link bc = take(h + 1);
-    const Link ca = take(h + 2);
+    const Link bc = link_of(h + 1);
+    const Link ca = link_of(h + 2);
     const int t1 = add_triangle({b, c, site}, face_[triangle]);
     const int t2 = add_triangle({c, a, site}, face_[triangle]);
     set_corners(triangle, a, b, site);
@@ -250,8 +250,8 @@ int ClassifiedMesh::split_segment(int segment, int vertex, double t, const std::
         const int b = corner_[next(h)];
         const int c = corner_[prev(h)];
         const bool along = sites_[a].vertex == start;
-        const Link bc = take(next(h));
-        const Link ca = take(prev(h));
+        const Link bc = link_of(next(h));
+        const Link ca = link_of(prev(h));
         const int added = add_triangle({sites[k], b, c}, face_[tri]);
         set_corners(tri, a, sites[k], c);
         put(3 * tri + 2, ca);
@@ -277,10 +277,10 @@ void ClassifiedMesh::swap(int h) {
     const int b = corner_[next(h)];
     const int c = corner_[prev(h)];
     const int d = corner_[prev(g)];
-    const Link bc = take(next(h));
-    const Link ca = take(prev(h));
-    const Link ad = take(next(g));
-    const Link db = take(prev(g));
+    const Link bc = link_of(next(h));
+    const Link ca = link_of(prev(h));
+    const Link ad = link_of(next(g));
+    const Link db = link_of(prev(g));
     set_corners(t, a, d, c);
     set_corners(o, d, b, c);
     put(3 * t, ad);
@@ -304,7 +304,7 @@ std::vector<int> ClassifiedMesh::replace(const std::vector<int>& removed,
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             const int g = twin(h);
             if (g < 0 || std::find(removed.begin(), removed.end(), triangle_of(g)) == removed.end()) {
-                rim.emplace(Side(corner_[h], corner_[next(h)]), take(h));
+                rim.emplace(Side(corner_[h], corner_[next(h)]), link_of(h));
             }
         }
     }
@@ -419,7 +419,7 @@ std::vector<std::pair<int, int>> ClassifiedMesh::compact() {
         stamp_[hole] = std::max(stamp_[hole], stamp_[last]) + 1;
         for (int k = 0; k < 3; ++k) {
             corner_[3 * hole + k] = corner_[3 * last + k];
-            put(3 * hole + k, take(3 * last + k));
+            put(3 * hole + k, link_of(3 * last + k));
         }
         ++stamp_[last];
         moved.emplace_back(last, hole);
@@ -519,7 +519,7 @@ std::string ClassifiedMesh::inconsistency() const {
         const Segment& s = segments_[~twin_[h]];
         const bool same =
             (s.vertices[0] == from && s.vertices[1] == to) || (s.vertices[0] == to && s.vertices[1] == from);
-        if (!same || take(h).slot < 0) {
+        if (!same || link_of(h).slot < 0) {
             return name + " does not match its segment";
         }
     }

@@ -227,7 +227,7 @@ class ClassifiedMesh {
         int slot;  // index of the segment's use, if twin names a segment
         int number;
     };
-    Link take(int h) const;
+    Link link_of(int h) const;
     void put(int h, const Link& link);
     void set_corners(int triangle, int a, int b, int c);
     void drop_last_triangle();

@@ -12,7 +12,8 @@ namespace mq::triangulate {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::infinity();  // Length in mm of an entity without a bound.
+constexpr double kUnboundedLength =
+    std::numeric_limits<double>::infinity();  // Length in mm of an entity without a bound.
 
 }  // namespace
 
@@ -40,11 +41,11 @@ std::vector<LocalSize> sizes_of_pieces(const std::vector<LocalSize>& local, cons
 }
 
 EdgeBounds::EdgeBounds(const geometry::Topology& topology, double max_edge, const std::vector<LocalSize>& local)
-    : everywhere_(max_edge > 0.0 ? max_edge : kNone), any_(max_edge > 0.0 || !local.empty()) {
+    : everywhere_(max_edge > 0.0 ? max_edge : kUnboundedLength), any_(max_edge > 0.0 || !local.empty()) {
     const std::size_t counts[3] = {topology.nodes.size(), topology.edges.size(), topology.faces.size()};
     for (const LocalSize& size : local) {
         std::vector<double>& bounds = of_entity_[size.dimension];
-        bounds.resize(counts[size.dimension], kNone);
+        bounds.resize(counts[size.dimension], kUnboundedLength);
         double& bound = bounds[static_cast<std::size_t>(size.index)];
         bound = std::min(bound, size.max_edge);
     }
@@ -52,23 +53,23 @@ EdgeBounds::EdgeBounds(const geometry::Topology& topology, double max_edge, cons
 
 double EdgeBounds::of(const ClassifiedMesh& mesh, int half_edge) const {
     double least = everywhere_;
-    const auto take = [&](int dimension, int index) {
+    const auto include = [&](int dimension, int index) {
         if (!of_entity_[dimension].empty() && index >= 0) {
             least = std::min(least, of_entity_[dimension][static_cast<std::size_t>(index)]);
         }
     };
-    take(2, mesh.face_of(half_edge / 3));
+    include(2, mesh.face_of(half_edge / 3));
     const int s = mesh.segment_of(half_edge);
     if (s >= 0) {
-        take(1, mesh.segment(s).edge);
+        include(1, mesh.segment(s).edge);
         for (const auto& use : mesh.segment(s).uses) {
-            take(2, mesh.face_of(use.half_edge / 3));
+            include(2, mesh.face_of(use.half_edge / 3));
         }
     }
     for (const int h : {half_edge, ClassifiedMesh::next(half_edge)}) {
         const mesh::VertexEntity& entity = mesh.vertex(mesh.vertex_of(h)).entity;
         if (entity[0] == 0) {
-            take(0, entity[1]);
+            include(0, entity[1]);
         }
     }
     return least;

@@ -69,7 +69,7 @@ struct Workspace {
     std::size_t triangles() const { return static_cast<std::size_t>(mesh.used_triangle_count()); }
     /// Whether the budget has room for that number of further triangles. To be asked before any are added: the first
     /// refusal ends the work, so that the mesh never has more triangles than the budget, or than it began with.
-    bool has_room(std::size_t more) {
+    bool check_budget(std::size_t more) {
         refused = refused || triangles() + more > budget;
         return !refused;
     }

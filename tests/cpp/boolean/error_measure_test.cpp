@@ -8,7 +8,7 @@
 
 #include "boolean/boolean.h"
 #include "boolean/closed_solids.h"
-#include "mesh/intersection/winding_number.h"
+#include "mesh/intersection/surface_winding.h"
 
 namespace mq::boolean {
 namespace {
@@ -111,7 +111,7 @@ TEST(ErrorMeasure, CountsMovesWhereNoOtherOperandIsNear) {
 TEST(ErrorMeasure, OpenOperandsAreWhereTheirWindingNumberSaysSo) {
     const TriangleMesh open =
         solids::only(solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), [](const Vec3& centre) { return centre.z() < 0.99; });
-    const mesh::WindingNumber winding(open.vertices, open.triangles);
+    const mesh::SurfaceWinding winding(open.vertices, open.triangles);
     const std::vector<EnclosedOperand> operands{{&open.vertices, &open.triangles, &winding}};
     const auto distance = [&](const Vec3& p) {
         return measure_error(operands, Expression::chain(Operation::Union, 1), speck(p), {}, {0.02, 1e-6, 1e-6},

@@ -46,7 +46,7 @@ TEST(Gaps, ElementsReachAVertexThatLiesOffItsEdges) {
         const SurfaceRepairs repairs = repair_surface(placed.editor, progress);
         EXPECT_EQ(repairs.reached, 1) << order;
         EXPECT_EQ(repairs.invalid_after, 0) << order;
-        for (const int t : living(placed.surface)) {
+        for (const int t : live_triangles(placed.surface)) {
             EXPECT_GT(placed.editor.triangle(t).quality, 0.2) << order;
         }
     }

@@ -19,7 +19,7 @@ class PlacedCurvedSurface {
         : PlacedCurvedSurface(model, order, straight(model, max_edge)) {}
     PlacedCurvedSurface(const std::shared_ptr<geometry::Model>& model, int order, const mesh::TriangleMesh& straight)
         : session(engine, model), surface(classify(session, straight, order)), editor(session, surface) {
-        editor.placement.place(living(surface));
+        editor.placement.place(live_triangles(surface));
     }
 
     static mesh::TriangleMesh straight(const std::shared_ptr<geometry::Model>& model, double max_edge) {
@@ -32,15 +32,15 @@ class PlacedCurvedSurface {
 
     int invalid() const {
         int count = 0;
-        for (const int t : living(surface)) {
+        for (const int t : live_triangles(surface)) {
             count += editor.triangle(t).quality > 0.0 ? 0 : 1;
         }
         return count;
     }
-    /// A living triangle of a surface type, with its corners turned so that edge (0, 1) is inside its face or, if
+    /// A live triangle of a surface type, with its corners turned so that edge (0, 1) is inside its face or, if
     /// `border`, on a CAD edge.
     int find(const char* type, bool border, std::array<int, 3>& corners) const {
-        for (const int t : living(surface)) {
+        for (const int t : live_triangles(surface)) {
             if (std::string(session.topology().faces[static_cast<std::size_t>(editor.triangle(t).face)].surface) !=
                 type) {
                 continue;
@@ -56,7 +56,7 @@ class PlacedCurvedSurface {
         return -1;
     }
     void expect_closed() const {
-        for (const int t : living(surface)) {
+        for (const int t : live_triangles(surface)) {
             const auto& v = editor.triangle(t).corners;
             for (std::size_t k = 0; k < 3; ++k) {
                 EXPECT_EQ(surface.triangles_of_edge(v[k], v[(k + 1) % 3]).size(), 2u);

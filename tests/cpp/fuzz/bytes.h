@@ -72,13 +72,13 @@ class Bytes {
 
     /// As `safe_real`, or a little beside another value, where filters of predicates must give up.
     double near(double other) {
-        constexpr int kSteps = 3;
+        constexpr int kNeighbours = 3;
         const int kind = number(0, 3);
         if (kind > 0) {
             return safe_real();
         }
         double value = other;
-        for (int i = number(0, kSteps); i > 0; --i) {
+        for (int i = number(0, kNeighbours); i > 0; --i) {
             value = std::nextafter(value, std::numeric_limits<double>::max());
         }
         return safe(value);

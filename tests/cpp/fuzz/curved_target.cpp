@@ -65,13 +65,13 @@ void check(const CurvedMesh& mesh, double deviation) {
     fuzz::require(!mesh::text_of(mesh::to_msh, curve::exported(mesh)).empty() &&
                       !mesh::text_of(mesh::to_vtu, curve::exported(mesh)).empty(),
                   "both formats are written");
-    constexpr double kRounding = 1e-6;
+    constexpr double kDistortionRounding = 1e-6;
     for (const double eta : curve::tetrahedron_distortions(mesh)) {
-        fuzz::require(eta >= 1.0 - kRounding, "distortions of tetrahedra are at least 1");
+        fuzz::require(eta >= 1.0 - kDistortionRounding, "distortions of tetrahedra are at least 1");
     }
     if (!mesh.triangle_quality.empty()) {
         for (const double eta : curve::triangle_distortions(mesh)) {
-            fuzz::require(eta >= 1.0 - kRounding, "distortions of triangles are at least 1");
+            fuzz::require(eta >= 1.0 - kDistortionRounding, "distortions of triangles are at least 1");
         }
     }
     constexpr std::size_t kMostTriangles = 2'000;

@@ -31,12 +31,12 @@ void check(const mesh::TriangleMesh& given, const improve::ImproveOptions& optio
                       "an exempt triangle is there");
         exempt.insert(t);
     }
-    constexpr double kRounding = 1e-6;
+    constexpr double kAngleRounding = 1e-6;
     for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
         const mesh::Triangle& v = result.mesh.triangles[t];
         const double angle =
             mesh::min_angle_of({result.mesh.vertices[v[0]], result.mesh.vertices[v[1]], result.mesh.vertices[v[2]]});
-        fuzz::require(angle >= options.min_angle - kRounding || exempt.count(static_cast<std::int32_t>(t)) > 0,
+        fuzz::require(angle >= options.min_angle - kAngleRounding || exempt.count(static_cast<std::int32_t>(t)) > 0,
                       "triangles below the angle are listed");
     }
 }

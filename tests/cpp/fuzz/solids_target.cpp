@@ -115,7 +115,7 @@ triangulate::TriangulateOptions options_from(fuzz::Bytes& bytes) {
 }
 
 void check_angles(const triangulate::Result& result, double bound) {
-    constexpr double kRounding = 1e-6;
+    constexpr double kAngleRounding = 1e-6;
     std::set<std::int32_t> exempt;
     for (const auto& [t, reason] : result.report.exempt) {
         fuzz::require(t >= 0 && static_cast<std::size_t>(t) < result.mesh.triangles.size(),
@@ -125,9 +125,10 @@ void check_angles(const triangulate::Result& result, double bound) {
     const auto& vertices = result.mesh.vertices;
     for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
         const mesh::Triangle& v = result.mesh.triangles[t];
-        fuzz::require(exempt.count(static_cast<std::int32_t>(t)) > 0 ||
-                          mesh::min_angle_of({vertices[v[0]], vertices[v[1]], vertices[v[2]]}) >= bound - kRounding,
-                      "triangles below the angle are listed");
+        fuzz::require(
+            exempt.count(static_cast<std::int32_t>(t)) > 0 ||
+                mesh::min_angle_of({vertices[v[0]], vertices[v[1]], vertices[v[2]]}) >= bound - kAngleRounding,
+            "triangles below the angle are listed");
     }
 }
 

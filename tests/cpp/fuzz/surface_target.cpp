@@ -37,14 +37,15 @@ void write_all(const TriangleMesh& mesh) {
 }
 
 void check_shapes(const TriangleMesh& mesh) {
-    constexpr double kRounding = 1e-9;
+    constexpr double kShapeRounding = 1e-9;
     for (const mesh::Triangle& t : mesh.triangles) {
         const std::array<Vec3, 3> corners{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
         const mesh::TriangleShape shape = mesh::shape_of(corners);
-        fuzz::require(shape.min_angle >= 0.0 && shape.min_angle <= 60.0 + kRounding, "a smallest angle has 0 to 60");
-        fuzz::require(shape.max_angle >= shape.min_angle && shape.max_angle <= 180.0 + kRounding,
+        fuzz::require(shape.min_angle >= 0.0 && shape.min_angle <= 60.0 + kShapeRounding,
+                      "a smallest angle has 0 to 60");
+        fuzz::require(shape.max_angle >= shape.min_angle && shape.max_angle <= 180.0 + kShapeRounding,
                       "a largest angle has at most 180 degrees");
-        fuzz::require(shape.aspect >= 1.0 && shape.distortion >= 1.0 - kRounding, "ratios are at least 1");
+        fuzz::require(shape.aspect >= 1.0 && shape.distortion >= 1.0 - kShapeRounding, "ratios are at least 1");
     }
 }
 

@@ -12,7 +12,7 @@
 #include "boolean/input/operand_repair.h"
 #include "boolean/random_meshes.h"
 #include "mesh/intersection/nearest_tree.h"
-#include "mesh/intersection/winding_number.h"
+#include "mesh/intersection/surface_winding.h"
 #include "mesh/quality/mesh_report.h"
 
 namespace mq::boolean {
@@ -385,9 +385,9 @@ TEST(Uniform, ManyOperandsAreThoseTwoAtATime) {
         }
         const mesh::MeshReport report = mesh::measure(all.mesh);
         EXPECT_EQ(report.border_edges + report.nonmanifold_edges + report.misoriented_edges, 0U);
-        const mesh::WindingNumber by_all(all.mesh.vertices, all.mesh.triangles);
-        const mesh::WindingNumber by_two(folded.vertices, folded.triangles);
-        std::vector<mesh::WindingNumber> solids;
+        const mesh::SurfaceWinding by_all(all.mesh.vertices, all.mesh.triangles);
+        const mesh::SurfaceWinding by_two(folded.vertices, folded.triangles);
+        std::vector<mesh::SurfaceWinding> solids;
         std::deque<mesh::NearestTree> surfaces;
         for (const mesh::TriangleMesh& ball : balls) {
             solids.emplace_back(ball.vertices, ball.triangles);
@@ -401,7 +401,7 @@ TEST(Uniform, ManyOperandsAreThoseTwoAtATime) {
             for (const mesh::NearestTree& surface : surfaces) {
                 near = near || surface.nearest(p, 0.05).triangle >= 0;
             }
-            for (const mesh::WindingNumber& solid : solids) {
+            for (const mesh::SurfaceWinding& solid : solids) {
                 winding.push_back(solid.at(p) > 0.5 ? 1 : 0);
             }
             if (near) {

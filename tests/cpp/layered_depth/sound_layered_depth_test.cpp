@@ -9,7 +9,7 @@
 #include "boolean/closed_solids.h"
 #include "boolean/random_meshes.h"
 #include "mesh/intersection/nearest_tree.h"
-#include "mesh/intersection/winding_number.h"
+#include "mesh/intersection/surface_winding.h"
 #include "mesh/quality/surface_verification.h"
 
 namespace mq::boolean {
@@ -100,9 +100,9 @@ TEST(SoundLayeredDepth, SoundResultsStayAsTheyAre) {
 /// Whether points of space are in the result where they are in the exact one, by winding numbers, which share no code
 /// with the arrangement: all that are farther from the result than its error bound.
 void expect_points_agree(const fuzz::Pair& pair, Operation operation, const UniformResult& result) {
-    const mesh::WindingNumber in_result(result.mesh.vertices, result.mesh.triangles);
-    const mesh::WindingNumber in_a(pair.a.vertices, pair.a.triangles);
-    const mesh::WindingNumber in_b(pair.b.vertices, pair.b.triangles);
+    const mesh::SurfaceWinding in_result(result.mesh.vertices, result.mesh.triangles);
+    const mesh::SurfaceWinding in_a(pair.a.vertices, pair.a.triangles);
+    const mesh::SurfaceWinding in_b(pair.b.vertices, pair.b.triangles);
     const mesh::NearestTree tree(result.mesh.vertices, result.mesh.triangles);
     fuzz::Random random(7);
     for (int k = 0; k < 200; ++k) {

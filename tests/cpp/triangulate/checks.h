@@ -130,14 +130,14 @@ inline void expect_sound(const Result& result, long euler, bool closed) {
 
 /// Checks that every triangle reaches the angle bound or is listed with a reason, and that no listed one reaches it.
 inline void expect_angles(const Result& result, double bound) {
-    constexpr double kRounding = 1e-6;  // degrees, for rounding
+    constexpr double kAngleRounding = 1e-6;  // degrees, for rounding
     std::set<int> exempt;
     for (const auto& [t, why] : result.report.exempt) {
         ASSERT_GE(t, 0);
         ASSERT_LT(static_cast<std::size_t>(t), result.mesh.triangles.size());
         EXPECT_TRUE(exempt.insert(t).second) << "listed twice";
         EXPECT_EQ(why.face.dimension, 2);
-        EXPECT_LT(smallest_angle(corners_of(result.mesh, t)), bound + kRounding) << mesh::message_of(why).text();
+        EXPECT_LT(smallest_angle(corners_of(result.mesh, t)), bound + kAngleRounding) << mesh::message_of(why).text();
     }
     double least = 180.0;
     for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
@@ -145,8 +145,8 @@ inline void expect_angles(const Result& result, double bound) {
             least = std::min(least, smallest_angle(corners_of(result.mesh, t)));
         }
     }
-    EXPECT_GE(least, bound - kRounding);
-    EXPECT_NEAR(least, result.report.min_angle_unexempted, kRounding);
+    EXPECT_GE(least, bound - kAngleRounding);
+    EXPECT_NEAR(least, result.report.min_angle_unexempted, kAngleRounding);
     EXPECT_EQ(result.report.min_angle_asked, bound);
 }
 

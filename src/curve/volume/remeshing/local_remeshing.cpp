@@ -419,7 +419,7 @@ TetrahedralMesh remesh_invalid(const TetrahedralMesh& volume, CurvedSurface& sur
     TetrahedraInside inside;
     std::vector<std::size_t> invalid;
     const FoldedTriangles folded(surface);
-    for (const int t : volume.living()) {
+    for (const int t : volume.live_tetrahedra()) {
         const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
         if (!(tetrahedron.quality > 0.0) && !folded.has_face_of(tetrahedron.corners)) {
             invalid.push_back(inside.corners.size());

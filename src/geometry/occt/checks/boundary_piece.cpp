@@ -56,14 +56,14 @@ Weighted bezier(const Weighted& poles, const std::vector<double>& knots, double 
 
 /// Whether the control points go on from start to end, within 18 degrees of the chord.
 bool turns_little(const Controls& controls) {
-    constexpr double kLeast = 0.95;  // Cosine.
+    constexpr double kLeastCosine = 0.95;  // Cosine.
     const Vec2 chord = controls.back() - controls.front();
     if (!(chord.norm() > 0.0)) {
         return false;
     }
     for (std::size_t k = 1; k < controls.size(); ++k) {
         const Vec2 step = controls[k] - controls[k - 1];
-        if (!(step.dot(chord) >= kLeast * step.norm() * chord.norm())) {
+        if (!(step.dot(chord) >= kLeastCosine * step.norm() * chord.norm())) {
             return false;
         }
     }
@@ -149,8 +149,8 @@ std::vector<BoundaryPiece> BoundaryPiece::of(const Handle(Geom2d_Curve) & curve,
 /// Arcs of at most 30 degrees, halved until each turns little: the tangents at the ends of each meet in its second
 /// control point.
 std::vector<BoundaryPiece::Controls> BoundaryPiece::of_conic(const Geom2d_Curve& conic, double first, double last) {
-    constexpr double kMost = M_PI / 6.0;
-    const int count = std::max(1, static_cast<int>(std::ceil((last - first) / kMost - 1e-9)));
+    constexpr double kLargestArc = M_PI / 6.0;
+    const int count = std::max(1, static_cast<int>(std::ceil((last - first) / kLargestArc - 1e-9)));
     std::vector<Controls> arcs;
     for (int i = 0; i < count; ++i) {
         const double from = first + (last - first) * i / count;
@@ -225,10 +225,10 @@ double BoundaryPiece::height() const {
 
 bool BoundaryPiece::ascends(const Vec2& direction) const {
     // Rounding of a difference, as a fraction of its length.
-    constexpr double kRounding = 1e-12;
+    constexpr double kDifferenceRounding = 1e-12;
     for (std::size_t k = 1; k < controls_.size(); ++k) {
         const Vec2 step = controls_[k] - controls_[k - 1];
-        if (step.dot(direction) < -kRounding * step.norm()) {
+        if (step.dot(direction) < -kDifferenceRounding * step.norm()) {
             return false;
         }
     }

@@ -182,7 +182,7 @@ bool CheckedWire::set_pieces() {
     // Margin as a fraction of the size of the wire in (u, v).
     constexpr double kMargin = 1e-7;
     // Least margin: BRepCheck_Wire.cxx intersects curves in (u, v) with 1e-10 on each.
-    constexpr double kLeast = 2e-10;
+    constexpr double kLeastMargin = 2e-10;
     for (std::size_t i = 0; i < uses_.size(); ++i) {
         const CheckedUse& use = uses_[i];
         add_joint(uses_[(i + uses_.size() - 1) % uses_.size()], use);
@@ -199,7 +199,7 @@ bool CheckedWire::set_pieces() {
         low = low.cwiseMin(piece.low());
         high = high.cwiseMax(piece.high());
     }
-    margin_ = std::max(kMargin * (high - low).norm(), kLeast);
+    margin_ = std::max(kMargin * (high - low).norm(), kLeastMargin);
     set_sides();
     return pieces_.size() >= 3 && has_small_gaps();
 }
@@ -277,10 +277,10 @@ bool CheckedWire::others_are_apart() const {
 /// room.
 bool CheckedWire::leaves(std::size_t before, std::size_t after, double gap, double room) const {
     // Least cosine of the angle between a piece and the direction in which it is left: the boundary does not turn back.
-    constexpr double kLeast = 0.05;
+    constexpr double kLeastCosine = 0.05;
     const Vec2 direction = pieces_[before].end_direction() + pieces_[after].start_direction();
     const double cosine = 0.5 * direction.norm();
-    return cosine > kLeast && (gap == 0.0 || gap / cosine <= room) && pieces_[before].ascends(direction) &&
+    return cosine > kLeastCosine && (gap == 0.0 || gap / cosine <= room) && pieces_[before].ascends(direction) &&
            pieces_[after].ascends(direction);
 }
 

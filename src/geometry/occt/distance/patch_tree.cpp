@@ -417,16 +417,16 @@ Vec2 PatchTree::step_from(const Jet& j, const Vec3& r, const Projection& project
 
 /// Newton's method within the patch.
 PatchTree::Projection PatchTree::newton(const Net& net, const Vec3& p) const {
-    constexpr int kSteps = 50;            // bounds the search: the step need not converge
-    constexpr int kHalvings = 20;         // the last trial is a millionth of the step
-    constexpr double kLeastStep = 1e-14;  // as a fraction of the patch
-    constexpr double kLeastGain = 1e-14;  // as a fraction of the squared distance
-    constexpr double kRounding = 1e-15;   // relative rounding error of coordinates
-    const double rounding = kRounding * kRounding * p.squaredNorm();
+    constexpr int kNewtonSteps = 50;               // bounds the search: the step need not converge
+    constexpr int kHalvings = 20;                  // the last trial is a millionth of the step
+    constexpr double kLeastStep = 1e-14;           // as a fraction of the patch
+    constexpr double kLeastGain = 1e-14;           // as a fraction of the squared distance
+    constexpr double kCoordinateRounding = 1e-15;  // relative rounding error of coordinates
+    const double rounding = kCoordinateRounding * kCoordinateRounding * p.squaredNorm();
     Projection projection{{0.5, degree_[1] > 0 ? 0.5 : 0.0}, 0.0};
     Jet j = at(net, projection.s);
     projection.square = (j.point - p).squaredNorm();
-    for (int i = 0; i < kSteps; ++i) {
+    for (int i = 0; i < kNewtonSteps; ++i) {
         Vec2 gradient;
         Vec2 move = step_from(j, j.point - p, projection, gradient);
         if (-gradient.dot(move) <= kLeastGain * projection.square + rounding) {

@@ -52,8 +52,8 @@ inline bool mirrors(const gp_Trsf& transformation) {
 /// Whether a transformation is rigid but for rounding: OpenCASCADE computes the factor from the matrix.
 inline bool is_rigid(const gp_Trsf& transformation) {
     // Relative rounding of that factor.
-    constexpr double kRounding = 1e-12;
-    return std::abs(transformation.ScaleFactor() - 1.0) < kRounding && !mirrors(transformation);
+    constexpr double kScaleRounding = 1e-12;
+    return std::abs(transformation.ScaleFactor() - 1.0) < kScaleRounding && !mirrors(transformation);
 }
 
 }  // namespace mq::geometry

@@ -216,8 +216,8 @@ Answer EdgeEvaluator::middle(double from, double to) const {
     const double whole = arc(low, high);
     double rest = 0.5 * whole - arc(low, t);
     // Steps at most: bisection alone would reach double precision in that number.
-    constexpr int kSteps = 60;
-    for (int i = 0; i < kSteps && std::abs(rest) > kLengthAccuracy * std::abs(whole); ++i) {
+    constexpr int kArcSteps = 60;
+    for (int i = 0; i < kArcSteps && std::abs(rest) > kLengthAccuracy * std::abs(whole); ++i) {
         // The length grows from low to high; with high < low all signs change and the quotients stay.
         ((rest > 0.0) == (whole > 0.0) ? low : high) = t;
         const double slope = speed(t);
@@ -240,9 +240,9 @@ double EdgeEvaluator::crossing(const Vec3& start, double low, double high, doubl
     double f_low = (at(low) - start).norm() - distance;
     double f_high = (at(high) - start).norm() - distance;
     // Steps at most; the bracket halves at least every other step.
-    constexpr int kSteps = 100;
+    constexpr int kDistanceSteps = 100;
     int kept = 0;
-    for (int i = 0; i < kSteps && std::abs(high - low) > 1e-15 * std::max(std::abs(low), std::abs(high)); ++i) {
+    for (int i = 0; i < kDistanceSteps && std::abs(high - low) > 1e-15 * std::max(std::abs(low), std::abs(high)); ++i) {
         const double t = i % 8 == 7 ? 0.5 * (low + high) : (low * f_high - high * f_low) / (f_high - f_low);
         const double f = (at(t) - start).norm() - distance;
         if (std::abs(f) <= 1e-13 * distance) {

@@ -20,12 +20,12 @@ constexpr double kTwoPi = 6.283185307179586476925286766559;
 /// `point` is in the curve's own coordinates. @returns whether t is a minimum of the distance in [low, high].
 bool EdgeEvaluator::newton(const Vec3& point, double low, double high, double& t) const {
     // Newton steps at most; each about squares the distance near the minimum.
-    constexpr int kSteps = 20;
+    constexpr int kNewtonSteps = 20;
     // Where the derivative of a curve nearly vanishes, as at ends with two poles in one place, the length of a step in
     // t is meaningless.
     const double still = 1e-9 * size_ / std::max(t1_ - t0_, 1e-300);
     double best = -1.0;
-    for (int i = 0; i < kSteps; ++i) {
+    for (int i = 0; i < kNewtonSteps; ++i) {
         const CurvePoint c = second(t);
         const Vec3 r = c.point - point;
         const double square = r.squaredNorm();
@@ -73,8 +73,8 @@ double EdgeEvaluator::nearest_sampled(const Vec3& point, double low, double high
     // The golden ratio less one: each step keeps this fraction of the interval.
     constexpr double kGolden = 0.6180339887498949;
     // Steps at most: the interval shrinks below double precision.
-    constexpr int kSteps = 80;
-    for (int i = 0; i < kSteps; ++i) {
+    constexpr int kSectionSteps = 80;
+    for (int i = 0; i < kSectionSteps; ++i) {
         const double x = b - kGolden * (b - a);
         const double y = a + kGolden * (b - a);
         (distance(x) < distance(y) ? b : a) = distance(x) < distance(y) ? y : x;

@@ -27,8 +27,8 @@ Answer EdgeEvaluator::middle_over_end(double from, double to) const {
     double low = from;
     double high = to;
     // Halvings at most: the interval shrinks below double precision.
-    constexpr int kSteps = 52;
-    for (int i = 0; i < kSteps; ++i) {
+    constexpr int kHalvings = 52;
+    for (int i = 0; i < kHalvings; ++i) {
         const double t = 0.5 * (low + high);
         (std::abs(arc_over_end(from, t)) < std::abs(half) ? low : high) = t;
     }

@@ -75,7 +75,7 @@ void FaceEvaluator::search_peak(int i, int k, int axis, double sign, Box& box) {
     // Relative step at which the search ends: the remaining error is of the order of its square.
     constexpr double kEnd = 1e-3;
     // Steps at most, so that the search ends on degenerate surfaces.
-    constexpr int kSteps = 200;
+    constexpr int kPatternSteps = 200;
     // Least rise, as a fraction of the face's size; a smaller one is due to rounding, as on the ridge of a cylinder.
     constexpr double kAnything = 1e-8;
     const Vec2 cell((trimmed_.high[0] - trimmed_.low[0]) / samples_[0],
@@ -85,7 +85,7 @@ void FaceEvaluator::search_peak(int i, int k, int axis, double sign, Box& box) {
     Vec2 at = sample_at(i, k);
     Vec3 best = point(at);
     double part = 0.5;
-    for (int step = 0; step < kSteps && part > kEnd; ++step) {
+    for (int step = 0; step < kPatternSteps && part > kEnd; ++step) {
         bool better = false;
         for (const Vec2& way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
             Vec2 next = at + part * cell.cwiseProduct(way);

@@ -122,7 +122,7 @@ FaceEvaluator::Step FaceEvaluator::newton_step(const SurfacePoint& s, const Vec3
 /// @param p point in the surface's own coordinates.
 FaceEvaluator::Projection FaceEvaluator::newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const {
     // Newton steps at most; if a search needs more, it starts again from another place.
-    constexpr int kSteps = 30;
+    constexpr int kNewtonSteps = 30;
     // Halvings of a step that does not reduce the distance.
     constexpr int kHalvings = 8;
     const Vec2 longest(0.25 * (trimmed_.high[0] - trimmed_.low[0]), 0.25 * (trimmed_.high[1] - trimmed_.low[1]));
@@ -130,7 +130,7 @@ FaceEvaluator::Projection FaceEvaluator::newton(const Vec3& p, const Vec2& start
     projection.uv = clamped(start, box);
     SurfacePoint s = second(projection.uv.x(), projection.uv.y());
     projection.square = (s.point - p).squaredNorm();
-    for (int i = 0; i < kSteps; ++i) {
+    for (int i = 0; i < kNewtonSteps; ++i) {
         const Step step = newton_step(s, s.point - p, projection.uv, box);
         Vec2 move = step.move.cwiseMin(longest).cwiseMax(-longest);
         const Vec2 next = clamped(projection.uv + move, box);
@@ -191,9 +191,9 @@ void FaceEvaluator::sample() {
     // Samples of the face in all, unless the spans need more.
     constexpr double kTotal = 600.0;
     // Samples along each parameter at least.
-    constexpr int kLeast = 8;
+    constexpr int kLeastSamples = 8;
     // Samples along each parameter at most; bounds time and memory.
-    constexpr int kMost = 160;
+    constexpr int kMostSamples = 160;
     const std::array<double, 2> range{trimmed_.high[0] - trimmed_.low[0], trimmed_.high[1] - trimmed_.low[1]};
     const std::array<double, 2> lengths{su_ * range[0], sv_ * range[1]};
     const std::array<int, 2> spans{surface_.NbUIntervals(GeomAbs_C2), surface_.NbVIntervals(GeomAbs_C2)};
@@ -202,7 +202,7 @@ void FaceEvaluator::sample() {
         const double part = natural < Precision::Infinite() ? std::min(1.0, range[i] / natural) : 1.0;
         const double even = std::sqrt(kTotal * std::max(lengths[i], 1e-300) / std::max(lengths[1 - i], 1e-300));
         const double wanted = std::max(std::min(even, kTotal), std::ceil(3.0 * part * spans[i]));
-        samples_[i] = static_cast<int>(std::clamp<double>(wanted, kLeast, kMost));
+        samples_[i] = static_cast<int>(std::clamp<double>(wanted, kLeastSamples, kMostSamples));
     }
     for (int i = 0; i <= samples_[0]; ++i) {
         for (int k = 0; k <= samples_[1]; ++k) {
@@ -220,7 +220,7 @@ Vec2 FaceEvaluator::sample_at(int i, int k) const {
 /// The samples that are nearer than all their neighbours, best first, with their squared distances.
 std::vector<std::pair<double, Vec2>> FaceEvaluator::best_samples(const Vec3& p) const {
     // Samples from which Newton's method starts at most.
-    constexpr std::size_t kMost = 6;
+    constexpr std::size_t kMostStarts = 6;
     const int nu = samples_[0] + 1;
     const int nv = samples_[1] + 1;
     std::vector<double> squares(grid_.size());
@@ -240,7 +240,7 @@ std::vector<std::pair<double, Vec2>> FaceEvaluator::best_samples(const Vec3& p) 
             }
         }
     }
-    const std::size_t kept = std::min(kMost, found.size());
+    const std::size_t kept = std::min(kMostStarts, found.size());
     std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), found.end(),
                       [](const auto& x, const auto& y) { return x.first < y.first; });
     found.resize(kept);
@@ -310,11 +310,11 @@ FaceEvaluator::Projection FaceEvaluator::pattern_search(const Vec3& p, const Vec
     projection.square = (place(start.x(), start.y()) - p).squaredNorm();
     Vec2 reach((trimmed_.high[0] - trimmed_.low[0]) / samples_[0], (trimmed_.high[1] - trimmed_.low[1]) / samples_[1]);
     // Steps of the search without derivatives at most.
-    constexpr int kSteps = 400;
+    constexpr int kPatternSteps = 400;
     // Relative step at which that search ends: near double precision.
     constexpr double kEnd = 1e-12;
     double part = 1.0;
-    for (int i = 0; i < kSteps && part > kEnd; ++i) {
+    for (int i = 0; i < kPatternSteps && part > kEnd; ++i) {
         bool better = false;
         for (const Vec2& way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
             const Vec2 uv = clamped(projection.uv + part * reach.cwiseProduct(way), box);
@@ -369,7 +369,7 @@ Answer FaceEvaluator::nearest(const Vec3& point, double u, double v) {
 
 Answer FaceEvaluator::on_line(const Vec3& point, const Vec3& along, double u, double v) const {
     // Newton steps at most; from a guess as good as a triangle's parameters few are needed.
-    constexpr int kSteps = 16;
+    constexpr int kLineSteps = 16;
     // A distance from the line below this fraction of the face's size counts as zero.
     constexpr double kOnLine = 1e-13;
     // The least sine of the angle between line and surface, below which the step has no length.
@@ -389,7 +389,7 @@ Answer FaceEvaluator::on_line(const Vec3& point, const Vec3& along, double u, do
     const Vec2 longest(0.25 * (trimmed_.high[0] - trimmed_.low[0]), 0.25 * (trimmed_.high[1] - trimmed_.low[1]));
     Vec2 uv = clamped(Vec2(u, v), search_);
     double before = kInfinity;
-    for (int i = 0; i < kSteps; ++i) {
+    for (int i = 0; i < kLineSteps; ++i) {
         const SurfacePoint s = first(uv.x(), uv.y());
         const Vec3 r = s.point - p;
         const Vec2 off(r.dot(across), r.dot(other));

@@ -30,7 +30,7 @@ constexpr double kLength = 1e-9;
 std::optional<FaceEvaluator::Projection> FaceEvaluator::native_nearest(const Vec3& p, const Vec2& guess) const {
     Projection best;
     best.square = std::numeric_limits<double>::infinity();
-    const auto take = [&](const Extrema_POnSurf& extremum, double square) {
+    const auto keep_nearer = [&](const Extrema_POnSurf& extremum, double square) {
         if (square < best.square) {
             extremum.Parameter(best.uv.x(), best.uv.y());
             best.square = square;
@@ -40,14 +40,14 @@ std::optional<FaceEvaluator::Projection> FaceEvaluator::native_nearest(const Vec
     if (elementary_) {
         const Extrema_ExtPS all(to_pnt(p), surface_, kParameter, kParameter, Extrema_ExtFlag_MIN);
         for (int i = 1; all.IsDone() && i <= all.NbExt(); ++i) {
-            take(all.Point(i), all.SquareDistance(i));
+            keep_nearer(all.Point(i), all.SquareDistance(i));
         }
     } else {
         const Vec2 start = into_domain(guess.x(), guess.y());
         Extrema_GenLocateExtPS near(surface_, kParameter, kParameter);
         near.Perform(to_pnt(p), start.x(), start.y());
         if (near.IsDone() && near.SquareDistance() <= (place(start.x(), start.y()) - p).squaredNorm()) {
-            take(near.Point(), near.SquareDistance());
+            keep_nearer(near.Point(), near.SquareDistance());
         }
     }
     if (!best.found) {
@@ -79,17 +79,17 @@ std::optional<double> EdgeEvaluator::native_nearest(const Vec3& point, double gu
     }
     double best = guess;
     double least = std::numeric_limits<double>::infinity();
-    const auto take = [&](double t, double square) {
+    const auto keep_nearer = [&](double t, double square) {
         if (square < least) {
             least = square;
             best = t;
         }
     };
     for (int i = 1; i <= all.NbExt(); ++i) {
-        take(all.Point(i).Parameter(), all.SquareDistance(i));
+        keep_nearer(all.Point(i).Parameter(), all.SquareDistance(i));
     }
     for (const double end : {low, high}) {
-        take(end, (value(end) - point).squaredNorm());
+        keep_nearer(end, (value(end) - point).squaredNorm());
     }
     return std::clamp(best, low, high);
 }

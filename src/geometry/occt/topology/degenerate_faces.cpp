@@ -33,7 +33,7 @@ class DegenerateFaces : EdgeJoining {
         for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
             check_cancelled(progress_);
             if (topology_.faces[static_cast<std::size_t>(f)].no_area && is_piece(f)) {
-                const std::vector<int> sides = take_out(f);
+                const std::vector<int> sides = detach(f);
                 if (sides.size() == 2) {
                     join(sides[0], sides[1]);
                 }
@@ -113,7 +113,7 @@ class DegenerateFaces : EdgeJoining {
         for (const Pair& pair : sliver.pairs) {
             edges.push_back({edge_of(pair[0]), edge_of(pair[1])});
         }
-        take_out(face);
+        detach(face);
         for (const Pair& pair : edges) {
             join(pair[0], pair[1], topology_.detail);
         }
@@ -123,8 +123,8 @@ class DegenerateFaces : EdgeJoining {
         Sliver result;
         const Face& data = topology_.faces[static_cast<std::size_t>(face)];
         // Edges around a sliver at most: the cost grows with its square.
-        constexpr std::size_t kMost = 12;
-        if (data.loops.size() != 1 || data.loops.front().uses.size() > kMost) {
+        constexpr std::size_t kMostSliverEdges = 12;
+        if (data.loops.size() != 1 || data.loops.front().uses.size() > kMostSliverEdges) {
             return result;
         }
         for (const int use : data.loops.front().uses) {
@@ -215,7 +215,7 @@ class DegenerateFaces : EdgeJoining {
 
     /// Removes a face, and merges edges of it that are points.
     /// @return its other edges
-    std::vector<int> take_out(int face) {
+    std::vector<int> detach(int face) {
         std::set<int> around;
         for (const Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
             for (const int use : loop.uses) {

@@ -94,7 +94,7 @@ bool EdgeJoining::leaves_corner(int use) const {
                                 .point(parameter(topology_.uses[static_cast<std::size_t>(use)].edge, 0.5))
                                 .point;
         return angle_between(point_along(before, false) - corner, point_along(after, true) - corner) >=
-               DetailCorners::kLeast;
+               DetailCorners::kLeastAngle;
     }
     return false;
 }
@@ -111,7 +111,7 @@ Vec3 EdgeJoining::point_along(int use, bool from_start) const {
 
 bool EdgeJoining::others_open(int use, int other) const {
     const std::optional<double> angle = dihedral_angle(opposite_use(use), opposite_use(other));
-    return angle && *angle >= DetailCorners::kLeast;
+    return angle && *angle >= DetailCorners::kLeastAngle;
 }
 
 int EdgeJoining::opposite_use(int use) const {

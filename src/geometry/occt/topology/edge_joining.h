@@ -52,13 +52,14 @@ class EdgeJoining {
     bool is_short(int e) const;
     /// Whether another face lies on the other side of an edge between two nodes.
     bool is_side(int e) const;
-    /// Whether the neighbours of a use on its loop make a corner of DetailCorners::kLeast where its edge is a point.
+    /// Whether the neighbours of a use on its loop make a corner of DetailCorners::kLeastAngle where its edge is a
+    /// point.
     bool leaves_corner(int use) const;
     /// The point of a use's edge at DetailCorners::kReach details from its start or its end, or its other end if it is
     /// shorter.
     Vec3 point_along(int use, bool from_start) const;
     /// Whether the faces on the other sides of two uses, whose edges lie along each other, meet at
-    /// DetailCorners::kLeast or more, unlike those of a thin plate.
+    /// DetailCorners::kLeastAngle or more, unlike those of a thin plate.
     bool others_open(int use, int other) const;
     /// The other use of the edge of one of its two uses.
     int opposite_use(int use) const;

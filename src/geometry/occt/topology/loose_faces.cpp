@@ -147,10 +147,10 @@ class LooseFaces : EdgeJoining {
             }
         }
         // Radians: least angle between faces that are joined; copies of a face lie on each other.
-        constexpr double kLeast = 2.0 * kDegree;
+        constexpr double kLeastAngle = 2.0 * kDegree;
         const std::optional<double> angle = dihedral_angle(edge(a).uses.front(), edge(b).uses.front());
-        return angle && *angle >= kLeast ? std::optional<double>(std::max(first->distance, second->distance))
-                                         : std::nullopt;
+        return angle && *angle >= kLeastAngle ? std::optional<double>(std::max(first->distance, second->distance))
+                                              : std::nullopt;
     }
 
     /// Divides free edges where free edges that run along them end.

@@ -141,10 +141,10 @@ bool bounds_a_face(const TopoDS_Shape& edge) {
 /// none elsewhere, and for long wires. OpenCASCADE's explorer, which also looks at places in (u, v), gives the same.
 std::vector<TopoDS_Edge> chained(const std::vector<TopoDS_Edge>& edges) {
     // Most edges among which the next edge is searched one by one.
-    constexpr std::size_t kMost = 24;
+    constexpr std::size_t kMostWireEdges = 24;
     std::vector<TopoDS_Vertex> starts(edges.size());
     std::vector<TopoDS_Vertex> ends(edges.size());
-    if (edges.empty() || edges.size() > kMost) {
+    if (edges.empty() || edges.size() > kMostWireEdges) {
         return {};
     }
     for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -69,7 +69,7 @@ class Spikes : EdgeJoining {
             const Sides other{sides.shorter, sides.longer, loop.uses[(i + n - 1) % n], sides.tips, false};
             for (const Sides& both : {sides, other}) {
                 const std::optional<Spike> spike = spike_between(both);
-                if (spike && take_off(loop, *spike)) {
+                if (spike && cut_off(loop, *spike)) {
                     return true;
                 }
             }
@@ -133,13 +133,13 @@ class Spikes : EdgeJoining {
     }
 
     /// Whether the border turns from the longer edge, at the end of the shorter one, into the face by an angle of at
-    /// least DetailCorners::kLeast, or of at least the corner that the removal of the tip takes away. At a slit, whose
-    /// other side the border passes, it turns away from the face.
+    /// least DetailCorners::kLeastAngle, or of at least the corner that the removal of the tip takes away. At a slit,
+    /// whose other side the border passes, it turns away from the face.
     bool opens(const Sides& sides, const Answer& foot) const {
         const std::optional<Vec3> into = conormal(sides.longer, foot.t);
         const Vec3 leaving = point_along(sides.beyond, sides.ascending) - foot.point;
         const double least =
-            sides.tips.empty() ? std::min(tip_angle(sides), DetailCorners::kLeast) : DetailCorners::kLeast;
+            sides.tips.empty() ? std::min(tip_angle(sides), DetailCorners::kLeastAngle) : DetailCorners::kLeastAngle;
         return into && angle_between(*into, leaving) <= 0.5 * M_PI - least;
     }
 
@@ -149,12 +149,12 @@ class Spikes : EdgeJoining {
         return std::all_of(uses.begin(), uses.end(), [&](int use) { return use == tip || leaves_corner(use); });
     }
 
-    bool take_off(Loop& loop, const Spike& spike) {
+    bool cut_off(Loop& loop, const Spike& spike) {
         const int a = edge_of(spike.sides.longer);
         const int b = edge_of(spike.sides.shorter);
         const int face = use_of(spike.sides.longer).face;
         const bool tip_is_last = use_of(spike.sides.longer).forward == spike.sides.ascending;
-        const bool moved = spike.sides.tips.empty() && tip_angle(spike.sides) < DetailCorners::kLeast;
+        const bool moved = spike.sides.tips.empty() && tip_angle(spike.sides) < DetailCorners::kLeastAngle;
         const int second = divide(a, spike.t, spike.node);
         const int piece = tip_is_last ? second : a;
         if (!alignment(piece, b, spike.within) || !alignment(b, piece, spike.within)) {

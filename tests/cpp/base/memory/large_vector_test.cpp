@@ -31,7 +31,7 @@ TEST(LargeVector, KeepsItsValuesWhileItGrowsAndShrinks) {
 
 TEST(LargeVector, ABlockCanBeWrittenFromEndToEnd) {
     constexpr std::size_t kBytes = (std::size_t{1} << 24) + 4097;
-    auto* block = static_cast<unsigned char*>(mq::take_block(kBytes));
+    auto* block = static_cast<unsigned char*>(mq::allocate_block(kBytes));
     block[0] = 1;
     block[kBytes - 1] = 2;
     EXPECT_EQ(block[0] + block[kBytes - 1], 3);

@@ -480,16 +480,16 @@ TEST(Operand, RefusesWhatEnclosesNothing) {
 TEST(Operand, RefusesAOneSidedSurface) {
     TriangleMesh strip;
     // Vertices of a circle.
-    constexpr int kSteps = 12;
-    for (int i = 0; i < kSteps; ++i) {
-        const double u = 2 * M_PI * i / kSteps;
+    constexpr int kCircleVertices = 12;
+    for (int i = 0; i < kCircleVertices; ++i) {
+        const double u = 2 * M_PI * i / kCircleVertices;
         const Vec3 middle(std::cos(u), std::sin(u), 0);
         const Vec3 arm = std::cos(u / 2) * middle + std::sin(u / 2) * Vec3(0, 0, 1);
         strip.vertices.push_back(middle - 0.3 * arm);
         strip.vertices.push_back(middle + 0.3 * arm);
     }
-    for (int i = 0; i < kSteps; ++i) {
-        const bool last = i == kSteps - 1;
+    for (int i = 0; i < kCircleVertices; ++i) {
+        const bool last = i == kCircleVertices - 1;
         const std::int32_t a = 2 * i;
         const std::int32_t b = 2 * i + 1;
         const std::int32_t c = last ? 1 : 2 * i + 2;

@@ -39,7 +39,7 @@ TEST(Placement, NodesOnEdgesAreAtEvenLengthsWhereTheSpeedJumps) {
     for (int order = 2; order <= 4; ++order) {
         PlacedCurvedSurface placed(geometry::make_shape_model(face), order, 20.0);
         int segments = 0;
-        for (const int t : living(placed.surface)) {
+        for (const int t : live_triangles(placed.surface)) {
             const auto& v = placed.editor.triangle(t).corners;
             for (std::size_t k = 0; k < 3; ++k) {
                 const int a = v[k];

@@ -86,11 +86,11 @@ TEST(SurfaceOperations, CavitiesAreFilledAnew) {
     for (const char* type : {"cylinder", "plane"}) {
         for (int order = 2; order <= 4; ++order) {
             PlacedCurvedSurface placed(cylinder(), order, 0.6);
-            const std::size_t before = living(placed.surface).size();
+            const std::size_t before = live_triangles(placed.surface).size();
             const Folded folded = fold_an_edge(placed, type);
             EXPECT_TRUE(retriangulate_cavity(placed.editor, folded.triangle)) << type << order;
             EXPECT_EQ(placed.invalid(), 0) << type << order;
-            EXPECT_LE(living(placed.surface).size(), before);
+            EXPECT_LE(live_triangles(placed.surface).size(), before);
             placed.expect_closed();
         }
     }

@@ -45,14 +45,14 @@ class Filled {
 
     double volume_sum() const {
         double sum = 0.0;
-        for (const int t : volume.living()) {
+        for (const int t : volume.live_tetrahedra()) {
             sum += volume.straight_jacobian(volume.tetrahedra[static_cast<std::size_t>(t)].corners) / 6.0;
         }
         return sum;
     }
     double least_straight() const {
         double least = 1e300;
-        for (const int t : volume.living()) {
+        for (const int t : volume.live_tetrahedra()) {
             least = std::min(least, volume.straight_jacobian(volume.tetrahedra[static_cast<std::size_t>(t)].corners));
         }
         return least;

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<int> invalid_tetrahedra(const TetrahedralMesh& volume) {
     std::vector<int> result;
-    for (const int t : volume.living()) {
+    for (const int t : volume.live_tetrahedra()) {
         if (!(volume.tetrahedra[static_cast<std::size_t>(t)].quality > 0.0)) {
             result.push_back(t);
         }
@@ -37,7 +37,7 @@ TEST(Straighten, TetrahedraThatStayInvalidBecomeStraight) {
         }
     }
     ASSERT_EQ(bent, 5);
-    volume.measure(volume.living());
+    volume.measure(volume.live_tetrahedra());
     const std::vector<int> before = invalid_tetrahedra(volume);
     ASSERT_GE(before.size(), 5u);
     const std::set<int> done = straighten_tetrahedra(volume, filled.surface_editor);

@@ -41,7 +41,7 @@ TEST(DegreeRaising, KeepsEveryPoint) {
                           1e-12);
             }
         }
-        for (const int t : solid.volume.living()) {
+        for (const int t : solid.volume.live_tetrahedra()) {
             const auto& corners = solid.volume.tetrahedra[static_cast<std::size_t>(t)].corners;
             const Barycentric at{0.1, 0.2, 0.3, 0.4};
             EXPECT_LT((point_of(high.shapes, corners, at) - point_of(solid.surface.shapes, corners, at)).norm(), 1e-12)
@@ -57,13 +57,13 @@ std::ptrdiff_t invalid_of(const Filled& solid) {
 }
 
 double deviation_of(Filled& solid) {
-    const std::vector<double> all = solid.surface_editor.placement.deviations(living(solid.surface));
+    const std::vector<double> all = solid.surface_editor.placement.deviations(live_triangles(solid.surface));
     return *std::max_element(all.begin(), all.end());
 }
 
 /// Straight tetrahedra, and their shapes written with one degree more.
 void raise(Filled& solid) {
-    solid.volume.measure(solid.volume.living());
+    solid.volume.measure(solid.volume.live_tetrahedra());
     ASSERT_EQ(invalid_of(solid), 0);
     solid.surface = with_degree_raised(solid.surface, solid.volume.tetrahedra);
 }
@@ -81,13 +81,13 @@ TEST(DegreeRaising, WhatIsValidIsPlacedOnTheCad) {
 TEST(DegreeRaising, ElementsThatWouldFoldKeepTheirShapes) {
     Filled wall(thin_wall(0.04, 2.0), 1);
     raise(wall);
-    std::vector<int> all = living(wall.surface);
+    std::vector<int> all = live_triangles(wall.surface);
     const std::size_t kept = place_where_valid(wall.surface_editor, &wall.volume, wall.progress);
     EXPECT_GT(kept, 0u);
     EXPECT_LT(kept, all.size());
     EXPECT_EQ(invalid_of(wall), 0);
     wall.surface_editor.placement.measure(all);
-    wall.volume.measure(wall.volume.living());
+    wall.volume.measure(wall.volume.live_tetrahedra());
     EXPECT_EQ(invalid_of(wall), 0);  // what it says of them is what they are
 }
 

@@ -71,7 +71,7 @@ TEST(Sheets, EachSheetIsOne) {
             const int axis = e / 4, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
             const int low = (e & 1) * u + (e >> 1 & 1) * v, high = low + (1 << axis);
             const bool changes = ((nodes >> low ^ nodes >> high) & 1) != 0;
-            ASSERT_EQ(changes, sheets.of_edge[e] != CellSheets::kNone) << nodes << " edge " << e;
+            ASSERT_EQ(changes, sheets.of_edge[e] != CellSheets::kNoSheet) << nodes << " edge " << e;
             if (changes) {
                 ++edges[sheets.of_edge[e]];
             }

@@ -60,7 +60,7 @@ struct Sampled {
     }
 
     mesh::TriangleMesh mesh;
-    mesh::WindingNumber winding;
+    mesh::SurfaceWinding winding;
     OperandSet operands;
     SampleGrid grid;
     LayeredDepthSet set;

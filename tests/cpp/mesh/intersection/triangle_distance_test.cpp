@@ -49,15 +49,15 @@ TEST(TriangleDistance, IsNoMoreThanThatOfSamplesAndReached) {
         }
         const TriangleDistance found = triangle_distance(a, b);
         EXPECT_NEAR((found.on_first - found.on_second).norm(), found.distance, 1e-14);
-        constexpr int kSteps = 12;
+        constexpr int kSamples = 12;
         double sampled = 1e9;
-        for (int i = 0; i <= kSteps; ++i) {
-            for (int j = 0; i + j <= kSteps; ++j) {
-                const double u = double(i) / kSteps, v = double(j) / kSteps;
+        for (int i = 0; i <= kSamples; ++i) {
+            for (int j = 0; i + j <= kSamples; ++j) {
+                const double u = double(i) / kSamples, v = double(j) / kSamples;
                 const Vec3 p = (1 - u - v) * a[0] + u * a[1] + v * a[2];
-                for (int k = 0; k <= kSteps; ++k) {
-                    for (int l = 0; k + l <= kSteps; ++l) {
-                        const double s = double(k) / kSteps, t = double(l) / kSteps;
+                for (int k = 0; k <= kSamples; ++k) {
+                    for (int l = 0; k + l <= kSamples; ++l) {
+                        const double s = double(k) / kSamples, t = double(l) / kSamples;
                         sampled = std::min(sampled, (p - ((1 - s - t) * b[0] + s * b[1] + t * b[2])).norm());
                     }
                 }
@@ -79,10 +79,10 @@ TEST(TriangleDistance, NearestOnATriangleIsNearerThanItsSamples) {
         const Vec3 p = 2.0 * point();
         const double found = (nearest_on_triangle(p, a, b, c) - p).norm();
         // Samples along each side of the triangle.
-        constexpr int kSteps = 12;
-        for (int u = 0; u <= kSteps; ++u) {
-            for (int v = 0; u + v <= kSteps; ++v) {
-                const Vec3 sample = a + (b - a) * u / kSteps + (c - a) * v / kSteps;
+        constexpr int kSamples = 12;
+        for (int u = 0; u <= kSamples; ++u) {
+            for (int v = 0; u + v <= kSamples; ++v) {
+                const Vec3 sample = a + (b - a) * u / kSamples + (c - a) * v / kSamples;
                 ASSERT_LE(found, (sample - p).norm() + 1e-12);
             }
         }

@@ -26,14 +26,14 @@ std::size_t count(const Verification& verification, FaultKind kind) {
 }
 
 const Fault& first(const Verification& verification, FaultKind kind) {
-    static const Fault kNone;
+    static const Fault kNoFault;
     for (const Fault& fault : verification.faults) {
         if (fault.kind == kind) {
             return fault;
         }
     }
     ADD_FAILURE() << "no " << name(kind);
-    return kNone;
+    return kNoFault;
 }
 
 void append(TriangleMesh& mesh, const TriangleMesh& other, double scale, const Vec3& shift) {

@@ -15,13 +15,13 @@ TEST(AngularSectors, KnowsWhatIsFree) {
     };
     EXPECT_TRUE(fan.free(at(10), at(80)));
     EXPECT_FALSE(fan.free(at(80), at(10))) << "more than half a turn";
-    fan.take(at(350), at(40));
+    fan.occupy(at(350), at(40));
     EXPECT_FALSE(fan.free(at(10), at(80)));
     EXPECT_FALSE(fan.free(at(355), at(5)));
     EXPECT_FALSE(fan.free(at(340), at(60)));
     EXPECT_TRUE(fan.free(at(40), at(80))) << "side by side";
     EXPECT_TRUE(fan.free(at(300), at(350)));
-    fan.take(at(200), at(200));  // the seam of a periodic face
+    fan.occupy(at(200), at(200));  // the seam of a periodic face
     EXPECT_FALSE(fan.free(at(190), at(210)));
     EXPECT_TRUE(fan.free(at(200), at(210)));
     EXPECT_TRUE(fan.free(at(190), at(200)));

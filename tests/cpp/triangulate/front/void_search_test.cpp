@@ -39,14 +39,14 @@ std::vector<VoidSearch::Ball> random_balls(int count, std::mt19937_64& random) {
 
 // Returns the fraction of a fine grid that no ball covers.
 double free_share(const std::vector<VoidSearch::Ball>& balls) {
-    constexpr int kSteps = 200;  // Steps of the grid along each side.
+    constexpr int kGridSteps = 200;  // Steps of the grid along each side.
     int free = 0;
-    for (int i = 0; i < kSteps; ++i) {
-        for (int j = 0; i + j < kSteps; ++j) {
-            free += covered(Vec2((i + 1.0 / 3.0) / kSteps, (j + 1.0 / 3.0) / kSteps), balls) ? 0 : 1;
+    for (int i = 0; i < kGridSteps; ++i) {
+        for (int j = 0; i + j < kGridSteps; ++j) {
+            free += covered(Vec2((i + 1.0 / 3.0) / kGridSteps, (j + 1.0 / 3.0) / kGridSteps), balls) ? 0 : 1;
         }
     }
-    return free / (0.5 * kSteps * (kSteps + 1));
+    return free / (0.5 * kGridSteps * (kGridSteps + 1));
 }
 
 TEST(VoidSearch, FindsOnlyGapsAndMissesNoLargeOne) {

@@ -27,7 +27,7 @@ TEST(FaceSizeFloors, RiseWithTheTrianglesThatAreGivenUp) {
         for (int t = from; t < to; ++t) {
             pipeline.work.exempt[t] = {cause, -1, -1, pipeline.surface.stamp(t)};
         }
-        floors.look(static_cast<std::size_t>(to - from));
+        floors.check_after(static_cast<std::size_t>(to - from));
     };
     give_up(0, 100, Cause::Crowded);
     EXPECT_EQ(floors.of(0), lowest) << "tips have as many";

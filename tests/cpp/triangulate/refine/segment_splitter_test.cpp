@@ -99,7 +99,7 @@ TEST(SegmentSplitter, SplitsOnShellsNearAcuteCorners) {
     for (const double angle : {5.0, 15.0, 40.0, 80.0}) {
         SCOPED_TRACE(angle);
         Pipeline pipeline(geometry::make_shape_model(geometry::wedge(angle, 10.0, 6.0)));
-        const std::vector<double> innermost = measure_room(pipeline.surface).innermost;
+        const std::vector<double> innermost = corner_shells(pipeline.surface).innermost;
         SegmentSplitter segments(pipeline.work);
         split_all(pipeline, segments, 3);
         const ClassifiedMesh& mesh = pipeline.surface;

@@ -16,16 +16,16 @@ namespace {
 
 double straight_volume(const TetrahedralMesh& volume) {
     double sum = 0.0;
-    for (const int t : volume.living()) {
+    for (const int t : volume.live_tetrahedra()) {
         sum += volume.straight_jacobian(volume.tetrahedra[static_cast<std::size_t>(t)].corners) / 6.0;
     }
     return sum;
 }
 
-/// The corners of the living, sorted.
+/// The corners of the live tetrahedra, sorted.
 std::vector<std::array<int, 4>> corners_of(const TetrahedralMesh& volume) {
     std::vector<std::array<int, 4>> result;
-    for (const int t : volume.living()) {
+    for (const int t : volume.live_tetrahedra()) {
         result.push_back(volume.tetrahedra[static_cast<std::size_t>(t)].corners);
         std::sort(result.back().begin(), result.back().end());
     }
@@ -35,7 +35,7 @@ std::vector<std::array<int, 4>> corners_of(const TetrahedralMesh& volume) {
 
 TEST(RemeshAndRepair, CavitiesAroundInvalidElementsBecomeValid) {
     Filled filled(thin_wall(0.02, 0.5 * M_PI), 2);
-    filled.volume.measure(filled.volume.living());
+    filled.volume.measure(filled.volume.live_tetrahedra());
     ASSERT_GT(filled.volume.invalid(), 0u);
     const double before = filled.volume_sum();
     std::optional<TetrahedralMesh> volume(std::move(filled.volume));
@@ -49,7 +49,7 @@ TEST(RemeshAndRepair, CavitiesAroundInvalidElementsBecomeValid) {
 
 TEST(RemeshAndRepair, WhatIsValidStays) {
     Filled filled(geometry::make_shape_model(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape()), 2);
-    filled.volume.measure(filled.volume.living());
+    filled.volume.measure(filled.volume.live_tetrahedra());
     ASSERT_EQ(filled.volume.invalid(), 0u);
     const auto before = corners_of(filled.volume);
     std::optional<TetrahedralMesh> volume(std::move(filled.volume));
@@ -72,7 +72,7 @@ TEST(FillAndRepair, WhatStaysInvalidLeavesAMesh) {
     EXPECT_GT(filled.repairs.invalid_after, 0);
     EXPECT_EQ(static_cast<std::size_t>(filled.repairs.invalid_after), filled.volume.invalid());
     EXPECT_NEAR(straight_volume(filled.volume), 1.0, 1e-9);
-    for (const int t : filled.volume.living()) {
+    for (const int t : filled.volume.live_tetrahedra()) {
         for (const int v : filled.volume.tetrahedra[static_cast<std::size_t>(t)].corners) {
             EXPECT_LT(static_cast<std::size_t>(v), placed.surface.shapes.vertices.size());
         }

@@ -82,9 +82,9 @@ void expect_continuous(Model& model, int face, double radius, double z) {
     u = start.u;
     double v = start.v;
     // Steps in one turn.
-    constexpr int kSteps = 200;
-    for (int i = 1; i <= 2 * kSteps; ++i) {
-        const double angle = kTwoPi * i / kSteps;
+    constexpr int kTurnSteps = 200;
+    for (int i = 1; i <= 2 * kTurnSteps; ++i) {
+        const double angle = kTwoPi * i / kTurnSteps;
         const Answer next =
             model.answer(Query::face_nearest(face, Vec3(radius * std::cos(angle), radius * std::sin(angle), z), u, v));
         ASSERT_TRUE(next.found());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "mesh/intersection/winding_number.h"
+#include "mesh/intersection/surface_winding.h"
 
 #include <gtest/gtest.h>
 
@@ -58,9 +58,9 @@ class Points {
     std::mt19937 random_{5};
 };
 
-TEST(WindingNumber, IsOneInsideAndZeroOutsideOfAClosedSurface) {
+TEST(SurfaceWinding, IsOneInsideAndZeroOutsideOfAClosedSurface) {
     const TriangleMesh ball = bowl(20, 2.0);
-    const WindingNumber winding(ball.vertices, ball.triangles);
+    const SurfaceWinding winding(ball.vertices, ball.triangles);
     EXPECT_TRUE(winding.border().empty());
     Points points;
     for (int k = 0; k < 500; ++k) {
@@ -73,10 +73,10 @@ TEST(WindingNumber, IsOneInsideAndZeroOutsideOfAClosedSurface) {
     }
 }
 
-TEST(WindingNumber, IsThatOfAllTrianglesTakenSingly) {
+TEST(SurfaceWinding, IsThatOfAllTrianglesTakenSingly) {
     for (const double height : {0.9, 0.5, 0.0}) {
         const TriangleMesh open = bowl(30, height);
-        const WindingNumber winding(open.vertices, open.triangles);
+        const SurfaceWinding winding(open.vertices, open.triangles);
         EXPECT_EQ(winding.border().size(), 60U);
         Points points;
         double largest = 0.0;
@@ -88,12 +88,12 @@ TEST(WindingNumber, IsThatOfAllTrianglesTakenSingly) {
     }
     // Half a ball's solid angle from its middle is half of the whole.
     const TriangleMesh half = bowl(30, 0.0);
-    EXPECT_NEAR(WindingNumber(half.vertices, half.triangles).at(Vec3::Zero()), 0.5, 1e-3);
+    EXPECT_NEAR(SurfaceWinding(half.vertices, half.triangles).at(Vec3::Zero()), 0.5, 1e-3);
 }
 
-TEST(WindingNumber, GradientIsThatOfTheNumberAndWithinTheBound) {
+TEST(SurfaceWinding, GradientIsThatOfTheNumberAndWithinTheBound) {
     const TriangleMesh open = bowl(30, 0.5);
-    const WindingNumber winding(open.vertices, open.triangles);
+    const SurfaceWinding winding(open.vertices, open.triangles);
     Points points;
     constexpr double kStep = 1e-4;
     int compared = 0;
@@ -120,13 +120,13 @@ TEST(WindingNumber, GradientIsThatOfTheNumberAndWithinTheBound) {
 }
 
 /// Reversed triangles and triangles that occur twice have a border, too.
-TEST(WindingNumber, BorderIsWhereTheTrianglesAreNotInBalance) {
+TEST(SurfaceWinding, BorderIsWhereTheTrianglesAreNotInBalance) {
     TriangleMesh ball = bowl(10, 2.0);
     ball.triangles.push_back(ball.triangles[50]);
-    EXPECT_EQ(WindingNumber(ball.vertices, ball.triangles).border().size(), 3U);
+    EXPECT_EQ(SurfaceWinding(ball.vertices, ball.triangles).border().size(), 3U);
     ball.triangles.pop_back();
     std::swap(ball.triangles[50][0], ball.triangles[50][1]);
-    EXPECT_EQ(WindingNumber(ball.vertices, ball.triangles).border().size(), 6U);
+    EXPECT_EQ(SurfaceWinding(ball.vertices, ball.triangles).border().size(), 6U);
 }
 
 }  // namespace

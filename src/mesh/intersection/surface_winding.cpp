@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "mesh/intersection/winding_number.h"
+#include "mesh/intersection/surface_winding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ double distance_to(const Box& box, const Vec3& p) {
     return (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0).norm();
 }
 
-/// The border: edges along which more triangles run in one direction than in the other, see WindingNumber::border.
+/// The border: edges along which more triangles run in one direction than in the other, see SurfaceWinding::border.
 std::vector<Triangle> border_of(const std::vector<Triangle>& triangles) {
     std::vector<std::array<std::int32_t, 3>> edges;  // low vertex, high vertex, 1 upward or -1
     edges.reserve(3 * triangles.size());
@@ -67,7 +67,7 @@ std::vector<Triangle> border_of(const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-WindingNumber::WindingNumber(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles)
+SurfaceWinding::SurfaceWinding(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles)
     : vertices_(vertices),
       triangles_(triangles),
       border_(border_of(triangles)),
@@ -77,7 +77,7 @@ WindingNumber::WindingNumber(const std::vector<Vec3>& vertices, const std::vecto
     sum_currents();
 }
 
-void WindingNumber::Moments::add(const Moments& other) {
+void SurfaceWinding::Moments::add(const Moments& other) {
     area += other.area;
     centre += other.centre;
     normal += other.normal;
@@ -89,7 +89,7 @@ void WindingNumber::Moments::add(const Moments& other) {
 
 /// Turns moments about an origin, whose centre is the sum of area times position, into moments about the centre of
 /// area.
-void WindingNumber::Moments::move_to_centre(const Vec3& origin) {
+void SurfaceWinding::Moments::move_to_centre(const Vec3& origin) {
     const Vec3 c = area > 0.0 ? Vec3(centre / area) : Vec3(Vec3::Zero());
     for (int i = 0; i < 3; ++i) {
         const Vec3 m = first.col(i);
@@ -99,7 +99,7 @@ void WindingNumber::Moments::move_to_centre(const Vec3& origin) {
     centre = origin + c;
 }
 
-void WindingNumber::sum_moments() {
+void SurfaceWinding::sum_moments() {
     moments_.resize(tree_.node_count());
     // Measured from the middle of the box, which keeps the sums short.
     const Vec3 middle = tree_.box().empty() ? Vec3(Vec3::Zero()) : tree_.box().center();
@@ -130,7 +130,7 @@ void WindingNumber::sum_moments() {
     }
 }
 
-void WindingNumber::sum_currents() {
+void SurfaceWinding::sum_currents() {
     currents_.resize(border_tree_.node_count());
     border_tree_.sum_up(
         [&](std::int32_t node, std::int32_t edge) {
@@ -152,7 +152,7 @@ void WindingNumber::sum_currents() {
 }
 
 /// The first three terms of the expansion of r / |r|^3 at the centre, which lies at r.
-double WindingNumber::far_winding(const Moments& moments, const Vec3& r, double distance) {
+double SurfaceWinding::far_winding(const Moments& moments, const Vec3& r, double distance) {
     const double square = distance * distance;
     double traces = 0.0, cubes = 0.0;
     Vec3 mixed = Vec3::Zero();
@@ -166,7 +166,7 @@ double WindingNumber::far_winding(const Moments& moments, const Vec3& r, double 
     return (moments.normal.dot(r) + first + second) / (square * distance);
 }
 
-double WindingNumber::at(const Vec3& p) const {
+double SurfaceWinding::at(const Vec3& p) const {
     double sum = 0.0;
     tree_.for_each_divided(
         [&](std::int32_t node) {
@@ -186,7 +186,7 @@ double WindingNumber::at(const Vec3& p) const {
     return sum / kWhole;
 }
 
-Vec3 WindingNumber::gradient(const Vec3& p) const {
+Vec3 SurfaceWinding::gradient(const Vec3& p) const {
     Vec3 sum = Vec3::Zero();
     border_tree_.for_each_divided(
         [&](std::int32_t node) {
@@ -205,7 +205,7 @@ Vec3 WindingNumber::gradient(const Vec3& p) const {
     return sum / kWhole;
 }
 
-double WindingNumber::steepest(const Vec3& p, double radius) const {
+double SurfaceWinding::steepest(const Vec3& p, double radius) const {
     const double by_border = steepest_by_border(p, radius);
     // A single sheet is bounded well by its border; of many loose triangles the border is long, and its pieces
     // cancel each other.
@@ -214,7 +214,7 @@ double WindingNumber::steepest(const Vec3& p, double radius) const {
 }
 
 /// Each piece of area is a dipole, whose gradient is at most 2 / r^3.
-double WindingNumber::steepest_by_area(const Vec3& p, double radius) const {
+double SurfaceWinding::steepest_by_area(const Vec3& p, double radius) const {
     double sum = 0.0;
     tree_.for_each_divided(
         [&](std::int32_t node) {
@@ -238,7 +238,7 @@ double WindingNumber::steepest_by_area(const Vec3& p, double radius) const {
 
 /// The lower of two bounds: the sum of what pieces of the border add at most, and the gradient at p with how much it
 /// changes in the ball and by taking far pieces together.
-double WindingNumber::steepest_by_border(const Vec3& p, double radius) const {
+double SurfaceWinding::steepest_by_border(const Vec3& p, double radius) const {
     double sum = 0.0, change = 0.0;
     Vec3 gradient = Vec3::Zero();
     border_tree_.for_each_divided(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/injectivity/winding_number.h"
+#include "curve/injectivity/curved_winding.h"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@ std::optional<int> turns_about(const Vec3& point, const std::vector<Vec3>& nodes
     for (std::size_t t = 0; t < patches.size(); ++t) {
         control.push_back(patches.control(static_cast<std::int32_t>(t)));
     }
-    return winding_number(patches.lattice(), control, point - patches.middle(), 1e-9);
+    return curved_winding(patches.lattice(), control, point - patches.middle(), 1e-9);
 }
 
-TEST(WindingNumber, IsOneWithinAndZeroBeside) {
+TEST(CurvedWinding, IsOneWithinAndZeroBeside) {
     for (const ElementKind kind : kSolidKinds) {
         LooseSolids solids;
         solids.add(kind, Vec3::Zero());
@@ -27,7 +27,7 @@ TEST(WindingNumber, IsOneWithinAndZeroBeside) {
     }
 }
 
-TEST(WindingNumber, IsNotSaidOnTheSurfaceOrWhereThatIsOpen) {
+TEST(CurvedWinding, IsNotSaidOnTheSurfaceOrWhereThatIsOpen) {
     LooseSolids solids;
     solids.add(ElementKind::Hexahedron, Vec3::Zero());
     EXPECT_EQ(turns_about({0.5, 0.25, 0.0}, solids.nodes, solids.sides()), std::nullopt);
@@ -36,7 +36,7 @@ TEST(WindingNumber, IsNotSaidOnTheSurfaceOrWhereThatIsOpen) {
     EXPECT_EQ(turns_about({0.5, 0.5, 0.5}, solids.nodes, open), std::nullopt);
 }
 
-TEST(WindingNumber, CountsCurvedSides) {
+TEST(CurvedWinding, CountsCurvedSides) {
     // A face that bulges by half an edge: a point beside the straight hexahedron is inside, and one just beyond is not.
     LooseSolids solids;
     solids.add(ElementKind::Hexahedron, Vec3::Zero());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/injectivity/winding_number.h"
+#include "curve/injectivity/curved_winding.h"
 
 #include <algorithm>
 #include <array>
@@ -83,13 +83,13 @@ std::optional<double> angle_of_gap(const Vec3& from, const Vec3& to, const Vec3&
 
 }  // namespace
 
-std::optional<int> winding_number(const Lattice& lattice, const std::vector<std::vector<Vec3>>& patches,
+std::optional<int> curved_winding(const Lattice& lattice, const std::vector<std::vector<Vec3>>& patches,
                                   const Vec3& point, double margin) {
     // Most pieces that are examined: enough for a point at a distance of a thousandth of the size from patches that
     // bend by all of it.
     constexpr int kMostPieces = 20'000;
     // Largest difference by rounding between the sum of angles and a whole number of turns.
-    constexpr double kRounding = 1e-6;
+    constexpr double kTurnRounding = 1e-6;
     std::vector<std::vector<Vec3>> waiting = patches;
     double sum = 0.0;
     for (int looked_at = 0; !waiting.empty(); ++looked_at) {
@@ -116,7 +116,7 @@ std::optional<int> winding_number(const Lattice& lattice, const std::vector<std:
         sum += *angle / (4.0 * kPi);
     }
     const double turns = std::round(sum);
-    return std::abs(sum - turns) < kRounding ? std::optional<int>(static_cast<int>(turns)) : std::nullopt;
+    return std::abs(sum - turns) < kTurnRounding ? std::optional<int>(static_cast<int>(turns)) : std::nullopt;
 }
 
 }  // namespace mq::curve

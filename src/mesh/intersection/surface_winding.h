@@ -16,9 +16,9 @@ namespace mq::mesh {
 ///
 /// The vertices and triangles are referred to, not copied: they must outlive this and keep their places. Vertices with
 /// equal coordinates must have one index, or the edges between them count as a border.
-class WindingNumber {
+class SurfaceWinding {
   public:
-    WindingNumber(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles);
+    SurfaceWinding(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles);
 
     double at(const Vec3& p) const;
     /// The gradient where it is smooth, off the triangles, per mm. It is a line integral along the border (the law of
