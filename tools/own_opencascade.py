@@ -79,6 +79,8 @@ def install(source, build, into):
                     *(f"-D{name}={value}" for name, value in settings.items())], check=True)
     subprocess.run(["cmake", "--build", build], check=True)
     subprocess.run(["cmake", "--install", build], check=True, stdout=subprocess.DEVNULL)
+    # Definitions of its own sources, which the core would take over; the core is compiled as for any OpenCASCADE.
+    next(into.rglob("OpenCASCADECompileDefinitionsAndFlags-release.cmake")).unlink()
     (into / "licences").mkdir()
     for name, kept in LICENCES.items():
         shutil.copyfile(source / name, into / "licences" / kept)
