@@ -113,7 +113,9 @@ class Steps:
 
     def curve(self):
         sphere = Part.makeSphere(self.random.uniform(2, 5))
-        must(mq.curve(sphere, order=2).report.triangles > 0, "no curved triangles")
+        report = mq.curve(sphere, order=2).report
+        must(report.elements > 0 and report.invalid == 0, "curved elements are missing or invalid")
+        near(report.volume, sphere.Volume, MESHED)
 
     def their_error(self):
         """An exception within FreeCAD's OpenCASCADE."""
