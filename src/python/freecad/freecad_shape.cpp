@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "python/freecad/freecad_shape.h"
 
+#ifndef MESHQUALITY_OWN_OPENCASCADE
 #include <swigpyrun.h>
+#endif
 
 #include <cstdlib>
 #include <optional>
@@ -20,7 +22,17 @@ namespace {
 
 constexpr const char* kLive = "live";
 constexpr const char* kStream = "stream";
+constexpr const char* kOwnKernel = "the core has an OpenCASCADE of its own";
 
+#ifdef MESHQUALITY_OWN_OPENCASCADE
+std::shared_ptr<const TopoDS_Shape> take_live(py::handle) {
+    return nullptr;
+}
+
+std::string why_not_live() {
+    return kOwnKernel;
+}
+#else
 /// SWIG's type of TopoDS_Shape in the runtime that all SWIG modules of the process share; null when FreeCAD was built
 /// with another version of that runtime. The type needs a Python class, or the shape's destructor would never be
 /// called.
@@ -57,9 +69,6 @@ std::shared_ptr<const TopoDS_Shape> take_live(py::handle object) {
 /// Why shapes cannot be taken live; empty where they can. Versions are compared first: the layout of another one may
 /// differ.
 std::string why_not_live() {
-#ifdef MESHQUALITY_OWN_OPENCASCADE
-    return "the core has an OpenCASCADE of its own";
-#else
     const py::module_ part = py::module_::import("Part");
     const std::string theirs = py::str(part.attr("OCC_VERSION"));
     if (theirs != geometry::occt_version()) {
@@ -69,9 +78,9 @@ std::string why_not_live() {
     if (probe == nullptr) {
         return "this build of FreeCAD cannot share its shapes";
     }
-    return geometry::is_of_this_kernel(*probe) ? "" : "the core has an OpenCASCADE of its own";
-#endif
+    return geometry::is_of_this_kernel(*probe) ? "" : kOwnKernel;
 }
+#endif
 
 /// The bridge that is asked for; empty: none is.
 std::string asked_bridge() {
