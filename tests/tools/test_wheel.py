@@ -124,6 +124,21 @@ class Build(unittest.TestCase):
             self.assertRegex(line, r"^#|^[\w-]+==[\d.]+ --hash=sha256:[0-9a-f]{64}$")
 
 
+MADE = sorted((ROOT / "build-wheel").glob("*.whl"))
+
+
+@unittest.skipUnless(MADE, "no wheel in build-wheel: tools/wheel makes one, the first time in half an hour")
+class Made(unittest.TestCase):
+    def test_it_shows_its_entry_alone_and_needs_the_system_alone(self):
+        for path in MADE:
+            with tempfile.TemporaryDirectory() as folder, zipfile.ZipFile(path) as archive:
+                binary, = (name for name in archive.namelist() if name.endswith(".so"))
+                binary = archive.extract(binary, folder)
+                self.assertEqual(wheel.exported(binary), {"PyInit__core"}, path.name)
+                self.assertLessEqual(wheel.needed(binary), wheel.SYSTEM_LIBRARIES, path.name)
+                self.assertLess(path.stat().st_size, wheel.MOST_BYTES, path.name)
+
+
 class AddonTree(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
