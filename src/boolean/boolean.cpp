@@ -387,9 +387,8 @@ double BooleanOptions::tolerance_for(double size) const {
 
 void require_possible(double tolerance, double size) {
     if (tolerance < kFinestTolerance * size) {
-        throw InvalidInput(Message::of(
-            phrases::kFineTolerance,
-            {{"length", in_digits(tolerance, 4) + " mm"}, {"length2", in_digits(kFinestTolerance * size, 4) + " mm"}}));
+        throw InvalidInput(phrases::kFineTolerance,
+                           {{"length", in_mm(tolerance)}, {"length2", in_mm(kFinestTolerance * size)}});
     }
 }
 
@@ -409,11 +408,11 @@ BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, co
     options.validate();
     const ThreadLimit threads(options.threads);
     if (operands.empty()) {
-        throw InvalidInput("a Boolean without operands: give at least one mesh");
+        throw InvalidInput(phrases::kNoOperands);
     }
     if (expression.operands() != operands.size()) {
-        throw InvalidInput("a Boolean of " + std::to_string(operands.size()) + " meshes by an expression of " +
-                           std::to_string(expression.operands()) + " operands");
+        throw InvalidInput(phrases::kExpressionOperands,
+                           {{"count", operands.size()}, {"count2", expression.operands()}});
     }
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
@@ -423,10 +422,7 @@ BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, co
         result = join_differences(operands, options, watched);
     }
     if (result->faults_left > 0) {
-        throw TopologyError(
-            "the result cannot be held in single precision without triangles that touch or cross: at least " +
-            mesh::counted(result->faults_left, "triangle") +
-            " of the operands meet there; choose a larger tolerance, or move an operand by a little");
+        throw TopologyError(counted(phrases::kResultNotHeld, result->faults_left));
     }
     return std::move(*result);
 }

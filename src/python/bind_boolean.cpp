@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/sub_shapes.h"
 #include "mesh/quality/surface_distance.h"
 #include "mesh/quality/surface_verification.h"
@@ -47,7 +48,7 @@ static_assert(sizeof(std::array<std::int32_t, 2>) == 2 * sizeof(std::int32_t), "
 void add_operand(Operands& operands, const std::string& name, const SurfacePointer& surface, bool round,
                  const py::object& shape) {
     if (surface == nullptr && shape.is_none()) {
-        throw InvalidInput(name + " has neither a surface nor a shape");
+        throw InvalidInput(phrases::kNoOperand, {{"name", name}});
     }
     operands.add({name, surface, round, shape.is_none() ? nullptr : geometry::kept(*part_shape(shape).shape)});
 }
@@ -62,7 +63,10 @@ BooleanMethod method_from(const std::string& name) {
     if (name == "uniform") {
         return BooleanMethod::Uniform;
     }
-    throw InvalidInput("method is '" + name + "': it must be 'default', 'exact' or 'uniform'");
+    throw InvalidInput(phrases::kNotAllowed,
+                       {{"option", "method"},
+                        {"value", "'" + name + "'"},
+                        {"range", Message(phrases::kOneOf, {{"list", "'default', 'exact', 'uniform'"}})}});
 }
 
 /// An operation by its name, or an expression in postfix order (boolean::Expression::from).

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "python/bindings.h"
 #include "view/quality_scene.h"
 
@@ -27,7 +28,7 @@ using Array = py::array_t<Number, py::array::c_style | py::array::forcecast>;
 /// The number of rows of an array of shape (n, ...) with `width` numbers in each row.
 std::size_t rows(const py::array& array, py::ssize_t width, const char* name) {
     if (array.size() % width != 0) {
-        throw InvalidInput(std::string(name) + " must have " + std::to_string(width) + " numbers a row");
+        throw InvalidInput(phrases::kColumns, {{"name", name}, {"count", width}});
     }
     return static_cast<std::size_t>(array.size() / width);
 }
@@ -45,7 +46,7 @@ view::LegendPicture legend_of(const Array<std::uint8_t>& rows, int corner, int r
         return {};
     }
     if (rows.ndim() != 3 || rows.shape(2) != 4 || corner < 0 || corner > 3) {
-        throw InvalidInput("a legend is given as (height, width, 4) numbers and a corner from 0 to 3");
+        throw InvalidInput(phrases::kLegendRows);
     }
     view::LegendPicture picture;
     picture.width = static_cast<int>(rows.shape(1));

@@ -32,26 +32,21 @@ namespace mq::triangulate {
 
 namespace {
 
-/// A length, which may be tiny.
-std::string in_mm(double length) {
-    return in_digits(length, 4) + " mm";
-}
-
 void check_against_shape(const TriangulateOptions& options, const geometry::Topology& topology,
                          const SinglePrecisionGrid& grid) {
     const auto something = [](const geometry::Face& face) { return !face.no_area; };
     if (std::none_of(topology.faces.begin(), topology.faces.end(), something)) {
-        throw InvalidInput(Message{phrases::kNoFaces});
+        throw InvalidInput(phrases::kNoFaces);
     }
     const double chord = options.chord_height_of(topology.box);
     if (chord > 0.0 && chord < 4.0 * grid.resolution()) {
-        throw InvalidInput(Message::of(phrases::kFineChordHeight,
-                                       {{"length", in_mm(chord)}, {"length2", in_mm(4.0 * grid.resolution())}}));
+        throw InvalidInput(phrases::kFineChordHeight,
+                           {{"length", in_mm(chord)}, {"length2", in_mm(4.0 * grid.resolution())}});
     }
-    const auto require_edges = [&](const char* phrase, const char* place, const std::string& name, double length) {
+    const auto require_edges = [&](Phrase phrase, const char* place, const std::string& name, double length) {
         if (length > 0.0 && length < grid.shortest_side()) {
-            throw InvalidInput(Message::of(
-                phrase, {{place, name}, {"length", in_mm(length)}, {"length2", in_mm(grid.shortest_side())}}));
+            throw InvalidInput(phrase,
+                               {{place, name}, {"length", in_mm(length)}, {"length2", in_mm(grid.shortest_side())}});
         }
     };
     require_edges(phrases::kShortEdges, "option", "max_edge", options.max_edge);
@@ -95,7 +90,7 @@ void add_note(mesh::MeshReport& report, const std::string& note) {
 void check_failures(const InitialTriangulation& faces, const geometry::Topology& topology,
                     const TriangulateOptions& options) {
     if (!faces.failures.empty() && (!options.allow_missing_faces || faces.failures.size() == faces.faces.size())) {
-        throw TopologyError(Message::of(phrases::kNotTriangulated, {{"value", failed_faces(faces, topology)}}));
+        throw TopologyError(phrases::kNotTriangulated, {{"value", failed_faces(faces, topology)}});
     }
 }
 

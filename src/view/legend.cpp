@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::view {
 
@@ -58,8 +59,8 @@ Legend::Legend() {
 
 void Legend::show(const LegendPicture& picture) {
     if (picture.rgba.size() != std::size_t{4} * picture.width * picture.height) {
-        throw InvalidInput("a legend of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
-                           " pixels was given " + std::to_string(picture.rgba.size()) + " numbers, not four a pixel");
+        throw InvalidInput(phrases::kLegendNumbers,
+                           {{"count", picture.width}, {"count2", picture.height}, {"count3", picture.rgba.size()}});
     }
     removeAllChildren();
     picture_ = picture;

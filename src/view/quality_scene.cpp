@@ -19,6 +19,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "view/legend.h"
 
 namespace mq::view {
@@ -57,7 +58,7 @@ SoLightModel* unlit() {
 
 QualityScene::QualityScene() {
     if (!SoDB::isInitialized()) {
-        throw GeometryError("there is no 3D view: the quality of meshes is drawn in FreeCAD's window only");
+        throw GeometryError(phrases::kNoView);
     }
     root_ = new SoSeparator;
     root_->ref();

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::view {
 
@@ -67,8 +68,7 @@ void ShadedTriangles::show(const float* corners, std::size_t triangles) {
 
 void ShadedTriangles::colour(const std::vector<Colour>& colours) {
     if (colours.size() != count()) {
-        throw InvalidInput(std::to_string(colours.size()) + " colours were given for " + std::to_string(count()) +
-                           " triangles");
+        throw InvalidInput(phrases::kOneForEach, {{"name", "colours"}, {"count", colours.size()}, {"count2", count()}});
     }
     std::vector<std::uint32_t> values(colours.size());
     for (std::size_t t = 0; t < colours.size(); ++t) {

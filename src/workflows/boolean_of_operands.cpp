@@ -227,7 +227,7 @@ namespace {
 void require_valid(const BooleanOptions& options, BooleanMethod method) {
     options.validate();
     if (options.full && method != BooleanMethod::Uniform) {
-        throw InvalidInput(Message::of(phrases::kFullBySampling, {}));
+        throw InvalidInput(phrases::kFullBySampling);
     }
 }
 
@@ -272,7 +272,7 @@ class BooleanRun {
     template <typename Kind>
     BooleanSurface uniform_after(const Kind& error) const {
         const auto fails = [&](const Error& neither) {
-            return Kind(std::string(error.what()) + "; sampling it along rays fails, too: " + neither.what());
+            return Kind(phrases::kSamplingFailsToo, {{"phrase", error.message()}, {"phrase2", neither.message()}});
         };
         BooleanSurface result;
         try {

@@ -164,8 +164,7 @@ constexpr double kSmallestAngle = 1.0;
 /// @throws InvalidInput where there are several or none
 const GivenOperand& only_operand(const Operands& operands) {
     if (operands.given().size() != 1) {
-        throw InvalidInput("an offset has one operand, and " + std::to_string(operands.given().size()) +
-                           " are given: unite them by boolean first");
+        throw InvalidInput(phrases::kOneOperand, {{"count", operands.given().size()}});
     }
     return operands.given().front();
 }
@@ -184,9 +183,8 @@ class OffsetWork {
         }
         finest_ = boolean::kFinestTolerance * size;
         if (options_.tolerance > distance) {
-            throw InvalidInput(Message::of(
-                phrases::kAboveDistance,
-                {{"length", in_digits(options_.tolerance, 6) + " mm"}, {"length2", in_digits(distance, 6) + " mm"}}));
+            throw InvalidInput(phrases::kAboveDistance,
+                               {{"length", in_mm(options_.tolerance, 6)}, {"length2", in_mm(distance, 6)}});
         }
     }
 
@@ -268,9 +266,8 @@ class OffsetWork {
     boolean::OffsetOptions left_for(double distance) const {
         const double left = (1.0 - kUnion - kCutting) * options_.tolerance - work_.error_bound;
         if (left <= 0.0) {
-            throw InvalidInput("the mesh that was made of the operand deviates by up to " +
-                               in_digits(work_.error_bound, 4) + " mm, and the tolerance is " +
-                               in_digits(options_.tolerance, 4) + " mm: give a larger tolerance");
+            throw InvalidInput(phrases::kCoarseOperand,
+                               {{"length", in_mm(work_.error_bound)}, {"length2", in_mm(options_.tolerance)}});
         }
         return {distance, left, options_.threads};
     }
@@ -282,7 +279,7 @@ class OffsetWork {
         }
         const boolean::OffsetOptions options = left_for(options_.distance);
         if (std::find(open.begin(), open.end(), 0) == open.end()) {
-            throw InvalidInput("all faces are left out: at least one is needed");
+            throw InvalidInput(phrases::kAllLeftOut);
         }
         // Plane openings are extended by prisms, so that the hollow is an offset inward. Elsewhere both sides of all
         // walls are offset, which takes many times as long.
@@ -332,8 +329,7 @@ BooleanSurface hollow_shape(const Operands& solid, const std::optional<std::vect
                             OffsetShapeOptions options, Progress& progress) {
     constexpr double kShareOfWall = 40.0;  // the thickness over the tolerance, where none is given
     if (!only_operand(solid).is_shape() && openings) {
-        throw InvalidInput(
-            "openings are faces of a shape, and a mesh is given: hollow it without openings, and cut them by boolean");
+        throw InvalidInput(phrases::kOpeningsOfMesh, {{"name", only_operand(solid).name}});
     }
     if (options.tolerance <= 0.0) {
         options.tolerance = options.distance / kShareOfWall;

@@ -22,24 +22,25 @@ constexpr double kLargest = 1e15;
 
 void require_usable(const mesh::TriangleMesh& mesh, const std::string& name) {
     if (mesh.triangles.empty()) {
-        throw InvalidInput(name + " has no triangles");
+        throw InvalidInput(phrases::kNoTriangles, {{"name", name}});
     }
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         if (!mesh.vertices[v].allFinite()) {
-            throw InvalidInput(name + ": vertex " + std::to_string(v) +
-                               " has a coordinate that is not a finite number");
+            throw InvalidInput(phrases::kNamed,
+                               {{"name", name}, {"phrase", Message(phrases::kVertexNotFinite, {{"count", v}})}});
         }
         if (mesh.vertices[v].cwiseAbs().maxCoeff() > kLargest) {
-            throw InvalidInput(name + ": vertex " + std::to_string(v) +
-                               " has a coordinate beyond 1e15 mm, up to which Booleans are exact; give a smaller mesh");
+            throw InvalidInput(phrases::kFarVertex, {{"name", name}, {"count", v}, {"length", in_mm(kLargest)}});
         }
     }
     const auto count = static_cast<std::int64_t>(mesh.vertices.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (const std::int32_t v : mesh.triangles[t]) {
             if (v < 0 || v >= count) {
-                throw InvalidInput(name + ": triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
-                                   ", but the mesh has " + std::to_string(count) + " vertices");
+                throw InvalidInput(
+                    phrases::kNamed,
+                    {{"name", name},
+                     {"phrase", Message(phrases::kNoSuchVertex, {{"count", t}, {"count2", v}, {"count3", count}})}});
             }
         }
     }
@@ -365,7 +366,7 @@ mesh::SurfaceTopology topology_of(const OperandMesh& draft, std::size_t componen
 
 void require_some(const OperandMesh& draft) {
     if (draft.triangles.empty()) {
-        throw InvalidInput(Message::of(phrases::kNoEnclosedVolume, {{"name", draft.name}}));
+        throw InvalidInput(phrases::kNoEnclosedVolume, {{"name", draft.name}});
     }
 }
 

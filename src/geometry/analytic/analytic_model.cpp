@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/closed_edge.h"
 #include "geometry/elementary/curve.h"
 #include "geometry/elementary/surface.h"
@@ -439,7 +440,7 @@ Answer AnalyticModel::volume_contains(const Query& query) const {
 
 void require_positive(double value, const char* what) {
     if (!(value > 0.0) || !std::isfinite(value)) {
-        throw InvalidInput(std::string(what) + " must be a positive number, not " + std::to_string(value));
+        throw InvalidInput(phrases::kNotPositive, {{"name", what}, {"number", in_digits(value, 6)}});
     }
 }
 

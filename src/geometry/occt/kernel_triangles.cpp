@@ -13,7 +13,9 @@
 #include <utility>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/evaluation/conversion.h"
+#include "geometry/occt/failure_text.h"
 
 namespace mq::geometry {
 
@@ -54,8 +56,7 @@ KernelTriangles kernel_triangles(const TopoDS_Shape& face, double distance) {
             }
         }
     } catch (const Standard_Failure& failure) {
-        const char* text = failure.GetMessageString();
-        throw GeometryError(std::string("OpenCASCADE cannot triangulate the face: ") + (text != nullptr ? text : ""));
+        throw GeometryError(phrases::kKernelFails, {{"text", failure_text(failure)}});
     }
     return found;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/brep_text.h"
 
 namespace py = pybind11;
@@ -58,7 +59,7 @@ bool is_part_shape(py::handle object) {
 
 FreecadShape part_shape(py::handle object, bool force_copy) {
     if (object.attr("isNull")().cast<bool>()) {
-        throw InvalidInput("the shape is null: it has no geometry");
+        throw InvalidInput(phrases::kShapeNull);
     }
     FreecadShape result;
     if (!force_copy) {

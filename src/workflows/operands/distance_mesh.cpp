@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/distance/shape_distance.h"
 #include "geometry/occt/kernel_triangles.h"
 #include "geometry/occt/sub_shapes.h"
@@ -84,8 +85,7 @@ void append(TriangleMesh& mesh, const TriangleMesh& piece) {
 
 void require_complete(const mesh::MeshReport& report, double distance) {
     if (!report.complete) {
-        throw InvalidInput("more than " + std::to_string(report.triangles) + " triangles at a max. deviation of " +
-                           in_digits(distance, 6) + " mm: give a larger tolerance");
+        throw InvalidInput(phrases::kTooManyTriangles, {{"count", report.triangles}, {"length", in_mm(distance, 6)}});
     }
 }
 

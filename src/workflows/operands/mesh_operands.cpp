@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "boolean/boolean.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/mean_thickness.h"
 #include "geometry/occt/shape_model.h"
 #include "workflows/operands/distance_mesh.h"
@@ -29,8 +30,7 @@ constexpr const char* kOfMeshes = "; the max. deviation is that of the Boolean o
 template <typename Kind>
 Kind named(const std::string& name, const Kind& error) {
     const bool says = std::string(error.what()).find(name) != std::string::npos;
-    return says ? error
-                : Kind(Message{"{name}: {phrase}", {{"name", Message::value(name)}, {"phrase", error.message()}}});
+    return says ? error : Kind(phrases::kNamed, {{"name", name}, {"phrase", error.message()}});
 }
 
 Result complete(geometry::Engine& engine, const TopoDS_Shape& shape, const triangulate::TriangulateOptions& options,

@@ -505,7 +505,7 @@ TEST(Operand, RefusesNumbersThatAreNone) {
     mesh.vertices[5].y() = std::numeric_limits<double>::quiet_NaN();
     expect_refused(mesh, "vertex 5");
     mesh.vertices[5].y() = -1.1e15;
-    expect_refused(mesh, "vertex 5 has a coordinate beyond 1e15 mm");
+    expect_refused(mesh, "vertex 5 has a coordinate beyond 1e+15 mm");
     mesh = cube();
     mesh.triangles[2][1] = 8;
     expect_refused(mesh, "triangle 2 names vertex 8");
