@@ -19,6 +19,7 @@ from dataclasses import dataclass
 
 from . import fault_phrases, label_phrases
 from .error_phrases import ERRORS as CORE_ERRORS
+from .note_phrases import NOTES
 from .stage_names import STAGES
 
 # The verdict on a mesh.
@@ -277,7 +278,8 @@ CORE_WAITS = {
 _WAITS = (*CORE_WAITS.values(), ADDING)
 # All that the build compiles into the core.
 CORE = {
-    **CORE_ERRORS, **CORE_WAITS, "on_edge": ON_EDGE, "on_face": ON_FACE, "crease": CREASE, "crease_end": CREASE_END,
+    **CORE_ERRORS, **CORE_WAITS, **NOTES, "repairs": fault_phrases.DONE, "one_hole": fault_phrases.ONE_HOLE,
+    "and_more": AND_MORE, "on_edge": ON_EDGE, "on_face": ON_FACE, "crease": CREASE, "crease_end": CREASE_END,
     "not_allowed": NOT_ALLOWED, "length_not_allowed": LENGTH_NOT_ALLOWED, "not_given": NOT_GIVEN, "two_bounds": TWO_BOUNDS,
     "min_above_max": MIN_ABOVE_MAX, "openings_of_mesh": OPENINGS_OF_MESH, "no_triangles": NO_TRIANGLES,
     "from_to": FROM_TO, "at_least": AT_LEAST, "longer_than": LONGER_THAN, "one_of": ONE_OF,
@@ -339,13 +341,13 @@ _SHOWN = {
 }
 
 def flat(phrases):
-    """The phrases, of which some are pairs, one after the other."""
-    return [phrase for one in phrases for phrase in ((one,) if isinstance(one, str) else one)]
+    """The phrases, of which some are pairs, or tuples of these, one after the other."""
+    return [phrase for one in phrases for phrase in ((one,) if isinstance(one, str) else flat(one))]
 
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
 _LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, TARGET_NOT_DECIDED, *LEFT_OUT, *CURING)
-_PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *flat(CORE_ERRORS.values()), *RANGES, *ENDINGS)
+_PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *flat((*CORE_ERRORS.values(), *NOTES.values())), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")
 

@@ -37,12 +37,6 @@ namespace {
 /// Relative spacing of single-precision numbers.
 
 /// Formats a length with two digits.
-std::string in_short(double length) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g", length);
-    return text;
-}
-
 /// One Boolean operation: it holds the state that the stages share.
 class BooleanPipeline {
   public:
@@ -102,9 +96,7 @@ class BooleanPipeline {
         for (std::size_t i = 0; i < inputs_.size(); ++i) {
             joined_ = std::max(joined_, prepared_[i].largest_move);
             result_.operand_topology.push_back(prepared_[i].topology);
-            const Repairs& repairs = prepared_[i].repairs;
-            result_.repaired.push_back(repairs.any() ? operand_name(i, inputs_.size()) + ": " + repairs.summary()
-                                                     : std::string());
+            result_.repaired.push_back(prepared_[i].repairs.of_operand(operand_name(i, inputs_.size())));
         }
         require_possible(tolerance_, size_);
     }
@@ -196,9 +188,7 @@ class BooleanPipeline {
             }
             mark_contacts(faces);
             if (moved_ > 4.0 * clearance()) {
-                result_.notes.push_back(
-                    "faces that lie on each other within the tolerance were taken as one: slivers and gaps up to " +
-                    in_short(result_.closed_gaps) + " mm thin may be gone");
+                result_.notes.push_back({phrases::kTakenAsOne, {{"length", in_mm(result_.closed_gaps, 2)}}});
             }
             undo_degenerate_moves(soup_, before);
             boxes_ = operand_boxes(soup_);

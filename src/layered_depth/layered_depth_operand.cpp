@@ -83,7 +83,7 @@ void UniformOperand::take(Operand&& operand, const std::string& name) {
         source_.push_back(has_corners_of(operand, t, *given_) ? operand.source[t] : -1);
     }
     origin_ = std::move(operand.source);
-    repaired_ = operand.repairs.any() ? name + ": " + operand.repairs.summary() : std::string();
+    repaired_ = operand.repairs.of_operand(name);
     largest_move_ = operand.largest_move;
     made_ = std::make_unique<mesh::TriangleMesh>();
     made_->origin = given_->origin;

@@ -30,10 +30,6 @@ namespace {
 using triangulate::Result;
 using triangulate::TriangulateOptions;
 
-/// The note about a shape that could not be shared in memory.
-constexpr const char* kCopied =
-    "this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text";
-
 std::shared_ptr<Result> triangulate_shape(const FreecadShape& part, const TriangulateOptions& options,
                                           const py::object& progress, triangulate::MeshCache* cache) {
     geometry::Engine& engine = shared_engine();
@@ -41,7 +37,7 @@ std::shared_ptr<Result> triangulate_shape(const FreecadShape& part, const Triang
         auto result =
             std::make_shared<Result>(workflows::triangulate_shape(engine, *part.shape, options, handle, cache));
         if (!part.live) {
-            result->report.notes.push_back(kCopied);
+            result->report.notes.emplace_back(phrases::kCopied);
         }
         return result;
     });

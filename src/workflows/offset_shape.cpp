@@ -23,13 +23,6 @@ namespace {
 using boolean::Expression;
 using boolean::Operation;
 
-std::string empty_offset(double distance) {
-    std::array<char, 120> text;
-    std::snprintf(text.data(), text.size(),
-                  "the result is empty: no point of the solid is %.4g mm away from its surface", std::abs(distance));
-    return text.data();
-}
-
 BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& solid,
                         const boolean::OffsetOptions& options, const WorkBefore& before, const Stopwatch& watch,
                         Progress& progress) {
@@ -48,7 +41,8 @@ BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& sol
     figures.crossing_pairs = found.crossing_pairs;
     figures.self_intersections = 0;
     figures.seconds = std::move(found.seconds);
-    complete_report(result, before, empty_offset(options.distance), progress);
+    complete_report(result, before, Message(phrases::kNoPointAway, {{"length", in_mm(std::abs(options.distance))}}),
+                    progress);
     figures.cpu_seconds = before.cpu_seconds + watch.cpu();
     result.report = figures;
     return result;
@@ -213,10 +207,9 @@ class OffsetWork {
             work_.seconds.emplace_back("reading the shape", watch.wall());
             work_.cpu_seconds += watch.cpu();
         }
-        const std::string of_operand = "operand A: ";
-        for (const std::string& sentence : solid_.figures.repaired) {
-            repaired_.push_back(sentence.rfind(of_operand, 0) == 0 ? sentence.substr(of_operand.size()) : sentence);
-            work_.notes.push_back("repaired before: " + repaired_.back());
+        for (const Message& sentence : solid_.figures.repaired) {
+            repaired_.push_back(sentence.places.back().content);  // without the name of the only operand
+            work_.notes.push_back({phrases::kRepairedBefore, {{"list", repaired_.back()}}});
         }
     }
 
@@ -233,10 +226,9 @@ class OffsetWork {
         add(inside.figures);
         const bool is_whole = inside.mesh.triangles.empty();
         if (is_whole) {
-            work_.notes.emplace_back("there is no hollow: the solid is nowhere thicker than two walls");
+            work_.notes.emplace_back(phrases::kNoHollow);
         } else if (!openings) {
-            work_.notes.emplace_back(
-                "the hollow is closed: powder, resin or air cannot leave it; name openings, or cut holes by boolean");
+            work_.notes.emplace_back(phrases::kHollowClosed);
         }
         std::vector<BooleanOperand> operands{{&solid_}};
         std::vector<const triangulate::Result*> surfaces{&solid_};
@@ -314,7 +306,7 @@ class OffsetWork {
     double finest_ = 0.0;
     BooleanSurface solid_;
     WorkBefore work_;
-    std::vector<std::string> repaired_;
+    std::vector<Message> repaired_;
 };
 
 }  // namespace

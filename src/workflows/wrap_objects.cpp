@@ -128,8 +128,7 @@ WrapSurface wrap_meshes(const std::vector<BooleanOperand>& objects, const wrap::
         mesh::self_intersections(result.mesh.vertices, result.mesh.triangles, mesh::kMostCounted, &progress);
     figures.self_intersections = static_cast<std::int64_t>(contacts.size());
     figures.faults_left = contacts.size();
-    complete_report(result, before, "the result is empty: nothing of what is given is as large as the tolerance",
-                    progress);
+    complete_report(result, before, phrases::kNothingAsLarge, progress);
     figures.cpu_seconds = before.cpu_seconds + watch.cpu();
     result.report = figures;
     return result;

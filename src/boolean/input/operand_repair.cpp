@@ -11,6 +11,7 @@
 #include "boolean/input/operand_mesh.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/corner_table.h"
+#include "mesh/quality/exemptions.h"
 #include "mesh/weld_vertices.h"
 
 namespace mq::boolean {
@@ -291,26 +292,24 @@ bool Repairs::any() const {
            0;
 }
 
-std::string Repairs::summary() const {
-    std::string text;
-    const auto add = [&text](std::size_t count, const std::string& one, const std::string& many, const char* done) {
-        if (count > 0) {
-            text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + (count == 1 ? one : many) + " " + done;
+Message Repairs::summary() const {
+    const std::size_t counts[] = {welded, degenerate, duplicate, flipped, nonmanifold_edges, nonmanifold_vertices,
+                                  cracks, holes,      scraps};
+    static_assert(std::size(counts) == std::size(phrases::kRepairs), "two phrases for each kind");
+    constexpr std::size_t kHoles = 7;  // in their order
+    std::vector<Message> done;
+    for (std::size_t k = 0; k < std::size(counts); ++k) {
+        if (k == kHoles && holes == 1 && hole_triangles == 1) {
+            done.emplace_back(phrases::kOneHole);
+        } else if (counts[k] > 0) {
+            done.push_back(counted(phrases::kRepairs[k], counts[k], {{"count2", hole_triangles}}));
         }
-    };
-    add(welded, "vertex", "vertices", "welded");
-    add(degenerate, "degenerate triangle", "degenerate triangles", "removed");
-    add(duplicate, "duplicate triangle", "duplicate triangles", "removed");
-    add(flipped, "triangle", "triangles", "turned around");
-    add(nonmanifold_edges, "edge", "edges", "of more than two triangles parted");
-    add(nonmanifold_vertices, "vertex", "vertices", "of several sheets parted");
-    add(cracks, "vertex", "vertices", "joined across cracks");
-    add(holes, "hole", "holes", "closed");
-    if (holes > 0) {
-        text += " (" + std::to_string(hole_triangles) + (hole_triangles == 1 ? " triangle)" : " triangles)");
     }
-    add(scraps, "triangle", "triangles", "of open sheets removed");
-    return text.empty() ? "none" : text;
+    return done.empty() ? Message(phrases::kNoRepairs) : mesh::list_of(done);
+}
+
+Message Repairs::of_operand(const std::string& name) const {
+    return any() ? Message(phrases::kNamed, {{"name", name}, {"phrase", summary()}}) : Message();
 }
 
 std::string operand_name(std::size_t index, std::size_t count) {
