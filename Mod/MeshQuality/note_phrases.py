@@ -29,7 +29,7 @@ NOTES = {
     "cross_where_near": "{name} and {name2} cross where they are apart by less than the mesh deviates",
     "bodies_touch": ("bodies touch: 1 pair of triangles of faces that lie on each other cross by their chords; imprint gives both bodies the same triangles",
                      "bodies touch: {count} pairs of triangles of faces that lie on each other cross by their chords; imprint gives both bodies the same triangles"),
-    "many_meet": "so many triangles meet that not all pairs were compared",
+    "many_meet": "too many triangles meet: not all pairs were compared",
     "crosses_itself": ("{name} crosses itself in 1 pair of triangles",
                        "{name} crosses itself in {count} pairs of triangles"),
     "faces_cross": ("{name} and {name2} cross in 1 pair of triangles",

@@ -4006,6 +4006,314 @@
         <source>{value} files do not hold elements of kind {kind} and order {count}: use .msh or .vtu</source>
         <translation>{value}-Dateien fassen keine Elemente der Art {kind} und der Ordnung {count}: .msh oder .vtu verwenden</translation>
     </message>
+    <message>
+        <source>1 of {count2} edges is smooth and does not constrain the mesh (keep_edges = feature)</source>
+        <translation>1 von {count2} Kanten ist glatt und bindet das Netz nicht (keep_edges = feature)</translation>
+    </message>
+    <message>
+        <source>1 of {count2} edges is smooth, but constrains the mesh all the same: otherwise faces would cross</source>
+        <translation>1 von {count2} Kanten ist glatt, bindet das Netz aber trotzdem: sonst würden Flächen sich schneiden</translation>
+    </message>
+    <message>
+        <source>1 other on the meshes of the shapes</source>
+        <translation>1 weiterer auf den Netzen der Formen</translation>
+    </message>
+    <message>
+        <source>an operand has more digits than single precision holds: to_mesh and most files round the result</source>
+        <translation>Ein Operand hat mehr Stellen, als einfache Genauigkeit hält: to_mesh und die meisten Dateien runden das Ergebnis</translation>
+    </message>
+    <message>
+        <source>bodies overlap: {list}</source>
+        <translation>Körper überlappen sich: {list}</translation>
+    </message>
+    <message>
+        <source>bodies touch: 1 pair of triangles of faces that lie on each other cross by their chords; imprint gives both bodies the same triangles</source>
+        <translation>Körper berühren sich: 1 Paar von Dreiecken aufeinanderliegender Flächen schneidet sich durch seine Sehnen; imprint gibt beiden Körpern dieselben Dreiecke</translation>
+    </message>
+    <message>
+        <source>bodies touch: {count} pairs of triangles of faces that lie on each other cross by their chords; imprint gives both bodies the same triangles</source>
+        <translation>Körper berühren sich: {count} Paare von Dreiecken aufeinanderliegender Flächen schneiden sich durch ihre Sehnen; imprint gibt beiden Körpern dieselben Dreiecke</translation>
+    </message>
+    <message>
+        <source>edges of {name} deviate from it by more than that</source>
+        <translation>Kanten von {name} weichen um mehr davon ab</translation>
+    </message>
+    <message>
+        <source>edges swapped: {count}, collapsed: {count2}, halved: {count3}; vertices moved: {count4}</source>
+        <translation>Kanten getauscht: {count}, zusammengezogen: {count2}, halbiert: {count3}; Eckpunkte verschoben: {count4}</translation>
+    </message>
+    <message>
+        <source>faces that lie on each other within the tolerance were taken as one: slivers and gaps up to {length} thin may be gone</source>
+        <translation>Flächen, die innerhalb der Toleranz aufeinanderliegen, gelten als eine: Splitter und Spalten bis {length} Dicke können fehlen</translation>
+    </message>
+    <message>
+        <source>filled in the reconstruction: 1 hole</source>
+        <translation>beim Wiederaufbau gefüllt: 1 Loch</translation>
+    </message>
+    <message>
+        <source>filled in the reconstruction: {count} holes</source>
+        <translation>beim Wiederaufbau gefüllt: {count} Löcher</translation>
+    </message>
+    <message>
+        <source>lost, as no ray met the components that they belong to: 1 triangle; take a higher resolution</source>
+        <translation>Verloren, da kein Strahl ihre Komponenten traf: 1 Dreieck; eine höhere Auflösung wählen</translation>
+    </message>
+    <message>
+        <source>lost, as no ray met the components that they belong to: {count} triangles; take a higher resolution</source>
+        <translation>Verloren, da kein Strahl ihre Komponenten traf: {count} Dreiecke; eine höhere Auflösung wählen</translation>
+    </message>
+    <message>
+        <source>max. deviation {length} instead of the requested {length2}: {phrase}</source>
+        <translation>Größte Abweichung {length} statt der verlangten {length2}: {phrase}</translation>
+    </message>
+    <message>
+        <source>mending of angles ended at its limit of attempts: 1 triangle below the smallest angle asked for might be improvable</source>
+        <translation>Das Verbessern von Winkeln endete an der Grenze seiner Versuche: 1 Dreieck unter dem verlangten kleinsten Winkel wäre vielleicht zu verbessern</translation>
+    </message>
+    <message>
+        <source>mending of angles ended at its limit of attempts: {count} triangles below the smallest angle asked for might be improvable</source>
+        <translation>Das Verbessern von Winkeln endete an der Grenze seiner Versuche: {count} Dreiecke unter dem verlangten kleinsten Winkel wären vielleicht zu verbessern</translation>
+    </message>
+    <message>
+        <source>open, as no repair closes it: {list}; inside is where its winding number is at least 0.5, and this guess spans the holes: {number} % of the result&apos;s surface</source>
+        <translation>Offen, da keine Reparatur es schließt: {list}; innen ist, wo die Windungszahl mindestens 0,5 ist, und dies überspannt die Löcher: {number} % der Oberfläche des Ergebnisses</translation>
+    </message>
+    <message>
+        <source>refine_samples is off, so that the samples alone decide</source>
+        <translation>refine_samples ist aus, sodass allein die Abtastpunkte entscheiden</translation>
+    </message>
+    <message>
+        <source>repaired before it was measured: {list}</source>
+        <translation>vor der Messung repariert: {list}</translation>
+    </message>
+    <message>
+        <source>repaired before: {list}</source>
+        <translation>zuvor repariert: {list}</translation>
+    </message>
+    <message>
+        <source>sampled along rays (method uniform), as there is no exact result: {phrase}</source>
+        <translation>Entlang von Strahlen abgetastet (Methode uniform), da es kein exaktes Ergebnis gibt: {phrase}</translation>
+    </message>
+    <message>
+        <source>sampled on CAD faces: 1 sample</source>
+        <translation>abgetastet auf CAD-Flächen: 1 Punkt</translation>
+    </message>
+    <message>
+        <source>sampled on CAD faces: {count} samples</source>
+        <translation>abgetastet auf CAD-Flächen: {count} Punkte</translation>
+    </message>
+    <message>
+        <source>sampling ended at max_triangles = {count}: the mesh is consistent, but coarser than requested; raise max_triangles</source>
+        <translation>Das Abtasten endete bei max_triangles = {count}: das Netz ist widerspruchsfrei, aber gröber als verlangt; max_triangles erhöhen</translation>
+    </message>
+    <message>
+        <source>some edges cannot be split without folding or crowding the mesh</source>
+        <translation>manche Kanten lassen sich nicht teilen, ohne das Netz zu falten oder zu drängen</translation>
+    </message>
+    <message>
+        <source>stopped at max_triangles = {count}: the mesh is consistent, but not all limits are met, and it was not searched for triangles that cross; raise max_triangles</source>
+        <translation>Angehalten bei max_triangles = {count}: das Netz ist widerspruchsfrei, aber nicht alle Grenzen sind eingehalten, und nach sich schneidenden Dreiecken wurde nicht gesucht; max_triangles erhöhen</translation>
+    </message>
+    <message>
+        <source>the coarsest mesh of this shape takes more than max_triangles = {count}: the mesh is consistent, but not all limits are met, and it was not searched for triangles that cross; raise max_triangles</source>
+        <translation>Das gröbste Netz dieser Form braucht mehr als max_triangles = {count}: das Netz ist widerspruchsfrei, aber nicht alle Grenzen sind eingehalten, und nach sich schneidenden Dreiecken wurde nicht gesucht; max_triangles erhöhen</translation>
+    </message>
+    <message>
+        <source>the hollow is closed: powder, resin or air cannot leave it; name openings, or cut holes by boolean</source>
+        <translation>Die Höhlung ist geschlossen: Pulver, Harz oder Luft kommen nicht heraus; Öffnungen nennen oder Löcher durch eine boolesche Operation schneiden</translation>
+    </message>
+    <message>
+        <source>the mesh was kept as it was at 1 triangle, which would cross others or have smaller angles than any before</source>
+        <translation>Das Netz blieb an 1 Dreieck, wie es war: es würde andere schneiden oder kleinere Winkel haben als alle zuvor</translation>
+    </message>
+    <message>
+        <source>the mesh was kept as it was at {count} triangles, which would cross others or have smaller angles than any before</source>
+        <translation>Das Netz blieb an {count} Dreiecken, wie es war: sie würden andere schneiden oder kleinere Winkel haben als alle zuvor</translation>
+    </message>
+    <message>
+        <source>the part is so thin that single precision changes its volume from {volume} to {volume2}: it holds coordinates of this part to {length}</source>
+        <translation>Das Teil ist so dünn, dass einfache Genauigkeit sein Volumen von {volume} auf {volume2} ändert: sie hält Koordinaten dieses Teils auf {length} genau</translation>
+    </message>
+    <message>
+        <source>the rays of three directions disagree at 1 node of the grid</source>
+        <translation>die Strahlen dreier Richtungen widersprechen sich an 1 Knoten des Gitters</translation>
+    </message>
+    <message>
+        <source>the rays of three directions disagree at {count} nodes of the grid</source>
+        <translation>die Strahlen dreier Richtungen widersprechen sich an {count} Knoten des Gitters</translation>
+    </message>
+    <message>
+        <source>the result is empty: no point of the solid is {length} away from its surface</source>
+        <translation>Das Ergebnis ist leer: kein Punkt des Körpers ist {length} von seiner Oberfläche entfernt</translation>
+    </message>
+    <message>
+        <source>the result is empty: no volume is left</source>
+        <translation>Das Ergebnis ist leer: kein Volumen bleibt übrig</translation>
+    </message>
+    <message>
+        <source>the result is empty: nothing of what is given is as large as the tolerance</source>
+        <translation>Das Ergebnis ist leer: nichts des Gegebenen ist so groß wie die Toleranz</translation>
+    </message>
+    <message>
+        <source>the result is empty: the operands are the same within the tolerance of {length}; a smaller tolerance shows smaller differences</source>
+        <translation>Das Ergebnis ist leer: die Operanden sind innerhalb der Toleranz von {length} gleich; eine kleinere Toleranz zeigt kleinere Unterschiede</translation>
+    </message>
+    <message>
+        <source>the result is not a closed manifold surface: see its faults</source>
+        <translation>Das Ergebnis ist keine geschlossene mannigfaltige Oberfläche: siehe seine Fehler</translation>
+    </message>
+    <message>
+        <source>the straight mesh has triangles on one another: a finer one was not tried</source>
+        <translation>Das gerade Netz hat aufeinanderliegende Dreiecke: ein feineres wurde nicht versucht</translation>
+    </message>
+    <message>
+        <source>the straight mesh was made finer {count} times</source>
+        <translation>Das gerade Netz wurde {count}-mal feiner gemacht</translation>
+    </message>
+    <message>
+        <source>there is no hollow: the solid is nowhere thicker than two walls</source>
+        <translation>Es gibt keine Höhlung: der Körper ist nirgends dicker als zwei Wände</translation>
+    </message>
+    <message>
+        <source>this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text</source>
+        <translation>Dieses FreeCAD kann seine Formen nicht teilen: das Netz entstand aus einer Kopie, die als BREP-Text übergeben wurde</translation>
+    </message>
+    <message>
+        <source>triangles of the surface were not repaired, as tetrahedra would not fit: {phrase}</source>
+        <translation>Dreiecke der Oberfläche wurden nicht repariert, da Tetraeder nicht passen würden: {phrase}</translation>
+    </message>
+    <message>
+        <source>{count} elements of the given mesh lie on one another and have no outside</source>
+        <translation>{count} Elemente des gegebenen Netzes liegen aufeinander und haben kein Außen</translation>
+    </message>
+    <message>
+        <source>{count} elements of the given mesh were numbered the wrong way round</source>
+        <translation>{count} Elemente des gegebenen Netzes waren verkehrt herum nummeriert</translation>
+    </message>
+    <message>
+        <source>{count} faces of the shape have no triangles in the given mesh, the first is {name}</source>
+        <translation>{count} Flächen der Form haben im gegebenen Netz keine Dreiecke, die erste ist {name}</translation>
+    </message>
+    <message>
+        <source>{count} of {count2} edges are smooth and do not constrain the mesh (keep_edges = feature)</source>
+        <translation>{count} von {count2} Kanten sind glatt und binden das Netz nicht (keep_edges = feature)</translation>
+    </message>
+    <message>
+        <source>{count} of {count2} edges are smooth, but constrain the mesh all the same: otherwise faces would cross</source>
+        <translation>{count} von {count2} Kanten sind glatt, binden das Netz aber trotzdem: sonst würden Flächen sich schneiden</translation>
+    </message>
+    <message>
+        <source>{count} operands are shapes: their meshes deviate by at most {length} from them; the max. deviation is that of the Boolean of the meshes</source>
+        <translation>{count} Operanden sind Formen: ihre Netze weichen um höchstens {length} von ihnen ab; die größte Abweichung ist die der booleschen Operation mit den Netzen</translation>
+    </message>
+    <message>
+        <source>{count} others on the meshes of the shapes</source>
+        <translation>{count} weitere auf den Netzen der Formen</translation>
+    </message>
+    <message>
+        <source>{count} pairs of curved triangles cross, one on {name} and {name2} near {point}</source>
+        <translation>{count} Paare gekrümmter Dreiecke schneiden sich, eines auf {name} und {name2} bei {point}</translation>
+    </message>
+    <message>
+        <source>{count} pairs of curved triangles were not compared to the end, as where bodies lie on each other: certify compares more</source>
+        <translation>{count} Paare gekrümmter Dreiecke wurden nicht zu Ende verglichen, etwa wo Körper aufeinanderliegen: certify vergleicht mehr</translation>
+    </message>
+    <message>
+        <source>{count} tetrahedra of the given mesh lie on one another and have no outside: they are removed</source>
+        <translation>{count} Tetraeder des gegebenen Netzes liegen aufeinander und haben kein Außen: sie werden entfernt</translation>
+    </message>
+    <message>
+        <source>{list}: at most about {length} wide, for which the mesh has {count} of its {count2} triangles: take such faces out of the shape</source>
+        <translation>{list}: höchstens etwa {length} breit; dafür hat das Netz {count} seiner {count2} Dreiecke: solche Flächen aus der Form nehmen</translation>
+    </message>
+    <message>
+        <source>{list}: at most about {length} wide, for which the mesh has {count} of its {count2} triangles: take such faces out of the shape, or allow a max. deviation of {length2}, at which they count as edges</source>
+        <translation>{list}: höchstens etwa {length} breit; dafür hat das Netz {count} seiner {count2} Dreiecke: solche Flächen aus der Form nehmen oder eine größte Abweichung von {length2} erlauben, bei der sie als Kanten zählen</translation>
+    </message>
+    <message>
+        <source>{list}: meshed neither by us nor by OpenCASCADE, and left out ({phrase})</source>
+        <translation>{list}: weder von uns noch von OpenCASCADE vernetzt und ausgelassen ({phrase})</translation>
+    </message>
+    <message>
+        <source>{list}: not meshed; OpenCASCADE&apos;s triangulation is taken, which may have holes ({phrase})</source>
+        <translation>{list}: nicht vernetzt; stattdessen gilt die Triangulierung von OpenCASCADE, die Löcher haben kann ({phrase})</translation>
+    </message>
+    <message>
+        <source>{list}: shorter than {length}, which does not show at what is asked for: a vertex in the mesh</source>
+        <translation>{list}: kürzer als {length}, was bei dem Verlangten nicht zu sehen ist: im Netz ein Eckpunkt</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} are one body twice</source>
+        <translation>{name} und {name2} sind zweimal derselbe Körper</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} cross in 1 pair of triangles</source>
+        <translation>{name} und {name2} schneiden sich in 1 Paar von Dreiecken</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} cross in {count} pairs of triangles</source>
+        <translation>{name} und {name2} schneiden sich in {count} Paaren von Dreiecken</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} cross where they are apart by less than the mesh deviates</source>
+        <translation>{name} und {name2} schneiden sich, wo sie um weniger auseinanderliegen, als das Netz abweicht</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} overlap</source>
+        <translation>{name} und {name2} überlappen sich</translation>
+    </message>
+    <message>
+        <source>{name} crosses itself in 1 pair of triangles</source>
+        <translation>{name} schneidet sich selbst in 1 Paar von Dreiecken</translation>
+    </message>
+    <message>
+        <source>{name} crosses itself in {count} pairs of triangles</source>
+        <translation>{name} schneidet sich selbst in {count} Paaren von Dreiecken</translation>
+    </message>
+    <message>
+        <source>{name} deviates {length} from the edges or faces at it, within its tolerance, and {count} more likewise: elements there leave the shape to reach it</source>
+        <translation>{name} weicht {length} von den Kanten oder Flächen daran ab, innerhalb der Toleranz, und {count} weitere ebenso: Elemente dort verlassen die Form, um es zu erreichen</translation>
+    </message>
+    <message>
+        <source>{name} deviates {length} from the edges or faces at it, within its tolerance: elements there leave the shape to reach it</source>
+        <translation>{name} weicht {length} von den Kanten oder Flächen daran ab, innerhalb der Toleranz: Elemente dort verlassen die Form, um es zu erreichen</translation>
+    </message>
+    <message>
+        <source>{name} holds shapes and meshes: the mesh of the shapes deviates by at most {length} from them, and its volume by about {number} %; the max. deviation is that of the Boolean of the meshes</source>
+        <translation>{name} enthält Formen und Netze: das Netz der Formen weicht um höchstens {length} von ihnen ab und sein Volumen um etwa {number} %; die größte Abweichung ist die der booleschen Operation mit den Netzen</translation>
+    </message>
+    <message>
+        <source>{name} holds shapes and meshes: the mesh of the shapes deviates by at most {length} from them; the max. deviation is that of the Boolean of the meshes</source>
+        <translation>{name} enthält Formen und Netze: das Netz der Formen weicht um höchstens {length} von ihnen ab; die größte Abweichung ist die der booleschen Operation mit den Netzen</translation>
+    </message>
+    <message>
+        <source>{name} is a point in single precision: left out</source>
+        <translation>{name} ist in einfacher Genauigkeit ein Punkt: ausgelassen</translation>
+    </message>
+    <message>
+        <source>{name} is a shape: its mesh deviates by at most {length} from it, and its volume by about {number} %; the max. deviation is that of the Boolean of the meshes</source>
+        <translation>{name} ist eine Form: ihr Netz weicht um höchstens {length} von ihr ab und sein Volumen um etwa {number} %; die größte Abweichung ist die der booleschen Operation mit den Netzen</translation>
+    </message>
+    <message>
+        <source>{name} is a shape: its mesh deviates by at most {length} from it; the max. deviation is that of the Boolean of the meshes</source>
+        <translation>{name} ist eine Form: ihr Netz weicht um höchstens {length} von ihr ab; die größte Abweichung ist die der booleschen Operation mit den Netzen</translation>
+    </message>
+    <message>
+        <source>{name} is missing: {text}</source>
+        <translation>{name} fehlt: {text}</translation>
+    </message>
+    <message>
+        <source>{name} lies inside {name2}</source>
+        <translation>{name} liegt in {name2}</translation>
+    </message>
+    <message>
+        <source>{name}, {phrase}</source>
+        <translation>{name}, {phrase}</translation>
+    </message>
+    <message>
+        <source>too many triangles meet: not all pairs were compared</source>
+        <translation>Zu viele Dreiecke treffen sich: nicht alle Paare wurden verglichen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

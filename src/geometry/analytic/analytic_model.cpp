@@ -20,8 +20,7 @@ using Surface = ElementarySurface;
 
 constexpr double kPi = 3.14159265358979323846;  // radians in half a turn
 constexpr double kTwoPi = 2.0 * kPi;            // radians in a turn
-/// The largest value that counts as zero, for dimensions of the order of one.
-constexpr double kTiny = 1e-9;
+constexpr double kTiny = 1e-9;                  // largest value that counts as 0 where dimensions are about 1
 
 Answer with_status(Status status) {
     Answer answer;

@@ -23,7 +23,7 @@
 #include "geometry/occt/evaluation/edge_curves.h"
 #include "geometry/occt/evaluation/face_corner.h"
 #include "geometry/occt/evaluation/face_evaluator.h"
-#include "geometry/occt/failure_text.h"
+#include "geometry/occt/evaluation/failure_text.h"
 #include "geometry/occt/geometry_fingerprint.h"
 #include "geometry/occt/plane_curves.h"
 #include "geometry/occt/topology/creases.h"

@@ -30,7 +30,7 @@
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/evaluation/conversion.h"
-#include "geometry/occt/failure_text.h"
+#include "geometry/occt/evaluation/failure_text.h"
 
 namespace mq::geometry {
 

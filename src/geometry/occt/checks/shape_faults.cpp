@@ -25,8 +25,8 @@
 #include "geometry/occt/checks/linear_time_checks.h"
 #include "geometry/occt/checks/valid_face.h"
 #include "geometry/occt/evaluation/conversion.h"
+#include "geometry/occt/evaluation/failure_text.h"
 #include "geometry/occt/evaluation/inside_out.h"
-#include "geometry/occt/failure_text.h"
 #include "geometry/occt/topology/shape_map.h"
 #include "geometry/occt/topology/sub_shapes.h"
 

@@ -42,7 +42,7 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/box_tree.h"
 #include "geometry/occt/distance/patch_tree.h"
-#include "geometry/occt/failure_text.h"
+#include "geometry/occt/evaluation/failure_text.h"
 
 namespace mq::geometry {
 
