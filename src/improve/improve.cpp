@@ -5,7 +5,6 @@
 #include <array>
 #include <iterator>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <string>
 #include <system_error>
 
 #include "base/error.h"

@@ -8,7 +8,6 @@
 #include <Inventor/nodes/SoVertexProperty.h>
 
 #include <cstdint>
-#include <string>
 
 #include "base/error.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py

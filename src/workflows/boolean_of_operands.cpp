@@ -2,7 +2,6 @@
 #include "workflows/boolean_of_operands.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 #include <utility>
 

@@ -2,12 +2,9 @@
 #include "workflows/curve_shape.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <exception>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "base/disjoint_sets.h"

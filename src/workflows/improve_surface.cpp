@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "workflows/improve_surface.h"
 
-#include <string>
 #include <utility>
 
 #include "base/stopwatch.h"

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <memory>
-#include <string>
 
 #include "base/error.h"
 #include "boolean/boolean.h"

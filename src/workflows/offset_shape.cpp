@@ -2,10 +2,8 @@
 #include "workflows/offset_shape.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <string>
 #include <utility>
 
 #include "base/error.h"

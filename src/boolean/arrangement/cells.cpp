@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 #include <queue>
-#include <string>
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"

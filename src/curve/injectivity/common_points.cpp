@@ -7,7 +7,6 @@
 #include <limits>
 #include <optional>
 #include <set>
-#include <string>
 #include <utility>
 
 #include "base/error.h"

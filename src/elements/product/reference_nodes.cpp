@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "elements/product/reference_nodes.h"
 
-#include <string>
-
 #include "base/error.h"
 #include "base/memory/never_destroyed.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py

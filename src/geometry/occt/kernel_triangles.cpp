@@ -9,7 +9,6 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <map>
-#include <string>
 #include <utility>
 
 #include "base/error.h"

@@ -8,7 +8,6 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cmath>
-#include <string>
 
 #include "base/error.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py

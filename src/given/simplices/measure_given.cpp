@@ -2,7 +2,6 @@
 #include "given/simplices/measure_given.h"
 
 #include <algorithm>
-#include <string>
 
 #include "base/error.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py

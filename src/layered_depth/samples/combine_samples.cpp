@@ -2,7 +2,6 @@
 #include "layered_depth/samples/combine_samples.h"
 
 #include <algorithm>
-#include <sstream>
 #include <tuple>
 #include <utility>
 

@@ -111,7 +111,7 @@ void Refinement::run() {
 
 Message Refinement::release_smooth_edges() {
     if (options_.keep_edges != KeepEdges::Feature || work_.over_budget()) {
-        return "";
+        return {};
     }
     work_.progress.stage("releasing smooth edges", 0.88, 0.9);
     Message released = remove_smooth_edges(work_, options_, sizing_);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <string>
-
+#include "base/message.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::triangulate {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 
+#include "base/message.h"
 #include "triangulate/work_mesh/options.h"
 #include "triangulate/work_mesh/size_bounds.h"
 #include "triangulate/work_mesh/workspace.h"

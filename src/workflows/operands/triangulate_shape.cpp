@@ -2,9 +2,7 @@
 #include "workflows/operands/triangulate_shape.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "base/single_precision_grid.h"
