@@ -8,8 +8,8 @@ phrase and what stands in the places, a Text again or a value: by these it is tr
 {length} stands a number with " mm", for which the window has the user's unit. Angles are in degrees
 everywhere; of their numbers, as of all, the window changes the decimal point alone.
 
-A plain text stays as it is, but for its lengths: what documents of older versions hold, and errors that name faults
-of single files or shapes.
+A plain text stays as it is, but for its lengths: what documents of older versions hold, and what is said of faults of
+single files or shapes.
 """
 
 import json
@@ -18,6 +18,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from . import fault_phrases, label_phrases
+from .error_phrases import ERRORS as CORE_ERRORS
+from .note_phrases import NOTES
 from .stage_names import STAGES
 
 # The verdict on a mesh.
@@ -242,49 +244,19 @@ FILE_ERRORS = (
     FILE_PATCH_TOO_LONG, FOAM_PATCH, CASE_OPEN, CASE_OVERLAP, CASE_SOLIDS, CASE_CELL, CASE_NO_INSIDE, CASE_NO_FOLDER, FILE_NO_NAME,
     FILE_IS_FOLDER, FILE_ENDING, FILE_ENDING_CURVED, FILE_NO_FOLDER, FILE_NOT_WRITABLE, NO_TRIANGLES_YET,
 )
-# Likewise, of the core: the build compiles these into it (tools/core_phrases). What it says of single faults of shapes
-# is plain text.
-CORE_ERRORS = {
-    "no_solids": "the shape has no solids to fill: leave volume off to curve its faces",
-    "no_faces": "the shape has no faces with an area: give a solid, a shell or faces",
-    "not_triangulated": "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest",
-    "fine_chord_height":
-        "chord_height is {length}: single precision holds this shape to {length2} only; choose a larger value",
-    "fine_tolerance":
-        "tolerance is {length}: single precision holds these operands to {length2} only; choose a larger value",
-    "above_distance": "tolerance is {length}: at most the distance of {length2} is possible; give a smaller one",
-    "half_of_gap": "tolerance is {length}: at most half of the gap of {length2} is possible; give a smaller one, or a larger gap",
-    "fine_deviation":
-        "deviation is {length}: single precision holds this mesh to {length2} only; choose a larger value",
-    "short_edges": "{option} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value",
-    "short_local_size": "the local size of {name} is {length}: single precision holds edges of this shape from {length2} "
-                        "on; choose a larger value",
-    "much_memory": "method 'uniform' would take about {number} GB at the resolution {count}: it can take {number2} GB; "
-                   "choose a resolution of at most {count2}, a tolerance of at least {length}, or method 'exact'",
-    "many_triangles": "a deviation of {length} takes more than {count} triangles: ask for a larger one",
-    "many_rays": "tolerance is {length}: method 'uniform' reaches {length2} with the most rays that it can use; ask for "
-                 "more than that, or use method 'exact'",
-    "full_by_sampling": "full is for method 'uniform' only: other methods sample nothing; choose that method, or leave full off",
-    "no_such_entity": "a local size is given for {name}, but the shape has {count} {name2}",
-    "volume_order": "order is {count}: it goes from 1 to {count2} for volumes",
-    "not_filled": "the surface could not be filled with tetrahedra (the mesher says: {value}): it meets itself, or "
-                  "walls are too thin for its triangles; ask for a smaller chord height",
-    "fault_in_solid": "{solid}: {phrase} ({value})",
-    "wrap_memory": "a wrap with a tolerance of {length} would take more than 2 GB of memory: give a larger tolerance",
-    "wrap_across": "the largest side is more than {count} times the tolerance of {length}: give a larger tolerance",
-    "no_enclosed_volume": "{name} has no triangle with an area that encloses a volume",
-}
 ANY_LENGTH = "a length"
 FACE_NAMES = "names of faces, such as Face3, Face7"
 LOCAL_SIZES = "lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2"
+FROM_TO, AT_LEAST, LONGER_THAN, ONE_OF = "at least {number} and at most {number2}", "at least {number}", "greater than {length}", "one of {list}"
 RANGES = (
     "greater than {number} and at most {number2} degrees",
     "greater than {number} and at most {number2}",
-    "at least {number} and at most {number2}",
+    FROM_TO,
     "greater than {length}, or 'none'",
-    "greater than {length}",
+    LONGER_THAN,
     "greater than {number}",
-    "at least {number}",
+    AT_LEAST,
+    ONE_OF,
     ANY_LENGTH,
     LOCAL_SIZES,
     FACE_NAMES,
@@ -304,6 +276,14 @@ CORE_WAITS = {
     "checking": CHECKING, "reading": READING, "measuring_volume": MEASURING_VOLUME,
 }
 _WAITS = (*CORE_WAITS.values(), ADDING)
+# All that the build compiles into the core.
+CORE = {
+    **CORE_ERRORS, **CORE_WAITS, **NOTES, "repairs": fault_phrases.DONE, "one_hole": fault_phrases.ONE_HOLE,
+    "and_more": AND_MORE, "on_edge": ON_EDGE, "on_face": ON_FACE, "crease": CREASE, "crease_end": CREASE_END,
+    "not_allowed": NOT_ALLOWED, "length_not_allowed": LENGTH_NOT_ALLOWED, "not_given": NOT_GIVEN, "two_bounds": TWO_BOUNDS,
+    "min_above_max": MIN_ABOVE_MAX, "openings_of_mesh": OPENINGS_OF_MESH, "no_triangles": NO_TRIANGLES,
+    "from_to": FROM_TO, "at_least": AT_LEAST, "longer_than": LONGER_THAN, "one_of": ONE_OF,
+}
 _KERNEL_STILL_WORKS, _STILL_WORKS = "OpenCASCADE still finishes: {stage}", "still finishes: {stage}"
 
 # What is said in a panel where the English text is made for scripts.
@@ -360,9 +340,14 @@ _SHOWN = {
     }.items()},
 }
 
+def flat(phrases):
+    """The phrases, of which some are pairs, or tuples of these, one after the other."""
+    return [phrase for one in phrases for phrase in ((one,) if isinstance(one, str) else flat(one))]
+
+
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
 _LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, TARGET_NOT_DECIDED, *LEFT_OUT, *CURING)
-_PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
+_PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *flat((*CORE_ERRORS.values(), *NOTES.values())), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")
 

@@ -3430,6 +3430,886 @@
         <source>Click a bar, or drag over several, to highlight their elements. Heights are logarithmic.</source>
         <translation>Ein Klick auf einen Balken, oder Ziehen über mehrere, hebt ihre Elemente hervor. Die Höhen sind logarithmisch.</translation>
     </message>
+    <message>
+        <source>OpenCASCADE cannot compute with the shape: {text}. Repair it with Part &gt; Check geometry</source>
+        <translation>OpenCASCADE kann mit der Form nicht rechnen: {text}. Mit Part &gt; Geometrie prüfen reparieren</translation>
+    </message>
+    <message>
+        <source>Python is ending: no work can begin any more</source>
+        <translation>Python wird beendet: keine Arbeit kann mehr beginnen</translation>
+    </message>
+    <message>
+        <source>The part has coordinates that are not finite or above {length}; scale it down.</source>
+        <translation>Das Teil hat Koordinaten, die nicht endlich sind oder über {length} liegen; verkleinern.</translation>
+    </message>
+    <message>
+        <source>The shape is a {value} without faces. Select a part that has at least one face.</source>
+        <translation>Die Form ist ein {value} ohne Flächen. Ein Teil mit mindestens einer Fläche wählen.</translation>
+    </message>
+    <message>
+        <source>The shape is null. Recompute the object, or select one that has a shape.</source>
+        <translation>Die Form ist leer. Das Objekt neu berechnen oder eines mit einer Form wählen.</translation>
+    </message>
+    <message>
+        <source>a Boolean of {count} meshes by an expression of {count2} operands</source>
+        <translation>Eine boolesche Operation mit {count} Netzen nach einem Ausdruck mit {count2} Operanden</translation>
+    </message>
+    <message>
+        <source>a Boolean without operands: give at least one mesh</source>
+        <translation>Eine boolesche Operation ohne Operanden: mindestens ein Netz angeben</translation>
+    </message>
+    <message>
+        <source>a fraction of the longest side, from 0 to less than 0.01</source>
+        <translation>ein Bruchteil der längsten Seite, von 0 bis unter 0.01</translation>
+    </message>
+    <message>
+        <source>a hole has at least three vertices, this one {count}</source>
+        <translation>Ein Loch hat mindestens drei Eckpunkte, dieses {count}</translation>
+    </message>
+    <message>
+        <source>a legend is given as (height, width, 4) numbers and a corner from 0 to 3</source>
+        <translation>Eine Legende wird als (Höhe, Breite, 4) Zahlen und eine Ecke von 0 bis 3 gegeben</translation>
+    </message>
+    <message>
+        <source>a legend of {count} x {count2} pixels was given {count3} numbers, not four a pixel</source>
+        <translation>Eine Legende von {count} x {count2} Pixeln hat {count3} Zahlen statt vier je Pixel</translation>
+    </message>
+    <message>
+        <source>a point lies outside of the frame of its triangulation</source>
+        <translation>Ein Punkt liegt außerhalb des Rahmens seiner Triangulierung</translation>
+    </message>
+    <message>
+        <source>a point on the surface cannot be moved inwards</source>
+        <translation>ein Punkt auf der Oberfläche lässt sich nicht nach innen bewegen</translation>
+    </message>
+    <message>
+        <source>a point on the surface finds no place</source>
+        <translation>ein Punkt auf der Oberfläche findet keinen Platz</translation>
+    </message>
+    <message>
+        <source>a quadrilateral of the given mesh at {point} lies on {name} and {name2}: mesh the part so that its edges are followed</source>
+        <translation>Ein Viereck des gegebenen Netzes bei {point} liegt auf {name} und {name2}: das Teil so vernetzen, dass seinen Kanten gefolgt wird</translation>
+    </message>
+    <message>
+        <source>a triangle is in patch {count}, but there are {count2}, numbered from 0</source>
+        <translation>Ein Dreieck ist in Patch {count}, es gibt aber {count2}, gezählt ab 0</translation>
+    </message>
+    <message>
+        <source>a triangle of the surface holds one of its vertices</source>
+        <translation>ein Dreieck der Oberfläche enthält einen ihrer Eckpunkte</translation>
+    </message>
+    <message>
+        <source>a vertex of the surface lies on one of its edges</source>
+        <translation>ein Eckpunkt der Oberfläche liegt auf einer ihrer Kanten</translation>
+    </message>
+    <message>
+        <source>a {kind} of order {count} has {count2} nodes, not {count3}</source>
+        <translation>Ein Element ({kind}) der Ordnung {count} hat {count2} Knoten, nicht {count3}</translation>
+    </message>
+    <message>
+        <source>a {kind} of order {count} has {count2} nodes, or {count4} at its corners and edges only, not {count3}</source>
+        <translation>Ein Element ({kind}) der Ordnung {count} hat {count2} Knoten, oder {count4} nur an Ecken und Kanten, nicht {count3}</translation>
+    </message>
+    <message>
+        <source>a {kind} of order {count} is not divided: give solid elements of orders 1 to {count2}</source>
+        <translation>Ein Element ({kind}) der Ordnung {count} wird nicht geteilt: Volumenelemente der Ordnungen 1 bis {count2} angeben</translation>
+    </message>
+    <message>
+        <source>all faces are left out: at least one is needed</source>
+        <translation>Alle Flächen sind ausgelassen: mindestens eine wird gebraucht</translation>
+    </message>
+    <message>
+        <source>an edge of the surface crosses one of its triangles</source>
+        <translation>eine Kante der Oberfläche schneidet eines ihrer Dreiecke</translation>
+    </message>
+    <message>
+        <source>an edge of the surface leads nowhere</source>
+        <translation>eine Kante der Oberfläche führt nirgendwohin</translation>
+    </message>
+    <message>
+        <source>an edge where shells of the surface meet cannot be recovered</source>
+        <translation>eine Kante, an der Hüllen der Oberfläche sich treffen, lässt sich nicht wiederherstellen</translation>
+    </message>
+    <message>
+        <source>an offset has one operand, and {count} are given: unite them by boolean first</source>
+        <translation>Ein Versatz hat einen Operanden, gegeben sind {count}: zuerst durch eine boolesche Operation vereinigen</translation>
+    </message>
+    <message>
+        <source>at least {count} pairs of triangles of the raw offset cross, too many to divide them: choose another distance, or a larger tolerance</source>
+        <translation>Mindestens {count} Paare von Dreiecken des rohen Versatzes schneiden sich, zu viele, um sie zu teilen: einen anderen Abstand oder eine größere Toleranz wählen</translation>
+    </message>
+    <message>
+        <source>block {count} has no solid elements of {count2} nodes: give tetrahedra, pyramids, prisms or hexahedra</source>
+        <translation>Block {count} hat keine Volumenelemente mit {count2} Knoten: Tetraeder, Pyramiden, Prismen oder Hexaeder angeben</translation>
+    </message>
+    <message>
+        <source>body {count} has no triangles</source>
+        <translation>Körper {count} hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>cancelled on request</source>
+        <translation>auf Wunsch abgebrochen</translation>
+    </message>
+    <message>
+        <source>cannot decide whether an operand encloses another: every ray tried meets an edge or a vertex; move an operand by a little</source>
+        <translation>Ob ein Operand einen anderen umschließt, ist nicht zu entscheiden: jeder Strahl trifft eine Kante oder einen Eckpunkt; einen Operanden ein wenig verschieben</translation>
+    </message>
+    <message>
+        <source>cannot finish &apos;{value}&apos;: {text}</source>
+        <translation>'{value}' lässt sich nicht abschließen: {text}</translation>
+    </message>
+    <message>
+        <source>cannot open &apos;{value}&apos;: {text}</source>
+        <translation>'{value}' lässt sich nicht öffnen: {text}</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;{value}&apos;: the extension must be .stl, .ply, .obj, .off, .msh or .vtu</source>
+        <translation>'{value}' lässt sich nicht schreiben: die Endung muss .stl, .ply, .obj, .off, .msh oder .vtu sein</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;{value}&apos;: {value2} is no format of meshes that is known here</source>
+        <translation>'{value}' lässt sich nicht schreiben: {value2} ist kein hier bekanntes Format für Netze</translation>
+    </message>
+    <message>
+        <source>cannot write to &apos;{value}&apos;: {text}</source>
+        <translation>In '{value}' lässt sich nicht schreiben: {text}</translation>
+    </message>
+    <message>
+        <source>element {count} names node {count2}, but there are {count3} nodes, counted from 0</source>
+        <translation>Element {count} nennt Knoten {count2}, es gibt aber {count3} Knoten, gezählt ab 0</translation>
+    </message>
+    <message>
+        <source>elements have an order of 1 to {count}, not {count2}</source>
+        <translation>Elemente haben eine Ordnung von 1 bis {count}, nicht {count2}</translation>
+    </message>
+    <message>
+        <source>elements must be an array with the nodes of one in each row</source>
+        <translation>elements muss ein Feld mit den Knoten je eines Elements in jeder Zeile sein</translation>
+    </message>
+    <message>
+        <source>it were in centimetres</source>
+        <translation>es in Zentimetern wäre</translation>
+    </message>
+    <message>
+        <source>it were in feet</source>
+        <translation>es in Fuß wäre</translation>
+    </message>
+    <message>
+        <source>it were in inches</source>
+        <translation>es in Zoll wäre</translation>
+    </message>
+    <message>
+        <source>it were in metres</source>
+        <translation>es in Metern wäre</translation>
+    </message>
+    <message>
+        <source>it were in micrometres</source>
+        <translation>es in Mikrometern wäre</translation>
+    </message>
+    <message>
+        <source>keep_edges = feature needs refinement: use the method refine, or refine_samples</source>
+        <translation>keep_edges = feature braucht die Verfeinerung: die Methode refine oder refine_samples wählen</translation>
+    </message>
+    <message>
+        <source>more than two tetrahedra of the given mesh have the triangle of nodes {count}, {count2} and {count3}: remove those that lie on one another</source>
+        <translation>Mehr als zwei Tetraeder des gegebenen Netzes haben das Dreieck der Knoten {count}, {count2} und {count3}: die entfernen, die aufeinanderliegen</translation>
+    </message>
+    <message>
+        <source>more than {count} triangles at a max. deviation of {length}: give a larger tolerance</source>
+        <translation>Mehr als {count} Dreiecke bei einer größten Abweichung von {length}: eine größere Toleranz angeben</translation>
+    </message>
+    <message>
+        <source>no point of {name} near a vertex of its mesh</source>
+        <translation>Kein Punkt von {name} nahe einem Eckpunkt seines Netzes</translation>
+    </message>
+    <message>
+        <source>no point on {name} at parameter {number}: repair the edge</source>
+        <translation>Kein Punkt auf {name} beim Parameter {number}: die Kante reparieren</translation>
+    </message>
+    <message>
+        <source>no points of {name} for a mesh edge on it</source>
+        <translation>Keine Punkte von {name} für eine Netzkante darauf</translation>
+    </message>
+    <message>
+        <source>no polynomials of degree {count} on simplices of dimension {count2}: degrees go from 0 to {count3}</source>
+        <translation>keine Polynome vom Grad {count} auf Simplizes der Dimension {count2}: Grade gehen von 0 bis {count3}</translation>
+    </message>
+    <message>
+        <source>no table for a product of degrees {count} and {count2}</source>
+        <translation>keine Tabelle für ein Produkt der Grade {count} und {count2}</translation>
+    </message>
+    <message>
+        <source>node {count} has a coordinate that is not a finite number</source>
+        <translation>Knoten {count} hat eine Koordinate, die keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>node {count} of the mesh is not there or not finite: take its element out of the mesh</source>
+        <translation>Knoten {count} des Netzes fehlt oder ist nicht endlich: sein Element aus dem Netz nehmen</translation>
+    </message>
+    <message>
+        <source>object {count} has a vertex with coordinates that are not finite: repair or remove it</source>
+        <translation>Objekt {count} hat einen Eckpunkt mit Koordinaten, die nicht endlich sind: reparieren oder entfernen</translation>
+    </message>
+    <message>
+        <source>one of the two meshes has no triangles: there is no distance between them</source>
+        <translation>Eines der beiden Netze hat keine Dreiecke: es gibt keinen Abstand zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>one of {list}</source>
+        <translation>eines von {list}</translation>
+    </message>
+    <message>
+        <source>order is {count}: it goes from 1 to {count2} for surfaces</source>
+        <translation>Die Ordnung ist {count}: für Oberflächen geht sie von 1 bis {count2}</translation>
+    </message>
+    <message>
+        <source>repair is off: only surfaces are curved without repairs, leave volume off</source>
+        <translation>Die Reparatur ist aus: ohne sie werden nur Oberflächen gekrümmt, daher ohne Volumen</translation>
+    </message>
+    <message>
+        <source>spacing is {length}: give a length above 0, at most half of the gap of {length2}</source>
+        <translation>Der Abstand der Punkte ist {length}: eine Länge über 0 angeben, höchstens die Hälfte des Spalts von {length2}</translation>
+    </message>
+    <message>
+        <source>tetrahedra of the given mesh lie outside of the shape, at {name}: give the solid that the mesh was made from</source>
+        <translation>Tetraeder des gegebenen Netzes liegen außerhalb der Form, bei {name}: den Körper angeben, aus dem das Netz entstand</translation>
+    </message>
+    <message>
+        <source>the BREP text cannot be read: {text}</source>
+        <translation>Der BREP-Text lässt sich nicht lesen: {text}</translation>
+    </message>
+    <message>
+        <source>the BREP text holds no shape</source>
+        <translation>Der BREP-Text enthält keine Form</translation>
+    </message>
+    <message>
+        <source>the division of a plane by segments is inconsistent: move the shape by a little, or choose another tolerance</source>
+        <translation>Die Teilung einer Ebene durch Strecken ist widersprüchlich: die Form ein wenig verschieben oder eine andere Toleranz wählen</translation>
+    </message>
+    <message>
+        <source>the expression of a Boolean does not join all of its {count} operands to one</source>
+        <translation>Der Ausdruck einer booleschen Operation verbindet nicht alle seine {count} Operanden zu einem</translation>
+    </message>
+    <message>
+        <source>the expression of a Boolean has {value} where there is no such operand or operation</source>
+        <translation>Der Ausdruck einer booleschen Operation hat {value}, wo es keinen solchen Operanden und keine solche Operation gibt</translation>
+    </message>
+    <message>
+        <source>the geometry engine has been shut down</source>
+        <translation>der Geometriekern ist beendet</translation>
+    </message>
+    <message>
+        <source>the given mesh does not follow the edges of the shape near {point}: give the shape that the mesh was made from, where it was, or mesh it anew</source>
+        <translation>Das gegebene Netz folgt den Kanten der Form bei {point} nicht: die Form angeben, aus der das Netz entstand, am selben Ort, oder neu vernetzen</translation>
+    </message>
+    <message>
+        <source>the given mesh does not follow {list} and others, {count} in all, near {point}: give the shape that the mesh was made from, where it was, or mesh it anew</source>
+        <translation>Das gegebene Netz folgt {list} und anderen, zusammen {count}, bei {point} nicht: die Form angeben, aus der das Netz entstand, am selben Ort, oder neu vernetzen</translation>
+    </message>
+    <message>
+        <source>the given mesh does not follow {list} near {point}: give the shape that the mesh was made from, where it was, or mesh it anew</source>
+        <translation>Das gegebene Netz folgt {list} bei {point} nicht: die Form angeben, aus der das Netz entstand, am selben Ort, oder neu vernetzen</translation>
+    </message>
+    <message>
+        <source>the given mesh has neither triangles nor tetrahedra: only these are curved</source>
+        <translation>Das gegebene Netz hat weder Dreiecke noch Tetraeder: nur diese werden gekrümmt</translation>
+    </message>
+    <message>
+        <source>the given mesh has no elements: mesh the part before curving</source>
+        <translation>Das gegebene Netz hat keine Elemente: das Teil vor dem Krümmen vernetzen</translation>
+    </message>
+    <message>
+        <source>the given mesh has no triangles on {name}: give the shape that the mesh was made from</source>
+        <translation>Das gegebene Netz hat keine Dreiecke auf {name}: die Form angeben, aus der das Netz entstand</translation>
+    </message>
+    <message>
+        <source>the given mesh has {count} triangles at {point} that lie on no face of the shape: give the shape that the mesh was made from</source>
+        <translation>Das gegebene Netz hat {count} Dreiecke bei {point}, die auf keiner Fläche der Form liegen: die Form angeben, aus der das Netz entstand</translation>
+    </message>
+    <message>
+        <source>the given mesh is {length} large, the shape {length2}, and one does not lie in the place of the other: give the shape that the mesh was made from</source>
+        <translation>Das gegebene Netz ist {length} groß, die Form {length2}, und eines liegt nicht am Ort des anderen: die Form angeben, aus der das Netz entstand</translation>
+    </message>
+    <message>
+        <source>the given mesh is {number} times larger than the shape, as if {phrase}: give mesh_scale={value}, on the command line --mesh-scale {value2}</source>
+        <translation>Das gegebene Netz ist {number}-mal größer als die Form, als ob {phrase}: mesh_scale={value} angeben, auf der Befehlszeile --mesh-scale {value2}</translation>
+    </message>
+    <message>
+        <source>the given mesh is {number} times smaller than the shape, as if {phrase}: give mesh_scale={value}, on the command line --mesh-scale {value2}</source>
+        <translation>Das gegebene Netz ist {number}-mal kleiner als die Form, als ob {phrase}: mesh_scale={value} angeben, auf der Befehlszeile --mesh-scale {value2}</translation>
+    </message>
+    <message>
+        <source>the given mesh joins tetrahedra of several solids that the shape keeps apart: give imprint=True, or the shape that the mesh was made from</source>
+        <translation>Das gegebene Netz verbindet Tetraeder mehrerer Körper, die die Form getrennt hält: imprint=True angeben, oder die Form, aus der das Netz entstand</translation>
+    </message>
+    <message>
+        <source>the given mesh lies {length} beside the shape: move one of them by about {point}</source>
+        <translation>Das gegebene Netz liegt {length} neben der Form: eines von beiden um etwa {point} verschieben</translation>
+    </message>
+    <message>
+        <source>the given mesh lies {length} off {name} at {point}: give the shape that the mesh was made from</source>
+        <translation>Das gegebene Netz liegt {length} neben {name} bei {point}: die Form angeben, aus der das Netz entstand</translation>
+    </message>
+    <message>
+        <source>the local size of {name} must be greater than 0 mm</source>
+        <translation>Die lokale Größe von {name} muss größer als 0 mm sein</translation>
+    </message>
+    <message>
+        <source>the mesh does not belong to the shape: its vertex {count} is not on {name}; give the shape that it was made from, where it was</source>
+        <translation>Das Netz gehört nicht zur Form: sein Eckpunkt {count} ist nicht auf {name}; die Form angeben, aus der es entstand, am selben Ort</translation>
+    </message>
+    <message>
+        <source>the mesh does not follow {name}</source>
+        <translation>Das Netz folgt {name} nicht</translation>
+    </message>
+    <message>
+        <source>the mesh does not say which CAD entities it lies on: curve one made by triangulate()</source>
+        <translation>Das Netz sagt nicht, auf welchen CAD-Elementen es liegt: eines von triangulate() krümmen</translation>
+    </message>
+    <message>
+        <source>the mesh does not tell which of its triangles fold: curve it anew</source>
+        <translation>Das Netz sagt nicht, welche seiner Dreiecke sich falten: neu krümmen</translation>
+    </message>
+    <message>
+        <source>the mesh has no triangles</source>
+        <translation>Das Netz hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>the mesh has no triangles of orders 1 to {count} on its surface: there is nothing to measure the shape against</source>
+        <translation>Das Netz hat auf seiner Oberfläche keine Dreiecke der Ordnungen 1 bis {count}: es gibt nichts, woran die Form zu messen wäre</translation>
+    </message>
+    <message>
+        <source>the mesh that was made of the operand deviates by up to {length}, and the tolerance is {length2}: give a larger tolerance</source>
+        <translation>Das Netz des Operanden weicht um bis zu {length} ab, und die Toleranz ist {length2}: eine größere Toleranz angeben</translation>
+    </message>
+    <message>
+        <source>the mesh&apos;s origin has a coordinate that is not a finite number</source>
+        <translation>Der Ursprung des Netzes hat eine Koordinate, die keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>the offset cannot be held in single precision without triangles that touch or cross: at least {count} triangles meet there; choose a larger tolerance, or another distance</source>
+        <translation>Der Versatz passt nicht in einfache Genauigkeit, ohne dass Dreiecke sich berühren oder schneiden: mindestens {count} Dreiecke treffen sich dort; eine größere Toleranz oder einen anderen Abstand wählen</translation>
+    </message>
+    <message>
+        <source>the offset cannot be held in single precision: {count} pairs of triangles cross there; choose a larger tolerance, or another distance</source>
+        <translation>Der Versatz passt nicht in einfache Genauigkeit: {count} Paare von Dreiecken schneiden sich dort; eine größere Toleranz oder einen anderen Abstand wählen</translation>
+    </message>
+    <message>
+        <source>the offset has triangles without area: choose another distance or tolerance</source>
+        <translation>Der Versatz hat Dreiecke ohne Fläche: einen anderen Abstand oder eine andere Toleranz wählen</translation>
+    </message>
+    <message>
+        <source>the offset lacks regions of the exact one; choose a larger tolerance, or another distance</source>
+        <translation>Dem Versatz fehlen Bereiche des exakten; eine größere Toleranz oder einen anderen Abstand wählen</translation>
+    </message>
+    <message>
+        <source>the offset needs more than {count} cells: choose a larger tolerance, or offset bodies one by one</source>
+        <translation>Der Versatz braucht mehr als {count} Zellen: eine größere Toleranz wählen oder Körper einzeln versetzen</translation>
+    </message>
+    <message>
+        <source>the operands have different origins; give all meshes in one frame</source>
+        <translation>Die Operanden haben verschiedene Ursprünge; alle Netze in einem Koordinatensystem angeben</translation>
+    </message>
+    <message>
+        <source>the pull direction has no length: give a vector such as (0, 0, 1)</source>
+        <translation>Die Entformungsrichtung hat keine Länge: einen Vektor wie (0, 0, 1) angeben</translation>
+    </message>
+    <message>
+        <source>the result cannot be held in single precision without triangles that touch or cross: at least 1 triangle of the operands meets there; choose a larger tolerance, or move an operand by a little</source>
+        <translation>Das Ergebnis passt nicht in einfache Genauigkeit, ohne dass Dreiecke sich berühren oder schneiden: mindestens 1 Dreieck der Operanden trifft dort auf andere; eine größere Toleranz wählen oder einen Operanden ein wenig verschieben</translation>
+    </message>
+    <message>
+        <source>the result cannot be held in single precision without triangles that touch or cross: at least {count} triangles of the operands meet there; choose a larger tolerance, or move an operand by a little</source>
+        <translation>Das Ergebnis passt nicht in einfache Genauigkeit, ohne dass Dreiecke sich berühren oder schneiden: mindestens {count} Dreiecke der Operanden treffen sich dort; eine größere Toleranz wählen oder einen Operanden ein wenig verschieben</translation>
+    </message>
+    <message>
+        <source>the shape to measure against has no faces</source>
+        <translation>Die Form, an der gemessen wird, hat keine Flächen</translation>
+    </message>
+    <message>
+        <source>the shape were in inches</source>
+        <translation>die Form in Zoll wäre</translation>
+    </message>
+    <message>
+        <source>the surface has no sides of {count} nodes of order {count2}: give triangles or quadrilaterals of orders 1 to {count3}</source>
+        <translation>Die Oberfläche hat keine Seiten mit {count} Knoten der Ordnung {count2}: Dreiecke oder Vierecke der Ordnungen 1 bis {count3} angeben</translation>
+    </message>
+    <message>
+        <source>the surface is not closed</source>
+        <translation>die Oberfläche ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>the surface is not closed or not outward</source>
+        <translation>die Oberfläche ist nicht geschlossen oder nicht nach außen gerichtet</translation>
+    </message>
+    <message>
+        <source>the surface is not recovered with a reasonable number of points on it</source>
+        <translation>die Oberfläche wird mit einer vernünftigen Zahl von Punkten nicht wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>the surface of {name} bounds no volume near {point}: repair it first</source>
+        <translation>Die Oberfläche von {name} begrenzt bei {point} kein Volumen: zuerst reparieren</translation>
+    </message>
+    <message>
+        <source>the surfaces do not close at the edge near {point}: move an operand by a little</source>
+        <translation>Die Oberflächen schließen nicht an der Kante bei {point}: einen Operanden ein wenig verschieben</translation>
+    </message>
+    <message>
+        <source>the system gives no more threads or memory ({text}): raise its limits, or end other programs</source>
+        <translation>das System gibt keine weiteren Threads oder keinen weiteren Speicher ({text}): seine Grenzen anheben oder andere Programme beenden</translation>
+    </message>
+    <message>
+        <source>the tetrahedra do not end at the surface</source>
+        <translation>die Tetraeder enden nicht an der Oberfläche</translation>
+    </message>
+    <message>
+        <source>the triangles of the mesh do not follow the faces of the shape: was it made from it?</source>
+        <translation>Die Dreiecke des Netzes folgen den Flächen der Form nicht: ist es aus ihr entstanden?</translation>
+    </message>
+    <message>
+        <source>there are no elements called {kind} with {count} nodes: give one of Gmsh&apos;s of order 1 to 5</source>
+        <translation>Es gibt keine Elemente namens {kind} mit {count} Knoten: eines von Gmsh der Ordnungen 1 bis 5 angeben</translation>
+    </message>
+    <message>
+        <source>there are no elements of kind &quot;{value}&quot;: name triangle, quadrilateral, tetrahedron, pyramid, prism or hexahedron</source>
+        <translation>Es gibt keine Elemente der Art „{value}“: triangle, quadrilateral, tetrahedron, pyramid, prism oder hexahedron angeben</translation>
+    </message>
+    <message>
+        <source>there is no 3D view: the quality of meshes is drawn in FreeCAD&apos;s window only</source>
+        <translation>Es gibt keine 3D-Ansicht: die Qualität von Netzen wird nur im Fenster von FreeCAD gezeichnet</translation>
+    </message>
+    <message>
+        <source>there is nothing to wrap: no triangle is given</source>
+        <translation>Es gibt nichts einzuhüllen: kein Dreieck ist gegeben</translation>
+    </message>
+    <message>
+        <source>triangle {count} names a vertex twice: remove degenerate triangles first</source>
+        <translation>Dreieck {count} nennt einen Eckpunkt zweimal: zuerst entartete Dreiecke entfernen</translation>
+    </message>
+    <message>
+        <source>triangle {count} names vertex {count2}, but the mesh has {count3} vertices</source>
+        <translation>Dreieck {count} nennt Eckpunkt {count2}, das Netz hat aber {count3} Eckpunkte</translation>
+    </message>
+    <message>
+        <source>two edges of the surface cross</source>
+        <translation>zwei Kanten der Oberfläche schneiden sich</translation>
+    </message>
+    <message>
+        <source>two triangles of the surface coincide</source>
+        <translation>zwei Dreiecke der Oberfläche fallen zusammen</translation>
+    </message>
+    <message>
+        <source>two vertices of the surface coincide</source>
+        <translation>zwei Eckpunkte der Oberfläche fallen zusammen</translation>
+    </message>
+    <message>
+        <source>two vertices of the surface coincide, and its inside does not part them</source>
+        <translation>zwei Eckpunkte der Oberfläche fallen zusammen, und ihr Inneres trennt sie nicht</translation>
+    </message>
+    <message>
+        <source>vertex {count} has a coordinate that is not a finite number</source>
+        <translation>Eckpunkt {count} hat eine Koordinate, die keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>{count} elements of the given surface have the corners of others: remove them from the mesh</source>
+        <translation>{count} Elemente der gegebenen Oberfläche haben die Ecken anderer: aus dem Netz entfernen</translation>
+    </message>
+    <message>
+        <source>{count} node numbers do not make whole elements of {count2} nodes</source>
+        <translation>{count} Knotennummern ergeben keine ganzen Elemente mit {count2} Knoten</translation>
+    </message>
+    <message>
+        <source>{kind} lies on entity {count} of dimension {count2}: dimensions are 0 to 3, and entities are numbered from 0</source>
+        <translation>Etwas ({kind}) liegt auf dem Gebilde {count} der Dimension {count2}: Dimensionen sind 0 bis 3, und Gebilde zählen ab 0</translation>
+    </message>
+    <message>
+        <source>{kind} name node {count}, but the mesh has {count2} nodes</source>
+        <translation>Elemente ({kind}) nennen Knoten {count}, das Netz hat aber {count2} Knoten</translation>
+    </message>
+    <message>
+        <source>{kind} of order {count} have {count2} nodes each: {count3} are given for {count4}</source>
+        <translation>Elemente ({kind}) der Ordnung {count} haben je {count2} Knoten: {count3} sind gegeben, für {count4}</translation>
+    </message>
+    <message>
+        <source>{kind} {count} of the given mesh has a node that the mesh does not: write the mesh anew</source>
+        <translation>Element {count} ({kind}) des gegebenen Netzes hat einen Knoten, den das Netz nicht hat: das Netz neu schreiben</translation>
+    </message>
+    <message>
+        <source>{kind} {count} of the given mesh has a node whose coordinates are no finite numbers: remove it from the mesh</source>
+        <translation>Element {count} ({kind}) des gegebenen Netzes hat einen Knoten, dessen Koordinaten keine endlichen Zahlen sind: aus dem Netz entfernen</translation>
+    </message>
+    <message>
+        <source>{kind} {count} of the given mesh has one node twice: remove it from the mesh</source>
+        <translation>Element {count} ({kind}) des gegebenen Netzes hat einen Knoten zweimal: aus dem Netz entfernen</translation>
+    </message>
+    <message>
+        <source>{name} bounds no volume: where its winding number is at least 0.5, {number} % of the surface would be a guess; close it, give the sheet a thickness, or take it out</source>
+        <translation>{name} begrenzt kein Volumen: wo die Windungszahl mindestens 0,5 ist, wären {number} % der Oberfläche geraten; schließen, der Fläche eine Dicke geben oder herausnehmen</translation>
+    </message>
+    <message>
+        <source>{name} has neither a surface nor a shape</source>
+        <translation>{name} hat weder eine Oberfläche noch eine Form</translation>
+    </message>
+    <message>
+        <source>{name} has no surface. Remove it, or repair the part with Part &gt; Check geometry.</source>
+        <translation>{name} hat keine Fläche. Entfernen, oder das Teil mit Part &gt; Geometrie prüfen reparieren.</translation>
+    </message>
+    <message>
+        <source>{name} has {count} entries where {count2} are needed: give one for each</source>
+        <translation>{name} hat {count} Einträge, gebraucht werden {count2}: je einen angeben</translation>
+    </message>
+    <message>
+        <source>{name} hold {count} numbers: give {count2} for each</source>
+        <translation>{name} hat {count} Zahlen: {count2} für jedes Element angeben</translation>
+    </message>
+    <message>
+        <source>{name} is an open surface: a border of {count} edges around {point} is too large to be closed by guessing; close it, give the sheet a thickness, or take it out</source>
+        <translation>{name} ist eine offene Oberfläche: ein Rand von {count} Kanten um {point} ist zu groß, um geraten zu werden; schließen, der Fläche eine Dicke geben oder herausnehmen</translation>
+    </message>
+    <message>
+        <source>{name} is not closed or not oriented: along {value}, the line through {point} does not leave it as often as it enters; fill its holes and turn its triangles outwards first</source>
+        <translation>{name} ist nicht geschlossen oder nicht orientiert: entlang {value} verlässt die Gerade durch {point} es nicht so oft, wie sie eintritt; zuerst Löcher füllen und Dreiecke nach außen drehen</translation>
+    </message>
+    <message>
+        <source>{name} must be a positive number, not {number}</source>
+        <translation>{name} muss eine positive Zahl sein, nicht {number}</translation>
+    </message>
+    <message>
+        <source>{name} must have {count} numbers in each row</source>
+        <translation>{name} muss {count} Zahlen in jeder Zeile haben</translation>
+    </message>
+    <message>
+        <source>{name}: the surface has one side only, like a Moebius strip, near {point}; an operand must enclose a volume</source>
+        <translation>{name}: die Oberfläche hat bei {point} nur eine Seite, wie ein Möbiusband; ein Operand muss ein Volumen umschließen</translation>
+    </message>
+    <message>
+        <source>{name}: vertex {count} has a coordinate beyond {length}, up to which Booleans are exact; give a smaller mesh</source>
+        <translation>{name}: Eckpunkt {count} hat eine Koordinate über {length}, bis zu denen boolesche Operationen exakt sind; ein kleineres Netz angeben</translation>
+    </message>
+    <message>
+        <source>{name}: {phrase}</source>
+        <translation>{name}: {phrase}</translation>
+    </message>
+    <message>
+        <source>{phrase}; sampling it along rays fails, too: {phrase2}</source>
+        <translation>{phrase}; auch das Abtasten entlang von Strahlen misslingt: {phrase2}</translation>
+    </message>
+    <message>
+        <source>{solid} cannot be filled anew after its surface was repaired: {phrase}</source>
+        <translation>{solid} lässt sich nach der Reparatur seiner Oberfläche nicht neu füllen: {phrase}</translation>
+    </message>
+    <message>
+        <source>{value} files do not hold elements of kind {kind} and order {count}: use .msh or .vtu</source>
+        <translation>{value}-Dateien fassen keine Elemente der Art {kind} und der Ordnung {count}: .msh oder .vtu verwenden</translation>
+    </message>
+    <message>
+        <source>1 of {count2} edges is smooth and does not constrain the mesh (keep_edges = feature)</source>
+        <translation>1 von {count2} Kanten ist glatt und bindet das Netz nicht (keep_edges = feature)</translation>
+    </message>
+    <message>
+        <source>1 of {count2} edges is smooth, but constrains the mesh all the same: otherwise faces would cross</source>
+        <translation>1 von {count2} Kanten ist glatt, bindet das Netz aber trotzdem: sonst würden Flächen sich schneiden</translation>
+    </message>
+    <message>
+        <source>1 other on the meshes of the shapes</source>
+        <translation>1 weiterer auf den Netzen der Formen</translation>
+    </message>
+    <message>
+        <source>an operand has more digits than single precision holds: to_mesh and most files round the result</source>
+        <translation>Ein Operand hat mehr Stellen, als einfache Genauigkeit hält: to_mesh und die meisten Dateien runden das Ergebnis</translation>
+    </message>
+    <message>
+        <source>bodies overlap: {list}</source>
+        <translation>Körper überlappen sich: {list}</translation>
+    </message>
+    <message>
+        <source>bodies touch: 1 pair of triangles of faces that lie on each other cross by their chords; imprint gives both bodies the same triangles</source>
+        <translation>Körper berühren sich: 1 Paar von Dreiecken aufeinanderliegender Flächen schneidet sich durch seine Sehnen; imprint gibt beiden Körpern dieselben Dreiecke</translation>
+    </message>
+    <message>
+        <source>bodies touch: {count} pairs of triangles of faces that lie on each other cross by their chords; imprint gives both bodies the same triangles</source>
+        <translation>Körper berühren sich: {count} Paare von Dreiecken aufeinanderliegender Flächen schneiden sich durch ihre Sehnen; imprint gibt beiden Körpern dieselben Dreiecke</translation>
+    </message>
+    <message>
+        <source>edges of {name} deviate from it by more than that</source>
+        <translation>Kanten von {name} weichen um mehr davon ab</translation>
+    </message>
+    <message>
+        <source>edges swapped: {count}, collapsed: {count2}, halved: {count3}; vertices moved: {count4}</source>
+        <translation>Kanten getauscht: {count}, zusammengezogen: {count2}, halbiert: {count3}; Eckpunkte verschoben: {count4}</translation>
+    </message>
+    <message>
+        <source>faces that lie on each other within the tolerance were taken as one: slivers and gaps up to {length} thin may be gone</source>
+        <translation>Flächen, die innerhalb der Toleranz aufeinanderliegen, gelten als eine: Splitter und Spalten bis {length} Dicke können fehlen</translation>
+    </message>
+    <message>
+        <source>filled in the reconstruction: 1 hole</source>
+        <translation>beim Wiederaufbau gefüllt: 1 Loch</translation>
+    </message>
+    <message>
+        <source>filled in the reconstruction: {count} holes</source>
+        <translation>beim Wiederaufbau gefüllt: {count} Löcher</translation>
+    </message>
+    <message>
+        <source>lost, as no ray met the components that they belong to: 1 triangle; take a higher resolution</source>
+        <translation>Verloren, da kein Strahl ihre Komponenten traf: 1 Dreieck; eine höhere Auflösung wählen</translation>
+    </message>
+    <message>
+        <source>lost, as no ray met the components that they belong to: {count} triangles; take a higher resolution</source>
+        <translation>Verloren, da kein Strahl ihre Komponenten traf: {count} Dreiecke; eine höhere Auflösung wählen</translation>
+    </message>
+    <message>
+        <source>max. deviation {length} instead of the requested {length2}: {phrase}</source>
+        <translation>Größte Abweichung {length} statt der verlangten {length2}: {phrase}</translation>
+    </message>
+    <message>
+        <source>mending of angles ended at its limit of attempts: 1 triangle below the smallest angle asked for might be improvable</source>
+        <translation>Das Verbessern von Winkeln endete an der Grenze seiner Versuche: 1 Dreieck unter dem verlangten kleinsten Winkel wäre vielleicht zu verbessern</translation>
+    </message>
+    <message>
+        <source>mending of angles ended at its limit of attempts: {count} triangles below the smallest angle asked for might be improvable</source>
+        <translation>Das Verbessern von Winkeln endete an der Grenze seiner Versuche: {count} Dreiecke unter dem verlangten kleinsten Winkel wären vielleicht zu verbessern</translation>
+    </message>
+    <message>
+        <source>open, as no repair closes it: {list}; inside is where its winding number is at least 0.5, and this guess spans the holes: {number} % of the result&apos;s surface</source>
+        <translation>Offen, da keine Reparatur es schließt: {list}; innen ist, wo die Windungszahl mindestens 0,5 ist, und dies überspannt die Löcher: {number} % der Oberfläche des Ergebnisses</translation>
+    </message>
+    <message>
+        <source>refine_samples is off, so that the samples alone decide</source>
+        <translation>refine_samples ist aus, sodass allein die Abtastpunkte entscheiden</translation>
+    </message>
+    <message>
+        <source>repaired before it was measured: {list}</source>
+        <translation>vor der Messung repariert: {list}</translation>
+    </message>
+    <message>
+        <source>repaired before: {list}</source>
+        <translation>zuvor repariert: {list}</translation>
+    </message>
+    <message>
+        <source>sampled along rays (method uniform), as there is no exact result: {phrase}</source>
+        <translation>Entlang von Strahlen abgetastet (Methode uniform), da es kein exaktes Ergebnis gibt: {phrase}</translation>
+    </message>
+    <message>
+        <source>sampled on CAD faces: 1 sample</source>
+        <translation>abgetastet auf CAD-Flächen: 1 Punkt</translation>
+    </message>
+    <message>
+        <source>sampled on CAD faces: {count} samples</source>
+        <translation>abgetastet auf CAD-Flächen: {count} Punkte</translation>
+    </message>
+    <message>
+        <source>sampling ended at max_triangles = {count}: the mesh is consistent, but coarser than requested; raise max_triangles</source>
+        <translation>Das Abtasten endete bei max_triangles = {count}: das Netz ist widerspruchsfrei, aber gröber als verlangt; max_triangles erhöhen</translation>
+    </message>
+    <message>
+        <source>some edges cannot be split without folding or crowding the mesh</source>
+        <translation>manche Kanten lassen sich nicht teilen, ohne das Netz zu falten oder zu drängen</translation>
+    </message>
+    <message>
+        <source>stopped at max_triangles = {count}: the mesh is consistent, but not all limits are met, and it was not searched for triangles that cross; raise max_triangles</source>
+        <translation>Angehalten bei max_triangles = {count}: das Netz ist widerspruchsfrei, aber nicht alle Grenzen sind eingehalten, und nach sich schneidenden Dreiecken wurde nicht gesucht; max_triangles erhöhen</translation>
+    </message>
+    <message>
+        <source>the coarsest mesh of this shape takes more than max_triangles = {count}: the mesh is consistent, but not all limits are met, and it was not searched for triangles that cross; raise max_triangles</source>
+        <translation>Das gröbste Netz dieser Form braucht mehr als max_triangles = {count}: das Netz ist widerspruchsfrei, aber nicht alle Grenzen sind eingehalten, und nach sich schneidenden Dreiecken wurde nicht gesucht; max_triangles erhöhen</translation>
+    </message>
+    <message>
+        <source>the hollow is closed: powder, resin or air cannot leave it; name openings, or cut holes by boolean</source>
+        <translation>Die Höhlung ist geschlossen: Pulver, Harz oder Luft kommen nicht heraus; Öffnungen nennen oder Löcher durch eine boolesche Operation schneiden</translation>
+    </message>
+    <message>
+        <source>the mesh was kept as it was at 1 triangle, which would cross others or have smaller angles than any before</source>
+        <translation>Das Netz blieb an 1 Dreieck, wie es war: es würde andere schneiden oder kleinere Winkel haben als alle zuvor</translation>
+    </message>
+    <message>
+        <source>the mesh was kept as it was at {count} triangles, which would cross others or have smaller angles than any before</source>
+        <translation>Das Netz blieb an {count} Dreiecken, wie es war: sie würden andere schneiden oder kleinere Winkel haben als alle zuvor</translation>
+    </message>
+    <message>
+        <source>the part is so thin that single precision changes its volume from {volume} to {volume2}: it holds coordinates of this part to {length}</source>
+        <translation>Das Teil ist so dünn, dass einfache Genauigkeit sein Volumen von {volume} auf {volume2} ändert: sie hält Koordinaten dieses Teils auf {length} genau</translation>
+    </message>
+    <message>
+        <source>the rays of three directions disagree at 1 node of the grid</source>
+        <translation>die Strahlen dreier Richtungen widersprechen sich an 1 Knoten des Gitters</translation>
+    </message>
+    <message>
+        <source>the rays of three directions disagree at {count} nodes of the grid</source>
+        <translation>die Strahlen dreier Richtungen widersprechen sich an {count} Knoten des Gitters</translation>
+    </message>
+    <message>
+        <source>the result is empty: no point of the solid is {length} away from its surface</source>
+        <translation>Das Ergebnis ist leer: kein Punkt des Körpers ist {length} von seiner Oberfläche entfernt</translation>
+    </message>
+    <message>
+        <source>the result is empty: no volume is left</source>
+        <translation>Das Ergebnis ist leer: kein Volumen bleibt übrig</translation>
+    </message>
+    <message>
+        <source>the result is empty: nothing of what is given is as large as the tolerance</source>
+        <translation>Das Ergebnis ist leer: nichts des Gegebenen ist so groß wie die Toleranz</translation>
+    </message>
+    <message>
+        <source>the result is empty: the operands are the same within the tolerance of {length}; a smaller tolerance shows smaller differences</source>
+        <translation>Das Ergebnis ist leer: die Operanden sind innerhalb der Toleranz von {length} gleich; eine kleinere Toleranz zeigt kleinere Unterschiede</translation>
+    </message>
+    <message>
+        <source>the result is not a closed manifold surface: see its faults</source>
+        <translation>Das Ergebnis ist keine geschlossene mannigfaltige Oberfläche: siehe seine Fehler</translation>
+    </message>
+    <message>
+        <source>the straight mesh has triangles on one another: a finer one was not tried</source>
+        <translation>Das gerade Netz hat aufeinanderliegende Dreiecke: ein feineres wurde nicht versucht</translation>
+    </message>
+    <message>
+        <source>the straight mesh was made finer {count} times</source>
+        <translation>Das gerade Netz wurde {count}-mal feiner gemacht</translation>
+    </message>
+    <message>
+        <source>there is no hollow: the solid is nowhere thicker than two walls</source>
+        <translation>Es gibt keine Höhlung: der Körper ist nirgends dicker als zwei Wände</translation>
+    </message>
+    <message>
+        <source>this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text</source>
+        <translation>Dieses FreeCAD kann seine Formen nicht teilen: das Netz entstand aus einer Kopie, die als BREP-Text übergeben wurde</translation>
+    </message>
+    <message>
+        <source>triangles of the surface were not repaired, as tetrahedra would not fit: {phrase}</source>
+        <translation>Dreiecke der Oberfläche wurden nicht repariert, da Tetraeder nicht passen würden: {phrase}</translation>
+    </message>
+    <message>
+        <source>{count} elements of the given mesh lie on one another and have no outside</source>
+        <translation>{count} Elemente des gegebenen Netzes liegen aufeinander und haben kein Außen</translation>
+    </message>
+    <message>
+        <source>{count} elements of the given mesh were numbered the wrong way round</source>
+        <translation>{count} Elemente des gegebenen Netzes waren verkehrt herum nummeriert</translation>
+    </message>
+    <message>
+        <source>{count} faces of the shape have no triangles in the given mesh, the first is {name}</source>
+        <translation>{count} Flächen der Form haben im gegebenen Netz keine Dreiecke, die erste ist {name}</translation>
+    </message>
+    <message>
+        <source>{count} of {count2} edges are smooth and do not constrain the mesh (keep_edges = feature)</source>
+        <translation>{count} von {count2} Kanten sind glatt und binden das Netz nicht (keep_edges = feature)</translation>
+    </message>
+    <message>
+        <source>{count} of {count2} edges are smooth, but constrain the mesh all the same: otherwise faces would cross</source>
+        <translation>{count} von {count2} Kanten sind glatt, binden das Netz aber trotzdem: sonst würden Flächen sich schneiden</translation>
+    </message>
+    <message>
+        <source>{count} operands are shapes: their meshes deviate by at most {length} from them; the max. deviation is that of the Boolean of the meshes</source>
+        <translation>{count} Operanden sind Formen: ihre Netze weichen um höchstens {length} von ihnen ab; die größte Abweichung ist die der booleschen Operation mit den Netzen</translation>
+    </message>
+    <message>
+        <source>{count} others on the meshes of the shapes</source>
+        <translation>{count} weitere auf den Netzen der Formen</translation>
+    </message>
+    <message>
+        <source>{count} pairs of curved triangles cross, one on {name} and {name2} near {point}</source>
+        <translation>{count} Paare gekrümmter Dreiecke schneiden sich, eines auf {name} und {name2} bei {point}</translation>
+    </message>
+    <message>
+        <source>{count} pairs of curved triangles were not compared to the end, as where bodies lie on each other: certify compares more</source>
+        <translation>{count} Paare gekrümmter Dreiecke wurden nicht zu Ende verglichen, etwa wo Körper aufeinanderliegen: certify vergleicht mehr</translation>
+    </message>
+    <message>
+        <source>{count} tetrahedra of the given mesh lie on one another and have no outside: they are removed</source>
+        <translation>{count} Tetraeder des gegebenen Netzes liegen aufeinander und haben kein Außen: sie werden entfernt</translation>
+    </message>
+    <message>
+        <source>{list}: at most about {length} wide, for which the mesh has {count} of its {count2} triangles: take such faces out of the shape</source>
+        <translation>{list}: höchstens etwa {length} breit; dafür hat das Netz {count} seiner {count2} Dreiecke: solche Flächen aus der Form nehmen</translation>
+    </message>
+    <message>
+        <source>{list}: at most about {length} wide, for which the mesh has {count} of its {count2} triangles: take such faces out of the shape, or allow a max. deviation of {length2}, at which they count as edges</source>
+        <translation>{list}: höchstens etwa {length} breit; dafür hat das Netz {count} seiner {count2} Dreiecke: solche Flächen aus der Form nehmen oder eine größte Abweichung von {length2} erlauben, bei der sie als Kanten zählen</translation>
+    </message>
+    <message>
+        <source>{list}: meshed neither by us nor by OpenCASCADE, and left out ({phrase})</source>
+        <translation>{list}: weder von uns noch von OpenCASCADE vernetzt und ausgelassen ({phrase})</translation>
+    </message>
+    <message>
+        <source>{list}: not meshed; OpenCASCADE&apos;s triangulation is taken, which may have holes ({phrase})</source>
+        <translation>{list}: nicht vernetzt; stattdessen gilt die Triangulierung von OpenCASCADE, die Löcher haben kann ({phrase})</translation>
+    </message>
+    <message>
+        <source>{list}: shorter than {length}, which does not show at what is asked for: a vertex in the mesh</source>
+        <translation>{list}: kürzer als {length}, was bei dem Verlangten nicht zu sehen ist: im Netz ein Eckpunkt</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} are one body twice</source>
+        <translation>{name} und {name2} sind zweimal derselbe Körper</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} cross in 1 pair of triangles</source>
+        <translation>{name} und {name2} schneiden sich in 1 Paar von Dreiecken</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} cross in {count} pairs of triangles</source>
+        <translation>{name} und {name2} schneiden sich in {count} Paaren von Dreiecken</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} cross where they are apart by less than the mesh deviates</source>
+        <translation>{name} und {name2} schneiden sich, wo sie um weniger auseinanderliegen, als das Netz abweicht</translation>
+    </message>
+    <message>
+        <source>{name} and {name2} overlap</source>
+        <translation>{name} und {name2} überlappen sich</translation>
+    </message>
+    <message>
+        <source>{name} crosses itself in 1 pair of triangles</source>
+        <translation>{name} schneidet sich selbst in 1 Paar von Dreiecken</translation>
+    </message>
+    <message>
+        <source>{name} crosses itself in {count} pairs of triangles</source>
+        <translation>{name} schneidet sich selbst in {count} Paaren von Dreiecken</translation>
+    </message>
+    <message>
+        <source>{name} deviates {length} from the edges or faces at it, within its tolerance, and {count} more likewise: elements there leave the shape to reach it</source>
+        <translation>{name} weicht {length} von den Kanten oder Flächen daran ab, innerhalb der Toleranz, und {count} weitere ebenso: Elemente dort verlassen die Form, um es zu erreichen</translation>
+    </message>
+    <message>
+        <source>{name} deviates {length} from the edges or faces at it, within its tolerance: elements there leave the shape to reach it</source>
+        <translation>{name} weicht {length} von den Kanten oder Flächen daran ab, innerhalb der Toleranz: Elemente dort verlassen die Form, um es zu erreichen</translation>
+    </message>
+    <message>
+        <source>{name} holds shapes and meshes: the mesh of the shapes deviates by at most {length} from them, and its volume by about {number} %; the max. deviation is that of the Boolean of the meshes</source>
+        <translation>{name} enthält Formen und Netze: das Netz der Formen weicht um höchstens {length} von ihnen ab und sein Volumen um etwa {number} %; die größte Abweichung ist die der booleschen Operation mit den Netzen</translation>
+    </message>
+    <message>
+        <source>{name} holds shapes and meshes: the mesh of the shapes deviates by at most {length} from them; the max. deviation is that of the Boolean of the meshes</source>
+        <translation>{name} enthält Formen und Netze: das Netz der Formen weicht um höchstens {length} von ihnen ab; die größte Abweichung ist die der booleschen Operation mit den Netzen</translation>
+    </message>
+    <message>
+        <source>{name} is a point in single precision: left out</source>
+        <translation>{name} ist in einfacher Genauigkeit ein Punkt: ausgelassen</translation>
+    </message>
+    <message>
+        <source>{name} is a shape: its mesh deviates by at most {length} from it, and its volume by about {number} %; the max. deviation is that of the Boolean of the meshes</source>
+        <translation>{name} ist eine Form: ihr Netz weicht um höchstens {length} von ihr ab und sein Volumen um etwa {number} %; die größte Abweichung ist die der booleschen Operation mit den Netzen</translation>
+    </message>
+    <message>
+        <source>{name} is a shape: its mesh deviates by at most {length} from it; the max. deviation is that of the Boolean of the meshes</source>
+        <translation>{name} ist eine Form: ihr Netz weicht um höchstens {length} von ihr ab; die größte Abweichung ist die der booleschen Operation mit den Netzen</translation>
+    </message>
+    <message>
+        <source>{name} is missing: {text}</source>
+        <translation>{name} fehlt: {text}</translation>
+    </message>
+    <message>
+        <source>{name} lies inside {name2}</source>
+        <translation>{name} liegt in {name2}</translation>
+    </message>
+    <message>
+        <source>{name}, {phrase}</source>
+        <translation>{name}, {phrase}</translation>
+    </message>
+    <message>
+        <source>too many triangles meet: not all pairs were compared</source>
+        <translation>Zu viele Dreiecke treffen sich: nicht alle Paare wurden verglichen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <initializer_list>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "base/message.h"
 
 namespace mq {
 
-/// Base of all errors that leave the core. `what()` is a sentence that names the entity at fault and the remedy.
-/// Those that a panel can meet are made of a phrase of the catalogue.
+/// Base of all errors that leave the core: a phrase of the catalogue and what stands in its places, or a message again.
+/// `what()` is a sentence that names the entity at fault and the remedy.
 class Error : public std::runtime_error {
   public:
-    explicit Error(const std::string& text) : Error(Message::value(text)) {}
     explicit Error(Message message) : std::runtime_error(message.text()), message_(std::move(message)) {}
+    Error(Phrase phrase, std::initializer_list<Place> places) : Error(Message(phrase, places)) {}
 
     const Message& message() const { return message_; }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cmath>
-#include <string>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq {
 
@@ -14,13 +14,17 @@ struct OptionRange {
     double low, high;
     bool above;    ///< `low` itself is not allowed
     bool or_zero;  ///< 0 stands for no value
-    const char* text;
+    Phrase range;  ///< with places for `low` and `high`
 
     /// @throws InvalidInput naming the option, its value and its range.
     void require(double value) const {
         const bool holds = std::isfinite(value) && (above ? value > low : value >= low) && value <= high;
         if (!holds && !(or_zero && value == 0.0)) {
-            throw InvalidInput(std::string(name) + " is " + std::to_string(value) + ": it must be " + text);
+            throw InvalidInput(phrases::kNotAllowed, {{"option", name},
+                                                      {"value", in_digits(value, 10)},
+                                                      {"range", Message(range, {{"number", in_digits(low, 10)},
+                                                                                {"number2", in_digits(high, 10)},
+                                                                                {"length", in_mm(low)}})}});
         }
     }
 };

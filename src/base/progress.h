@@ -39,7 +39,7 @@ class Progress {
     /// Worker: throws Cancelled once the watcher has requested it. Cheap: call it in every round.
     void check() const {
         if (cancelled()) {
-            throw Cancelled("cancelled on request");
+            refuse();
         }
     }
 
@@ -52,6 +52,8 @@ class Progress {
 
   private:
     friend class ProgressShare;
+
+    [[noreturn]] static void refuse();
 
     std::atomic<const char*> name_{"start"};
     std::atomic<double> from_{0.0};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq {
 namespace {
@@ -50,7 +51,7 @@ SinglePrecisionGrid::SinglePrecisionGrid(const Box& box) {
     if (!box.empty()) {
         const double largest = largest_coordinate(box.low, box.high);
         if (!box.low.allFinite() || !box.high.allFinite() || largest > std::ldexp(1.0, kLargestExponent)) {
-            throw InvalidInput("The part has coordinates that are not finite or above 1.8e19 mm; scale it down.");
+            throw InvalidInput(phrases::kFarCoordinates, {{"length", in_mm(std::ldexp(1.0, kLargestExponent), 2)}});
         }
         const double side = box.largest_side();
         if (side > 0.0 && largest > kFarAway * side) {

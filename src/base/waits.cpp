@@ -22,6 +22,10 @@ Watched& watched() {
 
 }  // namespace
 
+void Progress::refuse() {
+    throw Cancelled(phrases::kCancelled);
+}
+
 Waits::Waits(const Progress& progress, std::string title) : progress_(progress), title_(std::move(title)) {
     Watched& all = watched();
     const std::lock_guard<std::mutex> lock(all.mutex);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <set>
@@ -37,12 +36,6 @@ namespace {
 /// Relative spacing of single-precision numbers.
 
 /// Formats a length with two digits.
-std::string in_short(double length) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g", length);
-    return text;
-}
-
 /// One Boolean operation: it holds the state that the stages share.
 class BooleanPipeline {
   public:
@@ -102,9 +95,7 @@ class BooleanPipeline {
         for (std::size_t i = 0; i < inputs_.size(); ++i) {
             joined_ = std::max(joined_, prepared_[i].largest_move);
             result_.operand_topology.push_back(prepared_[i].topology);
-            const Repairs& repairs = prepared_[i].repairs;
-            result_.repaired.push_back(repairs.any() ? operand_name(i, inputs_.size()) + ": " + repairs.summary()
-                                                     : std::string());
+            result_.repaired.push_back(prepared_[i].repairs.of_operand(operand_name(i, inputs_.size())));
         }
         require_possible(tolerance_, size_);
     }
@@ -196,9 +187,7 @@ class BooleanPipeline {
             }
             mark_contacts(faces);
             if (moved_ > 4.0 * clearance()) {
-                result_.notes.push_back(
-                    "faces that lie on each other within the tolerance were taken as one: slivers and gaps up to " +
-                    in_short(result_.closed_gaps) + " mm thin may be gone");
+                result_.notes.push_back({phrases::kTakenAsOne, {{"length", in_mm(result_.closed_gaps, 2)}}});
             }
             undo_degenerate_moves(soup_, before);
             boxes_ = operand_boxes(soup_);
@@ -387,9 +376,8 @@ double BooleanOptions::tolerance_for(double size) const {
 
 void require_possible(double tolerance, double size) {
     if (tolerance < kFinestTolerance * size) {
-        throw InvalidInput(Message::of(
-            phrases::kFineTolerance,
-            {{"length", in_digits(tolerance, 4) + " mm"}, {"length2", in_digits(kFinestTolerance * size, 4) + " mm"}}));
+        throw InvalidInput(phrases::kFineTolerance,
+                           {{"length", in_mm(tolerance)}, {"length2", in_mm(kFinestTolerance * size)}});
     }
 }
 
@@ -409,11 +397,11 @@ BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, co
     options.validate();
     const ThreadLimit threads(options.threads);
     if (operands.empty()) {
-        throw InvalidInput("a Boolean without operands: give at least one mesh");
+        throw InvalidInput(phrases::kNoOperands);
     }
     if (expression.operands() != operands.size()) {
-        throw InvalidInput("a Boolean of " + std::to_string(operands.size()) + " meshes by an expression of " +
-                           std::to_string(expression.operands()) + " operands");
+        throw InvalidInput(phrases::kExpressionOperands,
+                           {{"count", operands.size()}, {"count2", expression.operands()}});
     }
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
@@ -423,10 +411,7 @@ BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, co
         result = join_differences(operands, options, watched);
     }
     if (result->faults_left > 0) {
-        throw TopologyError(
-            "the result cannot be held in single precision without triangles that touch or cross: at least " +
-            mesh::counted(result->faults_left, "triangle") +
-            " of the operands meet there; choose a larger tolerance, or move an operand by a little");
+        throw TopologyError(counted(phrases::kResultNotHeld, result->faults_left));
     }
     return std::move(*result);
 }

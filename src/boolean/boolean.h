@@ -4,10 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "boolean/input/operation.h"
@@ -74,8 +74,8 @@ struct BooleanResult {
     std::size_t faults_left = 0;
     /// Components and Euler number of each operand; with 0 components if it had to be repaired.
     std::vector<mesh::SurfaceTopology> operand_topology;
-    std::vector<std::string> repaired;  ///< a sentence for each operand, empty when there was nothing to do
-    std::vector<std::string> notes;
+    std::vector<Message> repaired;  ///< a sentence for each operand, empty when there was nothing to do
+    std::vector<Message> notes;
     StageTimes seconds;
 };
 

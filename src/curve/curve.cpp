@@ -23,7 +23,7 @@ namespace {
 void require_solids(const geometry::Topology& topology, const CurveOptions& options) {
     const auto solid = [](const geometry::Volume& volume) { return volume.kind == geometry::Volume::Kind::Solid; };
     if (options.volume && std::none_of(topology.volumes.begin(), topology.volumes.end(), solid)) {
-        throw InvalidInput(Message{phrases::kNoSolids});
+        throw InvalidInput(phrases::kNoSolids);
     }
 }
 
@@ -59,13 +59,12 @@ StageTimes joined(const StageTimes& stages) {
 void CurveOptions::validate() const {
     const int most = volume ? kMaxOrder - 1 : kMaxOrder;
     if (order < 1 || order > most) {
-        const std::string range[2] = {std::to_string(order), std::to_string(most)};
-        throw volume ? InvalidInput(Message::of(phrases::kVolumeOrder, {{"count", range[0]}, {"count2", range[1]}}))
-                     : InvalidInput("order is " + range[0] + ": it goes from 1 to " + range[1] + " for surfaces");
+        throw InvalidInput(volume ? phrases::kVolumeOrder : phrases::kSurfaceOrder,
+                           {{"count", order}, {"count2", most}});
     }
     ranges::triangulate::kThreads.require(threads);
     if (volume && !repair) {
-        throw InvalidInput("repair is off: only surfaces are curved without repairs, leave volume off");
+        throw InvalidInput(phrases::kVolumeNeedsRepair);
     }
 }
 

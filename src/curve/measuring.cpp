@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
 #include "base/parallel.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/output/shape_distortion.h"
 #include "curve/surface/enclosed_volume.h"
 #include "curve/volume/straighten.h"
@@ -65,12 +65,10 @@ void note_gaps(SurfaceEditor& editor, const geometry::Topology& topology, CurveR
     if (worst == gaps.end()) {
         return;
     }
-    char distance[32];
-    std::snprintf(distance, sizeof distance, "%.3g", worst->second);
-    const std::string more = gaps.size() == 1 ? "" : ", and " + std::to_string(gaps.size() - 1) + " more likewise";
-    report.notes.push_back(topology.name_of({worst->first[0], worst->first[1]}) + " deviates " + distance +
-                           " mm from the edges or faces at it, within its tolerance" + more +
-                           ": elements there leave the shape to reach it");
+    report.notes.push_back({gaps.size() == 1 ? phrases::kDeviatesAt : phrases::kDeviateAt,
+                            {{"name", topology.name_of({worst->first[0], worst->first[1]})},
+                             {"length", in_mm(worst->second, 3)},
+                             {"count", gaps.size() - 1}}});
 }
 
 /// The qualities of the live tetrahedra.

@@ -80,6 +80,10 @@ class ForCaller {
 
 }  // namespace
 
+Cancelled engine_has_ended() {
+    return Cancelled(phrases::kEngineEnded);
+}
+
 class Engine::Impl {
   public:
     Impl(Mode mode, std::size_t capacity) : mode_(mode), capacity_(capacity > 0 ? capacity : 1) {}
@@ -182,8 +186,8 @@ bool Engine::Impl::wait(const std::future<Result>& result, std::uint64_t number,
 void Engine::Impl::name_user(std::uint64_t number, const Progress* progress) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (waiting_job(number) != queue_.end()) {
-        Waits::set(progress, Message{phrases::kWaitsForEngine,
-                                     {{"name", user_.empty() ? Message{phrases::kOtherWork} : Message::value(user_)}}});
+        const Message name = user_.empty() ? Message(phrases::kOtherWork) : Message::value(user_);
+        Waits::set(progress, Message(phrases::kWaitsForEngine, {{"name", name}}));
     }
 }
 
@@ -314,7 +318,7 @@ void Engine::Impl::run(const std::function<void()>& work, const Progress* progre
     job.owner = progress;
     std::future<void> done = job.done.get_future();
     if (!push(job, progress)) {
-        throw Cancelled("the geometry engine has been shut down");
+        throw engine_has_ended();
     }
     wait(done, job.number, progress);
     done.get();
@@ -376,7 +380,7 @@ void Engine::Impl::keep_open(EngineGate& gate, const Progress* progress) {
         job.owner = progress;
         std::future<void> done = job.done.get_future();
         if (!push(job, progress)) {
-            throw Cancelled("the geometry engine has been shut down");
+            throw engine_has_ended();
         }
         if (wait(done, job.number, progress, &gate)) {
             done.get();
@@ -411,7 +415,7 @@ void Engine::Impl::drop_waiting(bool with_work) {
     not_full_.notify_all();
     for (Job& job : dropped) {
         if (job.work != nullptr) {
-            job.done.set_exception(std::make_exception_ptr(Cancelled("the geometry engine has been shut down")));
+            job.done.set_exception(std::make_exception_ptr(engine_has_ended()));
         } else {
             job.model.reset();
             job.answers.set_value(stopped(job.batch.size()));

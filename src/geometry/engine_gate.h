@@ -9,6 +9,9 @@
 
 namespace mq::geometry {
 
+/// The error of all who need the engine after its end.
+Cancelled engine_has_ended();
+
 /// Lets the threads of a job answer queries themselves while the engine's main thread waits at the gate
 /// (Engine::run_job). It closes for the time that somebody else needs the engine, in which they wait with their next
 /// question.
@@ -64,7 +67,7 @@ class EngineGate {
         std::unique_lock<std::mutex> lock(mutex_);
         changed_.wait(lock, [this] { return open_ || closed_; });
         if (closed_) {
-            throw Cancelled("the geometry engine has been shut down");
+            throw engine_has_ended();
         }
         ++inside_;
     }

@@ -5,11 +5,11 @@
 #include <array>
 #include <iterator>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "improve/improver.h"
 #include "improve/tuning.h"
 #include "mesh/edge_table.h"
@@ -32,8 +32,7 @@ mesh::TriangleMesh checked(const mesh::TriangleMesh& given) {
     }
     for (std::size_t t = 0; t < given.triangles.size(); ++t) {
         if (mesh::is_collapsed(given.triangles[t])) {
-            throw InvalidInput("triangle " + std::to_string(t) +
-                               " names a vertex twice: remove degenerate triangles first");
+            throw InvalidInput(phrases::kVertexTwice, {{"count", t}});
         }
     }
     mesh.triangles = given.triangles;
@@ -133,7 +132,7 @@ Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, P
     options.validate();
     const mesh::TriangleMesh start = checked(given);
     if (start.triangles.empty()) {
-        throw InvalidInput("the mesh has no triangles");
+        throw InvalidInput(phrases::kMeshEmpty);
     }
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;

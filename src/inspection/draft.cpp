@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "inspection/ray_crossings.h"
 #include "mesh/intersection/aabb_tree.h"
 
@@ -25,10 +26,12 @@ constexpr std::size_t kChunk = 256;
 
 void DraftOptions::validate() const {
     if (!pull.allFinite() || !(pull.norm() > 0.0)) {
-        throw InvalidInput("the pull direction has no length: give a vector such as (0, 0, 1)");
+        throw InvalidInput(phrases::kNoDirection);
     }
     if (!(offset >= 0.0 && std::isfinite(offset))) {
-        throw InvalidInput("the offset of rays must be a length in mm, at least 0");
+        throw InvalidInput(
+            phrases::kLengthNotAllowed,
+            {{"option", "offset"}, {"length", in_mm(offset)}, {"range", Message(phrases::kAtLeast, {{"number", 0}})}});
     }
 }
 

@@ -37,12 +37,16 @@ constexpr int kHighestResolution = (1 << kMaxLevels) + 1;
 
 void require_options(const LayeredDepthOptions& options) {
     if (options.resolution < kLowestResolution || options.resolution > kHighestResolution) {
-        throw InvalidInput("resolution is " + std::to_string(options.resolution) + ": it must be from " +
-                           std::to_string(kLowestResolution) + " to " + std::to_string(kHighestResolution) + " rays");
+        throw InvalidInput(
+            phrases::kNotAllowed,
+            {{"option", "resolution"},
+             {"value", std::to_string(options.resolution)},
+             {"range", Message(phrases::kFromTo, {{"number", kLowestResolution}, {"number2", kHighestResolution}})}});
     }
     if (!(options.thinnest >= 0.0 && options.thinnest < 0.01)) {
-        throw InvalidInput("thinnest is " + std::to_string(options.thinnest) +
-                           ": it must be a fraction of the longest side, from 0 to less than 0.01");
+        throw InvalidInput(
+            phrases::kNotAllowed,
+            {{"option", "thinnest"}, {"value", in_digits(options.thinnest, 6)}, {"range", phrases::kShareOfSide}});
     }
 }
 
@@ -121,12 +125,11 @@ void require_memory(const OperandSet& pair, const Box& box, int resolution, bool
     }
     const double side = box.empty() ? 0.0 : box.largest_side();
     const auto in_gb = [](double b) { return in_digits(b / (1 << 30), 2); };
-    throw InvalidInput(
-        Message::of(phrases::kMuchMemory, {{"number", in_gb(bytes)},
-                                           {"count", std::to_string(resolution)},
-                                           {"number2", in_gb(kMostBytes)},
-                                           {"count2", std::to_string(possible)},
-                                           {"length", in_digits(uniform_bound(side, possible), 4) + " mm"}}));
+    throw InvalidInput(phrases::kMuchMemory, {{"number", in_gb(bytes)},
+                                              {"count", resolution},
+                                              {"number2", in_gb(kMostBytes)},
+                                              {"count2", possible},
+                                              {"length", in_mm(uniform_bound(side, possible))}});
 }
 
 std::vector<const mesh::TriangleMesh*> meshes_of(const std::vector<UniformOperand>& operands) {
@@ -524,13 +527,13 @@ std::vector<UniformOperand> prepare_uniform(const std::vector<const mesh::Triang
                                             const Progress* progress) {
     require_options(options);
     if (operands.empty() || expression.operands() != operands.size()) {
-        throw InvalidInput("a Boolean of " + std::to_string(operands.size()) + " meshes by an expression of " +
-                           std::to_string(expression.operands()) + " operands");
+        throw InvalidInput(phrases::kExpressionOperands,
+                           {{"count", operands.size()}, {"count2", expression.operands()}});
     }
     Box box;
     for (const mesh::TriangleMesh* operand : operands) {
         if (operand->origin != operands.front()->origin) {
-            throw InvalidInput("the operands have different origins; give all meshes in one frame");
+            throw InvalidInput(phrases::kOrigins);
         }
         box.add(box_of(*operand));
     }
@@ -568,8 +571,7 @@ double uniform_bound(double size, int resolution) {
 int uniform_resolution(double size, double tolerance) {
     const double least = uniform_bound(size, kHighestResolution);
     if (tolerance < least) {
-        throw InvalidInput(Message::of(phrases::kManyRays, {{"length", in_digits(tolerance, 6) + " mm"},
-                                                            {"length2", in_digits(least, 6) + " mm"}}));
+        throw InvalidInput(phrases::kManyRays, {{"length", in_mm(tolerance, 6)}, {"length2", in_mm(least, 6)}});
     }
     const double wanted = SampleGrid::resolution_for(size, tolerance / kBound);
     int resolution = static_cast<int>(std::clamp<double>(wanted, kLowestResolution, kHighestResolution));

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -47,7 +46,7 @@ struct UniformResult {
     double error_bound = 0.0;
     double spacing = 0.0;  ///< the distance r between rays, mm
 
-    std::vector<std::string> repaired;    ///< for each operand a sentence on its repair; empty: nothing was repaired
+    std::vector<Message> repaired;        ///< for each operand a sentence on its repair; empty: nothing was repaired
     std::size_t samples = 0;              ///< samples of all operands
     FaceSampleCounts cad;                 ///< samples of operands that are shapes
     WindingSampleCounts winding;          ///< samples of operands that are open

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/message.h"
 #include "boolean/input/tuning.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "layered_depth/samples/rasterise.h"
 #include "layered_depth/samples/winding_samples.h"
 #include "mesh/edge_table.h"
@@ -19,7 +20,7 @@ void require_valid(const mesh::TriangleMesh& mesh, const std::string& name) {
     try {
         mesh::require_valid(mesh);
     } catch (const InvalidInput& error) {
-        throw InvalidInput(name + ": " + error.what());
+        throw InvalidInput(phrases::kNamed, {{"name", name}, {"phrase", error.message()}});
     }
 }
 
@@ -36,9 +37,8 @@ void require_volume(const mesh::TriangleMesh& mesh, const mesh::SurfaceWinding& 
     sample_by_winding(set, alone, 0, grid, winding, counts, progress);
     if (counts.guessed_area >= InputTuning::kLeastSheetShare * counts.kept_area) {
         const double whole = std::max(1.0, counts.kept_area + counts.guessed_area);
-        throw OpenOperand(name + " bounds no volume: where its winding number is at least 0.5, " +
-                          in_digits(100.0 * counts.guessed_area / whole, 2) +
-                          " % of the surface would be a guess; close it, give the sheet a thickness, or take it out");
+        throw OpenOperand(phrases::kGuessedVolume,
+                          {{"name", name}, {"number", in_digits(100.0 * counts.guessed_area / whole, 2)}});
     }
 }
 
@@ -83,7 +83,7 @@ void UniformOperand::adopt(Operand&& operand, const std::string& name) {
         source_.push_back(has_corners_of(operand, t, *given_) ? operand.source[t] : -1);
     }
     origin_ = std::move(operand.source);
-    repaired_ = operand.repairs.any() ? name + ": " + operand.repairs.summary() : std::string();
+    repaired_ = operand.repairs.of_operand(name);
     largest_move_ = operand.largest_move;
     made_ = std::make_unique<mesh::TriangleMesh>();
     made_->origin = given_->origin;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "base/progress.h"
 #include "boolean/input/operand_repair.h"
 #include "mesh/intersection/surface_winding.h"
@@ -40,7 +41,7 @@ class UniformOperand {
     /// triangles that are on no face, or did not close the operand.
     std::vector<std::int32_t> faces(const std::vector<std::int32_t>& given) const;
     /// A sentence on the repair; empty: nothing was repaired.
-    const std::string& repaired() const { return repaired_; }
+    const Message& repaired() const { return repaired_; }
     double largest_move() const { return largest_move_; }  ///< mm: by closing cracks
 
   private:
@@ -51,7 +52,7 @@ class UniformOperand {
     std::unique_ptr<mesh::SurfaceWinding> winding_;
     std::vector<std::int32_t> source_;
     std::vector<std::int32_t> origin_;  ///< by triangle: the given triangle that it is, or is a piece of; -1: none
-    std::string repaired_;
+    Message repaired_;
     double largest_move_ = 0.0;
 };
 

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/progress.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/corner_table.h"
 
 namespace mq::mesh {
@@ -277,7 +278,7 @@ class ConstrainedTriangulation {
         for (std::size_t steps = 0; !todo.empty(); ++steps) {
             check_cancelled(progress_);
             if (steps > most) {
-                throw TopologyError("the division of a plane is inconsistent: a segment cannot be cleared");
+                throw TopologyError(phrases::kInconsistentDivision);
             }
             const int h = find_edge(todo.front()[0], todo.front()[1]);
             const int p = apex(h);

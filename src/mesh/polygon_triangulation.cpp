@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
 
 #include "base/chord_table.h"
 #include "base/error.h"
 #include "base/predicates.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::mesh {
 namespace {
@@ -84,7 +84,7 @@ std::array<std::size_t, 2> dividing_chord(const std::vector<Vec3>& loop, const s
 std::vector<mesh::Triangle> fill_hole(const std::vector<Vec3>& loop, const AvoidTriangle& avoid,
                                       const Progress* progress) {
     if (loop.size() < 3) {
-        throw InvalidInput("a hole has at least three vertices, this one " + std::to_string(loop.size()));
+        throw InvalidInput(phrases::kSmallHole, {{"count", loop.size()}});
     }
     std::vector<Triangle> triangles;
     triangles.reserve(loop.size() - 2);

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/vec.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::python {
 
@@ -34,7 +35,7 @@ using PointArray = pybind11::array_t<double, pybind11::array::c_style | pybind11
 /// The points in the rows of an array. @throws InvalidInput where it has not three columns.
 inline std::vector<Vec3> points_of(const PointArray& nodes) {
     if (nodes.ndim() != 2 || nodes.shape(1) != 3) {
-        throw InvalidInput("nodes must be an array of three columns: x, y and z");
+        throw InvalidInput(phrases::kColumns, {{"name", "nodes"}, {"count", 3}});
     }
     std::vector<Vec3> points;
     points.reserve(static_cast<std::size_t>(nodes.shape(0)));

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/quality/surface_distance.h"
 #include "mesh/quality/surface_verification.h"
 #include "python/array_view.h"
@@ -46,7 +47,7 @@ static_assert(sizeof(std::array<std::int32_t, 2>) == 2 * sizeof(std::int32_t), "
 void add_operand(Operands& operands, const std::string& name, const SurfacePointer& surface, bool round,
                  const py::object& shape) {
     if (surface == nullptr && shape.is_none()) {
-        throw InvalidInput(name + " has neither a surface nor a shape");
+        throw InvalidInput(phrases::kNoOperand, {{"name", name}});
     }
     FreecadShape part;
     if (!shape.is_none()) {
@@ -65,7 +66,10 @@ BooleanMethod method_from(const std::string& name) {
     if (name == "uniform") {
         return BooleanMethod::Uniform;
     }
-    throw InvalidInput("method is '" + name + "': it must be 'default', 'exact' or 'uniform'");
+    throw InvalidInput(phrases::kNotAllowed,
+                       {{"option", "method"},
+                        {"value", "'" + name + "'"},
+                        {"range", Message(phrases::kOneOf, {{"list", "'default', 'exact', 'uniform'"}})}});
 }
 
 /// The result of work on operands, which says how their shapes came.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/injectivity/common_points.h"
 #include "curve/injectivity/curved_crossings.h"
 #include "elements/product/check_elements.h"
@@ -30,7 +31,7 @@ using Rows = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast
 py::tuple checked(const std::string& kind, int order, const PointArray& nodes, const Rows& connectivity,
                   const py::object& progress) {
     if (connectivity.ndim() != 2) {
-        throw InvalidInput("elements must be an array with the nodes of one in each row");
+        throw InvalidInput(phrases::kElementRows);
     }
     const curve::ElementKind of_kind = curve::element_kind(kind);
     const std::vector<Vec3> points = points_of(nodes);
@@ -59,7 +60,7 @@ using PairList = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 std::vector<std::int32_t> flat(const Rows& rows) {
     if (rows.ndim() != 2) {
-        throw InvalidInput("elements must be an array with the nodes of one in each row");
+        throw InvalidInput(phrases::kElementRows);
     }
     return {rows.data(), rows.data() + rows.size()};
 }

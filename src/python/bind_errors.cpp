@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <string>
 #include <system_error>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "python/bindings.h"
 
 namespace py = pybind11;
@@ -47,8 +47,8 @@ py::object data_of(const Message& message) {
         return py::reinterpret_steal<py::object>(text);
     }
     py::dict places;
-    for (const auto& [name, value] : message.places) {
-        places[name.c_str()] = data_of(value);
+    for (const Place& place : message.places) {
+        places[place.name.c_str()] = data_of(place.content);
     }
     py::dict data;
     data["phrase"] = message.phrase;
@@ -89,8 +89,7 @@ void bind_errors(py::module_& m) {
         } catch (const Error& e) {
             raise("Error", e);
         } catch (const std::system_error& e) {
-            raise("Error", Error("the system gives no more threads or memory (" + std::string(e.what()) +
-                                 "): raise its limits, or end other programs"));
+            raise("Error", Error(phrases::kSystemLimits, {{"text", e.what()}}));
         }
     });
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "given/matching/given_mesh.h"
 #include "given/mixed/curve_mixed.h"
 #include "python/array_view.h"
@@ -32,8 +33,7 @@ using CurvedPointer = std::shared_ptr<curve::CurvedMesh>;
 template <std::size_t N>
 std::vector<std::array<int, N>> rows_of(const Indices& array, const char* name) {
     if (array.size() % static_cast<py::ssize_t>(N) != 0) {
-        throw InvalidInput(std::string(name) + " hold " + std::to_string(array.size()) + " numbers: give " +
-                           std::to_string(N) + " for each");
+        throw InvalidInput(phrases::kNumbersForEach, {{"name", name}, {"count", array.size()}, {"count2", N}});
     }
     std::vector<std::array<int, N>> rows(static_cast<std::size_t>(array.size()) / N);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -70,8 +70,8 @@ void add_elements(const std::vector<CornerBlock>& blocks, std::vector<curve::Mix
         element.kind = curve::element_kind(name);
         const auto width = static_cast<py::ssize_t>(element.count());
         if (corners.size() != width * regions.size()) {
-            throw InvalidInput(name + "s hold " + std::to_string(corners.size()) + " corners: give " +
-                               std::to_string(width) + " for each");
+            throw InvalidInput(phrases::kNumbersForEach,
+                               {{"name", name + "s"}, {"count", corners.size()}, {"count2", width}});
         }
         for (py::ssize_t i = 0; i < regions.size(); ++i) {
             std::copy_n(corners.data() + i * width, width, element.corners.begin());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/bound_fields.h"
@@ -61,7 +62,8 @@ py::tuple tuple_of(const NearestPlaces& places) {
 std::vector<Clearance> measure_clearances(const std::vector<std::shared_ptr<Surface>>& bodies,
                                           const std::vector<double>& slack, double within, const py::object& progress) {
     if (slack.size() != bodies.size()) {
-        throw InvalidInput("slack must have a length for each body");
+        throw InvalidInput(phrases::kOneForEach,
+                           {{"name", "slack"}, {"count", slack.size()}, {"count2", bodies.size()}});
     }
     std::vector<const Surface*> given;
     for (const std::shared_ptr<Surface>& body : bodies) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/io/io.h"
 #include "mesh/quality/exemptions.h"
 #include "mesh/quality/mesh_report.h"
@@ -39,7 +40,7 @@ SurfacePointer surface_from_arrays(
     const py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>& faces, bool measured) {
     const auto rows = [](const py::array& array, const char* name) {
         if (array.size() != 0 && (array.ndim() != 2 || array.shape(1) != 3)) {
-            throw InvalidInput(std::string(name) + " must be an array of shape (n, 3)");
+            throw InvalidInput(phrases::kColumns, {{"name", name}, {"count", 3}});
         }
         return static_cast<std::size_t>(array.size() / 3);
     };
@@ -56,8 +57,7 @@ SurfacePointer surface_from_arrays(
         for (int i = 0; i < 3; ++i) {
             const std::int64_t v = triangles.data()[3 * k + i];
             if (v < 0 || v >= count) {
-                throw InvalidInput("triangle " + std::to_string(k) + " names vertex " + std::to_string(v) +
-                                   ", but the mesh has " + std::to_string(count) + " vertices");
+                throw InvalidInput(phrases::kNoSuchVertex, {{"count", k}, {"count2", v}, {"count3", count}});
             }
             mesh.triangles[k][i] = static_cast<std::int32_t>(v);
         }

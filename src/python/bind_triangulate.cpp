@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/brep_text.h"
 #include "geometry/occt/placeholder_surfaces.h"
 #include "geometry/occt/stream/shape_stream.h"
@@ -95,7 +96,9 @@ void def_named(py::class_<TriangulateOptions>& options, const char* name, Value 
             const auto found =
                 std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == value; });
             if (found == names.end()) {
-                throw InvalidInput(std::string(name) + " is '" + value + "': it must be one of " + choices);
+                throw InvalidInput(phrases::kNotAllowed, {{"option", name},
+                                                          {"value", "'" + value + "'"},
+                                                          {"range", Message(phrases::kOneOf, {{"list", choices}})}});
             }
             o.*member = found->first;
         },

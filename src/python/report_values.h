@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mesh/quality/mesh_report.h"
+#include "python/bindings.h"
 
 namespace mq::python {
 
@@ -38,6 +39,10 @@ inline pybind11::tuple value_of(const mesh::BodyOverlap& found) {
 
 inline pybind11::tuple value_of(const mesh::SolidContact& contact) {
     return pybind11::make_tuple(contact.solids[0], contact.solids[1], contact.triangles, contact.area);
+}
+
+inline pybind11::object value_of(const Message& message) {
+    return text_of(message);
 }
 
 template <typename T>

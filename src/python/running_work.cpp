@@ -10,6 +10,7 @@
 #include <mutex>
 #include <set>
 
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "python/python_lock.h"
 #include "python/shared_engine.h"
 
@@ -86,7 +87,7 @@ RunningWork::RunningWork(Progress& progress) : progress_(progress) {
     const std::lock_guard<std::mutex> lock(all.mutex);
     all.forget_parent();
     if (all.closed) {
-        throw Cancelled("Python is ending: no work can begin any more");
+        throw Cancelled(phrases::kPythonEnds);
     }
     all.works.insert(this);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "tetrahedralise/cells/delaunay.h"
 #include "tetrahedralise/cells/tetrahedra.h"
 #include "tetrahedralise/star_cavity.h"
@@ -138,7 +139,7 @@ bool BoundaryRecovery::obstacle_on(int a, int b, Obstacle& found) {
             return false;
         }
         if (zeros > 1) {
-            throw MeshingFailed("a vertex of the surface lies on one of its edges");
+            throw MeshingFailed(phrases::kVertexOnEdge);
         }
         found.cell = cell;
         found.v = {v[f[0]], v[f[1]], v[f[2]]};
@@ -242,7 +243,7 @@ bool BoundaryRecovery::piercing_edge(const SurfaceConstraints::Triangle& t, std:
 
 void BoundaryRecovery::count_division() {
     if (++count_.divisions > kMostDivisions + mesh_.points.size() / 2) {
-        throw MeshingFailed("the surface is not recovered with a reasonable number of points on it");
+        throw MeshingFailed(phrases::kNotRecovered);
     }
 }
 
@@ -260,7 +261,7 @@ double fraction_at(const Vec3& a, const Vec3& b, const Vec3& on_plane, const Vec
 void BoundaryRecovery::divide_edge(int a, int b) {
     Obstacle obstacle;
     if (!obstacle_on(a, b, obstacle)) {
-        throw MeshingFailed("an edge of the surface leads nowhere");
+        throw MeshingFailed(phrases::kEdgeLeadsNowhere);
     }
     const auto& v = obstacle.v;
     const Vec3& from = mesh_.point(a);
@@ -269,7 +270,7 @@ void BoundaryRecovery::divide_edge(int a, int b) {
     Vec3 normal;
     if (v[2] < 0) {
         if (surface_.has_edge(v[0], v[1])) {
-            throw MeshingFailed("two edges of the surface cross");
+            throw MeshingFailed(phrases::kEdgesCross);
         }
         const Vec3 across = mesh_.point(v[1]) - mesh_.point(v[0]);
         normal = across.cross((to - from).cross(across));
@@ -277,7 +278,7 @@ void BoundaryRecovery::divide_edge(int a, int b) {
         cavity = ring_.cells;
     } else {
         if (surface_.has_triangle(v[0], v[1], v[2])) {
-            throw MeshingFailed("an edge of the surface crosses one of its triangles");
+            throw MeshingFailed(phrases::kEdgeCrossesTriangle);
         }
         normal = (mesh_.point(v[1]) - mesh_.point(v[0])).cross(mesh_.point(v[2]) - mesh_.point(v[0]));
         cavity = {obstacle.cell, mesh_.cells[obstacle.cell].n[mesh_.index_of(obstacle.cell, a)]};
@@ -294,7 +295,7 @@ void BoundaryRecovery::divide_triangle(const SurfaceConstraints::Triangle& t) {
             continue;
         }
         if (surface_.has_edge(edge[0], edge[1])) {
-            throw MeshingFailed("an edge of the surface crosses one of its triangles");
+            throw MeshingFailed(phrases::kEdgeCrossesTriangle);
         }
         const Vec3 normal = (mesh_.point(t[1]) - mesh_.point(t[0])).cross(mesh_.point(t[2]) - mesh_.point(t[0]));
         const Vec3& from = mesh_.point(edge[0]);
@@ -306,7 +307,7 @@ void BoundaryRecovery::divide_triangle(const SurfaceConstraints::Triangle& t) {
         surface_.divide_triangle(t, insert(from + fraction * (to - from), cavity));
         return;
     }
-    throw MeshingFailed("a triangle of the surface holds one of its vertices");
+    throw MeshingFailed(phrases::kVertexInTriangle);
 }
 
 /// Inserts a point into the cells that it should divide or, if that fails, into the cell that contains it.
@@ -315,7 +316,7 @@ int BoundaryRecovery::insert(const Vec3& p, const std::vector<int>& cells) {
     if (!cavity.open(p, cells, -1, {})) {
         const int cell = Locator(mesh_).find(p, cells.front());
         if (cell < 0 || !cavity.open(p, {cell}, -1, {})) {
-            throw MeshingFailed("a point on the surface finds no place");
+            throw MeshingFailed(phrases::kPointWithoutPlace);
         }
     }
     const int vertex = mesh_.add_point(p);

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+
 namespace mq::tetrahedralise {
 
 namespace {
@@ -43,7 +45,7 @@ void find_sides(std::vector<Around>& star, const std::vector<std::array<int, 4>>
             one.given = given;
             queue.push_back(&one);
         } else if (one.given != given) {
-            throw MeshingFailed("two vertices of the surface coincide, and its inside does not part them");
+            throw MeshingFailed(phrases::kVerticesNotParted);
         }
     };
     for (Around& one : star) {

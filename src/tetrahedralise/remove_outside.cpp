@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "tetrahedralise/cells/flips.h"
 #include "tetrahedralise/cells/tetrahedra.h"
 #include "tetrahedralise/star_cavity.h"
@@ -46,7 +47,7 @@ void remove_outside(Tetrahedralisation& mesh, const SurfaceConstraints& surface,
         inside[queue[i]] = 1;
         for (int k = 0; k < 4; ++k) {
             if (cell.v[k] >= outer && cell.v[k] < outer + 4) {
-                throw MeshingFailed("the surface is not closed or not outward");
+                throw MeshingFailed(phrases::kNotOutward);
             }
             if ((walls.faces[queue[i]] >> k & 1U) == 0 && !inside[cell.n[k]]) {
                 inside[cell.n[k]] = 1;
@@ -179,7 +180,7 @@ void move_inwards(Tetrahedralisation& mesh, const SurfaceConstraints& surface,
         }
     }
     if (!(best_quality > 0.0) || !cavity.open(best, star, division.vertex, parents)) {
-        throw MeshingFailed("a point on the surface cannot be moved inwards");
+        throw MeshingFailed(phrases::kPointNotMoved);
     }
     mesh.move_point(division.vertex, best);
     std::vector<int> created;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "tetrahedralise/cells/tetrahedra.h"
 
 namespace mq::tetrahedralise {
@@ -13,11 +14,11 @@ SurfaceConstraints::SurfaceConstraints(const std::vector<Triangle>& triangles) {
         add(t);
     }
     if (faces_.size() != triangles.size()) {
-        throw MeshingFailed("two triangles of the surface coincide");
+        throw MeshingFailed(phrases::kTrianglesCoincide);
     }
     for (const auto& [edge, around] : edges_) {
         if (around.size() % 2 != 0) {
-            throw MeshingFailed("the surface is not closed");
+            throw MeshingFailed(phrases::kSurfaceNotClosed);
         }
     }
 }
@@ -68,7 +69,7 @@ std::vector<SurfaceConstraints::Triangle> SurfaceConstraints::triangles() const 
 void SurfaceConstraints::divide_edge(int a, int b, int vertex) {
     Division division{vertex, edges_.at(pair_key(a, b)), {}};
     if (division.parents.size() > 2) {
-        throw MeshingFailed("an edge where shells of the surface meet cannot be recovered");
+        throw MeshingFailed(phrases::kShellEdgeNotRecovered);
     }
     for (const Triangle& t : division.parents) {
         for (const int end : {a, b}) {

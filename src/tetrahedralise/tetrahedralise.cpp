@@ -92,11 +92,11 @@ Tetrahedra tetrahedralise(const std::vector<Vec3>& points, const std::vector<std
     try {
         Tetrahedra result = tetrahedralise_touching(points, triangles, grading_factor, progress, tangents);
         if (!is_bounded_by(triangles, result.tetrahedra)) {
-            throw MeshingFailed("the tetrahedra do not end at the surface");
+            throw MeshingFailed(phrases::kEndsElsewhere);
         }
         return result;
     } catch (const MeshingFailed& error) {
-        throw MeshingFailed(Message::of(phrases::kNotFilled, {{"value", error.what()}}));
+        throw MeshingFailed(phrases::kNotFilled, {{"value", error.message()}});
     }
 }
 

@@ -32,26 +32,21 @@ namespace mq::triangulate {
 
 namespace {
 
-/// A length, which may be tiny.
-std::string in_mm(double length) {
-    return in_digits(length, 4) + " mm";
-}
-
 void check_against_shape(const TriangulateOptions& options, const geometry::Topology& topology,
                          const SinglePrecisionGrid& grid) {
     const auto something = [](const geometry::Face& face) { return !face.no_area; };
     if (std::none_of(topology.faces.begin(), topology.faces.end(), something)) {
-        throw InvalidInput(Message{phrases::kNoFaces});
+        throw InvalidInput(phrases::kNoFaces);
     }
     const double chord = options.chord_height_of(topology.box);
     if (chord > 0.0 && chord < 4.0 * grid.resolution()) {
-        throw InvalidInput(Message::of(phrases::kFineChordHeight,
-                                       {{"length", in_mm(chord)}, {"length2", in_mm(4.0 * grid.resolution())}}));
+        throw InvalidInput(phrases::kFineChordHeight,
+                           {{"length", in_mm(chord)}, {"length2", in_mm(4.0 * grid.resolution())}});
     }
-    const auto require_edges = [&](const char* phrase, const char* place, const std::string& name, double length) {
+    const auto require_edges = [&](Phrase phrase, const char* place, const std::string& name, double length) {
         if (length > 0.0 && length < grid.shortest_side()) {
-            throw InvalidInput(Message::of(
-                phrase, {{place, name}, {"length", in_mm(length)}, {"length2", in_mm(grid.shortest_side())}}));
+            throw InvalidInput(phrase,
+                               {{place, name}, {"length", in_mm(length)}, {"length2", in_mm(grid.shortest_side())}});
         }
     };
     require_edges(phrases::kShortEdges, "option", "max_edge", options.max_edge);
@@ -86,7 +81,7 @@ SampledTriangulation initial_or_sampled(geometry::Session& session, const Single
     return samples;
 }
 
-void add_note(mesh::MeshReport& report, const std::string& note) {
+void add_note(mesh::MeshReport& report, const Message& note) {
     if (!note.empty()) {
         report.notes.push_back(note);
     }
@@ -95,7 +90,7 @@ void add_note(mesh::MeshReport& report, const std::string& note) {
 void check_failures(const InitialTriangulation& faces, const geometry::Topology& topology,
                     const TriangulateOptions& options) {
     if (!faces.failures.empty() && (!options.allow_missing_faces || faces.failures.size() == faces.faces.size())) {
-        throw TopologyError(Message::of(phrases::kNotTriangulated, {{"value", failed_faces(faces, topology)}}));
+        throw TopologyError(phrases::kNotTriangulated, {{"value", failed_faces(faces, topology)}});
     }
 }
 
@@ -106,13 +101,12 @@ bool is_cacheable(const TriangulateOptions& options) {
 }
 
 // Names edges of the shape, or pieces of them, that are vertices of the mesh.
-std::string contracted_edges(const std::vector<int>& edges, const geometry::Topology& topology) {
+Message contracted_edges(const std::vector<int>& edges, const geometry::Topology& topology) {
     std::vector<std::string> names;
     for (const int e : edges) {
         names.push_back(topology.name_of({1, e}));
     }
-    return mesh::list_of(names) + ": shorter than " + in_mm(topology.detail) +
-           ", which does not show at what is asked for: a vertex in the mesh";
+    return {phrases::kContracted, {{"list", mesh::list_of(names)}, {"length", in_mm(topology.detail)}}};
 }
 
 // Reports failures and fallbacks of the triangulation before refinement.
@@ -120,11 +114,12 @@ void report_first(const SampledTriangulation& first, const geometry::Topology& t
                   const TriangulateOptions& options, mesh::MeshReport& report) {
     for (const auto& failure : first.faces.failures) {
         report.missing.emplace_back(topology.of_shape({2, failure.first}).index, failure.second);
-        report.notes.push_back(topology.name_of({2, failure.first}) + " is missing: " + failure.second);
+        report.notes.push_back(
+            {phrases::kFaceMissing, {{"name", topology.name_of({2, failure.first})}, {"text", failure.second}}});
     }
     for (int face = 0; face < static_cast<int>(topology.faces.size()); ++face) {
         if (first.faces.chains.is_a_point(face)) {
-            report.notes.push_back(topology.name_of({2, face}) + " is a point in single precision: left out");
+            report.notes.push_back({phrases::kFaceIsPoint, {{"name", topology.name_of({2, face})}}});
         }
     }
     if (!first.faces.chains.contracted().empty()) {
@@ -135,8 +130,7 @@ void report_first(const SampledTriangulation& first, const geometry::Topology& t
     }
     if (!first.complete && report.complete) {
         report.complete = false;
-        report.notes.push_back("sampling ended at max_triangles = " + std::to_string(options.budget()) +
-                               ": the mesh is consistent, but coarser than requested; raise max_triangles");
+        report.notes.push_back({phrases::kSamplingEnded, {{"count", options.budget()}}});
     }
 }
 
@@ -210,8 +204,8 @@ Workspace workspace_of(const Task& task, const EdgeDiscretisation& chains, Class
 }
 
 // @return what was done about smooth edges, for the report
-std::string refine(Workspace& work, MeasurementCache& findings, const TriangulateOptions& options, double chord,
-                   StageMeshes& clock) {
+Message refine(Workspace& work, MeasurementCache& findings, const TriangulateOptions& options, double chord,
+               StageMeshes& clock) {
     Refinement refinement(work, findings, options, chord, work.mesh.vertex_count(),
                           [&](const char* stage) { clock.end(stage); });
     refinement.prepare();
@@ -244,7 +238,7 @@ Result mesh_shape(const Task& task, const std::vector<geometry::Fingerprint>& ke
     Workspace work = workspace_of(task, first.faces.chains, surface, maxmin);
     MeasurementCache findings(work);
     std::vector<int> touched;
-    std::string released;
+    Message released;
     if (restore != nullptr) {
         restore->mark_settled(first.faces.chains, work, findings.chords, options.min_angle);
     }

@@ -2,7 +2,6 @@
 #include "workflows/boolean_of_operands.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/shape_model.h"
 #include "layered_depth/sound_layered_depth.h"
+#include "mesh/quality/exemptions.h"
 #include "workflows/operands/operand_frame.h"
 
 namespace mq::workflows {
@@ -40,7 +40,7 @@ void assign(BooleanSurface& surface, BooleanResult&& result) {
     figures.operands = std::move(result.operand_topology);
     figures.separated_vertices = result.separated_vertices;
     std::copy_if(result.repaired.begin(), result.repaired.end(), std::back_inserter(figures.repaired),
-                 [](const std::string& sentence) { return !sentence.empty(); });
+                 [](const Message& sentence) { return !sentence.empty(); });
     figures.notes = std::move(result.notes);
     figures.seconds = std::move(result.seconds);
     surface.mesh = std::move(result.mesh);
@@ -55,31 +55,27 @@ double guessed_share(const UniformResult& result) {
 }
 
 /// A sentence on the open operands, and on how much of the result is a guess.
-std::string guess(const UniformResult& result) {
-    std::string names;
+Message guess(const UniformResult& result) {
+    std::vector<std::string> names;
     for (std::size_t k = 0; k < result.open.size(); ++k) {
         if (result.open[k] != 0) {
-            names += (names.empty() ? "" : ", ") + boolean::operand_name(k, result.open.size());
+            names.push_back(boolean::operand_name(k, result.open.size()));
         }
     }
-    std::array<char, 32> share;
-    std::snprintf(share.data(), share.size(), "%.2g %%", 100.0 * guessed_share(result));
-    return "open, as no repair closes it: " + names +
-           "; inside is where its winding number is at least 0.5, and this guess spans the holes: " + share.data() +
-           " of the result's surface";
+    return {phrases::kGuess, {{"list", mesh::list_of(names)}, {"number", in_digits(100.0 * guessed_share(result), 2)}}};
 }
 
 /// A sentence on the samples that the rays found on the faces of shapes.
-std::string samples_of_faces(const UniformResult& result) {
+Message samples_of_faces(const UniformResult& result) {
     const boolean::FaceSampleCounts& cad = result.cad;
-    std::string text = "sampled on CAD faces: " + mesh::counted(cad.on_faces, "sample");
+    std::vector<Message> said{counted(phrases::kSampledOnFaces, cad.on_faces)};
     if (cad.on_mesh > 0) {
-        text += ", " + mesh::counted(cad.on_mesh, "other") + " on the meshes of the shapes";
+        said.push_back(counted(phrases::kSampledOnMeshes, cad.on_mesh));
     }
     if (cad.nodes.left > 0) {
-        text += "; the rays of three directions disagree at " + mesh::counted(cad.nodes.left, "node") + " of the grid";
+        said.push_back(counted(phrases::kRaysDisagree, cad.nodes.left));
     }
-    return text;
+    return mesh::list_of(said);
 }
 
 void assign(BooleanSurface& surface, UniformResult&& result) {
@@ -91,11 +87,10 @@ void assign(BooleanSurface& surface, UniformResult&& result) {
     figures.self_intersections = 0;  // or an error was raised
     figures.crossing_pairs = result.crossing_pairs;
     if (result.unsampled_triangles > 0) {
-        figures.notes.push_back("lost, as no ray met the components that they belong to: " +
-                                mesh::counted(result.unsampled_triangles, "triangle") + "; take a higher resolution");
+        figures.notes.push_back(counted(phrases::kLost, result.unsampled_triangles));
     }
     if (result.holes_filled > 0) {
-        figures.notes.push_back("filled in the reconstruction: " + mesh::counted(result.holes_filled, "hole"));
+        figures.notes.push_back(counted(phrases::kFilled, result.holes_filled));
     }
     if (result.cad.on_faces + result.cad.on_mesh > 0) {
         figures.notes.push_back(samples_of_faces(result));
@@ -105,7 +100,7 @@ void assign(BooleanSurface& surface, UniformResult&& result) {
     }
     figures.guessed_share = guessed_share(result);
     std::copy_if(result.repaired.begin(), result.repaired.end(), std::back_inserter(figures.repaired),
-                 [](const std::string& sentence) { return !sentence.empty(); });
+                 [](const Message& sentence) { return !sentence.empty(); });
     figures.samples = result.samples;
     figures.holes_filled = result.holes_filled;
     figures.face_samples = result.cad.on_faces;
@@ -159,15 +154,6 @@ std::size_t surface_faults(const mesh::MeshReport& report) {
            report.degenerate_triangles + report.duplicate_triangles;
 }
 
-std::string empty_difference(double tolerance) {
-    std::array<char, 160> text;
-    std::snprintf(text.data(), text.size(),
-                  "the result is empty: the operands are the same within the tolerance of %.4g mm; a smaller "
-                  "tolerance shows smaller differences",
-                  tolerance);
-    return text.data();
-}
-
 /// Projects vertices made on faces of shapes onto their surfaces. No vertex moves farther than `limit`, mm.
 void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std::vector<BooleanOperand>& operands,
                    geometry::Engine& engine, double limit, Progress& progress) {
@@ -197,7 +183,7 @@ void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std
 
 }  // namespace
 
-void complete_report(BooleanSurface& surface, const WorkBefore& before, const std::string& empty, Progress& progress) {
+void complete_report(BooleanSurface& surface, const WorkBefore& before, const Message& empty, Progress& progress) {
     BooleanReport& figures = surface.figures;
     const Stopwatch measuring;
     auto notes = std::move(figures.notes);
@@ -212,7 +198,7 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
     if (surface.mesh.triangles.empty()) {
         notes.insert(notes.begin(), empty);
     } else if (!figures.closed || !figures.oriented || !figures.manifold) {
-        notes.insert(notes.begin(), "the result is not a closed manifold surface: see its faults");
+        notes.insert(notes.begin(), Message(phrases::kNotManifold));
         figures.faults_left = std::max(figures.faults_left, surface_faults(figures));
     }
     notes.insert(notes.begin(), before.notes.begin(), before.notes.end());
@@ -228,7 +214,7 @@ namespace {
 void require_valid(const BooleanOptions& options, BooleanMethod method) {
     options.validate();
     if (options.full && method != BooleanMethod::Uniform) {
-        throw InvalidInput(Message::of(phrases::kFullBySampling, {}));
+        throw InvalidInput(phrases::kFullBySampling);
     }
 }
 
@@ -273,7 +259,7 @@ class BooleanRun {
     template <typename Kind>
     BooleanSurface uniform_after(const Kind& error) const {
         const auto fails = [&](const Error& neither) {
-            return Kind(std::string(error.what()) + "; sampling it along rays fails, too: " + neither.what());
+            return Kind(phrases::kSamplingFailsToo, {{"phrase", error.message()}, {"phrase2", neither.message()}});
         };
         BooleanSurface result;
         try {
@@ -283,9 +269,8 @@ class BooleanRun {
         } catch (const TopologyError& neither) {
             throw fails(neither);
         }
-        result.figures.notes.insert(
-            result.figures.notes.begin(),
-            std::string("sampled along rays (method uniform), as there is no exact result: ") + error.what());
+        result.figures.notes.insert(result.figures.notes.begin(),
+                                    Message(phrases::kNoExactResult, {{"phrase", error.message()}}));
         return result;
     }
 
@@ -315,8 +300,7 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
                             : method == BooleanMethod::Exact ? run.exact()
                                                              : run.exact_or_uniform();
     if (!frame.single()) {
-        result.figures.notes.emplace_back(
-            "an operand has more digits than single precision holds: to_mesh and most files round the result");
+        result.figures.notes.emplace_back(phrases::kManyDigits);
     }
     result.figures.operands.resize(operands.size());
     parallel_for(static_cast<int>(operands.size()), [&](int k) {
@@ -327,8 +311,8 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
     });
     complete_report(result, before,
                     expression.chained() == Operation::SymmetricDifference
-                        ? empty_difference(result.figures.tolerance_asked)
-                        : "the result is empty: no volume is left",
+                        ? Message(phrases::kNoDifference, {{"length", in_mm(result.figures.tolerance_asked)}})
+                        : phrases::kNoVolumeLeft,
                     progress);
     result.figures.cpu_seconds = before.cpu_seconds + watch_all.cpu();
     result.report = result.figures;

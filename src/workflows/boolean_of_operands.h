@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "base/progress.h"
@@ -36,7 +35,7 @@ struct BooleanSurface : triangulate::Result {
 /// Fills the fields that every report of a closed result has: measurements, notes, times, and what the work before
 /// adds.
 /// @param empty  the sentence for a result without triangles
-void complete_report(BooleanSurface& surface, const WorkBefore& before, const std::string& empty, Progress& progress);
+void complete_report(BooleanSurface& surface, const WorkBefore& before, const Message& empty, Progress& progress);
 
 /// A Boolean of operands in any frames: they are brought into one, the result is put onto the surfaces of the shapes,
 /// as far as the tolerance allows, and measured.

@@ -31,8 +31,8 @@ std::string to_text(const BooleanReport& report) {
                 mesh::counted(report.operands[k].components, "component") + ", Euler number " +
                 std::to_string(report.operands[k].euler) + "\n";
     }
-    for (const std::string& sentence : report.repaired) {
-        text += "repaired     " + sentence + "\n";
+    for (const Message& sentence : report.repaired) {
+        text += "repaired     " + sentence.text() + "\n";
     }
     return text;
 }

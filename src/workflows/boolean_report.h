@@ -24,7 +24,7 @@ struct BooleanReport : mesh::MeshReport {
     std::vector<mesh::SurfaceTopology> operands;  // see operand_components and operand_euler
     std::size_t retained = 0;                     ///< triangles that are an operand's own
     std::size_t reconstructed = 0;                ///< all others
-    std::vector<std::string> repaired;            ///< a sentence for each operand that was repaired
+    std::vector<Message> repaired;                ///< a sentence for each operand that was repaired
     std::size_t faults_left = 0;                  ///< faults of the result that no repair removed; notes name them
     /// pairs of the operands' triangles; by the method 'uniform' those of its surface that crossed, and were divided
     std::size_t crossing_pairs = 0;

@@ -2,17 +2,15 @@
 #include "workflows/curve_shape.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <exception>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/injectivity/curved_crossings.h"
 #include "geometry/occt/distance/shape_distance.h"
 #include "geometry/occt/shape_model.h"
@@ -82,14 +80,13 @@ CurvedMesh best_of_attempts(geometry::Engine& engine, const std::shared_ptr<geom
         try {
             CurvedMesh mesh = attempt(engine, model, straight, options, asked, progress);
             if (times > 0) {
-                mesh.report.notes.push_back("the straight mesh was made finer " + std::to_string(times) + " times");
+                mesh.report.notes.push_back({phrases::kMadeFiner, {{"count", times}}});
             }
             if (!best || mesh.report.invalid < best->report.invalid) {
                 best = std::move(mesh);
             }
             if (best->report.invalid > 0 && lies_on_itself(best->report.straight)) {
-                best->report.notes.push_back(
-                    "the straight mesh has triangles on one another: a finer one was not tried");
+                best->report.notes.emplace_back(phrases::kOnOneAnother);
                 return std::move(*best);
             }
             refine_for_validity(straight);
@@ -150,17 +147,14 @@ void find_crossings(CurvedMesh& mesh, Progress& progress) {
     };
     if (!found.crossing.empty()) {
         const curve::CurvedCrossings::Crossing& first = found.crossing.front();
-        std::array<char, 80> place;
-        std::snprintf(place.data(), place.size(), " near (%.4g, %.4g, %.4g) mm", first.point.x(), first.point.y(),
-                      first.point.z());
-        mesh.report.notes.push_back(std::to_string(found.crossing.size()) +
-                                    " pairs of curved triangles cross, one on " + face_of(first.a) + " and " +
-                                    face_of(first.b) + place.data());
+        mesh.report.notes.push_back({phrases::kCurvedCross,
+                                     {{"count", found.crossing.size()},
+                                      {"name", face_of(first.a)},
+                                      {"name2", face_of(first.b)},
+                                      {"point", in_mm(first.point)}}});
     }
     if (found.given_up > 0) {
-        mesh.report.notes.push_back(std::to_string(found.given_up) +
-                                    " pairs of curved triangles were not compared to the end, as where bodies lie on "
-                                    "each other: certify compares more");
+        mesh.report.notes.push_back({phrases::kNotCompared, {{"count", found.given_up}}});
     }
 }
 

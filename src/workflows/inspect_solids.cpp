@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "boolean/input/operand_repair.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/quality/mesh_report.h"
 
 namespace mq::workflows {
@@ -50,7 +51,7 @@ SolidSurface solid_surface(const triangulate::Result& given, Progress& progress)
     found.surface.report.notes = given.report.notes;
     found.surface.report.bridge = given.report.bridge;
     if (operand.repairs.any()) {
-        found.surface.report.notes.push_back("repaired before it was measured: " + operand.repairs.summary());
+        found.surface.report.notes.push_back({phrases::kRepairedBeforeMeasured, {{"list", operand.repairs.summary()}}});
     }
     return found;
 }

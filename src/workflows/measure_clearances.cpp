@@ -3,10 +3,10 @@
 
 #include <array>
 #include <memory>
-#include <string>
 
 #include "base/error.h"
 #include "boolean/boolean.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/edge_table.h"
 #include "mesh/quality/mesh_report.h"
 
@@ -64,7 +64,7 @@ std::vector<inspection::Clearance> measure_clearances(const std::vector<const tr
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const mesh::TriangleMesh& mesh = bodies[i]->mesh;
         if (mesh.triangles.empty()) {
-            throw InvalidInput("body " + std::to_string(i + 1) + " has no triangles");
+            throw InvalidInput(phrases::kBodyEmpty, {{"count", i + 1}});
         }
         mesh::require_valid(mesh);
         meshes.push_back(&mesh);

@@ -2,10 +2,8 @@
 #include "workflows/offset_shape.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <string>
 #include <utility>
 
 #include "base/error.h"
@@ -22,13 +20,6 @@ namespace {
 
 using boolean::Expression;
 using boolean::Operation;
-
-std::string empty_offset(double distance) {
-    std::array<char, 120> text;
-    std::snprintf(text.data(), text.size(),
-                  "the result is empty: no point of the solid is %.4g mm away from its surface", std::abs(distance));
-    return text.data();
-}
 
 BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& solid,
                         const boolean::OffsetOptions& options, const WorkBefore& before, const Stopwatch& watch,
@@ -48,7 +39,8 @@ BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& sol
     figures.crossing_pairs = found.crossing_pairs;
     figures.self_intersections = 0;
     figures.seconds = std::move(found.seconds);
-    complete_report(result, before, empty_offset(options.distance), progress);
+    complete_report(result, before, Message(phrases::kNoPointAway, {{"length", in_mm(std::abs(options.distance))}}),
+                    progress);
     figures.cpu_seconds = before.cpu_seconds + watch.cpu();
     result.report = figures;
     return result;
@@ -164,8 +156,7 @@ constexpr double kSmallestAngle = 1.0;
 /// @throws InvalidInput where there are several or none
 const GivenOperand& only_operand(const Operands& operands) {
     if (operands.given().size() != 1) {
-        throw InvalidInput("an offset has one operand, and " + std::to_string(operands.given().size()) +
-                           " are given: unite them by boolean first");
+        throw InvalidInput(phrases::kOneOperand, {{"count", operands.given().size()}});
     }
     return operands.given().front();
 }
@@ -184,9 +175,8 @@ class OffsetWork {
         }
         finest_ = boolean::kFinestTolerance * size;
         if (options_.tolerance > distance) {
-            throw InvalidInput(Message::of(
-                phrases::kAboveDistance,
-                {{"length", in_digits(options_.tolerance, 6) + " mm"}, {"length2", in_digits(distance, 6) + " mm"}}));
+            throw InvalidInput(phrases::kAboveDistance,
+                               {{"length", in_mm(options_.tolerance, 6)}, {"length2", in_mm(distance, 6)}});
         }
     }
 
@@ -215,10 +205,9 @@ class OffsetWork {
             work_.seconds.emplace_back("reading the shape", watch.wall());
             work_.cpu_seconds += watch.cpu();
         }
-        const std::string of_operand = "operand A: ";
-        for (const std::string& sentence : solid_.figures.repaired) {
-            repaired_.push_back(sentence.rfind(of_operand, 0) == 0 ? sentence.substr(of_operand.size()) : sentence);
-            work_.notes.push_back("repaired before: " + repaired_.back());
+        for (const Message& sentence : solid_.figures.repaired) {
+            repaired_.push_back(sentence.places.back().content);  // without the name of the only operand
+            work_.notes.push_back({phrases::kRepairedBefore, {{"list", repaired_.back()}}});
         }
     }
 
@@ -235,10 +224,9 @@ class OffsetWork {
         add(inside.figures);
         const bool is_whole = inside.mesh.triangles.empty();
         if (is_whole) {
-            work_.notes.emplace_back("there is no hollow: the solid is nowhere thicker than two walls");
+            work_.notes.emplace_back(phrases::kNoHollow);
         } else if (!openings) {
-            work_.notes.emplace_back(
-                "the hollow is closed: powder, resin or air cannot leave it; name openings, or cut holes by boolean");
+            work_.notes.emplace_back(phrases::kHollowClosed);
         }
         std::vector<BooleanOperand> operands{{&solid_}};
         std::vector<const triangulate::Result*> surfaces{&solid_};
@@ -268,9 +256,8 @@ class OffsetWork {
     boolean::OffsetOptions left_for(double distance) const {
         const double left = (1.0 - kUnion - kCutting) * options_.tolerance - work_.error_bound;
         if (left <= 0.0) {
-            throw InvalidInput("the mesh that was made of the operand deviates by up to " +
-                               in_digits(work_.error_bound, 4) + " mm, and the tolerance is " +
-                               in_digits(options_.tolerance, 4) + " mm: give a larger tolerance");
+            throw InvalidInput(phrases::kCoarseOperand,
+                               {{"length", in_mm(work_.error_bound)}, {"length2", in_mm(options_.tolerance)}});
         }
         return {distance, left, options_.threads};
     }
@@ -282,7 +269,7 @@ class OffsetWork {
         }
         const boolean::OffsetOptions options = left_for(options_.distance);
         if (std::find(open.begin(), open.end(), 0) == open.end()) {
-            throw InvalidInput("all faces are left out: at least one is needed");
+            throw InvalidInput(phrases::kAllLeftOut);
         }
         // Plane openings are extended by prisms, so that the hollow is an offset inward. Elsewhere both sides of all
         // walls are offset, which takes many times as long.
@@ -317,7 +304,7 @@ class OffsetWork {
     double finest_ = 0.0;
     BooleanSurface solid_;
     WorkBefore work_;
-    std::vector<std::string> repaired_;
+    std::vector<Message> repaired_;
 };
 
 }  // namespace
@@ -332,8 +319,7 @@ BooleanSurface hollow_shape(const Operands& solid, const std::optional<std::vect
                             OffsetShapeOptions options, Progress& progress) {
     constexpr double kShareOfWall = 40.0;  // the thickness over the tolerance, where none is given
     if (!only_operand(solid).is_shape() && openings) {
-        throw InvalidInput(
-            "openings are faces of a shape, and a mesh is given: hollow it without openings, and cut them by boolean");
+        throw InvalidInput(phrases::kOpeningsOfMesh, {{"name", only_operand(solid).name}});
     }
     if (options.tolerance <= 0.0) {
         options.tolerance = options.distance / kShareOfWall;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "base/error.h"
@@ -32,8 +31,7 @@ Joined joined(const std::vector<const mesh::TriangleMesh*>& meshes, const std::v
         result.mesh.origin = meshes[i]->origin;
         for (const Vec3& p : meshes[i]->vertices) {
             if (!p.allFinite()) {
-                throw InvalidInput("object " + std::to_string(i + 1) +
-                                   " has a vertex with coordinates that are not finite: repair or remove it");
+                throw InvalidInput(phrases::kObjectNotFinite, {{"count", i + 1}});
             }
             result.mesh.vertices.push_back(p);
         }
@@ -129,8 +127,7 @@ WrapSurface wrap_meshes(const std::vector<BooleanOperand>& objects, const wrap::
         mesh::self_intersections(result.mesh.vertices, result.mesh.triangles, mesh::kMostCounted, &progress);
     figures.self_intersections = static_cast<std::int64_t>(contacts.size());
     figures.faults_left = contacts.size();
-    complete_report(result, before, "the result is empty: nothing of what is given is as large as the tolerance",
-                    progress);
+    complete_report(result, before, phrases::kNothingAsLarge, progress);
     figures.cpu_seconds = before.cpu_seconds + watch.cpu();
     result.report = figures;
     return result;
@@ -149,8 +146,8 @@ WrapSurface wrap_objects(const Operands& objects, wrap::WrapOptions options, Pro
         options.spacing = std::min(kRelative * (size > 0.0 ? size : options.gap), kOfGap * options.gap);
     }
     if (options.spacing > kLargest * options.gap) {
-        throw InvalidInput(Message::of(phrases::kHalfOfGap, {{"length", in_digits(options.spacing, 6) + " mm"},
-                                                             {"length2", in_digits(options.gap, 6) + " mm"}}));
+        throw InvalidInput(phrases::kHalfOfGap,
+                           {{"length", in_mm(options.spacing, 6)}, {"length2", in_mm(options.gap, 6)}});
     }
     OperandMeshing meshing;
     meshing.tolerance = options.spacing;

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "contour/contour.h"
 #include "contour/simplification.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "option_ranges.h"
 #include "wrap/lattice/tuning.h"
 #include "wrap/outside/rolling_ball.h"
@@ -20,12 +20,6 @@
 namespace mq::wrap {
 
 namespace {
-
-void require(bool holds, const std::string& what) {
-    if (!holds) {
-        throw InvalidInput(what);
-    }
-}
 
 /// The patch of each triangle: the CAD face that it lies on, and one for closed gaps.
 std::vector<std::int32_t> patches_of(const contour::Contour& surface, const mesh::TriangleMesh& input) {
@@ -50,14 +44,17 @@ contour::CollapseLimits limits_for(double spacing) {
 
 void WrapOptions::validate() const {
     ranges::wrap::kGap.require(gap);
-    require(std::isfinite(spacing) && spacing > 0.0 && spacing <= 0.5 * gap,
-            "spacing: give a length in mm above 0, at most half of the gap");
+    if (!(spacing > 0.0 && spacing <= 0.5 * gap)) {
+        throw InvalidInput(phrases::kWrapSpacing, {{"length", in_mm(spacing)}, {"length2", in_mm(gap)}});
+    }
     ranges::wrap::kThreads.require(threads);
 }
 
 WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Progress& progress) {
     options.validate();
-    require(!input.triangles.empty(), "there is nothing to wrap: no triangle is given");
+    if (input.triangles.empty()) {
+        throw InvalidInput(phrases::kNothingToWrap);
+    }
     const ThreadLimit limit(options.threads);
     WrapResult result;
     WatchedStageTimer watch(progress, result.seconds);

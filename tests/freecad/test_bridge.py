@@ -119,7 +119,7 @@ class Choice(unittest.TestCase):
             mq.triangulate(Part.makeBox(1, 1, 1))
 
     def test_unknown_bridges_are_named(self):
-        with bridge("ferry"), self.assertRaisesRegex(mq.InvalidInput, "MESHQUALITY_BRIDGE is 'ferry'.*'live' or 'stream'"):
+        with bridge("ferry"), self.assertRaisesRegex(mq.InvalidInput, "MESHQUALITY_BRIDGE = 'ferry'.*'live', 'stream'"):
             mq.triangulate(Part.makeBox(1, 1, 1))
 
     def test_all_reports_name_it(self):

@@ -42,7 +42,7 @@ class Elements(unittest.TestCase):
                 ("wedge", 1, CUBE, rows, "no elements of kind"),
                 ("hexahedron", 2, CUBE, rows, "has 27 nodes, or 20"),
                 ("hexahedron", 6, CUBE, rows, "order of 1 to 5"),
-                ("hexahedron", 1, CUBE[:, :2], rows, "three columns"),
+                ("hexahedron", 1, CUBE[:, :2], rows, "nodes must have 3 numbers in each row"),
                 ("hexahedron", 1, CUBE, rows.ravel(), "in each row"),
                 ("hexahedron", 1, CUBE, rows + 1, "names node 8")]:
             with self.subTest(text), self.assertRaisesRegex(errors.InvalidInput, text):

@@ -19,8 +19,8 @@ MAY_IMPORT = {
 }
 # By module, or package with all below it, its layer. `scripts` is the package itself, as `import MeshQuality` has it.
 LAYER = {
-    **dict.fromkeys(["errors", "version", "listing", "compat", "files", "formats", "limits", "scratch", "options", "fault_phrases",
-                     "label_phrases", "element_names", "phrases", "stage_names"], "foundation"),
+    **dict.fromkeys(["errors", "version", "listing", "compat", "files", "formats", "limits", "scratch", "options", "error_phrases",
+                     "fault_phrases", "label_phrases", "note_phrases", "element_names", "phrases", "stage_names"], "foundation"),
     "core": "core",
     "features": "features",
     "": "scripts",

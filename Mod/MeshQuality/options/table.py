@@ -139,7 +139,7 @@ class Option:
     def range_text(self):
         """What values are allowed, in words."""
         if self.choices:
-            return "one of " + ", ".join(self.choices)
+            return Text(phrases.ONE_OF, list=", ".join(self.choices))
         if self.kind is bool:
             return "True or False"
         if self.is_sizes:

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <optional>
 #include <queue>
-#include <string>
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "boolean/arrangement/radial_order.h"
 #include "boolean/arrangement/ray_winding.h"
 #include "boolean/input/operand_repair.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/edge_table.h"
 
 namespace mq::boolean {
@@ -18,10 +18,6 @@ namespace mq::boolean {
 namespace {
 
 using Sets = DisjointSets<std::int32_t>;
-
-std::string position(const Vec3& p) {
-    return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")";
-}
 
 /// Adds to the windings of an operand.
 void add(Windings& windings, std::int32_t operand, std::int32_t times) {
@@ -83,8 +79,7 @@ class CellFinder {
         Sets sets(triangles.size());
         table.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
             if (last - first == 1) {
-                throw TopologyError("the surfaces do not close at the edge near " +
-                                    position(arrangement_.points.approx(low)));
+                throw TopologyError(phrases::kEdgeNotClosed, {{"point", in_mm(arrangement_.points.approx(low), 6)}});
             }
             if (last - first == 2 && runs_up(first[0], low) != runs_up(first[1], low)) {
                 sets.unite(static_cast<std::int32_t>(first[0] / 3), static_cast<std::int32_t>(first[1] / 3));
@@ -203,9 +198,9 @@ class CellFinder {
         if (!(behind == windings(beyond))) {
             const std::int32_t wrong = first_difference(behind, windings(beyond));
             throw TopologyError(
-                "the surface of " +
-                operand_name(static_cast<std::size_t>(wrong), static_cast<std::size_t>(soup_.operands)) +
-                " bounds no volume near " + position(arrangement_.points.approx(passed.points[0])));
+                phrases::kNoVolumeNear,
+                {{"name", operand_name(static_cast<std::size_t>(wrong), static_cast<std::size_t>(soup_.operands))},
+                 {"point", in_mm(arrangement_.points.approx(passed.points[0]), 6)}});
         }
     }
 

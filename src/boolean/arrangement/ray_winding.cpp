@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/predicates.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::boolean {
 
@@ -179,7 +180,7 @@ std::optional<RayWinding> winding_in_front(const Soup& soup, const Arrangement& 
     if (!has_inside) {
         return std::nullopt;
     }
-    throw TopologyError("cannot decide whether an operand encloses another: every ray tried meets an edge or a vertex");
+    throw TopologyError(phrases::kEnclosureNotDecided);
 }
 
 }  // namespace mq::boolean

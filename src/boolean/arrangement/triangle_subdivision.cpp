@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/predicates.h"
 #include "boolean/exact/exact_constrained_triangulation.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::boolean {
 
@@ -141,7 +142,7 @@ class Division {
         }
         for (const Segment& s : segments->second) {
             if (local_.count(s.from) == 0 || local_.count(s.to) == 0) {
-                throw TopologyError("the division of a triangle lacks the end of a segment");
+                throw TopologyError(phrases::kInconsistentDivision);
             }
             if (on_common_edge(s.from, s.to)) {
                 continue;

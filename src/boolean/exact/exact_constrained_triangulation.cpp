@@ -6,13 +6,14 @@
 
 #include "base/angle.h"
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::boolean {
 
 namespace {
 
-[[noreturn]] void inconsistent(const char* what) {
-    throw TopologyError(std::string("the division of a plane is inconsistent: ") + what);
+[[noreturn]] void inconsistent() {
+    throw TopologyError(phrases::kInconsistentDivision);
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ bool PointsOfPlane::ahead(int a, int b, int c) const {
 }
 
 void PointsOfPlane::outside() {
-    inconsistent("a point lies outside");
+    inconsistent();
 }
 
 int ExactConstrainedTriangulation::add_line(const Line& line) {
@@ -46,7 +47,7 @@ int ExactConstrainedTriangulation::add_line(const Line& line) {
 void ExactConstrainedTriangulation::split_edge(int a, int b, int point) {
     const int h = edge_between(a, b);
     if (h < 0) {
-        inconsistent("an edge to be divided is missing");
+        inconsistent();
     }
     ConstrainedTriangulation::split_edge(h, point);
 }
@@ -87,12 +88,12 @@ void ExactConstrainedTriangulation::constrain(int a, int b, int line) {
         const Stop stop = walk(segment, crossed);
         const int end = stop.constraint >= 0 ? split_at_crossing(stop.constraint, line) : stop.vertex;
         if (end < 0) {
-            inconsistent("a segment leaves the plane's part");
+            inconsistent();
         }
         clear_way(segment, end, crossed);
         const int h = edge_between(segment.at, end);
         if (h < 0) {
-            inconsistent("a segment is missing");
+            inconsistent();
         }
         set_label(h, line);
         segment.before = segment.at;

@@ -12,6 +12,7 @@
 #include "base/tuning.h"
 #include "boolean/input/operand_mesh.h"
 #include "boolean/input/tuning.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/intersection/aabb_tree.h"
 #include "mesh/intersection/triangle_contact.h"
 #include "mesh/polygon_triangulation.h"
@@ -385,9 +386,8 @@ class HoleClosing {
             middle += draft_.point(h) / double(longest->border.size());
         }
         throw OpenOperand(
-            draft_.name + " is an open surface: a border of " + std::to_string(longest->border.size()) +
-            " edges around " + draft_.position(middle) +
-            " is too large to be closed by guessing; close it, give the sheet a thickness, or take it out");
+            phrases::kOpenSurface,
+            {{"name", draft_.name}, {"count", longest->border.size()}, {"point", draft_.position(middle)}});
     }
 
     OperandMesh& draft_;

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "boolean/input/operand_mesh.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::boolean {
 namespace {
@@ -238,8 +239,8 @@ void pair_and_orient(OperandMesh& draft) {
     }
     const std::vector<std::int32_t> one_sided = PatchOrientation(draft).run();
     if (!one_sided.empty()) {
-        throw OpenOperand(draft.name + ": the surface has one side only, like a Moebius strip, near " +
-                          draft.position(draft.point(one_sided[0])) + "; an operand must enclose a volume");
+        throw OpenOperand(phrases::kOneSided,
+                          {{"name", draft.name}, {"point", draft.position(draft.point(one_sided[0]))}});
     }
     if (!crowded) {
         return;

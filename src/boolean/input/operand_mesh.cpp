@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/message.h"
 #include "base/predicates.h"
 
 namespace mq::boolean {
@@ -56,10 +57,7 @@ double OperandMesh::area(std::int32_t triangle) const {
 }
 
 std::string OperandMesh::position(const Vec3& local) const {
-    const Vec3 p = local + origin;
-    char text[120];
-    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g) mm", p.x(), p.y(), p.z());
-    return text;
+    return in_mm(local + origin, 6);
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "boolean/input/operand_mesh.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/corner_table.h"
+#include "mesh/quality/exemptions.h"
 #include "mesh/weld_vertices.h"
 
 namespace mq::boolean {
@@ -22,24 +23,25 @@ constexpr double kLargest = 1e15;
 
 void require_usable(const mesh::TriangleMesh& mesh, const std::string& name) {
     if (mesh.triangles.empty()) {
-        throw InvalidInput(name + " has no triangles");
+        throw InvalidInput(phrases::kNoTriangles, {{"name", name}});
     }
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         if (!mesh.vertices[v].allFinite()) {
-            throw InvalidInput(name + ": vertex " + std::to_string(v) +
-                               " has a coordinate that is not a finite number");
+            throw InvalidInput(phrases::kNamed,
+                               {{"name", name}, {"phrase", Message(phrases::kVertexNotFinite, {{"count", v}})}});
         }
         if (mesh.vertices[v].cwiseAbs().maxCoeff() > kLargest) {
-            throw InvalidInput(name + ": vertex " + std::to_string(v) +
-                               " has a coordinate beyond 1e15 mm, up to which Booleans are exact; give a smaller mesh");
+            throw InvalidInput(phrases::kFarVertex, {{"name", name}, {"count", v}, {"length", in_mm(kLargest)}});
         }
     }
     const auto count = static_cast<std::int64_t>(mesh.vertices.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (const std::int32_t v : mesh.triangles[t]) {
             if (v < 0 || v >= count) {
-                throw InvalidInput(name + ": triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
-                                   ", but the mesh has " + std::to_string(count) + " vertices");
+                throw InvalidInput(
+                    phrases::kNamed,
+                    {{"name", name},
+                     {"phrase", Message(phrases::kNoSuchVertex, {{"count", t}, {"count2", v}, {"count3", count}})}});
             }
         }
     }
@@ -290,26 +292,24 @@ bool Repairs::any() const {
            0;
 }
 
-std::string Repairs::summary() const {
-    std::string text;
-    const auto add = [&text](std::size_t count, const std::string& one, const std::string& many, const char* done) {
-        if (count > 0) {
-            text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + (count == 1 ? one : many) + " " + done;
+Message Repairs::summary() const {
+    const std::size_t counts[] = {welded, degenerate, duplicate, flipped, nonmanifold_edges, nonmanifold_vertices,
+                                  cracks, holes,      scraps};
+    static_assert(std::size(counts) == std::size(phrases::kRepairs), "two phrases for each kind");
+    constexpr std::size_t kHoles = 7;  // in their order
+    std::vector<Message> done;
+    for (std::size_t k = 0; k < std::size(counts); ++k) {
+        if (k == kHoles && holes == 1 && hole_triangles == 1) {
+            done.emplace_back(phrases::kOneHole);
+        } else if (counts[k] > 0) {
+            done.push_back(counted(phrases::kRepairs[k], counts[k], {{"count2", hole_triangles}}));
         }
-    };
-    add(welded, "vertex", "vertices", "welded");
-    add(degenerate, "degenerate triangle", "degenerate triangles", "removed");
-    add(duplicate, "duplicate triangle", "duplicate triangles", "removed");
-    add(flipped, "triangle", "triangles", "turned around");
-    add(nonmanifold_edges, "edge", "edges", "of more than two triangles parted");
-    add(nonmanifold_vertices, "vertex", "vertices", "of several sheets parted");
-    add(cracks, "vertex", "vertices", "joined across cracks");
-    add(holes, "hole", "holes", "closed");
-    if (holes > 0) {
-        text += " (" + std::to_string(hole_triangles) + (hole_triangles == 1 ? " triangle)" : " triangles)");
     }
-    add(scraps, "triangle", "triangles", "of open sheets removed");
-    return text.empty() ? "none" : text;
+    return done.empty() ? Message(phrases::kNoRepairs) : mesh::list_of(done);
+}
+
+Message Repairs::of_operand(const std::string& name) const {
+    return any() ? Message(phrases::kNamed, {{"name", name}, {"phrase", summary()}}) : Message();
 }
 
 std::string operand_name(std::size_t index, std::size_t count) {
@@ -365,7 +365,7 @@ mesh::SurfaceTopology topology_of(const OperandMesh& draft, std::size_t componen
 
 void require_some(const OperandMesh& draft) {
     if (draft.triangles.empty()) {
-        throw InvalidInput(Message::of(phrases::kNoEnclosedVolume, {{"name", draft.name}}));
+        throw InvalidInput(phrases::kNoEnclosedVolume, {{"name", draft.name}});
     }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/message.h"
 #include "base/progress.h"
 #include "mesh/quality/mesh_report.h"
 #include "mesh/triangle_mesh.h"
@@ -28,7 +29,9 @@ struct Repairs {
 
     bool any() const;
     /// "2 holes closed (15 triangles), 1 duplicate triangle removed", or "none".
-    std::string summary() const;
+    Message summary() const;
+    /// The same after the operand's name; empty if nothing was repaired.
+    Message of_operand(const std::string& name) const;
 };
 
 /// An operand fit for the Boolean: closed, every edge with exactly two triangles that run along it opposite ways, every

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::boolean {
 
@@ -38,7 +39,9 @@ Operation operation_from(const std::string& text) {
         }
         known += (known.empty() ? "'" : ", '") + std::string(name(operation)) + "'";
     }
-    throw InvalidInput("operation is '" + text + "': it must be one of " + known);
+    throw InvalidInput(
+        phrases::kNotAllowed,
+        {{"option", "operation"}, {"value", "'" + text + "'"}, {"range", Message(phrases::kOneOf, {{"list", known}})}});
 }
 
 bool in_result(Operation operation, bool in_a, bool in_b) {
@@ -75,8 +78,7 @@ Expression Expression::from(const std::vector<std::int32_t>& postfix, int operan
     for (const std::int32_t token : postfix) {
         if (token >= operands || token < -static_cast<std::int32_t>(std::size(kOperations)) ||
             (token < 0 && result.open_.size() < 2)) {
-            throw InvalidInput("the expression of a Boolean has " + std::to_string(token) +
-                               " where there is no such operand or operation");
+            throw InvalidInput(phrases::kExpressionToken, {{"value", std::to_string(token)}});
         }
         if (token < 0) {
             result.add_operation(kOperations[-1 - token]);
@@ -89,8 +91,7 @@ Expression Expression::from(const std::vector<std::int32_t>& postfix, int operan
         }
     }
     if (result.open_.size() != 1 || std::find(occurs.begin(), occurs.end(), 0) != occurs.end()) {
-        throw InvalidInput("the expression of a Boolean does not join all of its " + std::to_string(operands) +
-                           " operands to one");
+        throw InvalidInput(phrases::kExpressionNotJoined, {{"count", operands}});
     }
     return result;
 }

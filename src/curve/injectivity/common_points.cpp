@@ -7,10 +7,10 @@
 #include <limits>
 #include <optional>
 #include <set>
-#include <string>
 #include <utility>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/injectivity/curved_winding.h"
 #include "elements/product/element_derivatives.h"
 #include "elements/product/node_cells.h"
@@ -95,8 +95,7 @@ class Elements {
         for (std::size_t b = 0; b < blocks.size(); ++b) {
             const auto per = static_cast<std::size_t>(blocks[b].nodes_per_element);
             if (dimension_of(blocks[b].kind) != 3 || per == 0 || blocks[b].nodes.size() % per != 0) {
-                throw InvalidInput("block " + std::to_string(b) + " has no solid elements of " + std::to_string(per) +
-                                   " nodes: give tetrahedra, pyramids, prisms or hexahedra");
+                throw InvalidInput(phrases::kNoSolidElements, {{"count", b}, {"count2", per}});
             }
             for (std::size_t first = 0; first < blocks[b].nodes.size(); first += per) {
                 place_.emplace_back(b, first);
@@ -139,8 +138,7 @@ class Elements {
             const std::int32_t node = element[i];
             if (node < 0 || node >= static_cast<std::int32_t>(nodes_.size()) ||
                 !nodes_[static_cast<std::size_t>(node)].allFinite()) {
-                throw InvalidInput("node " + std::to_string(node) +
-                                   " of the mesh is not there or not finite: take its element out of the mesh");
+                throw InvalidInput(phrases::kNodeMissing, {{"count", node}});
             }
             box.add(nodes_[static_cast<std::size_t>(node)]);
         }
@@ -248,8 +246,8 @@ std::vector<CommonPoint> common_points(const std::vector<Vec3>& nodes, const std
                                        const std::vector<std::int32_t>& body, Progress* progress) {
     const Elements elements(nodes, blocks);
     if (body.size() != elements.size()) {
-        throw InvalidInput("there are " + std::to_string(body.size()) + " numbers of bodies for " +
-                           std::to_string(elements.size()) + " elements: give one for each");
+        throw InvalidInput(phrases::kOneForEach,
+                           {{"name", "body"}, {"count", body.size()}, {"count2", elements.size()}});
     }
     mesh::AabbTree tree(elements.ends(), elements.boxes());
     tree.set_groups(body);

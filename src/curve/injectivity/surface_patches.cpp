@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <string>
 #include <utility>
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/bezier/bernstein.h"
 #include "elements/product/reference_nodes.h"
 #include "elements/product/tensor_patch.h"
@@ -34,14 +34,13 @@ void require_sound(const std::vector<Vec3>& nodes, const SideBlock& block) {
                        (block.nodes_per_side == full_node_count(block.kind, block.order) ||
                         block.nodes_per_side == serendipity_node_count(block.kind, block.order));
     if (!known || block.nodes.size() % static_cast<std::size_t>(block.nodes_per_side) != 0) {
-        throw InvalidInput("the surface has no sides of " + std::to_string(block.nodes_per_side) + " nodes of order " +
-                           std::to_string(block.order) + ": give triangles or quadrilaterals of orders 1 to 5");
+        throw InvalidInput(phrases::kNoSides,
+                           {{"count", block.nodes_per_side}, {"count2", block.order}, {"count3", kMaxOrder}});
     }
     for (const std::int32_t node : block.nodes) {
         if (node < 0 || node >= static_cast<std::int32_t>(nodes.size()) ||
             !nodes[static_cast<std::size_t>(node)].allFinite()) {
-            throw InvalidInput("node " + std::to_string(node) +
-                               " of the surface is not there or not finite: take its element out of the mesh");
+            throw InvalidInput(phrases::kNodeMissing, {{"count", node}});
         }
     }
 }

@@ -46,8 +46,8 @@ std::string to_text(const CurveReport& report) {
     for (const std::string& element : report.straightened) {
         result += "made straight: " + element + "\n";
     }
-    for (const std::string& note : report.notes) {
-        result += note + "\n";
+    for (const Message& note : report.notes) {
+        result += note.text() + "\n";
     }
     for (const auto& [stage, seconds] : report.seconds) {
         std::snprintf(text, sizeof text, "%-24s %.3f s\n", stage.c_str(), seconds);

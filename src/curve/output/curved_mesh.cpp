@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/single_precision_grid.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/product/reference_nodes.h"
 
 namespace mq::curve {
@@ -231,10 +232,9 @@ void classify_on_original_entities(CurvedMesh& mesh, const geometry::Topology& t
 
 namespace {
 
-void require_count(std::size_t count, std::size_t expected, const std::string& what, const char* owners) {
+void require_count(std::size_t count, std::size_t expected, const char* name) {
     if (count != expected) {
-        throw InvalidInput("there are " + std::to_string(count) + " " + what + " for " + std::to_string(expected) +
-                           " " + owners + ": give one each");
+        throw InvalidInput(phrases::kOneForEach, {{"name", name}, {"count", count}, {"count2", expected}});
     }
 }
 
@@ -243,8 +243,7 @@ void require_entity(std::int32_t dimension, std::int32_t index, const char* owne
     constexpr std::int32_t kMostEntities =
         std::numeric_limits<std::int32_t>::max() - 1;  // so that the number of nodes fits into the type, too
     if (dimension < 0 || dimension > 3 || index < 0 || index > kMostEntities) {
-        throw InvalidInput(std::string(owner) + " lies on entity " + std::to_string(index) + " of dimension " +
-                           std::to_string(dimension) + ": dimensions are 0 to 3, and entities are numbered from 0");
+        throw InvalidInput(phrases::kEntityNumber, {{"kind", owner}, {"count", index}, {"count2", dimension}});
     }
 }
 
@@ -258,17 +257,18 @@ struct Elements {
 };
 
 void require_elements(const CurvedMesh& mesh, const Elements& elements) {
-    const std::string name = elements.name;
     const std::size_t count = elements.entity.size();
     if (elements.nodes.size() != count * static_cast<std::size_t>(elements.width)) {
-        throw InvalidInput(name + " of order " + std::to_string(mesh.order) + " have " +
-                           std::to_string(elements.width) + " nodes each: " + std::to_string(elements.nodes.size()) +
-                           " are given for " + std::to_string(count));
+        throw InvalidInput(phrases::kNodesEach, {{"kind", elements.name},
+                                                 {"count", mesh.order},
+                                                 {"count2", elements.width},
+                                                 {"count3", elements.nodes.size()},
+                                                 {"count4", count}});
     }
     for (const std::int32_t node : elements.nodes) {
         if (node < 0 || static_cast<std::size_t>(node) >= mesh.nodes.size()) {
-            throw InvalidInput(name + " name node " + std::to_string(node) + ", but the mesh has " +
-                               std::to_string(mesh.nodes.size()) + " nodes");
+            throw InvalidInput(phrases::kElementsNameNode,
+                               {{"kind", elements.name}, {"count", node}, {"count2", mesh.nodes.size()}});
         }
     }
     for (const std::int32_t index : elements.entity) {
@@ -280,14 +280,13 @@ void require_elements(const CurvedMesh& mesh, const Elements& elements) {
 
 void require_sound(const CurvedMesh& mesh) {
     if (mesh.order < 1 || mesh.order > kMaxOrder) {
-        throw InvalidInput("elements have an order of 1 to " + std::to_string(kMaxOrder) + ", not " +
-                           std::to_string(mesh.order));
+        throw InvalidInput(phrases::kElementOrder, {{"count", kMaxOrder}, {"count2", mesh.order}});
     }
-    require_count(mesh.node_entity.size(), mesh.nodes.size(), "entities", "nodes");
+    require_count(mesh.node_entity.size(), mesh.nodes.size(), "node_entity");
     Box box;
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
         if (!mesh.nodes[i].allFinite()) {
-            throw InvalidInput("node " + std::to_string(i) + " has a coordinate that is not a finite number");
+            throw InvalidInput(phrases::kNodeNotFinite, {{"count", i}});
         }
         require_entity(mesh.node_entity[i][0], mesh.node_entity[i][1], "a node");
         box.add(mesh.nodes[i]);
@@ -299,13 +298,13 @@ void require_sound(const CurvedMesh& mesh) {
     require_elements(mesh, {"tetrahedra", "a tetrahedron", 3, mesh.tetrahedra, mesh.nodes_per_tetrahedron(),
                             mesh.tetrahedron_volume});
     if (!mesh.triangle_face_behind.empty()) {
-        require_count(mesh.triangle_face_behind.size(), mesh.triangle_face.size(), "faces behind", "triangles");
+        require_count(mesh.triangle_face_behind.size(), mesh.triangle_face.size(), "triangle_face_behind");
     }
     if (!mesh.triangle_quality.empty()) {
-        require_count(mesh.triangle_quality.size(), mesh.triangle_face.size(), "qualities", "triangles");
+        require_count(mesh.triangle_quality.size(), mesh.triangle_face.size(), "triangle_quality");
     }
     if (!mesh.tetrahedron_quality.empty()) {
-        require_count(mesh.tetrahedron_quality.size(), mesh.tetrahedron_volume.size(), "qualities", "tetrahedra");
+        require_count(mesh.tetrahedron_quality.size(), mesh.tetrahedron_volume.size(), "tetrahedron_quality");
     }
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "base/stopwatch.h"
 #include "curve/surface/curved_surface.h"
 #include "curve/volume/tetrahedral_mesh.h"
@@ -47,7 +48,7 @@ struct CurveReport {
     double cad_volume_error = 0.0;
     std::size_t moved_vertices = 0;                            ///< corner vertices that a repair moved
     std::vector<std::pair<std::string, std::size_t>> repairs;  ///< {kind of repair: how many}
-    std::vector<std::string> notes;   ///< sentences about the shape and the mesh that a user should know
+    std::vector<Message> notes;       ///< sentences about the shape and the mesh that a user should know
     StageTimes seconds;               ///< {stage: wall-clock seconds}
     double cpu_seconds = 0.0;         ///< processor time of all threads of the operation
     double chord_height_asked = 0.0;  ///< largest deviation that was requested, mm; 0: none

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/bezier/jacobian.h"
 #include "elements/bezier/sub_simplex.h"
 #include "elements/product/reference_nodes.h"
@@ -194,7 +195,7 @@ double max_distortion_of_tetrahedron(const Lattice& lattice, const std::vector<V
 
 std::vector<double> triangle_distortions(const CurvedMesh& mesh, Progress* progress) {
     if (mesh.triangle_quality.size() != mesh.triangle_face.size()) {
-        throw InvalidInput("the mesh does not tell which of its triangles fold: curve it anew");
+        throw InvalidInput(phrases::kFoldsNotTold);
     }
     const Lattice& lattice = Lattice::of(2, mesh.order);
     return of_all(mesh.triangle_face.size(), progress, [&](int e) {

@@ -117,9 +117,8 @@ class Tessellator {
           pace_(progress),
           max_triangles_(max_triangles) {
         if (deviation > 0.0 && deviation < 4.0 * grid_.resolution()) {
-            throw InvalidInput(
-                Message::of(phrases::kFineDeviation, {{"length", in_digits(deviation, 4) + " mm"},
-                                                      {"length2", in_digits(4.0 * grid_.resolution(), 4) + " mm"}}));
+            throw InvalidInput(phrases::kFineDeviation,
+                               {{"length", in_mm(deviation)}, {"length2", in_mm(4.0 * grid_.resolution())}});
         }
         const double asked = deviation > 0.0 ? deviation : 1e-3 * box_of(mesh).largest_side();
         result_.deviation = std::max(asked, 4.0 * grid_.resolution());
@@ -209,8 +208,7 @@ class Tessellator {
     }
 
     [[noreturn]] void refuse() const {
-        throw InvalidInput(Message::of(phrases::kManyTriangles, {{"length", in_digits(result_.deviation, 4) + " mm"},
-                                                                 {"count", std::to_string(max_triangles_)}}));
+        throw InvalidInput(phrases::kManyTriangles, {{"length", in_mm(result_.deviation)}, {"count", max_triangles_}});
     }
 
     std::size_t node_of(std::size_t i) const {

@@ -4,10 +4,10 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <string>
 #include <tuple>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/surface/curved_surface.h"
 #include "curve/surface/tuning.h"
 
@@ -27,7 +27,7 @@ class Classifier {
 
     CurvedSurface run() {
         if (vertex_entity_.size() != mesh_.vertices.size() || triangle_face_.size() != mesh_.triangles.size()) {
-            throw InvalidInput("the mesh does not say which CAD entities it lies on: curve one made by triangulate()");
+            throw InvalidInput(phrases::kNoEntities);
         }
         require_entities();
         join_vertices();
@@ -53,9 +53,8 @@ class Classifier {
             const geometry::Node* node = known ? &topology_.nodes[static_cast<std::size_t>(index)] : nullptr;
             if (node == nullptr ||
                 (mesh_.vertices[v] + mesh_.origin - node->point).norm() > near + 2.0 * node->tolerance) {
-                throw InvalidInput("the mesh does not belong to the shape: its vertex " + std::to_string(v) +
-                                   " is not on " + geometry::name_of({dimension, index}) +
-                                   "; give the shape that it was made from, where it was");
+                throw InvalidInput(phrases::kOtherShape,
+                                   {{"count", v}, {"name", geometry::name_of({dimension, index})}});
             }
         }
     }
@@ -109,7 +108,7 @@ class Classifier {
             }
         }
         if (next != mesh_.triangles.size()) {
-            throw InvalidInput("the triangles of the mesh do not follow the faces of the shape: was it made from it?");
+            throw InvalidInput(phrases::kFacesNotFollowed);
         }
     }
 

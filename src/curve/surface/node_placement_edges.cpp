@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/surface/node_placement.h"
 #include "curve/surface/tuning.h"
 
@@ -194,8 +195,8 @@ void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t which = i / static_cast<std::size_t>(q - 1);
         if (!at[i].found()) {
-            throw GeometryError("no point on " + session_.topology().name_of({1, points[i].index}) + " at parameter " +
-                                std::to_string(points[i].t) + ": repair the edge");
+            throw GeometryError(phrases::kNoPointAt, {{"name", session_.topology().name_of({1, points[i].index})},
+                                                      {"number", in_digits(points[i].t, 6)}});
         }
         nodes.push_back(at[i].point);
         if (nodes.size() == static_cast<std::size_t>(q - 1)) {
@@ -268,8 +269,8 @@ void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
             open[2 * i + way].close(ways[way]);
         }
         if (!found[0] && !found[1]) {
-            throw GeometryError("no points of " + session_.topology().name_of({2, edge.task.face}) +
-                                " for a mesh edge on it");
+            throw GeometryError(phrases::kNoPointsForEdge,
+                                {{"name", session_.topology().name_of({2, edge.task.face})}});
         }
         edge.project = found[0] && (!found[1] || unevenness(a, ways[0], b) <= unevenness(a, ways[1], b) * (1.0 + 1e-6));
         const std::size_t chosen = edge.project ? 0 : 1;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/surface/curved_surface.h"
 #include "curve/surface/tuning.h"
 #include "geometry/closed_edge.h"
@@ -75,7 +76,7 @@ class Parameters {
         std::vector<std::pair<double, int>> sorted;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             if (!best[i].found()) {
-                throw GeometryError("no point of " + topology_.name_of({1, e}) + " near a vertex of its mesh");
+                throw GeometryError(phrases::kNoPointNear, {{"name", topology_.name_of({1, e})}});
             }
             sorted.emplace_back(best[i].t, vertices[i]);
             surface_.shapes.vertices[static_cast<std::size_t>(vertices[i])].point = best[i].point;
@@ -132,7 +133,7 @@ class Parameters {
             if (surface_.has_edge(a, b)) {
                 surface_.set_segment(a, b, e, chain[i].first, chain[i + 1].first);
             } else if (must_be_followed(edge)) {
-                throw TopologyError("the mesh does not follow " + topology_.name_of({1, e}));
+                throw TopologyError(phrases::kNotFollowed, {{"name", topology_.name_of({1, e})}});
             }
         }
     }
@@ -198,7 +199,7 @@ class Parameters {
         for (const auto& [v, face] : needed) {
             const Answer& answer = answers[i++];
             if (!answer.found()) {
-                throw GeometryError("no point of " + topology_.name_of({2, face}) + " near a vertex of its mesh");
+                throw GeometryError(phrases::kNoPointNear, {{"name", topology_.name_of({2, face})}});
             }
             surface_.uv[CurvedSurface::key(v, face)] = Vec2(answer.u, answer.v);
             Vertex& vertex = surface_.shapes.vertices[static_cast<std::size_t>(v)];

@@ -216,9 +216,7 @@ Shell shell_of(const CurvedSurface& surface, const CurvedShapes& edges, std::siz
 /// The error of a filling with the solid and the place.
 Message in_solid(std::size_t solid, const Error& error, const std::string& place) {
     return {phrases::kFaultInSolid,
-            {{"solid", Message::value("Solid" + std::to_string(solid + 1))},
-             {"phrase", error.message()},
-             {"value", Message::value(place)}}};
+            {{"solid", "Solid" + std::to_string(solid + 1)}, {"phrase", error.message()}, {"value", place}}};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/memory/never_destroyed.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::curve {
 
@@ -69,8 +70,7 @@ const Conversion& conversion(const Lattice& lattice) {
         return list;
     }());
     if (lattice.degree() < 1 || lattice.degree() > kMaxOrder) {
-        throw InvalidInput("elements have an order of 1 to " + std::to_string(kMaxOrder) + ", not " +
-                           std::to_string(lattice.degree()));
+        throw InvalidInput(phrases::kElementOrder, {{"count", kMaxOrder}, {"count2", lattice.degree()}});
     }
     return all[static_cast<std::size_t>((lattice.dimension() - 1) * kMaxOrder + lattice.degree() - 1)];
 }
@@ -153,7 +153,7 @@ ProductTable::ProductTable(int dimension, int m, int n) {
 const ProductTable& ProductTable::of(int dimension, int m, int n) {
     static const auto& all = never_destroyed(all_products());
     if (m > kMaxFactor || n > kMaxFactor || m + n > kMaxProduct) {
-        throw InvalidInput("no table for a product of degrees " + std::to_string(m) + " and " + std::to_string(n));
+        throw InvalidInput(phrases::kNoProduct, {{"count", m}, {"count2", n}});
     }
     return all[slot_of(dimension, m, n)];
 }

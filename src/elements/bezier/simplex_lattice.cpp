@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "elements/bezier/simplex_lattice.h"
 
-#include <string>
-
 #include "base/error.h"
 #include "base/memory/never_destroyed.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::curve {
 
@@ -59,8 +58,7 @@ Lattice::Lattice(int dimension, int degree) : dimension_(dimension), degree_(deg
 const Lattice& Lattice::of(int dimension, int degree) {
     static const auto& all = never_destroyed(all_lattices());
     if (dimension < 1 || dimension > 3 || degree < 0 || degree > kMaxDegree) {
-        throw InvalidInput("no polynomials of degree " + std::to_string(degree) + " on simplices of dimension " +
-                           std::to_string(dimension) + ": degrees go from 0 to " + std::to_string(kMaxDegree));
+        throw InvalidInput(phrases::kNoPolynomials, {{"count", degree}, {"count2", dimension}, {"count3", kMaxDegree}});
     }
     return all[static_cast<std::size_t>((dimension - 1) * (kMaxDegree + 1) + degree)];
 }

@@ -5,10 +5,10 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/bezier/minimum_search.h"
 #include "elements/bezier/validity.h"
 
@@ -71,19 +71,17 @@ Range ratio_of(const Range& least, const Range& most) {
 void require_sound(const std::vector<Vec3>& nodes, const std::vector<std::int32_t>& connectivity, int width) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         if (!nodes[i].allFinite()) {
-            throw InvalidInput("node " + std::to_string(i) + " has a coordinate that is not a finite number");
+            throw InvalidInput(phrases::kNodeNotFinite, {{"count", i}});
         }
     }
     const auto per_element = static_cast<std::size_t>(width);
     if (connectivity.size() % per_element != 0) {
-        throw InvalidInput(std::to_string(connectivity.size()) + " node numbers do not make whole elements of " +
-                           std::to_string(width) + " nodes");
+        throw InvalidInput(phrases::kNotWholeElements, {{"count", connectivity.size()}, {"count2", width}});
     }
     for (std::size_t i = 0; i < connectivity.size(); ++i) {
         if (connectivity[i] < 0 || static_cast<std::size_t>(connectivity[i]) >= nodes.size()) {
-            throw InvalidInput("element " + std::to_string(i / per_element) + " names node " +
-                               std::to_string(connectivity[i]) + ", but there are " + std::to_string(nodes.size()) +
-                               " nodes, counted from 0");
+            throw InvalidInput(phrases::kNoSuchNode,
+                               {{"count", i / per_element}, {"count2", connectivity[i]}, {"count3", nodes.size()}});
         }
     }
 }

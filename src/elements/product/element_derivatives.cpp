@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/bezier/bernstein.h"
 #include "elements/product/reference_nodes.h"
 
@@ -228,10 +229,12 @@ void require_node_count(ElementKind kind, int order, int nodes) {
     const int full = full_node_count(kind, order);
     const int fewer = serendipity_node_count(kind, order);
     if (nodes != full && (nodes != fewer || fewer == 0)) {
-        throw InvalidInput("a " + std::string(name_of(kind)) + " of order " + std::to_string(order) + " has " +
-                           std::to_string(full) + " nodes" +
-                           (fewer > 0 ? ", or " + std::to_string(fewer) + " at its corners and edges only" : "") +
-                           ", not " + std::to_string(nodes));
+        throw InvalidInput(fewer > 0 ? phrases::kNodeCounts : phrases::kNodeCount,
+                           {{"kind", std::string(name_of(kind))},
+                            {"count", order},
+                            {"count2", full},
+                            {"count3", nodes},
+                            {"count4", fewer}});
     }
 }
 

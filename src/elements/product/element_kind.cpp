@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::curve {
 
@@ -24,8 +25,7 @@ ElementKind element_kind(const std::string& name) {
             return static_cast<ElementKind>(i);
         }
     }
-    throw InvalidInput("there are no elements of kind \"" + name +
-                       "\": name triangle, quadrilateral, tetrahedron, pyramid, prism or hexahedron");
+    throw InvalidInput(phrases::kNoSuchKind, {{"value", name}});
 }
 
 int dimension_of(ElementKind kind) {

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/memory/never_destroyed.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/bezier/simplex_lattice.h"
 #include "elements/product/reference_nodes.h"
 
@@ -72,8 +73,8 @@ const Cells& node_cells(ElementKind kind, int order) {
         return cells;
     }());
     if (dimension_of(kind) != 3 || order < 1 || order > kMaxOrder) {
-        throw InvalidInput("a " + std::string(name_of(kind)) + " of order " + std::to_string(order) +
-                           " is not divided: give solid elements of orders 1 to " + std::to_string(kMaxOrder));
+        throw InvalidInput(phrases::kNotDivided,
+                           {{"kind", std::string(name_of(kind))}, {"count", order}, {"count2", kMaxOrder}});
     }
     const auto solid = std::find(kSolids.begin(), kSolids.end(), kind) - kSolids.begin();
     return all[static_cast<std::size_t>(solid * kMaxOrder + order - 1)];

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "elements/product/reference_nodes.h"
 
-#include <string>
-
 #include "base/error.h"
 #include "base/memory/never_destroyed.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/bezier/bernstein.h"
 
 namespace mq::curve {
@@ -144,8 +143,7 @@ const ElementSides& sides_of(ElementKind kind) {
 
 std::vector<GridPoint> gmsh_nodes(ElementKind kind, int order) {
     if (order < 1 || order > kMaxOrder) {
-        throw InvalidInput("elements have an order of 1 to " + std::to_string(kMaxOrder) + ", not " +
-                           std::to_string(order));
+        throw InvalidInput(phrases::kElementOrder, {{"count", kMaxOrder}, {"count2", order}});
     }
     Points nodes;
     append(kind, sides_of(kind), corners_of(kind, order), order, nodes);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/closed_edge.h"
 #include "geometry/elementary/curve.h"
 #include "geometry/elementary/surface.h"
@@ -19,8 +20,7 @@ using Surface = ElementarySurface;
 
 constexpr double kPi = 3.14159265358979323846;  // radians in half a turn
 constexpr double kTwoPi = 2.0 * kPi;            // radians in a turn
-/// The largest value that counts as zero, for dimensions of the order of one.
-constexpr double kTiny = 1e-9;
+constexpr double kTiny = 1e-9;                  // largest value that counts as 0 where dimensions are about 1
 
 Answer with_status(Status status) {
     Answer answer;
@@ -439,7 +439,7 @@ Answer AnalyticModel::volume_contains(const Query& query) const {
 
 void require_positive(double value, const char* what) {
     if (!(value > 0.0) || !std::isfinite(value)) {
-        throw InvalidInput(std::string(what) + " must be a positive number, not " + std::to_string(value));
+        throw InvalidInput(phrases::kNotPositive, {{"name", what}, {"number", in_digits(value, 6)}});
     }
 }
 

@@ -18,6 +18,8 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "geometry/occt/evaluation/failure_text.h"
 
 namespace mq::geometry {
 
@@ -27,10 +29,10 @@ std::shared_ptr<const TopoDS_Shape> read_brep_text(const std::string& text) {
     try {
         BRepTools::Read(*shape, stream, BRep_Builder());
     } catch (const Standard_Failure& failure) {
-        throw InvalidInput(std::string("the BREP text cannot be read: ") + failure.GetMessageString());
+        throw InvalidInput(phrases::kBrepNotRead, {{"text", failure_text(failure)}});
     }
     if (shape->IsNull()) {
-        throw InvalidInput("the BREP text holds no shape");
+        throw InvalidInput(phrases::kBrepEmpty);
     }
     return shape;
 }

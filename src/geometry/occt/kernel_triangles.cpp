@@ -9,11 +9,12 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <map>
-#include <string>
 #include <utility>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/evaluation/conversion.h"
+#include "geometry/occt/evaluation/failure_text.h"
 
 namespace mq::geometry {
 
@@ -54,8 +55,7 @@ KernelTriangles kernel_triangles(const TopoDS_Shape& face, double distance) {
             }
         }
     } catch (const Standard_Failure& failure) {
-        const char* text = failure.GetMessageString();
-        throw GeometryError(std::string("OpenCASCADE cannot triangulate the face: ") + (text != nullptr ? text : ""));
+        throw GeometryError(phrases::kKernelFails, {{"text", failure_text(failure)}});
     }
     return found;
 }

@@ -8,9 +8,10 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cmath>
-#include <string>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "geometry/occt/evaluation/failure_text.h"
 
 namespace mq::geometry {
 
@@ -33,9 +34,7 @@ std::vector<double> mean_thicknesses(const TopoDS_Shape& shape) {
             }
         }
     } catch (const Standard_Failure& failure) {
-        const char* text = failure.GetMessageString();
-        throw GeometryError(std::string("OpenCASCADE cannot measure the volume and the area of the shape: ") +
-                            (text != nullptr ? text : ""));
+        throw GeometryError(phrases::kKernelFails, {{"text", failure_text(failure)}});
     }
     return found;
 }

@@ -17,11 +17,13 @@
 
 #include "base/error.h"
 #include "base/waits.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/closed_edge.h"
 #include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/evaluation/edge_curves.h"
 #include "geometry/occt/evaluation/face_corner.h"
 #include "geometry/occt/evaluation/face_evaluator.h"
+#include "geometry/occt/evaluation/failure_text.h"
 #include "geometry/occt/geometry_fingerprint.h"
 #include "geometry/occt/plane_curves.h"
 #include "geometry/occt/topology/creases.h"
@@ -375,20 +377,16 @@ Box box_of_shape(const TopoDS_Shape& shape) {
 std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress, Creases creases,
                                         const VirtualTopology& join, Evaluation evaluation) {
     if (shape.IsNull()) {
-        throw InvalidInput("The shape is null. Recompute the object, or select one that has a shape.");
+        throw InvalidInput(phrases::kShapeNull);
     }
     try {
         auto model = std::make_shared<ShapeModel>(shape, creases, join, evaluation, progress);
         if (model->topology().faces.empty()) {
-            throw InvalidInput(std::string("The shape is a ") + TopAbs::ShapeTypeToString(shape.ShapeType()) +
-                               " without faces. Select a part that has at least one face.");
+            throw InvalidInput(phrases::kNoFacesInType, {{"value", TopAbs::ShapeTypeToString(shape.ShapeType())}});
         }
         return model;
     } catch (const Standard_Failure& failure) {
-        const char* text = failure.GetMessageString();
-        throw GeometryError(std::string("OpenCASCADE cannot read the shape: ") +
-                            (text != nullptr && *text != '\0' ? text : failure.DynamicType()->Name()) +
-                            ". Repair the part with Part > Check geometry.");
+        throw GeometryError(phrases::kKernelFails, {{"text", failure_text(failure)}});
     }
 }
 

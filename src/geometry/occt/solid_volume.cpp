@@ -30,6 +30,7 @@
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/evaluation/conversion.h"
+#include "geometry/occt/evaluation/failure_text.h"
 
 namespace mq::geometry {
 
@@ -266,16 +267,14 @@ SolidContent solid_content(const TopoDS_Shape& shape, const Progress* progress) 
         for (int i = 1; i <= solids.Extent(); ++i) {
             check_cancelled(progress);
             const OpenCascadeWait wait(progress,
-                                       Message::of(phrases::kMeasuringVolume, {{"name", "Solid" + std::to_string(i)}}));
+                                       Message(phrases::kMeasuringVolume, {{"name", "Solid" + std::to_string(i)}}));
             const Integral own = volume_of(solids(i), progress);
             content.volume += std::abs(own.value);
             content.error += own.error;
         }
         return content;
     } catch (const Standard_Failure& failure) {
-        const char* text = failure.GetMessageString();
-        throw GeometryError(std::string("OpenCASCADE cannot measure the part's volume: ") +
-                            (text != nullptr ? text : ""));
+        throw GeometryError(phrases::kKernelFails, {{"text", failure_text(failure)}});
     }
 }
 

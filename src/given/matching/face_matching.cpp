@@ -12,6 +12,7 @@
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/key_set.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/edge_table.h"
 
 namespace mq::curve {
@@ -25,10 +26,6 @@ constexpr std::size_t kSamples = 12;
 
 /// Most edges named in an error.
 constexpr std::size_t kNamed = 3;
-
-std::string place_of(const Vec3& p) {
-    return "(" + in_digits(p.x(), 4) + ", " + in_digits(p.y(), 4) + ", " + in_digits(p.z(), 4) + ") mm";
-}
 
 /// Triangles that are connected without crossing a CAD edge.
 struct Region {
@@ -112,7 +109,7 @@ class Matcher {
     int face_of(const Region& region, bool alone) {
         const std::vector<int> candidates = faces_with(region.edges);
         if (candidates.empty()) {
-            throw TopologyError(not_followed(region));
+            throw not_followed(region);
         }
         if (alone && candidates.size() == 1 && has_all_edges(candidates[0], region)) {
             return candidates[0];
@@ -128,9 +125,8 @@ class Matcher {
             }
         }
         if (best < 0 || 2 * least.first > static_cast<int>(samples.size())) {
-            throw GeometryError("the given mesh has " + std::to_string(region.triangles.size()) + " triangles at " +
-                                place_of(samples[0].point) +
-                                " that lie on no face of the shape: give the shape that the mesh was made from");
+            throw GeometryError(phrases::kOnNoFace,
+                                {{"count", region.triangles.size()}, {"point", in_mm(samples[0].point)}});
         }
         return best;
     }
@@ -139,7 +135,7 @@ class Matcher {
     void require_edges_of(int face, const Region& region) const {
         for (const int e : edges_of_face_[static_cast<std::size_t>(face)]) {
             if (bounds(e, face) && edges_.polylines[static_cast<std::size_t>(e)].vertices.empty()) {
-                throw TopologyError(not_followed(region));
+                throw not_followed(region);
             }
         }
     }
@@ -226,7 +222,7 @@ class Matcher {
     }
 
     /// The reason why edges of more than one face lie around a region: the edges between those faces have no polyline.
-    std::string not_followed(const Region& region) const {
+    TopologyError not_followed(const Region& region) const {
         std::set<int> faces;
         for (const int e : region.edges) {
             for (const int use : topology_.edges[static_cast<std::size_t>(e)].uses) {
@@ -248,12 +244,11 @@ class Matcher {
                 names += (names.empty() ? "" : ", ") + topology_.name_of({1, e});
             }
         }
-        const std::string more =
-            missing.size() > kNamed ? " and others, " + std::to_string(missing.size()) + " in all," : "";
         const auto& corners = graph_.triangles[static_cast<std::size_t>(region.triangles[0])];
-        return "the given mesh does not follow " + (names.empty() ? std::string("the edges of the shape") : names) +
-               more + " near " + place_of(at(corners[0])) +
-               ": give the shape that the mesh was made from, where it was, or mesh it anew";
+        return {names.empty()             ? phrases::kGivenNotFollowed
+                : missing.size() > kNamed ? phrases::kGivenManyNotFollowed
+                                          : phrases::kGivenEdgesNotFollowed,
+                {{"list", names}, {"count", missing.size()}, {"point", in_mm(at(corners[0]))}}};
     }
 
     const Vec3& at(int v) const { return graph_.points[static_cast<std::size_t>(v)]; }

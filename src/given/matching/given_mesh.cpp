@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <set>
-#include <string>
 #include <tuple>
 #include <utility>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/volume/tetrahedral_mesh.h"
 #include "elements/bezier/curved_shapes.h"
 
@@ -18,18 +18,17 @@ namespace {
 template <std::size_t N>
 void require_nodes(const std::vector<std::array<int, N>>& elements, const GivenMesh& mesh, const char* kind) {
     for (std::size_t i = 0; i < elements.size(); ++i) {
-        const std::string name = std::string(kind) + " " + std::to_string(i);
         std::array<int, N> sorted = elements[i];
         std::sort(sorted.begin(), sorted.end());
         if (sorted.front() < 0 || static_cast<std::size_t>(sorted.back()) >= mesh.nodes.size()) {
-            throw InvalidInput(name + " of the given mesh has a node that the mesh does not: write the mesh anew");
+            throw InvalidInput(phrases::kGivenNode, {{"kind", kind}, {"count", i}});
         }
         if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-            throw InvalidInput(name + " of the given mesh has one node twice: remove it from the mesh");
+            throw InvalidInput(phrases::kGivenNodeTwice, {{"kind", kind}, {"count", i}});
         }
         for (const int v : sorted) {
             if (!mesh.nodes[static_cast<std::size_t>(v)].allFinite()) {
-                throw InvalidInput(name + " of the given mesh has a node whose coordinates are no finite numbers");
+                throw InvalidInput(phrases::kGivenNotFinite, {{"kind", kind}, {"count", i}});
             }
         }
     }
@@ -65,11 +64,11 @@ double six_volumes(const GivenMesh& mesh, const std::array<int, 4>& t) {
 
 void require_sound(const GivenMesh& mesh) {
     if (mesh.triangles.empty() && mesh.tetrahedra.empty()) {
-        throw InvalidInput("the given mesh has neither triangles nor tetrahedra: only these are curved");
+        throw InvalidInput(phrases::kGivenNothing);
     }
     if (!mesh.regions.empty() && mesh.regions.size() != mesh.tetrahedra.size()) {
-        throw InvalidInput("the given mesh has " + std::to_string(mesh.regions.size()) + " regions for " +
-                           std::to_string(mesh.tetrahedra.size()) + " tetrahedra: give one for each, or none");
+        throw InvalidInput(phrases::kOneForEach,
+                           {{"name", "regions"}, {"count", mesh.regions.size()}, {"count2", mesh.tetrahedra.size()}});
     }
     require_nodes(mesh.triangles, mesh, "triangle");
     require_nodes(mesh.tetrahedra, mesh, "tetrahedron");
@@ -142,9 +141,8 @@ std::vector<std::array<int, 3>> surface_of(const GivenMesh& mesh) {
             ++end;
         }
         if (end - i > 2) {
-            throw InvalidInput("more than two tetrahedra of the given mesh have the triangle of nodes " +
-                               std::to_string(faces[i].key[0]) + ", " + std::to_string(faces[i].key[1]) + " and " +
-                               std::to_string(faces[i].key[2]) + ": remove those that lie on one another");
+            throw InvalidInput(phrases::kManyTetrahedra,
+                               {{"count", faces[i].key[0]}, {"count2", faces[i].key[1]}, {"count3", faces[i].key[2]}});
         }
         if (end - i == 1 || region(faces[i]) != region(faces[i + 1]) || listed.count(faces[i].key) > 0) {
             result.push_back(faces[i].outward);

@@ -12,6 +12,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/volume/tetrahedral_mesh.h"
 #include "given/matching/edge_paths.h"
 #include "given/matching/face_matching.h"
@@ -29,12 +30,12 @@ constexpr double kOtherPlace = 0.15;
 constexpr int kEdgePoints = 8;
 
 /// Factors between units of files of meshes and shapes, with the unit that may have been taken for mm.
-constexpr std::array<std::pair<double, const char*>, 6> kUnits{{{1000.0, "it were in metres"},
-                                                                {10.0, "it were in centimetres"},
-                                                                {25.4, "it were in inches"},
-                                                                {304.8, "it were in feet"},
-                                                                {1e-3, "it were in micrometres"},
-                                                                {1.0 / 25.4, "the shape were in inches"}}};
+constexpr std::array<std::pair<double, Phrase>, 6> kUnits{{{1000.0, phrases::kInMetres},
+                                                           {10.0, phrases::kInCentimetres},
+                                                           {25.4, phrases::kInInches},
+                                                           {304.8, phrases::kInFeet},
+                                                           {1e-3, phrases::kInMicrometres},
+                                                           {1.0 / 25.4, phrases::kShapeInInches}}};
 
 Box box_of(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles) {
     Box box;
@@ -86,10 +87,11 @@ void require_same_place(const Box& mesh, const Box& edges, const Box& model) {
         scaled.low *= factor;
         scaled.high *= factor;
         if (fits(scaled)) {
-            throw InvalidInput("the given mesh is " + in_digits(std::max(factor, 1.0 / factor), 4) + " times " +
-                               (factor > 1.0 ? "smaller" : "larger") + " than the shape, as if " + unit +
-                               ": give mesh_scale=" + in_digits(factor, 5) + ", on the command line --mesh-scale " +
-                               in_digits(factor, 5));
+            throw InvalidInput(factor > 1.0 ? phrases::kGivenSmaller : phrases::kGivenLarger,
+                               {{"number", in_digits(std::max(factor, 1.0 / factor), 4)},
+                                {"phrase", unit},
+                                {"value", in_digits(factor, 5)},
+                                {"value2", in_digits(factor, 5)}});
         }
     }
     const Vec3 shift = model.center() - mesh.center();
@@ -97,14 +99,10 @@ void require_same_place(const Box& mesh, const Box& edges, const Box& model) {
     shifted.add(mesh.low + shift);
     shifted.add(mesh.high + shift);
     if (fits(shifted)) {
-        throw InvalidInput("the given mesh lies " + in_digits(shift.norm(), 4) +
-                           " mm beside the shape: move one of them by about (" + in_digits(shift.x(), 5) + ", " +
-                           in_digits(shift.y(), 5) + ", " + in_digits(shift.z(), 5) + ") mm");
+        throw InvalidInput(phrases::kGivenBeside, {{"length", in_mm(shift.norm())}, {"point", in_mm(shift, 5)}});
     }
-    throw InvalidInput(
-        "the given mesh is " + in_digits(mesh.largest_side(), 4) + " mm large, the shape " +
-        in_digits(model.largest_side(), 4) +
-        " mm, and one does not lie in the place of the other: give the shape that the mesh was made from");
+    throw InvalidInput(phrases::kGivenElsewhere,
+                       {{"length", in_mm(mesh.largest_side())}, {"length2", in_mm(model.largest_side())}});
 }
 
 class Matcher {
@@ -277,11 +275,10 @@ class Matcher {
 
     GeometryError far_off(std::size_t node, double distance) {
         const auto& entity = surface().shapes.vertices[static_cast<std::size_t>(result_.vertex_of_node[node])].entity;
-        const Vec3& p = mesh_.nodes[node];
-        return GeometryError("the given mesh lies " + in_digits(distance, 3) + " mm off " +
-                             topology_.name_of({entity[0], entity[1]}) + " at (" + in_digits(p.x(), 4) + ", " +
-                             in_digits(p.y(), 4) + ", " + in_digits(p.z(), 4) +
-                             ") mm: give the shape that the mesh was made from");
+        return {phrases::kGivenOff,
+                {{"length", in_mm(distance, 3)},
+                 {"name", topology_.name_of({entity[0], entity[1]})},
+                 {"point", in_mm(mesh_.nodes[node])}}};
     }
 
     /// Tetrahedra that are connected without crossing the surface are in one volume: the volume that most of the
@@ -336,8 +333,7 @@ class Matcher {
         for (const auto& [root, volume] : volumes) {
             for (const auto& side : topology_.volumes[static_cast<std::size_t>(volume)].sides) {
                 if (std::count(result_.bare_faces.begin(), result_.bare_faces.end(), side.face) > 0) {
-                    throw TopologyError("the given mesh has no triangles on " + topology_.name_of({2, side.face}) +
-                                        ": give the shape that the mesh was made from");
+                    throw TopologyError(phrases::kGivenBareFace, {{"name", topology_.name_of({2, side.face})}});
                 }
             }
         }
@@ -358,9 +354,8 @@ class Matcher {
             }
         }
         if (best < 0) {
-            throw TopologyError("tetrahedra of the given mesh lie outside of the shape, at " +
-                                topology_.name_of({2, around.begin()->first.first}) +
-                                ": give the solid that the mesh was made from");
+            throw TopologyError(phrases::kGivenOutside,
+                                {{"name", topology_.name_of({2, around.begin()->first.first})}});
         }
         const auto& sides = topology_.volumes[static_cast<std::size_t>(best)].sides;
         for (const auto& [side, count] : around) {
@@ -368,9 +363,7 @@ class Matcher {
                 return own.face == side.first && own.flipped == side.second;
             };
             if (std::none_of(sides.begin(), sides.end(), same)) {
-                throw SolidsShareNodes(
-                    "the given mesh joins tetrahedra of several solids that the shape keeps apart: give "
-                    "imprint=True, or the shape that the mesh was made from");
+                throw SolidsShareNodes(phrases::kGivenJoinsSolids);
             }
         }
         return best;

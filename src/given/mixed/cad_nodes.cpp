@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <string>
 #include <utility>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/measuring.h"
 #include "elements/product/reference_nodes.h"
 #include "given/mixed/layers.h"
@@ -77,10 +77,8 @@ GeometryError on_two_faces(const MixedMesh& mesh, const std::vector<std::int32_t
     for (const std::int32_t v : corners) {
         middle += 0.25 * mesh.nodes[at(v)];
     }
-    return GeometryError("a quadrilateral of the given mesh at (" + in_digits(middle.x(), 4) + ", " +
-                         in_digits(middle.y(), 4) + ", " + in_digits(middle.z(), 4) + ") mm lies on " +
-                         topology.name_of({2, a}) + " and " + topology.name_of({2, b}) +
-                         ": mesh the part so that its edges are followed");
+    return {phrases::kGivenOnTwoFaces,
+            {{"point", in_mm(middle)}, {"name", topology.name_of({2, a})}, {"name2", topology.name_of({2, b})}}};
 }
 
 }  // namespace
@@ -120,8 +118,7 @@ MatchedFaces match_faces_of(geometry::Session& session, const MixedMesh& mesh, i
         }
     }
     if (!mesh.has_volume() && result.faces.size() != mesh.elements.size()) {
-        throw InvalidInput(std::to_string(mesh.elements.size() - result.faces.size()) +
-                           " elements of the given surface have the corners of others: remove them from the mesh");
+        throw InvalidInput(phrases::kGivenSameCorners, {{"count", mesh.elements.size() - result.faces.size()}});
     }
     return result;
 }

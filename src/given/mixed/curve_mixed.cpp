@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/product/reference_nodes.h"
 #include "given/mixed/cad_nodes.h"
 #include "given/mixed/layers.h"
@@ -546,8 +547,7 @@ class MixedCurving {
         }
         const auto lost = std::count(found_.volume.begin(), found_.volume.end(), -1);
         if (given_.has_volume() && lost > 0) {
-            report_.notes.push_back(std::to_string(lost) +
-                                    " elements of the given mesh lie on one another and have no outside");
+            report_.notes.push_back({phrases::kElementsWithoutOutside, {{"count", lost}}});
         }
     }
 
@@ -586,8 +586,7 @@ CurvedMixedMesh curve_mixed(geometry::Engine& engine, const std::shared_ptr<geom
     const std::size_t turned = orient_elements(oriented);
     CurvedMixedMesh mesh = MixedCurving(session, oriented, checked, watched).run();
     if (turned > 0) {
-        mesh.report.notes.push_back(std::to_string(turned) +
-                                    " elements of the given mesh were numbered the wrong way round");
+        mesh.report.notes.push_back({phrases::kElementsTurned, {{"count", turned}}});
     }
     mesh.report.cpu_seconds = cpu_seconds() - start;
     return mesh;

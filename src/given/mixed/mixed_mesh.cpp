@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/memory/never_destroyed.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/product/reference_nodes.h"
 
 namespace mq::curve {
@@ -16,20 +17,20 @@ namespace {
 
 void require_nodes(const MixedMesh& mesh, const std::vector<MixedElement>& elements) {
     for (std::size_t i = 0; i < elements.size(); ++i) {
-        const std::string name = std::string(name_of(elements[i].kind)) + " " + std::to_string(i);
+        const std::string kind(name_of(elements[i].kind));
         std::vector<std::int32_t> corners(
             elements[i].corners.begin(),
             elements[i].corners.begin() + static_cast<std::ptrdiff_t>(elements[i].count()));
         std::sort(corners.begin(), corners.end());
         if (corners.front() < 0 || static_cast<std::size_t>(corners.back()) >= mesh.nodes.size()) {
-            throw InvalidInput(name + " of the given mesh has a node that the mesh does not: write the mesh anew");
+            throw InvalidInput(phrases::kGivenNode, {{"kind", kind}, {"count", i}});
         }
         if (std::adjacent_find(corners.begin(), corners.end()) != corners.end()) {
-            throw InvalidInput(name + " of the given mesh has one node twice: remove it from the mesh");
+            throw InvalidInput(phrases::kGivenNodeTwice, {{"kind", kind}, {"count", i}});
         }
         for (const std::int32_t v : corners) {
             if (!mesh.nodes[static_cast<std::size_t>(v)].allFinite()) {
-                throw InvalidInput(name + " of the given mesh has a node whose coordinates are no finite numbers");
+                throw InvalidInput(phrases::kGivenNotFinite, {{"kind", kind}, {"count", i}});
             }
         }
     }
@@ -39,7 +40,7 @@ void require_nodes(const MixedMesh& mesh, const std::vector<MixedElement>& eleme
 
 void require_sound(const MixedMesh& mesh) {
     if (mesh.elements.empty()) {
-        throw InvalidInput("the given mesh has no elements: mesh the part before curving");
+        throw InvalidInput(phrases::kGivenEmpty);
     }
     require_nodes(mesh, mesh.elements);
     require_nodes(mesh, mesh.listed);

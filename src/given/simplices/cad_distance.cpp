@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/bezier/bernstein.h"
 #include "elements/product/reference_nodes.h"
 #include "geometry/session.h"
@@ -340,8 +340,7 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
                            const std::vector<Vec3>& nodes, int order, const std::vector<std::int32_t>& triangles,
                            Progress* progress) {
     if (order < 1 || order > kMaxOrder || triangles.empty()) {
-        throw InvalidInput("the mesh has no triangles of orders 1 to " + std::to_string(kMaxOrder) +
-                           " on its surface: there is nothing to measure the shape against");
+        throw InvalidInput(phrases::kNothingToMeasure, {{"count", kMaxOrder}});
     }
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;

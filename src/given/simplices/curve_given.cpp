@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/measuring.h"
 #include "curve/volume/remeshing/local_remeshing.h"
 #include "curve/volume/straighten.h"
@@ -128,8 +129,7 @@ void adopt_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMesh& g
         const TetrahedraInside inside = tetrahedra_of(given, matched);
         done = {};
         volume.emplace(remesh_locally(matched.surface, triangles_before, inside, done, progress));
-        report.notes.push_back(
-            std::string("triangles of the surface were not repaired, as tetrahedra would not fit: ") + error.what());
+        report.notes.push_back({phrases::kNotRepaired, {{"phrase", error.message()}}});
     }
 }
 
@@ -137,18 +137,15 @@ void adopt_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMesh& g
 void note_faults(std::size_t turned, const MatchedMesh& matched, CurveReport& report) {
     const auto lost = std::count(matched.volume.begin(), matched.volume.end(), -1);
     if (lost > 0) {
-        report.notes.push_back(
-            std::to_string(lost) +
-            " tetrahedra of the given mesh lie on one another and have no outside: they are removed");
+        report.notes.push_back({phrases::kTetrahedraRemoved, {{"count", lost}}});
     }
     if (!matched.bare_faces.empty()) {
-        report.notes.push_back(std::to_string(matched.bare_faces.size()) +
-                               " faces of the shape have no triangles in the given mesh, the first is Face" +
-                               std::to_string(matched.bare_faces.front() + 1));
+        report.notes.push_back({phrases::kBareFaces,
+                                {{"count", matched.bare_faces.size()},
+                                 {"name", "Face" + std::to_string(matched.bare_faces.front() + 1)}}});
     }
     if (turned > 0) {
-        report.notes.push_back(std::to_string(turned) +
-                               " tetrahedra of the given mesh were numbered the wrong way round");
+        report.notes.push_back({phrases::kElementsTurned, {{"count", turned}}});
     }
 }
 

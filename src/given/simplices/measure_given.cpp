@@ -2,9 +2,9 @@
 #include "given/simplices/measure_given.h"
 
 #include <algorithm>
-#include <string>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/surface/node_placement.h"
 #include "elements/product/reference_nodes.h"
 #include "given/matching/matching.h"
@@ -48,8 +48,7 @@ GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const std::
                                            const std::vector<Vec3>& nodes, int order,
                                            const std::vector<std::int32_t>& triangles, Progress* progress) {
     if (order < 1 || order > kMaxOrder) {
-        throw InvalidInput("the given mesh has elements of order " + std::to_string(order) +
-                           ": triangles of orders 1 to " + std::to_string(kMaxOrder) + " are measured");
+        throw InvalidInput(phrases::kElementOrder, {{"count", kMaxOrder}, {"count2", order}});
     }
     const auto width = static_cast<std::size_t>(Lattice::of(2, order).size());
     GivenMesh mesh = corners_of(nodes, triangles, width);

@@ -2,13 +2,13 @@
 #include "layered_depth/samples/combine_samples.h"
 
 #include <algorithm>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "boolean/input/operand_repair.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::boolean {
 
@@ -167,12 +167,9 @@ void RayMerger::merge(std::size_t ray, Piece& out) {
     Vec3 at = Vec3::Zero();
     at[(axis + 1) % 3] = static_cast<double>(ray % grid.rays());
     at[(axis + 2) % 3] = static_cast<double>(ray / grid.rays());
-    const Vec3 p = grid.to_space(at);
-    std::ostringstream text;
-    text << operand_name(static_cast<std::size_t>(operand), operands) << " is not closed or not oriented: along "
-         << "xyz"[axis] << ", the line through (" << p.x() << ", " << p.y() << ", " << p.z()
-         << ") does not leave it as often as it enters; fill its holes and turn its triangles outwards first";
-    throw InvalidInput(text.str());
+    throw InvalidInput(phrases::kNotOriented, {{"name", operand_name(static_cast<std::size_t>(operand), operands)},
+                                               {"value", std::string(1, "xyz"[axis])},
+                                               {"point", in_mm(grid.to_space(at), 6)}});
 }
 
 /// Combines consecutive rays.

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/memory/never_destroyed.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::mesh {
 
@@ -63,8 +64,7 @@ const ElementType& element_type(std::string_view kind, std::size_t nodes) {
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&](const ElementType& type) { return type.kind == kind && type.nodes == nodes; });
     if (found == all.end()) {
-        throw InvalidInput("there are no elements called " + std::string(kind) + " with " + std::to_string(nodes) +
-                           " nodes: give one of Gmsh's of order 1 to 5");
+        throw InvalidInput(phrases::kNoSuchElements, {{"kind", std::string(kind)}, {"count", nodes}});
     }
     return *found;
 }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/edge_table.h"
 
 namespace mq::mesh {
@@ -140,13 +141,12 @@ void set_patches(ExportMesh& mesh, const Patches& patches) {
         return;
     }
     if (patches.of_triangle.size() != count) {
-        throw InvalidInput("there are " + std::to_string(patches.of_triangle.size()) + " patch numbers for " +
-                           std::to_string(count) + " triangles: give one each");
+        throw InvalidInput(phrases::kOneForEach,
+                           {{"name", "patches"}, {"count", patches.of_triangle.size()}, {"count2", count}});
     }
     for (const std::int32_t patch : patches.of_triangle) {
         if (patch < 0 || static_cast<std::size_t>(patch) >= patches.groups.size()) {
-            throw InvalidInput("a triangle is in patch " + std::to_string(patch) + ", but there are " +
-                               std::to_string(patches.groups.size()) + ", numbered from 0");
+            throw InvalidInput(phrases::kNoSuchPatch, {{"count", patch}, {"count2", patches.groups.size()}});
         }
     }
     triangles.group = patches.of_triangle;

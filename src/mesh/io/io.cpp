@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/io/io_formats.h"
 
 namespace mq::mesh {
@@ -71,24 +72,22 @@ std::string extension_of(const std::string& path) {
 }
 
 void save(const std::string& path, const std::function<void(Output&)>& append) {
-    const auto fail = [&](const char* what) {
-        throw IoError(std::string("cannot ") + what + " '" + path + "': " + std::strerror(errno));
-    };
+    const auto fail = [&](Phrase what) { throw IoError(what, {{"value", path}, {"text", std::strerror(errno)}}); };
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), &std::fclose);
     if (!file) {
-        fail("open");
+        fail(phrases::kOpening);
     }
     std::setvbuf(file.get(), nullptr, _IONBF, 0);  // Output has a buffer
     Output out([&](const char* bytes, std::size_t count) {
         if (std::fwrite(bytes, 1, count, file.get()) != count) {
-            fail("write to");
+            fail(phrases::kWriting);
         }
     });
     append(out);
     out.flush();
     // A full disk may be reported only when the file is closed.
     if (std::fclose(file.release()) != 0) {
-        fail("finish");
+        fail(phrases::kFinishing);
     }
 }
 
@@ -96,7 +95,7 @@ void write(const TriangleMesh& mesh, const std::string& path) {
     const std::string extension = extension_of(path);
     const Format* format = extension.empty() ? nullptr : format_of(extension.substr(1), kPlain);
     if (format == nullptr) {
-        throw IoError("cannot write '" + path + "': the extension must be .stl, .ply, .obj, .off, .msh or .vtu");
+        throw IoError(phrases::kFileEndings, {{"value", path}});
     }
     const ExportMesh whole = exported(mesh);
     save(path, [&](Output& out) { format->write(out, whole); });
@@ -120,12 +119,13 @@ std::vector<ElementFormat> element_formats() {
 void write(const ExportMesh& mesh, const std::string& path, const std::string& format, bool ascii) {
     const Format* found = format_of(format, kFormats.size());
     if (found == nullptr) {
-        throw IoError("cannot write '" + path + "': " + format + " is no format of meshes that is known here");
+        throw IoError(phrases::kFileFormat, {{"value", path}, {"value2", format}});
     }
     for (const auto& [block, first] : mesh.numbered(mesh.lowest(std::max(found->below, 0)))) {
         if (!found->holds(*block->type)) {
-            throw InvalidInput("." + format + " files do not hold elements of kind " + std::string(block->type->kind) +
-                               " and order " + std::to_string(block->type->order) + ": use .msh or .vtu");
+            throw InvalidInput(
+                phrases::kFileElements,
+                {{"value", "." + format}, {"kind", std::string(block->type->kind)}, {"count", block->type->order}});
         }
     }
     const auto to_format = ascii && format == "stl" ? to_stl_text : found->write;

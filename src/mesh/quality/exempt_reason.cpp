@@ -49,12 +49,12 @@ Message message_of(const ExemptReason& reason) {
     if (reason.angle >= 0.0) {
         char number[32];
         std::snprintf(number, sizeof number, "%.2f", reason.angle);
-        message.places.push_back({"number", Message::value(number)});
+        message.places.push_back({"number", number});
     }
     if (is_there(reason.joined[0])) {
         message.places.push_back({"name", name_of(reason.joined[0])});
         message.places.push_back({"name2", name_of(reason.joined[1])});
-        message.places.push_back({"length", Message::value(in_digits(reason.apart, 3) + " mm")});
+        message.places.push_back({"length", in_mm(reason.apart, 3)});
     }
     if (is_there(reason.vertex)) {
         message.places.push_back({"vertex", name_of(reason.vertex)});

@@ -2,8 +2,10 @@
 #include "mesh/quality/exemptions.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/quality/triangle_quality.h"
 
 namespace mq::mesh {
@@ -21,14 +23,22 @@ std::string without_number(const std::string& value) {
 
 }  // namespace
 
-std::string list_of(const std::vector<std::string>& names) {
-    // Names listed at most; a message should stay on a few lines.
+Message list_of(const std::vector<Message>& all) {
+    // Messages listed at most; the whole should stay on a few lines.
     constexpr std::size_t kShown = 8;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(names.size(), kShown); ++i) {
-        text += (i > 0 ? ", " : "") + names[i];
+    Message shown;
+    for (std::size_t i = 0; i < std::min(all.size(), kShown); ++i) {
+        const std::string place = "phrase" + std::to_string(i);
+        shown.phrase += (i > 0 ? ", {" : "{") + place + "}";
+        shown.places.emplace_back(place.c_str(), all[i]);
     }
-    return names.size() > kShown ? text + " and " + std::to_string(names.size() - kShown) + " more" : text;
+    return all.size() > kShown ? Message(phrases::kAndMore, {{"list", shown}, {"count", all.size() - kShown}}) : shown;
+}
+
+Message list_of(const std::vector<std::string>& names) {
+    std::vector<Message> all;
+    std::transform(names.begin(), names.end(), std::back_inserter(all), Message::value);
+    return list_of(all);
 }
 
 void set_exempt(const TriangleMesh& mesh, std::vector<std::pair<std::int32_t, ExemptReason>> exempt,
@@ -78,7 +88,7 @@ std::string exemptions_text(const MeshReport& report) {
             text += "  1 triangle below the limit: " + example;
         } else {
             text += "  " + counted(cause.count, "triangle") + " below the limit, same cause, e.g. " + example;
-            text += cause.faces.size() < 2 ? "" : "    on " + list_of(cause.faces) + "\n";
+            text += cause.faces.size() < 2 ? "" : "    on " + list_of(cause.faces).text() + "\n";
         }
     }
     return text;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "mesh/quality/mesh_report.h"
 #include "mesh/triangle_mesh.h"
 
@@ -28,8 +29,9 @@ struct SameCause {
 /// The causes of all exemptions, most frequent first; equally frequent ones in the order in which they were met.
 std::vector<SameCause> exempt_causes(const MeshReport& report);
 
-/// Names with commas between them: the first eight, and the number of the others.
-std::string list_of(const std::vector<std::string>& names);
+/// Messages, or names, with commas between them: the first eight, and the number of the others.
+Message list_of(const std::vector<Message>& all);
+Message list_of(const std::vector<std::string>& names);
 
 /// A line or two for each cause; empty without exemptions.
 std::string exemptions_text(const MeshReport& report);

@@ -370,8 +370,8 @@ std::string to_text(const MeshReport& r) {
     for (const auto& [face, why] : r.fallback) {
         text += line("fallback     Face%d: %s", face + 1, why.c_str());
     }
-    for (const std::string& note : r.notes) {
-        text += "note         " + note + "\n";
+    for (const Message& note : r.notes) {
+        text += "note         " + note.text() + "\n";
     }
     return text;
 }

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/intersection/nearest_tree.h"
 
 namespace mq::mesh {
@@ -41,7 +42,7 @@ struct Part {
 
 SurfaceDistance surface_distance(const TriangleMesh& from, const TriangleMesh& to, const Progress& progress) {
     if (from.triangles.empty() != to.triangles.empty()) {
-        throw InvalidInput("one of the two meshes has no triangles: there is no distance between them");
+        throw InvalidInput(phrases::kNoDistance);
     }
     const NearestTree tree(to.vertices, to.triangles);
     std::vector<Part> parts((from.triangles.size() + kBlock - 1) / kBlock);

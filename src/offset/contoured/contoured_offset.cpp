@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "base/error.h"
@@ -13,6 +12,7 @@
 #include "base/stopwatch.h"
 #include "contour/contour.h"
 #include "contour/simplification.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/intersection/self_intersection.h"
 #include "offset/contoured/distance_level_set.h"
 #include "offset/contoured/lattice_refinement.h"
@@ -193,8 +193,7 @@ class ContouredOffset {
         const std::size_t crossing =
             mesh::self_intersections(contour_.points, contour_.triangles, mesh::kAllPairs, &progress_).size();
         if (crossing > 0) {
-            throw TopologyError("the offset cannot be held in single precision: " + std::to_string(crossing) +
-                                " pairs of triangles cross there; choose a larger tolerance, or another distance");
+            throw TopologyError(phrases::kOffsetCrosses, {{"count", crossing}});
         }
         result_.mesh.origin = origin;
         result_.mesh.vertices = std::move(contour_.points);
@@ -257,11 +256,14 @@ boolean::OffsetResult contoured_walls(const mesh::TriangleMesh& surface, const s
                                       const boolean::OffsetOptions& options, Progress& progress) {
     options.validate();
     if (options.distance < 0.0) {
-        throw InvalidInput("the distance is " + std::to_string(options.distance) + " mm: it must be above 0");
+        throw InvalidInput(phrases::kLengthNotAllowed,
+                           {{"option", "distance"},
+                            {"length", in_mm(options.distance)},
+                            {"range", Message(phrases::kLongerThan, {{"length", in_mm(0.0)}})}});
     }
     if (left_out.size() != surface.triangles.size()) {
-        throw InvalidInput("left_out has " + std::to_string(left_out.size()) + " entries for " +
-                           std::to_string(surface.triangles.size()) + " triangles: give one for each");
+        throw InvalidInput(phrases::kOneForEach,
+                           {{"name", "left_out"}, {"count", left_out.size()}, {"count2", surface.triangles.size()}});
     }
     const ThreadLimit threads(options.threads);
     std::vector<std::int32_t> chosen;
@@ -271,7 +273,7 @@ boolean::OffsetResult contoured_walls(const mesh::TriangleMesh& surface, const s
         }
     }
     if (chosen.empty()) {
-        throw InvalidInput("all faces are left out: at least one is needed");
+        throw InvalidInput(phrases::kAllLeftOut);
     }
     OffsetSurface sheet = surface_of(surface, chosen);
     sheet.is_solid = false;

@@ -14,6 +14,7 @@
 #include "base/parallel.h"
 #include "contour/cell_surface.h"
 #include "contour/tuning.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "offset/contoured/bisected_lattice.h"
 #include "offset/contoured/side_proof.h"
 #include "offset/contoured/tuning.h"
@@ -53,9 +54,8 @@ class Refinement {
                 }
             }
             if (static_cast<double>(lattice_.cell_count()) > ContouredOffsetTuning::kMostCells) {
-                throw InvalidInput("the offset needs more than " +
-                                   std::to_string(static_cast<long>(ContouredOffsetTuning::kMostCells)) +
-                                   " cells: choose a larger tolerance, or offset bodies one by one");
+                throw InvalidInput(phrases::kManyCells,
+                                   {{"count", static_cast<long>(ContouredOffsetTuning::kMostCells)}});
             }
         }
         return collected();

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "base/error.h"
@@ -19,6 +18,7 @@
 #include "boolean/extraction/extraction.h"
 #include "boolean/input/operation.h"
 #include "boolean/rounding/snap_rounding.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/corner_table.h"
 #include "mesh/intersection/self_intersection.h"
 #include "offset/proof/distance_bounds.h"
@@ -111,8 +111,7 @@ class OffsetPipeline {
     OffsetResult run(double extension, bool inward) {
         OffsetResult best;
         best.error_bound = std::numeric_limits<double>::infinity();
-        std::string failure =
-            "the offset lacks regions of the exact one; choose a larger tolerance, or another distance";
+        TopologyError failure(phrases::kOffsetLacks);
         double share = OffsetTuning::kRawShare;
         for (; round_ < OffsetTuning::kRounds && best.error_bound > tolerance_; ++round_) {
             try {
@@ -126,12 +125,12 @@ class OffsetPipeline {
                 }
                 throw;  // a finer raw offset has about as many crossings for each triangle
             } catch (const TopologyError& error) {
-                failure = error.what();  // a finer raw offset has fewer sheets that nearly coincide
+                failure = error;  // a finer raw offset has fewer sheets that nearly coincide
             }
             share *= OffsetTuning::kRefinement;
         }
         if (!std::isfinite(best.error_bound)) {
-            throw TopologyError(failure);
+            throw failure;
         }
         best.seconds = result_.seconds;
         return best;
@@ -223,7 +222,7 @@ class OffsetPipeline {
             }
         }
         if (again) {
-            throw TopologyError("the offset has triangles without area: choose another distance or tolerance");
+            throw TopologyError(phrases::kOffsetDegenerate);
         }
     }
     Vec3& vertex(std::int32_t v) { return soup_.vertices[static_cast<std::size_t>(v)]; }
@@ -254,10 +253,7 @@ class OffsetPipeline {
             }
         }
         if (found.size() == most_pairs || divisions(crossing, all.size()) > most) {
-            throw TooManyCrossings(
-                "at least " + std::to_string(crossing.size()) +
-                " pairs of triangles of the raw offset cross, too many to divide them: choose another "
-                "distance, or a larger tolerance");
+            throw TooManyCrossings(phrases::kManyCrossings, {{"count", crossing.size()}});
         }
         return {std::move(crossing), std::move(twins)};
     }
@@ -283,10 +279,7 @@ class OffsetPipeline {
         const RoundingCount rounded = snap_round(
             extraction, {box.largest_side(), 2.0 * OffsetTuning::kRoundingShare * tolerance_, true}, progress_);
         if (!rounded.faulty.empty()) {
-            throw TopologyError(
-                "the offset cannot be held in single precision without triangles that touch or cross: at least " +
-                std::to_string(rounded.faulty.size()) +
-                " triangles meet there; choose a larger tolerance, or another distance");
+            throw TopologyError(phrases::kOffsetNotHeld, {{"count", rounded.faulty.size()}});
         }
         for (const std::int32_t from : draft.from) {
             result_.triangle_source.push_back(soup_.source[static_cast<std::size_t>(from)].triangle);
@@ -339,12 +332,11 @@ class OffsetPipeline {
 
 void OffsetOptions::validate() const {
     if (!std::isfinite(distance) || distance == 0.0) {
-        throw InvalidInput("the distance is " + std::to_string(distance) + " mm: it must be a length other than 0");
+        throw InvalidInput(phrases::kNotGiven, {{"option", "distance"}});
     }
     if (!std::isfinite(tolerance) || !(tolerance > 0.0) || tolerance > std::abs(distance)) {
-        throw InvalidInput("tolerance is " + std::to_string(tolerance) +
-                           " mm: it must be a positive length, at most the distance of " +
-                           std::to_string(std::abs(distance)) + " mm");
+        throw InvalidInput(phrases::kAboveDistance,
+                           {{"length", in_mm(tolerance)}, {"length2", in_mm(std::abs(distance))}});
     }
 }
 
@@ -360,11 +352,14 @@ OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>&
                      Progress& progress) {
     options.validate();
     if (options.distance < 0.0) {
-        throw InvalidInput("the distance is " + std::to_string(options.distance) + " mm: it must be above 0");
+        throw InvalidInput(phrases::kLengthNotAllowed,
+                           {{"option", "distance"},
+                            {"length", in_mm(options.distance)},
+                            {"range", Message(phrases::kLongerThan, {{"length", in_mm(0.0)}})}});
     }
     const ThreadLimit threads(options.threads);
     if (std::all_of(left_out.begin(), left_out.end(), [](char out) { return out != 0; })) {
-        throw InvalidInput("all faces are left out: at least one is needed");
+        throw InvalidInput(phrases::kAllLeftOut);
     }
     return OffsetPipeline(both_sides(surface, options.corner_normals, left_out), surface.origin, options, progress)
         .run(OffsetTuning::kExtension * options.tolerance, false);

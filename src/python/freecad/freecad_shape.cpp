@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/stream/shape_stream.h"
 #include "geometry/occt/sub_shapes.h"
@@ -22,15 +23,14 @@ namespace {
 
 constexpr const char* kLive = "live";
 constexpr const char* kStream = "stream";
-constexpr const char* kOwnKernel = "the core has an OpenCASCADE of its own";
 
 #ifdef MESHQUALITY_OWN_OPENCASCADE
 std::shared_ptr<const TopoDS_Shape> take_live(py::handle) {
     return nullptr;
 }
 
-std::string why_not_live() {
-    return kOwnKernel;
+Message why_not_live() {
+    return phrases::kOwnKernel;
 }
 #else
 /// SWIG's type of TopoDS_Shape in the runtime that all SWIG modules of the process share; null when FreeCAD was built
@@ -68,17 +68,17 @@ std::shared_ptr<const TopoDS_Shape> take_live(py::handle object) {
 
 /// Why shapes cannot be taken live; empty where they can. Versions are compared first: the layout of another one may
 /// differ.
-std::string why_not_live() {
+Message why_not_live() {
     const py::module_ part = py::module_::import("Part");
     const std::string theirs = py::str(part.attr("OCC_VERSION"));
     if (theirs != geometry::occt_version()) {
-        return "FreeCAD has OpenCASCADE " + theirs + ", the core " + geometry::occt_version();
+        return {phrases::kOtherKernel, {{"value", theirs}, {"value2", geometry::occt_version()}}};
     }
     const std::shared_ptr<const TopoDS_Shape> probe = take_live(part.attr("Vertex")(0.0, 0.0, 0.0));
     if (probe == nullptr) {
-        return "this build of FreeCAD cannot share its shapes";
+        return phrases::kNotShared;
     }
-    return geometry::is_of_this_kernel(*probe) ? "" : kOwnKernel;
+    return geometry::is_of_this_kernel(*probe) ? Message() : Message(phrases::kOwnKernel);
 }
 #endif
 
@@ -87,7 +87,9 @@ std::string asked_bridge() {
     const char* const value = std::getenv("MESHQUALITY_BRIDGE");
     const std::string asked = value == nullptr ? "" : value;
     if (!asked.empty() && asked != kLive && asked != kStream) {
-        throw InvalidInput("MESHQUALITY_BRIDGE is '" + asked + "': it must be 'live' or 'stream', or not be set");
+        throw InvalidInput(phrases::kNotAllowed, {{"option", "MESHQUALITY_BRIDGE"},
+                                                  {"value", "'" + asked + "'"},
+                                                  {"range", Message(phrases::kOneOf, {{"list", "'live', 'stream'"}})}});
     }
     return asked;
 }
@@ -101,11 +103,11 @@ bool is_part_shape(py::handle object) {
 
 FreecadShape part_shape(py::handle object) {
     if (object.attr("isNull")().cast<bool>()) {
-        throw InvalidInput("the shape is null: it has no geometry");
+        throw InvalidInput(phrases::kShapeNull);
     }
     const std::string asked = asked_bridge();
     if (asked != kStream) {
-        static std::optional<std::string> obstacle;
+        static std::optional<Message> obstacle;
         if (!obstacle) {
             obstacle = why_not_live();
         }
@@ -114,9 +116,8 @@ FreecadShape part_shape(py::handle object) {
             return {std::move(live), kLive};
         }
         if (asked == kLive) {
-            throw InvalidInput("MESHQUALITY_BRIDGE is 'live', which does not work here: " +
-                               (obstacle->empty() ? "this build of FreeCAD cannot share its shapes" : *obstacle) +
-                               "; do not set it, and shapes are copied");
+            const Message why = obstacle->empty() ? Message(phrases::kNotShared) : *obstacle;
+            throw InvalidInput(phrases::kBridgeNotLive, {{"phrase", why}});
         }
     }
     return {StreamCache::shared().copy_of(object), kStream};

@@ -8,6 +8,7 @@
 
 #include "base/key_set.h"
 #include "base/predicates.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "tetrahedralise/cells/tetrahedra.h"
 
 namespace mq::tetrahedralise {
@@ -220,7 +221,7 @@ Tetrahedralisation delaunay_tetrahedralisation(const std::vector<Vec3>& points, 
         pace.step();
         cell = locator.find(points[i], cell);
         if (cell < 0 || !insertion.open(points[i], cell)) {
-            throw MeshingFailed("two vertices of the surface coincide");
+            throw MeshingFailed(phrases::kVerticesCoincide);
         }
         insertion.close(i);
         cell = insertion.created().front();

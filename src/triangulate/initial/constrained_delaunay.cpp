@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/predicates.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::triangulate {
 
@@ -17,7 +18,7 @@ bool PlanePoints::ahead(int a, int b, int c) const {
 }
 
 void PlanePoints::outside() {
-    throw InvalidInput("a point lies outside of the frame of its triangulation");
+    throw InvalidInput(phrases::kOutsideFrame);
 }
 
 ConstrainedDelaunay::ConstrainedDelaunay(const Vec2& low, const Vec2& high, std::size_t expected)

@@ -109,12 +109,12 @@ void Refinement::run() {
     }
 }
 
-std::string Refinement::release_smooth_edges() {
+Message Refinement::release_smooth_edges() {
     if (options_.keep_edges != KeepEdges::Feature || work_.over_budget()) {
-        return "";
+        return {};
     }
     work_.progress.stage("releasing smooth edges", 0.88, 0.9);
-    const std::string released = remove_smooth_edges(work_, options_, sizing_);
+    Message released = remove_smooth_edges(work_, options_, sizing_);
     end_stage_("smooth edges");
     return released;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "triangulate/refine/angle_refinement.h"
@@ -37,7 +36,7 @@ class Refinement {
     /// Removes smooth edges if they are not to be kept. Nothing once the budget has ended the work.
     /// @return what was done about them, for the report
     /// @throws Cancelled
-    std::string release_smooth_edges();
+    Message release_smooth_edges();
 
     Workspace& work() { return work_; }
     const TriangulateOptions& options() const { return options_; }

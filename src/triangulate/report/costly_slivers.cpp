@@ -6,6 +6,7 @@
 
 #include "base/message.h"
 #include "base/vec.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/topology.h"
 #include "mesh/quality/exemptions.h"
 #include "triangulate/work_mesh/options.h"
@@ -85,7 +86,7 @@ class FaceWidths {
 
 }  // namespace
 
-std::string costly_slivers(const mesh::TriangleMesh& mesh, double size) {
+Message costly_slivers(const mesh::TriangleMesh& mesh, double size) {
     constexpr std::size_t kCostly = 10'000;  // triangles
     constexpr double kSmall = 8.0;           // widths: sides of triangles that grow away from a sliver
     if (mesh.triangles.size() < kCostly || mesh.triangle_face.size() != mesh.triangles.size() ||
@@ -113,15 +114,12 @@ std::string costly_slivers(const mesh::TriangleMesh& mesh, double size) {
     if (small < kCostly || 4 * small < mesh.triangles.size()) {
         return {};
     }
-    std::string text = mesh::list_of(names) + ": at most about " + in_digits(widest, 2) +
-                       " mm wide, for which the mesh has " + std::to_string(small) + " of its " +
-                       std::to_string(mesh.triangles.size()) + " triangles: take such faces out of the shape";
-    if (widest < TriangulateOptions::kLargestDetail * size) {
-        text += ", or allow a max. deviation of " +
-                in_digits(1.5 * widest / TriangulateOptions::kDetailOfWhatIsAsked, 2) +
-                " mm, at which they count as edges";
-    }
-    return text;
+    return {widest < TriangulateOptions::kLargestDetail * size ? phrases::kCostlySliversOr : phrases::kCostlySlivers,
+            {{"list", mesh::list_of(names)},
+             {"length", in_mm(widest, 2)},
+             {"count", small},
+             {"count2", mesh.triangles.size()},
+             {"length2", in_mm(1.5 * widest / TriangulateOptions::kDetailOfWhatIsAsked, 2)}}};
 }
 
 }  // namespace mq::triangulate

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <string>
-
+#include "base/message.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::triangulate {
@@ -10,6 +9,6 @@ namespace mq::triangulate {
 /// A sentence that names the faces, far narrower than long, for which a mesh has most of its small triangles, and what
 /// leaves them out; empty where there are none, or where they cost less than 10,000 triangles.
 /// @param size  largest side of the shape's box, mm
-std::string costly_slivers(const mesh::TriangleMesh& mesh, double size);
+Message costly_slivers(const mesh::TriangleMesh& mesh, double size);
 
 }  // namespace mq::triangulate

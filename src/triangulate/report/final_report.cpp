@@ -9,6 +9,7 @@
 #include "base/angle.h"
 #include "base/message.h"
 #include "base/parallel.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/quality/exemptions.h"
 #include "triangulate/measure/self_intersections.h"
 #include "triangulate/report/body_overlaps.h"
@@ -111,27 +112,29 @@ void report_chord_height(const Workspace& work, const MaxChordError& worst, cons
     report.max_chord_point = worst.point;
     if (asked > 0.0 && worst.distance > asked) {
         const std::string face = work.session.topology().name_of({2, work.mesh.face_of(worst.triangle)});
-        report.notes.push_back("max. deviation " + in_digits(worst.distance, 3) + " mm instead of the requested " +
-                               in_digits(asked, 3) + " mm: " +
-                               (!keeps_bounds ? "refine_samples is off, so that the samples alone decide"
-                                : worst.of_the_shape
-                                    ? "edges of " + face + " deviate from it by more than that"
-                                    : "some edges cannot be split without folding or crowding the mesh"));
+        report.notes.push_back({phrases::kDeviates,
+                                {{"length", in_mm(worst.distance, 3)},
+                                 {"length2", in_mm(asked, 3)},
+                                 {"phrase", !keeps_bounds        ? phrases::kSamplesDecide
+                                            : worst.of_the_shape ? Message(phrases::kEdgesDeviate, {{"name", face}})
+                                                                 : phrases::kEdgesNotSplit}}});
     }
 }
 
-std::string sentence_of(const mesh::BodyOverlap& found) {
-    const auto& [first, second] = found.bodies;
-    switch (found.kind) {
-        case mesh::BodyOverlap::Kind::Inside:
-            return first + " lies inside " + second;
-        case mesh::BodyOverlap::Kind::Equal:
-            return first + " and " + second + " are one body twice";
-        case mesh::BodyOverlap::Kind::Near:
-            return first + " and " + second + " cross where they are apart by less than the mesh deviates";
-        default:
-            return first + " and " + second + " overlap";
-    }
+Message sentence_of(const mesh::BodyOverlap& found) {
+    const auto phrase = [&] {
+        switch (found.kind) {
+            case mesh::BodyOverlap::Kind::Inside:
+                return phrases::kLiesInside;
+            case mesh::BodyOverlap::Kind::Equal:
+                return phrases::kOneBodyTwice;
+            case mesh::BodyOverlap::Kind::Near:
+                return phrases::kCrossWhereNear;
+            default:
+                return phrases::kOverlap;
+        }
+    };
+    return {phrase(), {{"name", found.bodies[0]}, {"name2", found.bodies[1]}}};
 }
 
 // Solids of a shape are to be apart, or to touch. Where these do, their chords cross, which imprinting avoids.
@@ -151,17 +154,15 @@ void report_bodies(const Workspace& work, MeasurementCache& findings, const Outp
         }
     }
     report.overlapping_bodies = body_overlaps(work, contacts, out, deviation);
-    std::vector<std::string> said;
+    std::vector<Message> said;
     for (const mesh::BodyOverlap& found : report.overlapping_bodies) {
         said.push_back(sentence_of(found));
     }
     if (!said.empty()) {
-        report.notes.push_back("bodies overlap: " + mesh::list_of(said));
+        report.notes.push_back({phrases::kBodiesOverlap, {{"list", mesh::list_of(said)}}});
     }
     if (touching > 0) {
-        report.notes.push_back("bodies touch: " + mesh::counted(touching, "pair") +
-                               " of triangles of faces that lie on each other cross by their chords; imprint gives "
-                               "both bodies the same triangles");
+        report.notes.push_back(counted(phrases::kBodiesTouch, touching));
     }
 }
 
@@ -174,18 +175,17 @@ void report_crossings(const Workspace& work, MeasurementCache& findings, const O
     faults.insert(faults.end(), loose.begin(), loose.end());
     report_bodies(work, findings, out, report);
     if (finder.incomplete()) {
-        report.notes.push_back("so many triangles meet that not all pairs were compared");
+        report.notes.emplace_back(phrases::kManyMeet);
     }
     report.self_intersections = 0;
     for (const auto& [faces, count] : finder.by_faces(faults)) {
         report.self_intersections += static_cast<std::int64_t>(count);
         report.crossings.push_back(
             {{topology.of_shape({2, faces.first}).index, topology.of_shape({2, faces.second}).index}, count});
-        const std::string first = topology.name_of({2, faces.first});
         const bool same = topology.of_shape({2, faces.first}) == topology.of_shape({2, faces.second});
-        const std::string what =
-            same ? first + " crosses itself" : first + " and " + topology.name_of({2, faces.second}) + " cross";
-        report.notes.push_back(what + " in " + mesh::counted(count, "pair") + " of triangles");
+        report.notes.push_back(
+            counted(same ? phrases::kCrossesItself : phrases::kFacesCross, count,
+                    {{"name", topology.name_of({2, faces.first})}, {"name2", topology.name_of({2, faces.second})}}));
     }
 }
 
@@ -211,24 +211,20 @@ mesh::MeshReport final_report(const Workspace& work, MeasurementCache& findings,
     report.sewn = work.session.topology().sewn;
     report_exemptions(work, out, joined, report.min_angle_asked, report);
     report_spanning(work, out, report);
-    report.notes = work.session.topology().faults;
+    for (const std::string& fault : work.session.topology().faults) {
+        report.notes.push_back(Message::value(fault));
+    }
     report_chord_height(work, farthest, out, options.keeps_bounds(), report);
     if (!work.over_budget()) {
         report_crossings(work, findings, out, report);
     }
     report.complete = !work.over_budget();
     if (work.left_by_mending > 0) {
-        report.notes.push_back(
-            "mending of angles ended at its limit of attempts: " + mesh::counted(work.left_by_mending, "triangle") +
-            " below the smallest angle asked for might be improvable");
+        report.notes.push_back(counted(phrases::kMendingEnded, work.left_by_mending));
     }
     if (work.over_budget()) {
-        const std::string limit = "max_triangles = " + std::to_string(work.budget);
-        report.notes.push_back((work.triangles() > work.budget
-                                    ? "the coarsest mesh of this shape takes more than " + limit
-                                    : "stopped at " + limit) +
-                               ": the mesh is consistent, but not all limits are met, and it was not searched for "
-                               "triangles that cross; raise max_triangles");
+        report.notes.push_back({work.triangles() > work.budget ? phrases::kCoarsestAboveLimit : phrases::kStopped,
+                                {{"count", work.budget}}});
     }
     return report;
 }

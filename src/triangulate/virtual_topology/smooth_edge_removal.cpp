@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "triangulate/measure/self_intersections.h"
 #include "triangulate/virtual_topology/smooth_edges.h"
 #include "triangulate/virtual_topology/tuning.h"
@@ -67,15 +68,12 @@ class Attempt {
 
 }  // namespace
 
-std::string remove_smooth_edges(Workspace& work, const TriangulateOptions& options, const Sizing& sizing) {
+Message remove_smooth_edges(Workspace& work, const TriangulateOptions& options, const Sizing& sizing) {
     const std::vector<char> smooth = smooth_edges(work, options.feature_angle, options.local_sizes);
-    const auto released = std::count(smooth.begin(), smooth.end(), 1);
+    const auto released = static_cast<std::size_t>(std::count(smooth.begin(), smooth.end(), 1));
     if (released == 0) {
         return {};
     }
-    const bool one = released == 1;
-    const std::string what = std::to_string(released) + " of " + std::to_string(smooth.size()) +
-                             (one ? " edges is smooth" : " edges are smooth");
     const ClassifiedMesh before = work.mesh;
     const std::size_t crossings_before = SelfIntersections(work).pairs().size();
     std::set<int> locked;
@@ -85,12 +83,11 @@ std::string remove_smooth_edges(Workspace& work, const TriangulateOptions& optio
         if (attempt.crossings(locked) <= crossings_before) {
             work.exempt = std::move(attempt.work().exempt);
             work.spanning = std::move(attempt.work().spanning);
-            return what + (one ? " and does not" : " and do not") + " constrain the mesh (keep_edges = feature)";
+            return counted(phrases::kSmoothReleased, released, {{"count2", smooth.size()}});
         }
         work.mesh = before;
     }
-    return what + (one ? ", but constrains" : ", but constrain") +
-           " the mesh all the same: otherwise faces would cross";
+    return counted(phrases::kSmoothKept, released, {{"count2", smooth.size()}});
 }
 
 }  // namespace mq::triangulate

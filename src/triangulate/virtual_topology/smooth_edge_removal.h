@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 
+#include "base/message.h"
 #include "triangulate/work_mesh/options.h"
 #include "triangulate/work_mesh/size_bounds.h"
 #include "triangulate/work_mesh/workspace.h"
@@ -17,6 +17,6 @@ namespace mq::triangulate {
 ///
 /// Fills `work.spanning`. Afterwards `work.maxmin` does not describe the mesh any more.
 /// @return what was done, for the report; empty if the shape has no smooth edges
-std::string remove_smooth_edges(Workspace& work, const TriangulateOptions& options, const Sizing& sizing);
+Message remove_smooth_edges(Workspace& work, const TriangulateOptions& options, const Sizing& sizing);
 
 }  // namespace mq::triangulate

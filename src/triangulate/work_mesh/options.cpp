@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "option_ranges.h"
 
 namespace mq::triangulate {
@@ -51,13 +52,14 @@ void TriangulateOptions::validate() const {
     kFeatureAngle.require(feature_angle);
     kThreads.require(threads);
     if (chord_height > 0.0 && chord_height_relative > 0.0) {
-        throw InvalidInput("chord_height and chord_height_relative are both given: choose one");
+        throw InvalidInput(phrases::kTwoBounds,
+                           {{"length", in_mm(chord_height)}, {"number", in_digits(chord_height_relative, 4)}});
     }
     if (keep_edges == KeepEdges::Feature && !keeps_bounds()) {
-        throw InvalidInput("keep_edges = feature needs refinement: use the method refine, or refine_samples");
+        throw InvalidInput(phrases::kFeatureNeedsRefinement);
     }
     if (max_edge > 0.0 && min_edge > max_edge) {
-        throw InvalidInput("min_edge is larger than max_edge");
+        throw InvalidInput(phrases::kMinAboveMax, {{"length", in_mm(min_edge)}, {"length2", in_mm(max_edge)}});
     }
 }
 

@@ -25,12 +25,11 @@ std::vector<LocalSize> sizes_of_pieces(const std::vector<LocalSize>& local, cons
         const std::string name = geometry::name_of({size.dimension, size.index});
         if (size.index < 0 || static_cast<std::size_t>(size.index) >= count) {
             throw InvalidInput(
-                Message::of(phrases::kNoSuchEntity, {{"name", name},
-                                                     {"count", std::to_string(count)},
-                                                     {"name2", kinds[count == 1 ? 1 : 0][size.dimension]}}));
+                phrases::kNoSuchEntity,
+                {{"name", name}, {"count", count}, {"name2", kinds[count == 1 ? 1 : 0][size.dimension]}});
         }
         if (!(size.max_edge > 0.0)) {
-            throw InvalidInput("the local size of " + name + " must be greater than 0 mm");
+            throw InvalidInput(phrases::kNoLocalSize, {{"name", name}});
         }
         for (const int index : topology.pieces_of({size.dimension, size.index})) {
             all.push_back(size);

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/distance/shape_distance.h"
 #include "geometry/occt/kernel_triangles.h"
 #include "geometry/occt/sub_shapes.h"
 #include "mesh/quality/deviation_samples.h"
+#include "mesh/quality/exemptions.h"
 #include "mesh/quality/surface_distance.h"
 #include "workflows/operands/triangulate_shape.h"
 
@@ -22,13 +24,12 @@ namespace {
 using mesh::TriangleMesh;
 
 /// "Face1, Face4 and 3 more"
-std::string named(const std::vector<std::int32_t>& faces) {
-    constexpr std::size_t kNamed = 5;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(kNamed, faces.size()); ++i) {
-        text += (i == 0 ? "Face" : ", Face") + std::to_string(faces[i] + 1);
+Message names_of(const std::vector<std::int32_t>& faces) {
+    std::vector<std::string> names;
+    for (const std::int32_t face : faces) {
+        names.push_back("Face" + std::to_string(face + 1));
     }
-    return faces.size() > kNamed ? text + " and " + std::to_string(faces.size() - kNamed) + " more" : text;
+    return mesh::list_of(names);
 }
 
 /// mm: of points of a mesh from its face, and of points of the face, which are those of a finer mesh, from it.
@@ -43,7 +44,7 @@ double deviation_of(const TopoDS_Shape& face, const TriangleMesh& coarse, const 
 /// What our mesher leaves: which faces are missing, and why.
 struct Missing {
     std::vector<std::int32_t> faces;
-    std::string why;
+    Message why;
     std::exception_ptr refused;  ///< where it has meshed no face at all
 };
 
@@ -53,16 +54,16 @@ Missing missing_of(const mesh::MeshReport& report) {
     for (const auto& [face, reason] : report.missing) {
         missing.faces.push_back(face);
         if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) {
-            missing.why += (reasons.empty() ? "" : "; ") + reason;
             reasons.push_back(reason);
         }
     }
+    missing.why = mesh::list_of(reasons);
     std::sort(missing.faces.begin(), missing.faces.end());
     return missing;
 }
 
 Missing all_missing(std::size_t faces, const Error& error) {
-    Missing missing{{}, error.what(), std::current_exception()};
+    Missing missing{{}, error.message(), std::current_exception()};
     for (std::size_t i = 0; i < faces; ++i) {
         missing.faces.push_back(static_cast<std::int32_t>(i));
     }
@@ -84,8 +85,7 @@ void append(TriangleMesh& mesh, const TriangleMesh& piece) {
 
 void require_complete(const mesh::MeshReport& report, double distance) {
     if (!report.complete) {
-        throw InvalidInput("more than " + std::to_string(report.triangles) + " triangles at a max. deviation of " +
-                           in_digits(distance, 6) + " mm: give a larger tolerance");
+        throw InvalidInput(phrases::kTooManyTriangles, {{"count", report.triangles}, {"length", in_mm(distance, 6)}});
     }
 }
 
@@ -165,14 +165,12 @@ DistanceMesh mesh_within(geometry::Engine& engine, const TopoDS_Shape& shape, do
         std::rethrow_exception(missing.refused);
     }
     result.round = true;
-    if (!taken.empty()) {
-        result.note = named(taken) + ": not meshed; OpenCASCADE's triangulation is taken, which may have holes";
+    for (const auto& [phrase, named] :
+         {std::pair(phrases::kTakenFromKernel, taken), std::pair(phrases::kNotMeshed, left_out)}) {
+        if (!named.empty()) {
+            result.notes.push_back({phrase, {{"list", names_of(named)}, {"phrase", missing.why}}});
+        }
     }
-    if (!left_out.empty()) {
-        result.note +=
-            (taken.empty() ? "" : "; ") + named(left_out) + ": meshed neither by us nor by OpenCASCADE, and left out";
-    }
-    result.note += " (" + missing.why + ")";
     return result;
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <utility>
 
+#include "base/message.h"
 #include "base/progress.h"
 #include "geometry/engine.h"
 #include "triangulate/work_mesh/result.h"
@@ -17,9 +17,9 @@ namespace mq::workflows {
 /// lie.
 struct DistanceMesh {
     triangulate::Result surface;
-    double deviation = 0.0;  ///< mm: its measured distance from the shape and of points of the shape from it
-    bool round = false;      ///< whether its vertices may be rounded to single precision, or are such numbers
-    std::string note;        ///< which faces are OpenCASCADE's triangulation, and which are left out; empty: none
+    double deviation = 0.0;      ///< mm: its measured distance from the shape and of points of the shape from it
+    bool round = false;          ///< whether its vertices may be rounded to single precision, or are such numbers
+    std::vector<Message> notes;  ///< which faces are OpenCASCADE's triangulation, and which are left out; empty: none
 };
 
 /// Ours, and OpenCASCADE's triangulation of faces that we cannot mesh, which may have holes. Faces that neither can

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "boolean/boolean.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/mean_thickness.h"
 #include "geometry/occt/shape_model.h"
 #include "workflows/operands/distance_mesh.h"
@@ -23,14 +24,12 @@ using triangulate::Result;
 // largest coordinate in the local frame of the shape. That frame keeps coordinates within 4 times the shape's size.
 const double kFinestChord = 4.0 * std::sqrt(3.0) * std::ldexp(1.0, -24);
 constexpr double kFrame = 4.0;
-constexpr const char* kOfMeshes = "; the max. deviation is that of the Boolean of the meshes";
 
 /// The error with the name of the operand before it, unless that is in it.
 template <typename Kind>
 Kind named(const std::string& name, const Kind& error) {
     const bool says = std::string(error.what()).find(name) != std::string::npos;
-    return says ? error
-                : Kind(Message{"{name}: {phrase}", {{"name", Message::value(name)}, {"phrase", error.message()}}});
+    return says ? error : Kind(phrases::kNamed, {{"name", name}, {"phrase", error.message()}});
 }
 
 Result complete(geometry::Engine& engine, const TopoDS_Shape& shape, const triangulate::TriangulateOptions& options,
@@ -111,12 +110,9 @@ class ShapeMesher {
         } catch (const TopologyError& error) {
             throw named(given.name, error);
         }
-        if (how_.any_faces && !found.note.empty()) {
-            found.note = given.name + ", " + found.note;
-        }
-        result.work.error_bound = std::max(result.work.error_bound, found.deviation);
-        if (!found.note.empty()) {
-            result.work.notes.push_back(std::move(found.note));
+        for (const Message& note : found.notes) {
+            result.work.notes.push_back(
+                how_.any_faces ? Message(phrases::kOfOperand, {{"name", given.name}, {"phrase", note}}) : note);
         }
         const bool is_mixed = given.surface != nullptr;
         result.surfaces.push_back(std::make_shared<Result>(is_mixed ? joined(found.surface.mesh, given.surface->mesh)
@@ -125,21 +121,18 @@ class ShapeMesher {
     }
 
     /// A note for each operand that has nothing else to tell, for many of them one.
-    void note_deviations(std::vector<std::string>& notes) const {
+    void note_deviations(std::vector<Message>& notes) const {
         constexpr std::size_t kMostNotes = 3;
         if (deviations_.size() > kMostNotes) {
             double largest = 0.0;
             for (const auto& [name, deviation] : deviations_) {
                 largest = std::max(largest, deviation);
             }
-            notes.push_back(std::to_string(deviations_.size()) +
-                            " operands are shapes: their meshes deviate by at most " + in_digits(largest, 3) +
-                            " mm from them" + kOfMeshes);
+            notes.push_back({phrases::kShapesDeviate, {{"count", deviations_.size()}, {"length", in_mm(largest, 3)}}});
             return;
         }
         for (const auto& [name, deviation] : deviations_) {
-            notes.push_back(name + " is a shape: its mesh deviates by at most " + in_digits(deviation, 3) +
-                            " mm from it" + kOfMeshes);
+            notes.push_back({phrases::kShapeDeviates[0], {{"name", name}, {"length", in_mm(deviation, 3)}}});
         }
     }
 
@@ -163,10 +156,10 @@ class ShapeMesher {
             deviations_.emplace_back(given.name, found.deviation);
             return found;
         }
-        found.note =
-            given.name + (is_mixed ? " holds shapes and meshes: the mesh of the shapes" : " is a shape: its mesh") +
-            " deviates by at most " + in_digits(found.deviation, 3) + " mm from " + (is_mixed ? "them" : "it") +
-            (errs ? ", and its volume by about " + in_digits(100.0 * volume_error, 2) + " %" : "") + kOfMeshes;
+        found.notes.push_back({(is_mixed ? phrases::kMixedDeviates : phrases::kShapeDeviates)[errs ? 1 : 0],
+                               {{"name", given.name},
+                                {"length", in_mm(found.deviation, 3)},
+                                {"number", in_digits(100.0 * volume_error, 2)}}});
         return found;
     }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "base/vec.h"
@@ -37,12 +38,12 @@ struct BooleanOperand {
 /// The steps before one of several: stages, notes and processor time.
 struct WorkBefore {
     StageTimes seconds;
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
     double cpu_seconds = 0.0;
     /// mm: how far that work may have moved surfaces; the reported bound includes it.
     double error_bound = 0.0;
-    double tolerance = 0.0;  ///< mm: the tolerance for all of the work, where it is not that of the last step
-    std::vector<std::string> repaired{};  ///< a sentence for each operand that was repaired before
+    double tolerance = 0.0;           ///< mm: the tolerance for all of the work, where it is not that of the last step
+    std::vector<Message> repaired{};  ///< a sentence for each operand that was repaired before
 };
 
 /// How shapes among operands are meshed.

@@ -2,14 +2,13 @@
 #include "workflows/operands/triangulate_shape.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "base/single_precision_grid.h"
 #include "base/stopwatch.h"
 #include "base/threads/schedule_hooks.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/distance/shape_distance.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/solid_volume.h"
@@ -40,12 +39,10 @@ void note_lost_volume(Result& result, const TopoDS_Shape& shape, geometry::Engin
     engine.run([&] { content = geometry::solid_content(shape, &progress).volume; }, &progress);
     const double lost = content - report.volume;
     if (content > 0.0 && std::abs(lost) > kLost * content) {
-        std::array<char, 200> text;
-        std::snprintf(text.data(), text.size(),
-                      "the part is so thin that single precision changes its volume from %.4g to %.4g mm^3: it holds "
-                      "coordinates of this part to %.2g mm",
-                      content, report.volume, resolution);
-        result.report.notes.emplace_back(text.data());
+        result.report.notes.push_back({phrases::kThinPart,
+                                       {{"volume", in_digits(content, 4) + " mm³"},
+                                        {"volume2", in_digits(report.volume, 4) + " mm³"},
+                                        {"length", in_mm(resolution, 2)}}});
     }
 }
 

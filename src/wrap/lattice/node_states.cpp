@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <string>
 
 #include "base/error.h"
 #include "base/message.h"
@@ -45,15 +44,13 @@ NodeStates::NodeStates(const Lattice& lattice, const InputSurface& surface, doub
 
 void NodeStates::find_blocks(const Progress& progress) {
     const double most = kMostBytes / sizeof(BlockStates);
-    const auto refuse = [&] {
-        throw InvalidInput(Message::of(phrases::kWrapMemory, {{"length", in_digits(lattice_.side(), 4) + " mm"}}));
-    };
+    const auto refuse = [&] { throw InvalidInput(phrases::kWrapMemory, {{"length", in_mm(lattice_.side())}}); };
     if (static_cast<double>(lattice_.block_count()) * sizeof(std::int32_t) > kMostBytes) {
         refuse();
     }
     if (!lattice_.has_keys()) {
-        throw InvalidInput(Message::of(phrases::kWrapAcross, {{"count", std::to_string(Lattice::kMostAcross / 2)},
-                                                              {"length", in_digits(lattice_.side(), 4) + " mm"}}));
+        throw InvalidInput(phrases::kWrapAcross,
+                           {{"count", Lattice::kMostAcross / 2}, {"length", in_mm(lattice_.side())}});
     }
     slots_.assign(lattice_.block_count(), kFreeBlock);
     std::vector<std::array<std::int32_t, 3>> starts;

@@ -191,7 +191,7 @@ TEST(Boolean, HolesAreRepairedAndSaidSo) {
     const TriangleMesh b = sphere(Vec3(5, 0, 0), 1.0, 8);
     const BooleanResult result = run(a, b, Operation::Union);
     EXPECT_NEAR(volume(result.mesh), whole + volume(b), 1e-6);
-    EXPECT_NE(result.repaired[0].find("1 hole"), std::string::npos) << result.repaired[0];
+    EXPECT_NE(result.repaired[0].text().find("1 hole"), std::string::npos) << result.repaired[0].text();
     EXPECT_TRUE(result.repaired[1].empty());
 }
 

@@ -56,7 +56,8 @@ TEST(Gaps, OnlyElementsThereLeaveTheCad) {
     const CurvedMesh mesh = curved(quarter_with_a_vertex_at(0.2), of_order(3), 0.3);
     EXPECT_EQ(mesh.report.invalid, 0u) << to_text(mesh.report);
     ASSERT_EQ(mesh.report.notes.size(), 1u);
-    EXPECT_NE(mesh.report.notes[0].find(" deviates 0.2 mm from "), std::string::npos) << mesh.report.notes[0];
+    EXPECT_NE(mesh.report.notes[0].text().find(" deviates 0.2 mm from "), std::string::npos)
+        << mesh.report.notes[0].text();
     EXPECT_LT(mesh.report.max_deviation, 0.2);
     std::size_t far = 0;
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {

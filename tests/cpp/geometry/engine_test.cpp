@@ -287,7 +287,7 @@ TEST(Engine, ShutDownFreesWaitingAskers) {
 
 TEST(Engine, RunDeliversExceptionsToTheCaller) {
     Engine engine;
-    EXPECT_THROW(engine.run([] { throw InvalidInput("no shape"); }), InvalidInput);
+    EXPECT_THROW(engine.run([] { throw InvalidInput(Message::value("no shape")); }), InvalidInput);
     EXPECT_THROW(engine.run([] { throw 7; }), int);
     std::thread::id thread;
     engine.run([&] { thread = std::this_thread::get_id(); });

@@ -164,7 +164,7 @@ TEST(Improve, BadInputIsRefused) {
         improve(given, options);
         FAIL() << "40 degrees were accepted";
     } catch (const InvalidInput& error) {
-        EXPECT_NE(std::string(error.what()).find("min_angle is 40.0"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("min_angle = 40 is not allowed"), std::string::npos) << error.what();
     }
     options = {};
     options.tolerance = -1.0;

@@ -300,7 +300,7 @@ TEST(Uniform, RepairsOperandsFirst) {
         const UniformResult r = layered_depth_boolean(operand, tool, Operation::Difference, at_resolution(65), nullptr);
         EXPECT_EQ(r.open, (std::vector<char>{0, 0}));
         EXPECT_EQ(r.guessed_samples, 0U);
-        EXPECT_EQ(r.repaired[0].rfind("operand A: ", 0), 0U) << r.repaired[0];
+        EXPECT_EQ(r.repaired[0].text().rfind("operand A: ", 0), 0U) << r.repaired[0].text();
         EXPECT_TRUE(r.repaired[1].empty());
         EXPECT_NEAR(volume(r.mesh), wanted, 1e-3);
         EXPECT_GT(r.retained, good.triangles.size() / 3);

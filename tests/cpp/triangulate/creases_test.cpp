@@ -44,7 +44,7 @@ TEST(CreasedParts, PatchesWithoutAreaLeaveNothingBehind) {
             EXPECT_NEAR(why.angle, 5.71, 0.01);
         }
         EXPECT_LE(result.report.max_chord_height, 0.024);
-        EXPECT_TRUE(result.report.notes.empty()) << result.report.notes.front();
+        EXPECT_TRUE(result.report.notes.empty()) << result.report.notes.front().text();
     }
 }
 

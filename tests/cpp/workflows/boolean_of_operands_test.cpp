@@ -89,11 +89,11 @@ TEST_F(Booleans, WithoutFacesOfOperandsThereAreNone) {
 }
 
 TEST_F(Booleans, WhatWasDoneBeforeComesFirstInTheReport) {
-    before = {{{"meshing shapes", 1.5}}, {"operand A is a shape"}, 3.0};
+    before = {{{"meshing shapes", 1.5}}, {Message::value("operand A is a shape")}, 3.0};
     const BooleanSurface result = run({{&a}, {&b}}, Operation::Intersection);
     EXPECT_EQ(result.figures.seconds.front().first, "meshing shapes");
     EXPECT_EQ(result.figures.seconds.back().first, "measuring");
-    EXPECT_EQ(result.figures.notes.front(), "operand A is a shape");
+    EXPECT_EQ(result.figures.notes.front().text(), "operand A is a shape");
     EXPECT_GE(result.figures.cpu_seconds, 3.0);
 }
 
@@ -101,10 +101,10 @@ TEST_F(Booleans, EmptyResultsSaySo) {
     const triangulate::Result far{boolean::solids::box(Vec3(9, 9, 9), Vec3(10, 10, 10)), {}};
     const BooleanSurface nothing = run({{&a}, {&far}}, Operation::Intersection);
     EXPECT_TRUE(nothing.mesh.triangles.empty());
-    EXPECT_EQ(nothing.figures.notes.back(), "the result is empty: no volume is left");
+    EXPECT_EQ(nothing.figures.notes.back().text(), "the result is empty: no volume is left");
     const BooleanSurface same = run({{&a}, {&a}}, Operation::SymmetricDifference);
     EXPECT_TRUE(same.mesh.triangles.empty());
-    EXPECT_NE(same.figures.notes.back().find("the same within the tolerance of"), std::string::npos);
+    EXPECT_NE(same.figures.notes.back().text().find("the same within the tolerance of"), std::string::npos);
 }
 
 TEST_F(Booleans, ResultsOfShapesLieOnTheirSurfaces) {

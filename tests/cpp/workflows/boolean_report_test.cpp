@@ -30,7 +30,7 @@ TEST(BooleanReport, IsMetWithoutFaultsAndWithinTheTolerance) {
 
 TEST(BooleanReport, TextsNameBoundRepairsAndFittedVertices) {
     BooleanReport report = sound();
-    report.repaired = {"operand A: 1 hole was filled"};
+    report.repaired = {Message::value("operand A: 1 hole was filled")};
     EXPECT_NE(in_short(report).find("max. deviation 0.01 mm of 0.05 mm"), std::string::npos);
     EXPECT_EQ(to_text(report).find("on surfaces"), std::string::npos);
     report.fitted_vertices = 7;

@@ -40,7 +40,7 @@ TEST(ImproveSurface, IsMeasuredAndCountsItsOperations) {
     EXPECT_GE(result.report.min_angle_unexempted, 20.0);
     EXPECT_EQ(result.report.triangles, result.mesh.triangles.size());
     ASSERT_FALSE(result.report.notes.empty());
-    EXPECT_EQ(result.report.notes.back().rfind("edges swapped: ", 0), 0u);
+    EXPECT_EQ(result.report.notes.back().text().rfind("edges swapped: ", 0), 0u);
     EXPECT_FALSE(result.report.seconds.empty());
 }
 

@@ -42,7 +42,7 @@ TEST(InspectSolids, RepairsADirtyMeshAndSaysSo) {
     EXPECT_EQ(found.solids.surface.mesh.triangle_face[0], 0);
     EXPECT_EQ(found.solids.surface.mesh.triangle_face[11], -1);
     ASSERT_EQ(found.solids.surface.report.notes.size(), 1u);
-    EXPECT_NE(found.solids.surface.report.notes[0].find("1 hole closed"), std::string::npos);
+    EXPECT_NE(found.solids.surface.report.notes[0].text().find("1 hole closed"), std::string::npos);
     EXPECT_NEAR(least(found.thickness.rays), 2.0, 1e-12);
     EXPECT_EQ(found.seconds.size(), 2u);
 }

@@ -11,7 +11,7 @@ import zipfile
 
 import numpy as np
 
-from ... import files, formats
+from ... import files, formats, phrases
 from ...errors import InvalidInput, IoError
 from ..formats import cgns, exodus, hopr, mfem, nektar
 from ..formats.arrays import element_blocks, points_of
@@ -183,8 +183,9 @@ def atomically(path, suffix, write_into):
         why = error.strerror or str(error)
         raise IoError(f"cannot write '{path}': {why}; choose another file or folder, or make room there") from error
     except IoError as error:
-        text = str(error).replace(ready, path).replace(os.path.basename(ready), os.path.basename(target))
-        text = text.replace(target, path)
-        raise IoError(text if path in text else f"cannot write '{path}': {text}") from error
+        said = phrases.text_of(error)
+        for written, name in ((ready, path), (os.path.basename(ready), os.path.basename(target)), (target, path)):
+            said = phrases.renamed(said, written, name)
+        raise IoError(said if path in said else f"cannot write '{path}': {said}") from error
     finally:
         files.remove_if_there(ready)

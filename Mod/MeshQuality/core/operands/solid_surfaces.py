@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The surfaces of solids to be inspected: of shapes, which are meshed, and of meshes."""
 
+from ... import phrases
 from ...compat import extension
 from ...errors import InvalidInput, TopologyError
 from ..meshes.surface_mesh import SurfaceMesh, surface_of
@@ -66,7 +67,9 @@ class SolidSource:
 
     def named(self, error):
         """An error of the core with the name of what was given."""
-        return error if str(error).startswith(self.label) else type(error)(f"{self.label}: {error}")
+        if str(error).startswith(self.label):
+            return error
+        return type(error)(phrases.Text("{name}: {phrase}", name=self.label, phrase=phrases.text_of(error)))
 
 
 def face_name(surface, triangle):

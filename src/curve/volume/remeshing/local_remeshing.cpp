@@ -12,6 +12,7 @@
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "tetrahedralise/tetrahedralise.h"
 
 namespace mq::curve {
@@ -110,14 +111,14 @@ class Remesher {
             for (Cavity& cavity : cavities()) {
                 filled.emplace_back(std::move(cavity), tetrahedralise::Tetrahedra());
             }
-            std::vector<std::optional<std::string>> faults(filled.size());
+            std::vector<std::optional<Message>> faults(filled.size());
             parallel_for(static_cast<int>(filled.size()), [&](int k) {
                 progress_.check();
                 auto& [cavity, filling] = filled[static_cast<std::size_t>(k)];
                 try {
                     filling = filling_of(cavity);
                 } catch (const tetrahedralise::MeshingFailed& error) {
-                    faults[static_cast<std::size_t>(k)] = error.what();
+                    faults[static_cast<std::size_t>(k)] = error.message();
                 }
             });
             bool grown = false;
@@ -125,8 +126,8 @@ class Remesher {
                 const Cavity& cavity = filled[k].first;
                 if (faults[k] && !grow(cavity, layer)) {
                     throw tetrahedralise::MeshingFailed(
-                        "Solid" + std::to_string(cavity.volume + 1) +
-                        " cannot be filled anew after its surface was repaired: " + *faults[k]);
+                        phrases::kNotFilledAnew,
+                        {{"solid", "Solid" + std::to_string(cavity.volume + 1)}, {"phrase", *faults[k]}});
                 }
                 grown = grown || faults[k];
             }
@@ -276,7 +277,7 @@ class Remesher {
 
     tetrahedralise::Tetrahedra filling_of(const Cavity& cavity) const {
         if (!closed(cavity.border)) {
-            throw tetrahedralise::MeshingFailed("the cavity is not closed");
+            throw tetrahedralise::MeshingFailed(phrases::kSurfaceNotClosed);
         }
         std::vector<Vec3> points;
         std::unordered_map<int, int> number;

@@ -25,6 +25,7 @@
 #include "geometry/occt/checks/linear_time_checks.h"
 #include "geometry/occt/checks/valid_face.h"
 #include "geometry/occt/evaluation/conversion.h"
+#include "geometry/occt/evaluation/failure_text.h"
 #include "geometry/occt/evaluation/inside_out.h"
 #include "geometry/occt/topology/shape_map.h"
 #include "geometry/occt/topology/sub_shapes.h"
@@ -114,7 +115,7 @@ class FaultList {
             const TopTools_IndexedMapOfShape& entities = numbered(kind);
             for (int i = 1; i <= entities.Extent(); ++i) {
                 check_cancelled(progress_);
-                const OpenCascadeWait wait(progress_, Message::of(phrases::kChecking, {{"name", name(entities(i))}}));
+                const OpenCascadeWait wait(progress_, Message(phrases::kChecking, {{"name", name(entities(i))}}));
                 check(entities(i));
             }
         }
@@ -148,9 +149,7 @@ class FaultList {
                 check_solid(TopoDS::Solid(shape));
             }
         } catch (const Standard_Failure& failure) {
-            const char* text = failure.GetMessageString();
-            add_line(name(shape) + ": OpenCASCADE's check ended with an exception: " +
-                     (text != nullptr && *text != '\0' ? text : failure.DynamicType()->Name()));
+            add_line(name(shape) + ": OpenCASCADE's check ended with an exception: " + failure_text(failure));
         }
     }
 
@@ -258,7 +257,7 @@ void add_inverted_solids(const ShapeMap& live, const Topology& topology, std::ve
             continue;
         }
         const std::string name = "Solid" + std::to_string(i + 1);
-        const OpenCascadeWait wait(progress, Message::of(phrases::kChecking, {{"name", name}}));
+        const OpenCascadeWait wait(progress, Message(phrases::kChecking, {{"name", name}}));
         const TopoDS_Shape solid = live.volumes[i].Located(TopLoc_Location());
         const auto [entry, first] = known.emplace(std::pair(solid.TShape().get(), solid.Orientation()), false);
         if (first) {

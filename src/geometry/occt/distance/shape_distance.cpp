@@ -42,6 +42,7 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/box_tree.h"
 #include "geometry/occt/distance/patch_tree.h"
+#include "geometry/occt/evaluation/failure_text.h"
 
 namespace mq::geometry {
 
@@ -248,12 +249,11 @@ class ShapeDistance {
         TopTools_IndexedMapOfShape map;
         TopExp::MapShapes(shape, TopAbs_FACE, map);
         if (map.IsEmpty()) {
-            throw InvalidInput("the shape to measure against has no faces");
+            throw InvalidInput(phrases::kNoFacesToMeasure);
         }
         for (int i = 1; i <= map.Extent(); ++i) {
             check_cancelled(progress);
-            const OpenCascadeWait wait(progress,
-                                       Message::of(phrases::kReading, {{"name", "Face" + std::to_string(i)}}));
+            const OpenCascadeWait wait(progress, Message(phrases::kReading, {{"name", "Face" + std::to_string(i)}}));
             faces_.items.push_back(std::make_unique<FaceDistance>(TopoDS::Face(map(i))));
         }
         faces_.build(1);
@@ -303,7 +303,7 @@ std::vector<double> distances_to_faces(const TopoDS_Shape& shape, const std::vec
         }
         return distances;
     } catch (const Standard_Failure& failure) {
-        throw GeometryError(std::string("the distance to the shape cannot be measured: ") + failure.GetMessageString());
+        throw GeometryError(phrases::kKernelFails, {{"text", failure_text(failure)}});
     }
 }
 

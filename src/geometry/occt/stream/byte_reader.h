@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::geometry {
 
@@ -70,7 +71,7 @@ class ByteReader {
     }
 
     [[noreturn]] static void refuse(const std::string& why) {
-        throw InvalidInput("the binary BREP of the shape cannot be read: " + why);
+        throw InvalidInput(phrases::kStreamNotRead, {{"text", why}});
     }
 
   private:

@@ -414,7 +414,7 @@ std::string write_shape_stream(const TopoDS_Shape& shape) {
         BinTools::PutInteger(stream, set.Locations().Index(shape.Location()));
         BinTools::PutInteger(stream, shape.Orientation());
     } catch (const Standard_Failure& failure) {
-        throw InvalidInput(std::string("the shape cannot be written as binary BREP: ") + failure.GetMessageString());
+        throw InvalidInput(phrases::kStreamNotWritten, {{"text", failure.GetMessageString()}});
     }
     return stream.str();
 }

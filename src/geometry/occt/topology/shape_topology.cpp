@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/topology/knot_spans.h"
 #include "geometry/occt/topology/shape_map.h"
@@ -285,8 +286,7 @@ void TopologyBuilder::add_face(int index) {
     TopLoc_Location location;
     const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
     if (surface.IsNull()) {
-        throw GeometryError(topology_.name_of(Entity{2, index}) +
-                            " has no surface. Remove it, or repair the part with Part > Check geometry.");
+        throw GeometryError(phrases::kNoSurface, {{"name", topology_.name_of(Entity{2, index})}});
     }
     Face& data = topology_.faces[static_cast<std::size_t>(index)];
     data.tolerance = BRep_Tool::Tolerance(face);

@@ -99,7 +99,7 @@ TEST(Operand, ACleanMeshIsKeptAsItIs) {
     for (const TriangleMesh& mesh : {cube(2), sphere(3), fuzz::torus(20, 10, 0.4)}) {
         const Operand operand = prepared(mesh);
         EXPECT_FALSE(operand.repairs.any());
-        EXPECT_EQ(operand.repairs.summary(), "none");
+        EXPECT_EQ(operand.repairs.summary().text(), "none");
         EXPECT_EQ(operand.triangles, mesh.triangles);
         EXPECT_EQ(operand.vertices, mesh.vertices);
         for (std::size_t t = 0; t < operand.source.size(); ++t) {
@@ -115,7 +115,7 @@ TEST(Operand, WeldsEqualVertices) {
     const Operand operand = prepared(mesh);
     EXPECT_EQ(operand.triangles.size(), mesh.triangles.size());
     EXPECT_EQ(operand.repairs.welded, 3 * 128u - 66u);
-    EXPECT_EQ(operand.repairs.summary(), "318 vertices welded");
+    EXPECT_EQ(operand.repairs.summary().text(), "318 vertices welded");
 }
 
 TEST(Operand, ClosesHoles) {
@@ -127,7 +127,7 @@ TEST(Operand, ClosesHoles) {
     EXPECT_EQ(operand.repairs.holes, 2u);
     EXPECT_EQ(operand.repairs.hole_triangles, 5u);
     EXPECT_NEAR(volume(operand), whole, 2e-3 * whole);
-    EXPECT_EQ(operand.repairs.summary(), "2 holes closed (5 triangles)");
+    EXPECT_EQ(operand.repairs.summary().text(), "2 holes closed (5 triangles)");
 }
 
 TEST(Operand, ABoxWithoutItsLidIsClosed) {
@@ -505,7 +505,7 @@ TEST(Operand, RefusesNumbersThatAreNone) {
     mesh.vertices[5].y() = std::numeric_limits<double>::quiet_NaN();
     expect_refused(mesh, "vertex 5");
     mesh.vertices[5].y() = -1.1e15;
-    expect_refused(mesh, "vertex 5 has a coordinate beyond 1e15 mm");
+    expect_refused(mesh, "vertex 5 has a coordinate beyond 1e+15 mm");
     mesh = cube();
     mesh.triangles[2][1] = 8;
     expect_refused(mesh, "triangle 2 names vertex 8");
@@ -540,7 +540,7 @@ TEST(Operand, RandomDefectsAreRepaired) {
             const Operand operand = prepare_operand(mesh, "operand A");
             expect_fit(operand, mesh);
             if (!overlap) {
-                EXPECT_NEAR(volume(operand), whole, 0.3 * whole) << operand.repairs.summary();
+                EXPECT_NEAR(volume(operand), whole, 0.3 * whole) << operand.repairs.summary().text();
             }
         } catch (const InvalidInput& error) {
             ++refused;

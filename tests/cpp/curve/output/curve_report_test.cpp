@@ -23,7 +23,7 @@ TEST(CurveReport, TextNamesWhatIsInvalidAndOnlyRepairsThatWereMade) {
     report.invalid_elements = {"triangle 3 on Face1"};
     report.straightened = {"tetrahedron 5"};
     report.repairs = {{"edge swaps", 4}, {"edge collapses", 0}};
-    report.notes = {"A note."};
+    report.notes = {Message::value("A note.")};
     const std::string text = to_text(report);
     EXPECT_NE(text.find("12 elements, 7 vertices, 1 invalid (3 before repair)\n"), std::string::npos) << text;
     EXPECT_NE(text.find("invalid: triangle 3 on Face1\n"), std::string::npos) << text;

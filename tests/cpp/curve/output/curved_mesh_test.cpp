@@ -64,15 +64,17 @@ TEST(SoundCurvedMesh, HasWholeElementsOfKnownFiniteNodes) {
     expect_refused([](CurvedMesh& m) { m.order = 6; }, "an order of 1 to 5, not 6");
     expect_refused([](CurvedMesh& m) { m.nodes[2].y() = std::numeric_limits<double>::quiet_NaN(); },
                    "node 2 has a coordinate that is not a finite number");
-    expect_refused([](CurvedMesh& m) { m.nodes[2].y() = 1e163; }, "coordinates that are not finite or above 1.8e19 mm");
+    expect_refused([](CurvedMesh& m) { m.nodes[2].y() = 1e163; },
+                   "coordinates that are not finite or above 1.8e+19 mm");
     expect_refused([](CurvedMesh& m) { m.triangles[0] = 4; }, "triangles name node 4, but the mesh has 4 nodes");
     expect_refused([](CurvedMesh& m) { m.edges.pop_back(); }, "edges of order 1 have 2 nodes each: 1 are given for 1");
     expect_refused([](CurvedMesh& m) { m.tetrahedra[3] = -1; }, "tetrahedra name node -1");
 }
 
 TEST(SoundCurvedMesh, HasOneQualityEach) {
-    expect_refused([](CurvedMesh& m) { m.triangle_quality.push_back(1.0); }, "2 qualities for 1 triangles");
-    expect_refused([](CurvedMesh& m) { m.tetrahedron_quality.push_back(1.0); }, "2 qualities for 1 tetrahedra");
+    expect_refused([](CurvedMesh& m) { m.triangle_quality.push_back(1.0); }, "triangle_quality has 2 entries where 1");
+    expect_refused([](CurvedMesh& m) { m.tetrahedron_quality.push_back(1.0); },
+                   "tetrahedron_quality has 2 entries where 1");
 }
 
 }  // namespace

@@ -502,7 +502,7 @@ TEST(ShapeModel, AnswersInSeveralThreadsAreThoseOfOne) {
     EXPECT_THROW(session.run_parallel(8,
                                       [](Answerer&, int k) {
                                           if (k == 3) {
-                                              throw Cancelled("here");
+                                              throw Cancelled(Message::value("here"));
                                           }
                                       }),
                  Cancelled);

@@ -199,7 +199,7 @@ TEST(Report, TextNamesWhatMatters) {
     r.exempt = {{2, {ExemptCause::Apex, -1.0, {}, {0, {0, 2}}}}};
     r.max_chord_height = 0.01;
     r.chord_height_asked = 0.02;
-    r.notes = {"Face7 is missing"};
+    r.notes = {Message::value("Face7 is missing")};
     const std::string text = to_text(r);
     for (const char* word : {"closed", "yes", "Vertex3", "0.01 mm", "0.02 mm", "Face7 is missing", "volume"}) {
         EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;

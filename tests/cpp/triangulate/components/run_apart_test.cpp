@@ -50,7 +50,7 @@ TEST_F(RunApart, TheFailureOfTheFirstIsThrown) {
             run_apart(session_, whole_, 4, [&](geometry::Session&, const Progress& progress, int k) {
                 if (k == 1) {
                     failed = true;
-                    throw InvalidInput("the second");
+                    throw InvalidInput(Message::value("the second"));
                 }
                 while (threads > 1 && !failed) {
                     std::this_thread::yield();

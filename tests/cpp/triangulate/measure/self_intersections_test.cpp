@@ -47,7 +47,7 @@ TEST(SelfIntersections, OfDifferentVolumesAreCountedAndNoFault) {
     EXPECT_TRUE(result.report.crossings.empty());
     EXPECT_FALSE(mesh::has_faults(result.report));
     ASSERT_FALSE(result.report.notes.empty());
-    EXPECT_EQ(result.report.notes.back().find("bodies overlap: "), 0u);
+    EXPECT_EQ(result.report.notes.back().text().find("bodies overlap: "), 0u);
     EXPECT_LT(result.mesh.triangles.size(), 3 * alone.mesh.triangles.size());
 }
 
@@ -77,7 +77,7 @@ TEST(SelfIntersections, OfLooseFacesAreNamed) {
     EXPECT_TRUE(mesh::has_faults(planes.report));
     ASSERT_EQ(planes.report.crossings.size(), 1u);
     ASSERT_FALSE(planes.report.notes.empty());
-    EXPECT_EQ(planes.report.notes.back().find("Face1 and Face2 cross in "), 0u);
+    EXPECT_EQ(planes.report.notes.back().text().find("Face1 and Face2 cross in "), 0u);
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-1.0, -1.0, -1.0), gp_Pnt(1.0, 1.0, 1.0)).Shape();
     const Result with_body = mesh_of(geometry::make_shape_model(geometry::compound_of({plane, box})));
     EXPECT_EQ(with_body.report.self_intersections, 0);

@@ -356,7 +356,7 @@ TEST(Chord, EndsWhereEdgesLieOffTheirFaces) {
     EXPECT_GT(result.report.max_chord_height, 0.0005);
     EXPECT_LT(result.report.max_chord_height, 0.01);
     ASSERT_FALSE(result.report.notes.empty());
-    EXPECT_NE(result.report.notes.back().find("deviate from it by more than that"), std::string::npos);
+    EXPECT_NE(result.report.notes.back().text().find("deviate from it by more than that"), std::string::npos);
     EXPECT_LT(result.mesh.triangles.size(), 20000u);
     EXPECT_TRUE(result.report.complete);
 }

@@ -84,7 +84,7 @@ TEST(Crossings, OfThePartItselfAreNamedAndEndTheWork) {
     EXPECT_EQ(static_cast<std::size_t>(result.report.self_intersections), self_intersections(result.mesh));
     EXPECT_GT(result.report.self_intersections, 0);
     ASSERT_FALSE(result.report.notes.empty());
-    EXPECT_NE(result.report.notes.back().find("Face1 and Face2 cross in"), std::string::npos);
+    EXPECT_NE(result.report.notes.back().text().find("Face1 and Face2 cross in"), std::string::npos);
     EXPECT_LT(result.mesh.triangles.size(), 40000u);
 }
 

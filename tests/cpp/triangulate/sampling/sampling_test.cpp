@@ -118,7 +118,7 @@ TEST(Sampling, StopsAtTheBudgetAndSaysSo) {
         expect_sound(result, 0, true);
         EXPECT_FALSE(result.report.complete);
         ASSERT_FALSE(result.report.notes.empty());
-        EXPECT_NE(result.report.notes.back().find("max_triangles"), std::string::npos);
+        EXPECT_NE(result.report.notes.back().text().find("max_triangles"), std::string::npos);
         EXPECT_LE(result.mesh.triangles.size(), options.max_triangles);
     }
 }

@@ -79,7 +79,7 @@ TEST_F(FromShapes, BooleanOfShapesTellsHowFarTheirMeshesDeviate) {
     EXPECT_TRUE(met(result.figures));
     EXPECT_NEAR(result.figures.volume, 1000.0 - 10.0 * M_PI, 0.3);
     ASSERT_EQ(result.figures.notes.size(), 2u);
-    EXPECT_EQ(result.figures.notes[0].rfind("operand A is a shape: its mesh deviates by at most", 0), 0u);
+    EXPECT_EQ(result.figures.notes[0].text().rfind("operand A is a shape: its mesh deviates by at most", 0), 0u);
     EXPECT_EQ(result.figures.seconds[1].first, "meshing shapes");
     EXPECT_EQ(progress.fraction(), 1.0);
 }
@@ -100,7 +100,7 @@ TEST_F(FromShapes, HollowIsClosedOrReachesItsOpening) {
     EXPECT_EQ(closed.figures.tolerance_asked, 1.0 / 40.0);
     EXPECT_EQ(closed.figures.components, 2u);
     ASSERT_EQ(closed.figures.notes.size(), 1u);
-    EXPECT_EQ(closed.figures.notes[0].rfind("the hollow is closed", 0), 0u);
+    EXPECT_EQ(closed.figures.notes[0].text().rfind("the hollow is closed", 0), 0u);
     const BooleanSurface open = hollow_shape(box(), std::vector<std::int32_t>{5}, {1.0, 0.0, 0}, progress);
     EXPECT_NEAR(open.figures.volume, 6000.0 - inside * 29.0 / 28.0, 1.0);
     EXPECT_EQ(open.figures.components, 1u);
@@ -136,10 +136,10 @@ TEST_F(FromShapes, VolumeIsKeptUnlessThatTakesTooManyTriangles) {
     meshing.volume_error = 0.002;
     const MeshedOperands fine = rod.meshed(meshing, progress, 0.0, 1.0);
     EXPECT_NEAR(fine.surfaces.front()->report.volume / (M_PI * 5000.0), 1.0, 0.002);
-    EXPECT_EQ(fine.work.notes.front().find("volume"), std::string::npos);
+    EXPECT_EQ(fine.work.notes.front().text().find("volume"), std::string::npos);
     meshing.most_triangles = 1000.0;
     const MeshedOperands coarse = rod.meshed(meshing, progress, 0.0, 1.0);
-    EXPECT_NE(coarse.work.notes.front().find(", and its volume by about "), std::string::npos);
+    EXPECT_NE(coarse.work.notes.front().text().find(", and its volume by about "), std::string::npos);
 }
 
 TEST_F(FromShapes, MeshByDistanceAloneHasFewTriangles) {
@@ -148,7 +148,7 @@ TEST_F(FromShapes, MeshByDistanceAloneHasFewTriangles) {
     triangulate::TriangulateOptions options;
     options.chord_height = 0.01;
     EXPECT_LE(mesh.deviation, 0.01);
-    EXPECT_EQ(mesh.note, "");
+    EXPECT_TRUE(mesh.notes.empty());
     EXPECT_TRUE(mesh.surface.report.closed);
     EXPECT_LT(2 * mesh.surface.mesh.triangles.size(),
               triangulate_shape(engine, cylinder, options, progress).mesh.triangles.size());

@@ -46,8 +46,8 @@ TEST_F(Triangulating, ACacheKnowsTheShapeAgain) {
 
 TEST_F(Triangulating, AThinModelFarAwayLosesVolumeAndANoteSaysSo) {
     const auto tells = [](const triangulate::Result& result) {
-        return std::any_of(result.report.notes.begin(), result.report.notes.end(), [](const std::string& note) {
-            return note.find("so thin that single precision changes its volume") != std::string::npos;
+        return std::any_of(result.report.notes.begin(), result.report.notes.end(), [](const Message& note) {
+            return note.text().find("so thin that single precision changes its volume") != std::string::npos;
         });
     };
     EXPECT_FALSE(tells(mesh_of(BRepPrimAPI_MakeBox(100.0, 100.0, 1.0).Shape())));
