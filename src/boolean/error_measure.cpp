@@ -87,7 +87,7 @@ void for_each_piece(const Piece& triangle, double longest, const IsSettled& is_s
     }
 }
 
-/// The spacing of samples on these triangles: the finest, or twice, four times ... that where it takes too many.
+/// The spacing of samples on these triangles: `finest`, doubled until at most kLargeSamples are needed.
 double spacing_on(const std::vector<Piece>& triangles, double finest) {
     double spacing = finest;
     for (double pieces = 2.0 * kLargeSamples; pieces > kLargeSamples; spacing *= 2.0) {

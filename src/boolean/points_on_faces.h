@@ -54,7 +54,7 @@ class FaceIntersections {
     /// Projects each vertex onto each of its faces.
     /// @throws Cancelled
     void project(const std::vector<MovedVertex*>& vertices);
-    /// Until each vertex is nearer to its surfaces than `near`, mm, or lost, or kNewtonSteps are done.
+    /// Moves the vertices until each is nearer to its surfaces than `near`, mm, or lost, at most kNewtonSteps times.
     /// @param after_first  called when all were projected for the first time
     /// @throws Cancelled
     void approach(std::vector<MovedVertex>& vertices, double near, const std::function<void()>& after_first);

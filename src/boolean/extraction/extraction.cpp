@@ -216,7 +216,7 @@ std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrange
     for (const std::int32_t f : kept) {
         const Face& face = arrangement.faces[static_cast<std::size_t>(f)];
         const std::int32_t own = soup.source[static_cast<std::size_t>(face.source)].operand;
-        // An edge to a point where sheets meet may have several of them, too, of which not all are kept.
+        // Several sheets may also meet along an edge to a point where sheets meet, and not all of them are kept.
         const bool beside_shared = std::any_of(face.points.begin(), face.points.end(), [&](std::int32_t p) {
             return marked(soup.shared, arrangement.points, p);
         });

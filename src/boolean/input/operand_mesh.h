@@ -83,8 +83,7 @@ void split_fans(OperandMesh& draft);
 /// @return the number of components
 std::size_t orient_to_bound_volume(OperandMesh& draft);
 
-/// Reverses components with a border of which more area has, by rays that count the triangles, the inside in front of
-/// it than behind it.
+/// Reverses open components if most of their area has the inside in front of it, by rays that count the triangles.
 void orient_open_sheets(OperandMesh& draft, const Progress* progress);
 
 }  // namespace mq::boolean

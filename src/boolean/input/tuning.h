@@ -23,9 +23,8 @@ struct InputTuning {
     /// the winding number (Jacobson 2013) inside is 0.78 in the mean.
     MESHQUALITY_TUNED(double, kLargestFilledShare, 1.0 / 3.0);
     /// A component is a sheet, which bounds nothing, if the area that would close it is at least this fraction of its
-    /// own
-    /// area: the winding number of such a dome is 0.6 in the mean, that of a plane sheet 0.5. Sheets are left out if
-    /// together they have at most half of the operand's area. For layered depth images it is the guessed area.
+    /// own area: the mean winding number inside such a dome is 0.6, beside a plane sheet 0.5. Sheets are left out if
+    /// together they have at most half of the operand's area (for layered depth images, of the guessed area).
     MESHQUALITY_TUNED(double, kLeastSheetShare, 0.8);
     /// Other components that cannot be closed are left out if together they have at most this fraction of the operand's
     /// area; components attached to the rest along edges of three or more triangles (inner walls, fins) are treated as
