@@ -225,7 +225,7 @@ class EdgeCollapse {
     /// What holds a vertex in its place: 2 a fixed triangle, 1 a border between patches, 0 nothing.
     int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border(v) ? 1 : 0; }
 
-    /// Whether the surface stays 2-manifold, and is no tetrahedron.
+    /// Whether the surface stays 2-manifold, and is more than a tetrahedron.
     bool keeps_links(const Candidate& edge) const {
         constexpr std::size_t kOfTetrahedron = 6;  // triangles at both ends
         return stars_[edge.a].size() + stars_[edge.b].size() > kOfTetrahedron &&
