@@ -5,10 +5,10 @@
 
 namespace mq::geometry {
 
-/// Corners that must stay open although details are not told apart (Topology::detail).
+/// Bounds on the corners that remain after details (Topology::detail) are contracted.
 struct DetailCorners {
-    /// Radians: least angle between the edges or faces that meet once a detail is contracted. Above the bounds that are
-    /// usually asked for, so that no corner is made that cannot keep them.
+    /// Radians: least angle between the edges or faces that meet once a detail is contracted. Larger than usual bounds
+    /// on the smallest angle, so that no corner violates them.
     static constexpr double kLeast = 30.0 * kDegree;
     /// Distance from a contracted edge at which its neighbours are compared, in lengths of detail.
     static constexpr double kReach = 8.0;

@@ -10,8 +10,8 @@
 namespace mq::geometry {
 
 /// The shape with one face wherever faces of two solids lie on each other within `within` (mm) and their tolerances, so
-/// that both solids have the same triangles there (OrderedShape::behind). Faces that touch in a part are divided along
-/// its border. The shape itself does not change.
+/// that both solids have the same triangles there (OrderedShape::behind). Faces that touch in a region are divided
+/// along the border of the region. The shape itself does not change.
 ///
 /// OpenCASCADE's general fuse (BOPAlgo_Builder) does it for coinciding faces only (BOPAlgo_GlueShift): solids that
 /// overlap are not divided where they cross. A solid of which it loses area or makes an
