@@ -229,7 +229,7 @@ class ConstrainedTriangulation {
     }
 
     /// On which side of the segment's line a vertex lies. The vertices that the segment has passed need no computation:
-    /// for constructed points their zero would be the most expensive sign of all.
+    /// zero is the most expensive sign of constructed points.
     int side(const Segment& segment, int v) const {
         const bool passed = v == segment.from || v == segment.to || v == segment.at || v == segment.before;
         return passed ? 0 : points_.orient(segment.from, segment.to, v);

@@ -15,8 +15,8 @@ namespace {
 /// Triangles at a distance of more than this many radii are summed as one: the neglected terms are of third order in
 /// its inverse.
 constexpr double kFar = 2.5;
-/// For bounds border edges are taken together from this many widths of their box on: what that adds to the bound is
-/// then a quarter of the sum of their parts at most.
+/// Bounds sum border edges as one at a distance of more than this many widths of their box: that adds at most a quarter
+/// of the sum of their single contributions.
 constexpr double kFarBorder = 4.0;
 constexpr double kWhole = 4.0 * M_PI;
 /// If the bound by area, times the size of the triangles, exceeds this, the bound by the border is computed as well.
@@ -236,8 +236,8 @@ double WindingNumber::steepest_by_area(const Vec3& p, double radius) const {
     return sum / kWhole;
 }
 
-/// The lower of two bounds: the sum of what pieces of the border add at most, and the gradient at p with how much it
-/// changes in the ball and by taking far pieces together.
+/// The lower of two bounds: the sum of the largest contributions of all pieces of the border; and the length of the
+/// gradient at p plus its change within the ball and the error of summing far pieces as one.
 double WindingNumber::steepest_by_border(const Vec3& p, double radius) const {
     double sum = 0.0, change = 0.0;
     Vec3 gradient = Vec3::Zero();

@@ -15,7 +15,7 @@ namespace mq::mesh {
 
 namespace {
 
-/// How a format is written, and which elements it holds: those with a number or name there.
+/// The writer of a format, and the types of elements that it can write: those with a number or name in it.
 struct Format {
     const char* name;
     void (*write)(Output&, const ExportMesh&);
