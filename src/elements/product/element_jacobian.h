@@ -56,7 +56,7 @@ class ElementJacobian {
 
     ElementKind kind_;
     std::vector<Derivative> derivatives_;
-    std::vector<Product> products_;  // of the last two derivatives, then of the first one and that product
+    std::vector<Product> products_;  // for the last two derivatives, then for the first one and that product
     std::vector<double> multinomials_;
 };
 
