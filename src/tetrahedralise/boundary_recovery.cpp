@@ -18,7 +18,7 @@ constexpr int kMostFlips = 60;
 constexpr int kMostCalls = 60;
 /// Largest nesting of such removals, in successive attempts.
 constexpr std::array<int, 3> kDepths{0, 1, 2};
-/// Most points on the surface: as many as it has vertices, and twice this.
+/// Most points on the surface: the number of its vertices plus twice this.
 constexpr std::size_t kMostDivisions = 100;
 
 }  // namespace
