@@ -62,7 +62,7 @@ Fingerprint outline_of(const Topology& topology, const Faces& faces) {
     return key;
 }
 
-/// Adds what defines bodies.
+/// Computes fingerprints of all that defines a body.
 class BodyFingerprints {
   public:
     using AddMore = std::function<void(geometry::Entity, Fingerprint&)>;

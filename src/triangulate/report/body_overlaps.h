@@ -11,9 +11,9 @@ namespace mq::triangulate {
 
 /// The pairs of bodies that are not apart: those whose triangles cross, unless they only touch, and solids in solids.
 ///
-/// Whether a solid lies in another one tells the winding number (see mesh::WindingNumber) of the other's triangles at
-/// triangles of the first: those that cross none of the other, one for each connected set, are all on one side. Only
-/// solids whose boxes lie in one another take this. A solid in a void of another one is in none.
+/// To test whether a solid lies in another one, the winding number (see mesh::WindingNumber) of the other's triangles
+/// is evaluated at one triangle of each connected set of the first's triangles that cross none of the other: such a set
+/// is on one side. Only solids with nested boxes are tested. A solid in a void of another one is in none.
 /// @param contacts  of all triangles that cross
 /// @param deviation  largest distance of the mesh from its faces, mm
 /// @throws Cancelled
