@@ -11,7 +11,7 @@
 namespace mq::workflows {
 
 struct OffsetShapeOptions {
-    double distance = 0.0;   ///< mm; outward, or inward where it is below 0; of a hollow above 0, the thickness
+    double distance = 0.0;   ///< mm: outward, inward if negative; of a hollow the thickness of its wall, above 0
     double tolerance = 0.0;  ///< mm; 0: see the functions
     int threads = 0;         ///< 0: one for each core
 };
@@ -27,8 +27,8 @@ BooleanSurface offset_shape(const Operands& solid, const OffsetShapeOptions& opt
 /// A solid of which only a wall is left: all of its points that are at most a thickness away from its surface. Without
 /// a tolerance this is a fortieth of the thickness.
 /// @param openings  faces of the shape that get no wall; nothing: the hollow is closed
-/// @return triangle_source: (0, triangle of the united solid) of those on its outside that are whole, (1, ...) of those
-///     of the hollow; the whole solid where it is nowhere thicker than twice the thickness
+/// @return triangle_source: (0, triangle of the united solid) for its whole triangles, (1, triangle) for those of the
+///     hollow. The solid itself if it is nowhere thicker than twice the thickness.
 /// @throws InvalidInput for openings of a mesh, or where all faces are open; TopologyError, Cancelled
 BooleanSurface hollow_shape(const Operands& solid, const std::optional<std::vector<std::int32_t>>& openings,
                             OffsetShapeOptions options, Progress& progress);

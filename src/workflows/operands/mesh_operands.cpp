@@ -40,8 +40,8 @@ Result complete(geometry::Engine& engine, const TopoDS_Shape& shape, const trian
     return mesh;
 }
 
-/// (a mesh as fine as a relative error of the volume of the shape needs, and that error). The volume of a mesh errs by
-/// a multiple of its chord height: two meshes tell by which (Richardson's extrapolation).
+/// Returns a mesh fine enough for `how.volume_error`, and its relative error of volume. That is proportional to the
+/// chord height: two meshes give the factor (Richardson's extrapolation).
 std::pair<Result, double> keeping_volume(geometry::Engine& engine, const TopoDS_Shape& shape,
                                          triangulate::TriangulateOptions options, const OperandMeshing& how,
                                          Progress& progress) {
@@ -124,7 +124,7 @@ class ShapeMesher {
         result.operands.push_back({nullptr, is_mixed || found.round, is_mixed ? nullptr : given.shape.get()});
     }
 
-    /// A note for each operand that has nothing else to tell, for many of them one.
+    /// Adds a note on the deviation of each operand without another note; one note for all if there are many.
     void note_deviations(std::vector<std::string>& notes) const {
         constexpr std::size_t kMostNotes = 3;
         if (deviations_.size() > kMostNotes) {

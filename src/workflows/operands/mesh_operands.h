@@ -33,25 +33,26 @@ struct BooleanOperand {
     const TopoDS_Shape* shape = nullptr;  ///< null: the operand is nothing but a mesh
 };
 
-/// The steps before one of several: stages, notes and processor time.
+/// Stages, notes, processor time and errors of the steps before the present one.
 struct WorkBefore {
     StageTimes seconds;
     std::vector<std::string> notes;
     double cpu_seconds = 0.0;
-    /// mm: how far that work may have moved surfaces; the reported bound includes it.
+    /// mm: how far these steps may have moved surfaces; the reported bound includes it.
     double error_bound = 0.0;
-    double tolerance = 0.0;  ///< mm: the tolerance for all of the work, where it is not that of the last step
+    double tolerance = 0.0;  ///< mm: the tolerance of all steps together, if it differs from the last step's
     std::vector<std::string> repaired{};  ///< a sentence for each operand that was repaired before
 };
 
 /// How shapes among operands are meshed.
 struct OperandMeshing {
     double tolerance = 0.0;       ///< mm, that of the operation
-    double share = 0.5;           ///< the fraction of it by which the meshes may deviate from the shapes
+    double share = 0.5;           ///< fraction of the tolerance by which the meshes may deviate from the shapes
     double min_angle = 25.0;      ///< degrees
-    double volume_error = 0.0;    ///< relative: finer where the volume of a shape would err by more; 0: no bound
-    double most_triangles = 5e5;  ///< are expected of a mesh that is finer for the sake of the volume
-    /// Bound by the distance alone; also of shapes with faces that we cannot mesh, which notes tell (mesh_within).
+    double volume_error = 0.0;    ///< largest relative error of the volume of a shape; 0: no bound
+    double most_triangles = 5e5;  ///< limit of triangles for refinement by `volume_error`
+    /// Whether meshes are bound by the distance alone, and faces that we cannot mesh are allowed and noted
+    /// (mesh_within).
     bool any_faces = false;
     int threads = 0;
 };
@@ -60,7 +61,7 @@ struct OperandMeshing {
 struct MeshedOperands {
     std::vector<std::shared_ptr<const triangulate::Result>> surfaces;
     std::vector<BooleanOperand> operands;  ///< they point to these surfaces
-    WorkBefore work;                       ///< reading and meshing; its error bound is the largest deviation
+    WorkBefore work;                       ///< reading and meshing; `error_bound` is the largest deviation
 };
 
 /// The operands of an operation in their order. Between its construction and the last call of `add` they are read, the
@@ -77,12 +78,12 @@ class Operands {
     /// Longest side of the box of all operands, mm; shapes are read for it, once.
     /// @throws GeometryError
     double size() const;
-    /// mm; the length that a resolution divides, where the method is exact: the size, or 8 times the mean thickness of
-    /// the thinnest operand, where that is less, and not below a sixteenth of the size. What is thinner than the
-    /// tolerance may be lost where operands nearly touch, so that the tolerance goes by what is thin.
+    /// mm: the length that a resolution divides, for the exact method: 8 times the mean thickness of the thinnest
+    /// operand, but between a sixteenth of the size and the size. Features thinner than the tolerance may be lost where
+    /// operands nearly touch.
     double divided_length() const;
 
-    /// Meshes those that are shapes, in the progress from one fraction to another.
+    /// Meshes the shapes among the operands; the progress advances from `from` to `to`.
     /// @throws InvalidInput, TopologyError naming the operand; Cancelled
     MeshedOperands meshed(const OperandMeshing& meshing, Progress& progress, double from, double to) const;
 
