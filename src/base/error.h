@@ -9,8 +9,8 @@
 
 namespace mq {
 
-/// Base of all errors that leave the core. `what()` is a sentence that names the entity at fault and the remedy.
-/// Those that a panel can meet are made of a phrase of the catalogue.
+/// Base of all errors that leave the core. `what()` is a sentence that names the entity at fault and the remedy. Errors
+/// that a panel may show are made of a phrase of the catalogue.
 class Error : public std::runtime_error {
   public:
     explicit Error(const std::string& text) : Error(Message::value(text)) {}

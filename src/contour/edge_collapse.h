@@ -14,7 +14,7 @@ namespace mq::contour {
 /// Whether a triangle with these corners is accepted.
 using TriangleFilter = std::function<bool(const std::array<Vec3, 3>&)>;
 
-/// What a collapse of edges must keep.
+/// The conditions on collapses of edges.
 struct CollapseLimits {
     double distance = 0.0;  ///< mm, of vertices from the planes that their triangles represent
     double border = std::numeric_limits<double>::infinity();   ///< mm: of vertices from borders between patches

@@ -29,7 +29,7 @@ struct BooleanSurface : triangulate::Result {
     std::vector<std::array<std::int32_t, 2>> triangle_source;
     /// See boolean::BooleanResult::triangle_origin; of the method Uniform the same as triangle_source.
     std::vector<std::array<std::int32_t, 2>> triangle_origin;
-    /// See boolean::OffsetOptions::corner_normals; empty where none were asked for (workflows::corner_normals).
+    /// See boolean::OffsetOptions::corner_normals; empty if none were requested (workflows::corner_normals).
     std::vector<Vec3> corner_normals;
 };
 
@@ -41,7 +41,7 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
 /// A Boolean of operands in any frames: they are brought into one, the result is put onto the surfaces of the shapes,
 /// as far as the tolerance allows, and measured.
 ///
-/// The method Default falls back to Uniform on errors that tell that the geometry has no exact result: an operand that
+/// The method Default falls back to Uniform on errors that mean that the geometry has no exact result: an operand that
 /// no repair closes (boolean::OpenOperand), surfaces that bound no volumes or cannot be rounded (TopologyError). The
 /// report names the method, and a note the reason. Other errors (options, meshes that are not valid, memory) are
 /// raised.

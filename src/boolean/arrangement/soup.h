@@ -16,7 +16,7 @@ using mesh::Triangle;
 struct Source {
     std::int32_t operand = -1;
     std::int32_t triangle = -1;
-    std::int32_t moved_from = -1;  ///< the triangle of which it was made, also where its corners were moved since
+    std::int32_t moved_from = -1;  ///< the triangle of which it was made, even if its corners were moved since
 };
 
 /// The triangles of all operands in one list. Operands are closed and oriented; they may cross themselves.

@@ -107,8 +107,8 @@ class FanOpener {
         sort_radially(points_, edge[0], edge[1], around);
         wedges_.emplace_back();
         for (std::size_t i = 0; i < around.size(); ++i) {
-            // A face that runs up has its front, the outside, on the counter-clockwise side, one that runs down the
-            // material.
+            // A face that runs up has the outside on its counter-clockwise side; a face that runs down has the material
+            // there.
             if (!around[i].runs_up) {
                 const RadialFace& beyond = around[(i + 1) % around.size()];
                 const auto one = static_cast<std::size_t>(around[i].face);

@@ -75,7 +75,7 @@ void pair_and_orient(OperandMesh& draft);
 /// @throws InvalidInput for an open surface.
 void close_holes(OperandMesh& draft, const Progress* progress);
 
-/// Gives each fan of triangles at a vertex a vertex of its own, so that indices alone tell the neighbours.
+/// Gives each fan of triangles at a vertex a vertex of its own, so that indices alone determine the neighbours.
 void split_fans(OperandMesh& draft);
 
 /// Reverses components whose orientation contradicts the components around them. A component with negative volume that

@@ -139,7 +139,7 @@ class ShortestDisplacement {
         return Vec3(directions.transpose() * products.inverse() * least);
     }
 
-    static constexpr double kRounding = 1e-6;           ///< a fraction of the largest distance asked for
+    static constexpr double kRounding = 1e-6;           ///< a fraction of the largest required distance
     static constexpr double kLeastDeterminant = 1e-10;  ///< planes at less than 1e-5 from each other are dependent
 
     const std::vector<HalfSpace>& spaces_;

@@ -27,10 +27,10 @@ struct RoundingCount {
 };
 
 /// Rounds the vertices that were made, such that the surface stays embedded: closed, manifold, and without triangles
-/// that touch or cross. What rounding brought into contact is moved apart (relocate_vertices). Where that does not
-/// suffice, it is iterated as Valque and Lazard (2025) do: what still crosses is divided exactly (arrange), the
-/// boundary of what the surface winds around is taken (extract), copies of points where it touches itself are moved
-/// apart, and that is rounded again, until nothing is in contact.
+/// that touch or cross. Triangles that rounding brought into contact are moved apart (relocate_vertices). If that does
+/// not suffice, these steps are repeated until no triangles are in contact (Valque and Lazard 2025): crossing triangles
+/// are divided exactly (arrange), the boundary of the points around which the surface winds is taken (extract), copies
+/// of points in which it touches itself are moved apart, and new vertices are rounded.
 ///
 /// Each triangle carries how far its points were moved at most (`draft.displacement`). A piece that vanishes, since it
 /// turned over or closed a gap, had crossed a piece that stays, and is within the sum of their displacements of it: the

@@ -73,7 +73,7 @@ class CurvedSurface {
     double t_of(int vertex, int other) const;
     const Vec2* uv_of(int vertex, int face) const;
     std::size_t alive() const;
-    /// How many living triangles are not valid, by their qualities.
+    /// The number of live triangles that are not valid, by their qualities.
     std::size_t invalid() const;
 
     static std::uint64_t key(int vertex, int face) {

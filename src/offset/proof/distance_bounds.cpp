@@ -17,7 +17,7 @@ namespace mq::boolean {
 
 namespace {
 
-/// How often a triangle is divided into four at most.
+/// Largest number of successive divisions of a triangle into four.
 constexpr int kMostDivisions = 10;
 /// Triangles that one parallel task takes.
 constexpr std::size_t kBlock = 64;

@@ -326,7 +326,7 @@ class OffsetPipeline {
     const ClosedSurface surface_;
     const SearchedSurface searched_;
     const double distance_;  ///< mm: distance of the raw offset
-    const double asked_;     ///< mm: distance that the caller asked for
+    const double asked_;     ///< mm: distance that the caller requested
     const double tolerance_;
     Progress& progress_;
     OffsetResult result_;

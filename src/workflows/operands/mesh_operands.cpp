@@ -91,7 +91,7 @@ Result joined(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
     return result;
 }
 
-/// Meshes the shapes one after the other, and tells how far they deviate.
+/// Meshes the shapes one after the other, and collects the deviations of the meshes.
 class ShapeMesher {
   public:
     ShapeMesher(geometry::Engine& engine, const OperandMeshing& how, Progress& progress)

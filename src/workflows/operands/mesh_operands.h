@@ -16,7 +16,7 @@ class TopoDS_Shape;
 
 namespace mq::workflows {
 
-/// What an operation is given: a mesh, a shape, or both, which then are one operand.
+/// An operand as it is given: a mesh, a shape, or both, joined to one operand.
 struct GivenOperand {
     std::string name;                                    ///< in errors and notes: "operand A", "'Box'"
     std::shared_ptr<const triangulate::Result> surface;  ///< null: a shape alone
@@ -44,7 +44,7 @@ struct WorkBefore {
     std::vector<std::string> repaired{};  ///< a sentence for each operand that was repaired before
 };
 
-/// How shapes among operands are meshed.
+/// Options for meshing the shapes among operands.
 struct OperandMeshing {
     double tolerance = 0.0;       ///< mm, that of the operation
     double share = 0.5;           ///< fraction of the tolerance by which the meshes may deviate from the shapes
@@ -64,8 +64,8 @@ struct MeshedOperands {
     WorkBefore work;                       ///< reading and meshing; `error_bound` is the largest deviation
 };
 
-/// The operands of an operation in their order. Between its construction and the last call of `add` they are read, the
-/// time of which is reported.
+/// The operands of an operation in their order. The time between its construction and the last call of `add` is
+/// reported as reading.
 class Operands {
   public:
     explicit Operands(geometry::Engine& engine) : engine_(engine) {}
@@ -92,7 +92,7 @@ class Operands {
 
     geometry::Engine& engine_;
     std::vector<GivenOperand> given_;
-    mutable std::vector<std::optional<Box>> boxes_;  ///< by operand: the box of its shape, once it was asked for
+    mutable std::vector<std::optional<Box>> boxes_;  ///< by operand: the box of its shape, once computed
     Stopwatch watch_;
     double read_wall_ = 0.0;
     double read_cpu_ = 0.0;

@@ -193,7 +193,7 @@ void PatchTree::fill(Node& node, const std::array<const Span*, 2>& spans, const 
     set_box(node);
 }
 
-/// The two parts of a patch, by de Casteljau's scheme.
+/// The two halves of a patch, by de Casteljau's scheme.
 std::array<PatchTree::Net, 2> PatchTree::cut(const Net& net, std::size_t along, double fraction) const {
     const std::size_t degree = degree_[along];
     const std::size_t rows = degree_[1 - along] + 1;

@@ -45,7 +45,7 @@ class PatchTree {
     };
     using KnotSpans = std::array<std::vector<Span>, 2>;
     using Block = std::array<std::size_t, 4>;  // the first and the end of the spans in u, in v
-    /// Where the first turn of a periodic parameter begins; without a period there is one.
+    /// Where the first turn of a periodic parameter begins; a parameter without a period has one turn.
     struct Turn {
         double low;
         double period;
