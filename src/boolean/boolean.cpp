@@ -375,7 +375,7 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
     sum.retained = static_cast<std::size_t>(std::count_if(sum.triangle_source.begin(), sum.triangle_source.end(),
                                                           [](const auto& source) { return source[0] >= 0; }));
     sum.reconstructed = sum.mesh.triangles.size() - sum.retained;
-    sum.operand_topology.clear();  // the counts are those of partial results
+    sum.operand_topology.clear();  // the runs counted components of partial results
     return sum;
 }
 

@@ -72,7 +72,7 @@ void BoundaryRecovery::recover_edges(Edges missing) {
             missing = std::move(left);
         }
         for (const auto& e : missing) {
-            // A point beside it may have brought the edge back.
+            // A point inserted nearby may have restored the edge.
             if (mesh_.cell_with(e[0], e[1]) < 0) {
                 divide_edge(e[0], e[1]);
             }

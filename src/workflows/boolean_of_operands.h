@@ -27,7 +27,7 @@ struct BooleanSurface : triangulate::Result {
     BooleanReport figures;
     /// See boolean::BooleanResult::triangle_source.
     std::vector<std::array<std::int32_t, 2>> triangle_source;
-    /// See boolean::BooleanResult::triangle_origin; of the method Uniform the same as triangle_source.
+    /// See boolean::BooleanResult::triangle_origin; equal to triangle_source for the method Uniform.
     std::vector<std::array<std::int32_t, 2>> triangle_origin;
     /// See boolean::OffsetOptions::corner_normals; empty if none were requested (workflows::corner_normals).
     std::vector<Vec3> corner_normals;
@@ -48,8 +48,8 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
 /// @param engine  answers for the shapes; the method Uniform samples the faces of shapes, and uses meshes only to find
 ///     the faces that a ray meets
 /// @throws InvalidInput for the option `full` with another method than Uniform
-/// @throws as boolean::boolean and boolean::layered_depth_boolean; of the method Default the error of the exact one,
-///     with that of the uniform one where this could not be made either.
+/// @throws as boolean::boolean and boolean::layered_depth_boolean; for the method Default the error of the exact
+///     method, and of the uniform one if that failed, too.
 BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,
                                    const boolean::Expression& expression, const boolean::BooleanOptions& options,
                                    BooleanMethod method, const WorkBefore& before, Progress& progress);

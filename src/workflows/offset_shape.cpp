@@ -148,8 +148,8 @@ BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<ch
     return reported(std::move(found), solid, options, before, watch, progress);
 }
 
-// Shares of the tolerance: of the mesh of a shape, of the union of what is given, of cutting the hollow out; what is
-// left is for the offset.
+// Shares of the tolerance for the mesh of a shape, the union of its bodies, and cutting the hollow out; the offset has
+// the rest.
 constexpr double kChord = 0.15;
 constexpr double kUnion = 0.05;
 constexpr double kCutting = 0.05;

@@ -207,7 +207,7 @@ Vec3 WindingNumber::gradient(const Vec3& p) const {
 
 double WindingNumber::steepest(const Vec3& p, double radius) const {
     const double by_border = steepest_by_border(p, radius);
-    // A single sheet is bounded well by its border; of many loose triangles the border is long, and its pieces
+    // The bound by the border is tight for a single sheet; the border of many loose triangles is long, and its pieces
     // cancel each other.
     return by_border > kLongBorder / tree_.box().largest_side() ? std::min(by_border, steepest_by_area(p, radius))
                                                                 : by_border;

@@ -198,7 +198,7 @@ void to_msh(Output& out, const ExportMesh& mesh) {
     }
     out += "$EndNodes\n";
     begin("Elements", pieces, count_of(blocks));
-    std::size_t next = 1;  // by CAD entities; in other meshes elements keep their numbers
+    std::size_t next = 1;  // number of the next element, by CAD entities; elements of other meshes keep their numbers
     for (const auto& [tag, entity] : entities) {
         for (const auto& [block, rows] : entity.elements) {
             const ElementType& type = *block->elements->type;

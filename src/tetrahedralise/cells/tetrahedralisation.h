@@ -87,7 +87,7 @@ class Tetrahedralisation {
     std::vector<int> free_;
     std::vector<Open> table_;
     std::uint32_t round_ = 0;
-    std::vector<char> goes_;  // by cell: while it is removed
+    std::vector<char> goes_;  // by cell: whether it is being removed
     mutable std::vector<char> seen_;
     mutable std::vector<int> queue_;
 };

@@ -29,7 +29,7 @@ namespace mq::triangulate {
 namespace {
 
 // Components that are refined apart: enough for the cores of a large computer; each has tables of all CAD entities.
-// Copies of bodies are as many further ones.
+// Copies of bodies form as many further components.
 constexpr std::size_t kMost = 64;
 // Largest fraction of the work on one body: otherwise its steps gain more from several threads.
 constexpr double kLargest = 0.75;
@@ -61,9 +61,9 @@ std::vector<int> faces_together(const geometry::Topology& topology) {
     return together.number(count);
 }
 
-// Estimates how many triangles one becomes. Edges over a surface that bends by k per mm get a length of sqrt(8 h / k)
-// at the chord tolerance h, and of w / k at the largest turn w; bounds on edges are lengths themselves. Equilateral
-// triangles with edges of length l have an area of 0.43 l^2.
+// Estimates the number of triangles into which a triangle is divided. Edges over a surface that bends by k per mm get a
+// length of sqrt(8 h / k) at the chord tolerance h, and of w / k at the largest turn w; bounds on edges are lengths
+// themselves. Equilateral triangles with edges of length l have an area of 0.43 l^2.
 double triangles_expected(const ClassifiedMesh& mesh, int triangle, const Sizing& sizing) {
     constexpr double kOfEquilateral = 0.25 * 1.7320508075688772;
     double bend = 0.0;

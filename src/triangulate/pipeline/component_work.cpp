@@ -71,7 +71,7 @@ void ComponentWork::run() {
     refinement_->run();
     refinement_.reset();
     if (placed_) {
-        work_.settled.clear();  // as those of its original are not settled
+        work_.settled.clear();  // since triangles of the original are not settled
     }
 }
 

@@ -31,8 +31,8 @@ struct CheckedSurface {
 /// A use of an edge on a face in which OpenCASCADE's checks of edges and vertices find no fault.
 class CheckedUse {
   public:
-    /// @return whether a proof says so: with one curve in space and one on the surface, of the same range, which lie
-    /// within the tolerances of each other and of the vertices
+    /// @return whether this is proven: there is one curve in space and one on the surface, with the same range, within
+    /// the tolerances of each other and of the vertices
     bool read(const TopoDS_Edge& edge, const CheckedSurface& on);
 
     TopoDS_Edge edge;

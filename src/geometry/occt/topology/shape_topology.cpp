@@ -247,7 +247,7 @@ void TopologyBuilder::add_edges() {
     }
 }
 
-/// Sets the range of the curve in space; of the first curve on a surface where there is none.
+/// Sets the range of the curve in space or, without such a curve, of the first curve on a surface.
 void TopologyBuilder::set_range(int index, Edge& edge) const {
     const TopoDS_Edge& shape = live_.edges[static_cast<std::size_t>(index)];
     TopLoc_Location location;
