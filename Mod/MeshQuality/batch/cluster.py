@@ -200,7 +200,7 @@ class _WorkerWatch(threading.Thread):
                 return
 
     def end(self):
-        """Watches no longer."""
+        """Stops watching."""
         self._ended.set()
         if self.is_alive():
             self.join()

@@ -18,7 +18,7 @@ _GRACE = 30  # seconds beyond the limit of a job
 
 
 def forget_peak():
-    """Gives back what earlier jobs left, and has the peak of memory counted from now on; on Linux only."""
+    """Releases memory of earlier jobs, and counts the peak of memory from now on; on Linux only."""
     if not sys.platform.startswith("linux"):
         return
     trim = getattr(ctypes.CDLL(None), "malloc_trim", None)  # the GNU library has it
