@@ -61,7 +61,7 @@ def read_shape(path, name=None):
 
 
 def read_shape_and_objects(path, name=None):
-    """The same, and the objects of an FCStd file that make it up; none of other files."""
+    """(the shape as read_shape returns it, the objects of an FCStd file that make it up; [] for others)."""
     if not path.lower().endswith(".fcstd"):
         return _read_file(path, name), []
     objects = _read_objects(path, name)
@@ -163,8 +163,8 @@ def sizes_in(shape, objects, path, sizes):
 
 
 def patches_in(shape, objects, path, patches):
-    """The same of patches: {name: faces}, or {name: {"faces": faces, ...}}. What is not so is left as it is, to be refused
-    with all else.
+    """Patches by the sub-elements of that shape: {name: faces}, or {name: {"faces": faces, ...}}. Values of another form
+    are left as they are, to be refused later.
     """
     def plain(name, face):
         return _name_in_file(shape, objects, path, face, f"patch {name!r} names") \
@@ -281,7 +281,7 @@ def write_curved(mesh, path, deviation, **how):
 
 
 def writing_of(job, shape, objects):
-    """What `write` of a mesh takes of the job: format, patches and so on."""
+    """The arguments of a mesh's `write` in the job: format, patches and so on."""
     how = {**job.get("writing", {}), "format": (job.get("suffix") or ".")[1:]}
     if "patches" in how:
         how["patches"] = patches_in(shape, objects, job["input"], how["patches"])
@@ -289,7 +289,7 @@ def writing_of(job, shape, objects):
 
 
 def patches_of(how):
-    """Those of them that the work on the shape takes, too, so that faults are found before."""
+    """The arguments of writing that the work on the shape takes, too, so that faults are found before."""
     return {name: how[name] for name in ("patches", "patch_rest") if name in how}
 
 
@@ -346,7 +346,9 @@ def hollow(job):
 
 
 def wrap(job):
-    """Likewise, and what the report of a Boolean lacks. Places that are to stay dry are findings where they do not."""
+    """As triangulate(), and values that the report of a Boolean lacks. A leak to a place that is to stay dry is a
+    finding.
+    """
     sources = [read_operand(path, job.get("object")) for path in job["inputs"]]
     mesh = mq.wrap(sources, **job["options"], dry=job.get("dry"), progress=progress_line())
     report, told, findings = _offset_written(job, mesh)
@@ -361,7 +363,7 @@ def _offset_written(job, mesh):
 
 
 def improve(job):
-    """Likewise; the mesh is to be as closed as that before it."""
+    """As triangulate(); the mesh must be closed if the given one is."""
     given = mesh_of(read_mesh(job["input"]))
     mesh = mq.improve(given, **job["options"], progress=progress_line())
     report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
@@ -375,7 +377,7 @@ def mesh_of(mesh):
 
 
 def quality(job):
-    """Likewise; a mesh is to be watertight unless the shape is not."""
+    """As triangulate(); a mesh must be watertight unless its shape is not."""
     mesh = mesh_of(read_mesh(job["input"]))
     shape = read_shape(job["shape"], job.get("object")) if job.get("shape") else None
     report = mq.quality(mesh, shape, progress_line())
@@ -436,7 +438,7 @@ def voids(job):
 
 
 def verify(job):
-    """Likewise; each fault is a finding."""
+    """As triangulate(); each fault is a finding."""
     found = mq.verify(job["input"], job.get("mesh"), progress_line())
     return found, f"verified {_count(found.elements, 'element')} of the certificate {job['input']}", \
         [verdict.Finding(upper_first(Text("{text}", text=f"{fault}."))) for fault in found.faults]
