@@ -310,7 +310,7 @@ def _follow_cad(found, quality):
 
 
 def _measure_from_cad(mesh, order, surface, shape, found, progress):
-    """The other direction; triangles that the mesh lists between bodies count, too."""
+    """Measures the distances of the CAD from the mesh; triangles listed between bodies count, too."""
     listed = [block.nodes for block in mesh.blocks if block.kind == "triangle" and block.order == order]
     rows = np.concatenate([surface, *listed]) if mesh.dimension == 3 else surface
     try:

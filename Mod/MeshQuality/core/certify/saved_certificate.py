@@ -19,7 +19,7 @@ CLAIMS = ("folded", "inverted", "not_proven")  # in the order of the core's verd
 PAIRS = ("crossing", "not_proven_apart", "touching")  # of triangles of the surface
 GRIDS = {"face_grids": 7, "edge_grids": 4}  # of points of the CAD that were measured, and how many numbers each has
 OF_SHAPE = ("max_deviation", "folded_on_cad", "cad_deviation", "cad_spacing", "not_on_shape")  # what is said of the shape
-# Numbers that may be left open: what was not looked for or not measured.
+# Numbers that may be None: not searched, or not measured.
 MEASURED = (*OF_SHAPE[:-1], "curved_intersections", "not_proven_apart", "overlapping_bodies")
 _CLAIMS = ("elements", "invalid", *CLAIMS, "min_distortion", "conforming", "oriented", *MEASURED, "not_on_shape")
 _MOST_STEPS = 10_000  # of a grid along one parameter
@@ -124,7 +124,7 @@ def load(path):
 
 
 def _fault_of(content):
-    """What of its parts is not there or of another type; None where all is well."""
+    """The first fault of the content: an entry that is missing or of another type; None without one."""
     for part in ("mesh", "cad"):
         said = content.get(part, "")
         if not (part == "cad" and said is None) and not _is_file(said):
@@ -148,8 +148,7 @@ def _fault_of(content):
 
 
 def missing(content):
-    """Names of what a loaded certificate should say and does not, as those of older versions, or where it was taken out; and
-    says nothing of, from here on.
+    """Names of claims that a loaded certificate lacks, as of an older version or after editing; sets these claims to None.
     """
     proven, surface = content["proven"], content.setdefault("surface", {})
     found = [name for name in _CLAIMS if name not in proven]

@@ -491,7 +491,7 @@ _SAID_OF_BODIES = {"overlapping": phrases.BODY_OVERLAPS, "inside": phrases.BODY_
 def _overlapping_bodies(report, values, kinds=tuple(_SAID_OF_BODIES)):
     """Findings of bodies of the shape that are not apart in the mesh, of these kinds, unless the options allow that.
 
-    Curved elements may be apart where the straight mesh crosses: what they do themselves is counted.
+    Curved elements may be apart where the straight mesh crosses: their own crossings are counted.
     """
     pairs = [pair for pair in report.overlapping_bodies if pair[2] in kinds]
     near = [pair for pair in pairs if pair[2] == "near"]

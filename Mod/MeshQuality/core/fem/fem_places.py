@@ -67,8 +67,8 @@ def _off_box(mesh, motion, box):
 
 
 def _off_faces(mesh, motion, shape):
-    """mm: the mean distance of nodes of the surface from the faces of the part, likewise. A part that is turned onto itself has
-    the same but for rounding: then either place is one of the mesh.
+    """mm: the mean distance of nodes of the surface from the faces of the part, without the motion and with it. A part that
+    is turned onto itself has the same but for rounding: then either place is one of the mesh.
     """
     nodes = np.unique(np.concatenate([rows.ravel() for rows in mesh.boundary()]))
     nodes = mesh.nodes[nodes[np.unique(np.linspace(0, len(nodes) - 1, _COMPARED).astype(int))]]

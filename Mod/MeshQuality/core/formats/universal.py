@@ -31,7 +31,7 @@ AROUND = {
 
 @functools.lru_cache(maxsize=None)
 def order_of(kind, count):
-    """By which nodes get into Gmsh's order."""
+    """The indices that bring nodes into Gmsh's order."""
     if (kind, count) not in AROUND:
         return np.arange(count)
     places = kinds.places(kind, count)

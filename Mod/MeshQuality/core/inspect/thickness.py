@@ -115,7 +115,7 @@ class ThicknessMap(metaclass=Public):
         return self._core.by_rays if self._measure == "rays" else self._core.by_spheres
 
     def by(self, measure):
-        """The same of the other measure, "spheres" or "rays"; nothing is computed again."""
+        """This map by the measure "spheres" or "rays"; nothing is computed again."""
         measure = options.inspection.THICKNESS[0].checked(measure)
         other = object.__new__(type(self))
         for name in self.__slots__:
@@ -136,7 +136,7 @@ class ThicknessMap(metaclass=Public):
 
     @property
     def bounds(self):
-        """Between which it is, mm, by the deviation of the mesh."""
+        """Bounds of the smallest thickness, mm, by the deviation of the mesh."""
         error = 2.0 * max(self.chord_height or 0.0, 0.0)
         return max(0.0, self.minimum - error), self.minimum + error
 
@@ -148,22 +148,22 @@ class ThicknessMap(metaclass=Public):
 
     @property
     def least_allowed(self):
-        """min_thickness less what coordinates of single precision change of it, mm: a wall that thick meets it."""
+        """min_thickness less the rounding of coordinates to single precision, mm: a wall that thick meets it."""
         return self.min_thickness - _ROUNDING * float(np.ptp(self.mesh.vertices, axis=0).max())
 
     @property
     def deciding_deviation(self):
-        """Deviation of a mesh from the shape, mm, by which that may be told, unless the wall is as thick as min_thickness."""
+        """Deviation of a mesh, mm, that decides this, unless the wall is just as thick as min_thickness."""
         return max(_DECIDES * abs(self.minimum - self.min_thickness), _LEAST_FINER * self.chord_height)
 
     @property
     def minimum_point(self):
-        """Where that is, mm; None where there are no walls."""
+        """The point of the smallest thickness, mm; None without walls."""
         return self.points[self.minimum_triangle] if self.minimum_triangle >= 0 else None
 
     @property
     def minimum_faces(self):
-        """The names of the CAD faces on both sides there."""
+        """The names of the CAD faces on both sides of the thinnest wall."""
         return self.faces_at(self.minimum_triangle)
 
     def faces_at(self, triangle):

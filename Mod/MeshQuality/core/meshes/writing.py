@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How meshes are written into files: in which format, with which patches, and so that a file that is there is lost only
-to a complete one.
+"""How meshes are written into files: in which format, with which patches, and so that only a complete file replaces an
+existing one.
 """
 
 import math

@@ -38,7 +38,7 @@ class Division(NamedTuple):
         return self.face_names[index] if index < len(self.face_names) else f"Face{index + 1}"
 
     def index_of(self, name):
-        """The index of a face, "Face3" or by its own name; None of another name."""
+        """The index of a face, "Face3" or by its own name; None for any other name."""
         if self.face_names and name in (*self.face_names, self.no_face):
             return -1 if name == self.no_face else self.face_names.index(name)
         found = _FACE.fullmatch(name)
@@ -63,8 +63,8 @@ class Patches(NamedTuple):
 def division_of(patches, rest=None, index_of=None, like=_PLAIN):
     """The Division of {"inlet": ["Face1", ...]} or {"inlet": {"faces": [...], "colour": "#ff0000"}}.
 
-    `index_of` gives the index of a face of such a name, None of others; without one `like` does, a Division whose names
-    of faces are taken. None where neither is given. Raises InvalidInput naming patch, face and remedy.
+    `index_of` returns the index of a face by its name, or None; by default that of the Division `like`, whose names of
+    faces the result keeps. None without patches and rest. Raises InvalidInput naming patch, face and remedy.
     """
     if patches is None and rest is None:
         return None

@@ -27,7 +27,7 @@ _AROUND = [(i / 4 + 1 / 12, j / 4 + 1 / 12, 0.0) for i in range(4) for j in rang
 
 
 def faults_of(shape, nodes, rows, said, proven, progress=None):
-    """Sentences: what of the distances that a certificate says does not hold."""
+    """Sentences on distances in a certificate that do not hold."""
     if len(said.get("face", ())) != len(rows) or len(said.get("deviation", ())) != len(rows):
         return [f"the certificate says max_deviation = {proven['max_deviation']!r}, but does not list the CAD face and the "
                 f"distance of each of the {len(rows):,} triangles of the surface"]
@@ -118,7 +118,7 @@ def largest(shape, nodes, rows, progress=None):
 
 
 def cad_faults(shape, nodes, rows, said, proven):
-    """Sentences: what of the distance from the CAD to the mesh that a certificate says does not hold.
+    """Sentences on distances from the CAD to the mesh in a certificate that do not hold.
 
     The grids that the certificate names are evaluated by FreeCAD: they must be all over the faces and edges, as close as it says,
     and none of their points farther from the mesh than it says.
