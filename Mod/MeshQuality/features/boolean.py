@@ -77,7 +77,7 @@ class MeshBoolean(mesh_object.MeshObject):
 
     @classmethod
     def size_of(cls, sources):
-        """That of all sources together."""
+        """The size of all sources together."""
         try:
             return Operands(sources).size()
         except Error:
@@ -85,7 +85,7 @@ class MeshBoolean(mesh_object.MeshObject):
 
     @classmethod
     def kept_length(cls, sources):
-        """The tolerance, or that of the resolution."""
+        """A function of options: the tolerance, or that of the resolution."""
         try:
             return tolerance_for(Operands(sources))
         except Error:
@@ -93,7 +93,7 @@ class MeshBoolean(mesh_object.MeshObject):
 
     @classmethod
     def few(cls, count):
-        """What is said of too few sources, a Text."""
+        """The Text for an object with too few sources."""
         one, several = phrases.FEW_SOURCES
         return phrases.Text(one) if count == 1 else phrases.Text(several, count=str(count))
 

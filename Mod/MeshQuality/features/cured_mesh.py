@@ -51,19 +51,19 @@ class CuredMeshObject(fem_mesh.FemMeshObject):
         return [*super().sources(obj), obj.Given]
 
     def add_properties(self, obj):
-        """As for all, and the given mesh."""
+        """As in the base class, and the given mesh."""
         mesh_object.add_property(obj, GIVEN[1], GIVEN[0], "Mesh", GIVEN[2])
         super().add_properties(obj)
 
     @classmethod
     def called_with(cls, names):
-        """The mesh comes first."""
+        """The arguments of CALL: the mesh comes first."""
         part, mesh = names
         return f"{mesh}, {part}"
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
-        """To cure the mesh of the second source on the shape of the first."""
+        """The Work of curing the mesh of the second source on the shape of the first."""
         mesh_object.require_source(sources[:1], obj)
         if sources[1] is None:
             raise InvalidInput(phrases.Text(phrases.GIVEN_DELETED))
@@ -86,7 +86,7 @@ class CuredMeshObject(fem_mesh.FemMeshObject):
         return fem_mesh.Result(elements, Cure(curved, shape, values, mesh, before, carried))
 
     def take(self, obj, result):
-        """As for all; which groups are the given ones has to be known before patches become groups."""
+        """As in the base class; which groups are the given ones has to be known before patches become groups."""
         obj.GivenGroups = sorted(result.proof.groups)
         return super().take(obj, result)
 

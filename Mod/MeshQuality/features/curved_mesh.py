@@ -80,7 +80,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
-        """As for all; where the deviation alone has changed, the elements are cut anew only."""
+        """As in the base class; where the deviation alone has changed, the elements are cut anew only."""
         work = super().work_on(sources, values, obj)
         own = convert.own_shape_of(sources[0])
         work.compute = partial(work.compute, digest=partial(_elements_fingerprint, own, work.values),

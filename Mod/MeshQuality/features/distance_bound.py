@@ -98,7 +98,7 @@ def same_bound(bound, length, relative, size):
 
 
 def _same_as_before(obj, bound, size):
-    """The same for the properties of an object, which has the default where nothing was given."""
+    """same_bound() for the properties of an object, with the default where no value was given."""
     default = next(option.default for option in obj.Proxy.OPTIONS
                    if option.name == options.DISTANCE[1])
     relative = max(_number(obj, "ChordHeightRelative"), 0.0) or default

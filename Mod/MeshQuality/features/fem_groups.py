@@ -54,7 +54,7 @@ def complete(obj, mesh):
 
 
 def update(obj):
-    """The same for the mesh that an object holds."""
+    """Updates the groups of the mesh that an object holds."""
     mesh = obj.FemMesh
     if {key: set(mesh.getGroupElements(group)) for key, group in _own_groups(obj, mesh).items()} != _wanted(obj, mesh):
         touched = "Touched" in obj.State

@@ -96,12 +96,12 @@ class MeshObject(PlainState):
 
     @classmethod
     def size_of(cls, sources):
-        """As the class says."""
+        """See the docstring of MeshObject."""
         return convert.size_of(sources[0])
 
     @classmethod
     def kept_length(cls, sources):
-        """As the class says."""
+        """See the docstring of MeshObject."""
         return None
 
     def __init__(self, obj):
@@ -323,7 +323,7 @@ class ShapeMesh(OfOneSource):
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
-        """To mesh the source with these options."""
+        """The Work of meshing the source with these options."""
         require_source(sources, obj)
         values = options.check(cls.OPTIONS, values)
         own = convert.own_shape_of(sources[0])
@@ -338,7 +338,7 @@ class PatchedMesh(MeshObject):
     """Proxy of an object whose mesh has patches, by the faces of its sources."""
 
     def add_properties(self, obj):
-        """As for all, and patches."""
+        """As in the base class, and patches."""
         super().add_properties(obj)
         patches.add_patch_properties(obj)
 
@@ -348,11 +348,11 @@ class PatchedMesh(MeshObject):
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(sentence)}\n")
 
     def faces(self, obj):
-        """What its sources' faces are called, as source_faces has them."""
+        """The names of its sources' faces, as in source_faces."""
         return FacesOfOne(self.sources(obj)[0])
 
     def has_faces(self, obj):
-        """Whether its mesh knows faces of which patches can be made."""
+        """Whether its mesh has faces of which patches can be made."""
         return True
 
     def require_patch_names(self, names):
@@ -363,12 +363,12 @@ class PatchedMesh(MeshObject):
 
 
 class SegmentedMesh(PatchedMesh):
-    """The same of a mesh with one segment a CAD face."""
+    """Proxy of such an object whose mesh has one segment for each CAD face."""
 
     HIDDEN = (FACE_RUNS,)
 
     def show(self, obj, mesh, shown, closed, findings):
-        """As for all."""
+        """As in the base class."""
         obj.FaceRuns = runs_of_faces(mesh.triangle_face)
         return super().show(obj, mesh, shown, closed, findings)
 
@@ -432,7 +432,7 @@ def faces_of_runs(runs, triangles):
 
 
 def show_certificate(obj, report, closed, findings):
-    """Fills what every kind of object has in the group Certificate.
+    """Fills the properties of the group Certificate that every kind of object has.
 
     report  a MeshReport
     closed  whether the mesh was to be closed

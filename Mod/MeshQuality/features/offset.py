@@ -40,7 +40,7 @@ class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
-        """To make the mesh of the source with these options."""
+        """The Work of making the mesh of the source with these options."""
         mesh_object.require_source(sources, obj)
         values = options.check(cls.OPTIONS, values)
         missing = next((option for option in cls.OPTIONS if option.is_required and not values[option.name]), None)
@@ -55,7 +55,7 @@ class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
         return Given(source)
 
     def has_faces(self, obj):
-        """One that is made of a mesh knows none."""
+        """False if the source is a mesh, or has meshes."""
         source, = self.sources(obj)
         return convert.has_faces(source) and not convert.meshes_in(source)
 
@@ -79,7 +79,9 @@ class Given:
         self.operands = Operands([source])
 
     def digest(self, values):
-        """A hash of it and options; the same after saving and loading, and after a container around it was moved."""
+        """A hash of the source and options; the same after saving and loading, and after a container around it was
+        moved.
+        """
         return self.operands.digest() + json.dumps(values, sort_keys=True)
 
 
@@ -92,12 +94,12 @@ class OffsetObject(SolidMesh):
 
     @classmethod
     def compute(cls, given, values, progress):
-        """The mesh and what belongs to it."""
+        """(OffsetMesh, Mesh.Mesh, findings of its certificate, given)."""
         mesh = run_offset(given.operands, values, progress)
         return mesh, mesh.to_mesh(), verdict.of_boolean(mesh), given
 
     def told(self, obj):
-        """That nothing is left."""
+        """A Text if the offset is empty."""
         return None if obj.Triangles or not obj.Fingerprint else phrases.Text(phrases.NOTHING_LEFT)
 
 

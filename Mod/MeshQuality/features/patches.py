@@ -49,7 +49,7 @@ def patches_of_lines(lines):
 
 
 def lines_of_patches(patches):
-    """The inverse, of what patches= takes."""
+    """The lines of the property for patches as patches= takes them."""
     lines = []
     for name, said in patches.items():
         faces, colour = (said["faces"], said.get("colour")) if hasattr(said, "items") else (said, None)

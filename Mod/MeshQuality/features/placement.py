@@ -145,7 +145,7 @@ class _Observer:
             _follow_all(document)
 
     def slotDeletedObject(self, obj):
-        """Called by FreeCAD while what the object holds is still in it."""
+        """Called by FreeCAD while the deleted object still has its content."""
         if _is_container(obj):
             for mesh in _meshes(obj.Document):
                 if any(obj in frames.containers_of(frames.object_of(source)) for source in (mesh, *_sources(mesh))):

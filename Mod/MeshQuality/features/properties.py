@@ -17,7 +17,7 @@ TOPOLOGY = (
 )
 VOLUME = ("Volume", "App::PropertyVolume", "Enclosed volume", "volume")
 NOTES = ("Notes", "App::PropertyStringList", "Other remarks about the computation", "notes")
-# The same, of those that promise a smallest angle.
+# Likewise, for objects that promise a smallest angle.
 ANGLES = (
     ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles", "max_angle"),
     ("ExemptCount", "App::PropertyInteger", "Number of triangles below the requested angle"),
