@@ -59,7 +59,7 @@ class Indicator(QtGui.QWidget):
         self.hide()
 
     def add(self, job, cancel):
-        """Shows a job too."""
+        """Shows one more job."""
         if not self._jobs:
             self._timer.start()
         self._jobs.append((job, cancel))

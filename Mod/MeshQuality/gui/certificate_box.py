@@ -133,7 +133,7 @@ class CertificateBox(QtGui.QWidget):
                       convert.size_of(self._obj.Proxy.sources(self._obj)[0]))
 
     def _remember(self, view):
-        """What is to be as before once the panel closes."""
+        """Stores the state of the view that is restored once the panel closes."""
         self._modes.setdefault(view, view.DisplayMode)
         source = getattr(self._obj, "Source", None)
         if source is not None:

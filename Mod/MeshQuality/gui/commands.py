@@ -58,12 +58,12 @@ class _Command:
         return [source for source in _selected() if _has_shape(source)]
 
     def operations(self, selected):
-        """What the panel is to do: here, a mesh of each."""
+        """The operations of the panel: here, a mesh of each object."""
         return [Operation(self.TEXT, self.KIND, [source], self.trial([source]))
                 for source in selected]
 
     def editing(self, obj):
-        """What the panel of an object that is there is to do."""
+        """The operation of the panel that edits an existing object."""
         return Operation.of_object(self.TEXT, obj, self.trial(obj.Proxy.sources(obj)))
 
     def trial(self, sources):

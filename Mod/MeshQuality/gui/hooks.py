@@ -54,7 +54,7 @@ class Window(Windowless):
         thickness_colours.show(obj, values)
 
     def drawing(self):
-        """That of the 3D view."""
+        """The Drawing of the 3D view."""
         # Here, not on the thread that computes: Coin is loaded where the window is.
         from .curved_view import Drawing
 

@@ -35,7 +35,7 @@ class MeshView(PlainState):
         self.view = view
 
     def getIcon(self):
-        """That of the command which adds such objects, as the path of a file or as a picture."""
+        """The icon of the command that adds such objects, as the path of a file or as a picture."""
         obj = self.view.Object
         # A document that is being read has no proxy yet.
         icon = getattr(obj.Proxy, "COMMAND", "MeshQuality")

@@ -66,7 +66,7 @@ class Operation:
         return self.kind.work_on(self.sources, values, self.obj)
 
     def is_done(self, work):
-        """Whether the object already holds what the work would give, and says so."""
+        """Whether the object already holds the result of the work with these values."""
         return self.obj is not None and work.values == self.values() and not self._order() \
             and self.obj.Proxy.is_result(self.obj, work)
 
@@ -76,12 +76,12 @@ class Operation:
         return all(obj is not None and is_there(self.document, frames.object_of(obj)) for obj in needed)
 
     def obstacle(self):
-        """What a result has to wait for before it can land, as in obstacle_in."""
+        """The obstacle that delays taking a result, see obstacle_in."""
         return obstacle_in(self.document)
 
     def obstacle_beside_tasks(self):
-        """The same while the user may have opened another task: the mesh is no part of its step of
-        undo, and would end that too early.
+        """As obstacle(), and another task that the user has opened: the mesh does not belong to its
+        step of undo, and would end that too early.
         """
         step_is_open = FreeCADGui.Control.activeDialog() and self.document in FreeCAD.listDocuments() \
             and (FreeCAD.getDocument(self.document).HasPendingTransaction or FreeCAD.getActiveTransaction())
@@ -90,7 +90,7 @@ class Operation:
 
     @property
     def step(self):
-        """What undo calls it."""
+        """The name of the step of undo."""
         return translate("MeshQuality", "Edit {}").format(self.obj.Label) \
             if self.obj is not None else self.title
 
@@ -102,7 +102,7 @@ class Operation:
         return f"mq.{self.kind.CALL}({given}{_arguments(values, options.defaults(self.kind.OPTIONS))})"
 
     def _order(self):
-        """What gives the object its operands in another order; empty: they are in this one."""
+        """The Python that reorders the object's operands; empty if they are in this order."""
         if "Sources" not in self.kind.LINKS or self.obj.Proxy.sources(self.obj) == self.sources:
             return ""
         names = ", ".join(name_of(frames.object_of(source)) for source in self.sources)
@@ -142,7 +142,7 @@ class Watch:
         FreeCAD.addDocumentObserver(self)
 
     def end(self):
-        """Watches no longer."""
+        """Stops watching."""
         FreeCAD.removeDocumentObserver(self)
 
     def slotChangedObject(self, obj, name):

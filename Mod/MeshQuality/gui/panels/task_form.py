@@ -103,7 +103,7 @@ class ClosesWithDocument:
         FreeCAD.addDocumentObserver(self)
 
     def end(self):
-        """Watches no longer."""
+        """Stops watching."""
         if self._active:
             self._active = False
             FreeCAD.removeDocumentObserver(self)
