@@ -410,22 +410,22 @@ class Text(str):
 
 
 def counted(pair, count, **places):
-    """One of a pair of phrases, by the count that it says."""
+    """The first of a pair of phrases for a count of 1, else the second, with the count."""
     return Text(pair[count != 1], count=f"{count:,}", **places)
 
 
 def counted_sentence(pair, count, /, **places):
-    """The same as a sentence."""
+    """counted() as a sentence."""
     return upper_first(counted(pair, count, **places))
 
 
 def counted_list(pair, names, /, **places):
-    """The same with the names of the first ones."""
+    """counted_sentence() with the names of the first items."""
     return counted_sentence(pair, len(names), list=first_of(names), **places)
 
 
 def first_of(names, most=3):
-    """The first names, and how many there are more."""
+    """The first names, and the number of the others."""
     listed = list(names[:most])
     return Text(AND_MORE, list=listed, count=str(len(names) - most)) if len(names) > most else listed
 
@@ -472,13 +472,13 @@ def stored(text, data):
 
 
 def text_of(value):
-    """What is said of a text or an error: as a Text where it is one."""
+    """The message of an error, or the text itself; a Text stays one."""
     said = value.args[0] if isinstance(value, Exception) and value.args else value
     return said if isinstance(said, Text) else str(value)
 
 
 def renamed(text, before, name):
-    """A text that names something in another way, wherever it does."""
+    """The text with the name `before` replaced by `name` throughout."""
     if isinstance(text, Text):
         return Text._of(text.phrase, {key: renamed(value, before, name) for key, value in text.places.items()}, text.upper)
     if not isinstance(text, str):
@@ -487,7 +487,7 @@ def renamed(text, before, name):
 
 
 def exempt_triangle(triangle, reason):
-    """What documents say of an exempt triangle."""
+    """The sentence of documents on an exempt triangle."""
     return Text(_EXEMPT_TRIANGLE, count=str(triangle), phrase=reason)
 
 

@@ -132,7 +132,7 @@ class Option:
 
     @property
     def alias_flag(self):
-        """The same of its alias."""
+        """The name of its alias on the command line."""
         return _flag(self.alias)
 
     @property
