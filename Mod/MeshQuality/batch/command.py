@@ -58,7 +58,7 @@ class ProgressLine:
               f"{_duration(left)} left\x1b[K", end="", file=sys.stderr, flush=True)
 
     def end(self):
-        """Takes the line away."""
+        """Removes the line."""
         if self._visible:
             print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 

@@ -80,7 +80,7 @@ class FreeCad:
         return self.jobs >= MOST_JOBS or self.resident > _GROWN * self._bytes
 
     def _answer(self, seconds):
-        """The next object that it prints."""
+        """The next object that the FreeCAD prints."""
         late = threading.Event()
 
         def end():
@@ -122,7 +122,7 @@ class FreeCad:
         self.kill()
         self._process.wait()
         for stream in (self._process.stdin, self._process.stdout, self._words):
-            with contextlib.suppress(OSError):  # what was not written yet is for nobody
+            with contextlib.suppress(OSError):  # nobody reads the rest
                 stream.close()
 
 
