@@ -65,7 +65,7 @@ def _result_of(parsed):
 
 
 def _give_up(stream):
-    """Nobody takes what is written there any more; Python must not try once more when it ends."""
+    """Nobody reads the stream any more; Python must not flush it once more when it ends."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 

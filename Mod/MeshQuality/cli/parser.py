@@ -375,7 +375,7 @@ def _add_options(one, table, headings=None):
         group = groups.get(title) or one.add_argument_group(title[0].lower() + title[1:])
         groups[title] = group
         if option.kind is bool:
-            # --no-... exists for what is on unless it is switched off.
+            # --no-... exists for options that are on by default.
             action = argparse.BooleanOptionalAction if option.default else "store_true"
             group.add_argument(option.flag, action=action, default=option.default,
                                help=option.help)

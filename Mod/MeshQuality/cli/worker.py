@@ -445,7 +445,9 @@ def verify(job):
 
 
 def _failure(status, error, **more):
-    """The result of a job that ended with this error. Its kind is what the error has in common with those of other parts."""
+    """The result of a job that ended with this error. Its kind is the text that the error shares with those of other
+    parts.
+    """
     said = error.args[0] if error.args else None
     kind = {"kind": said.phrase} if isinstance(said, Text) else {}
     return {"status": status, "text": str(error), **kind, **more}
