@@ -79,7 +79,8 @@ def hollow(source, thickness, openings=None, tolerance=None, progress=None, thre
 
 
 def run_hollow(operands, faces, values, progress=None):
-    """The same of Operands, of which there is one, that were read, with checked options.
+    """The OffsetMesh of hollowing Operands, of which there is one, that were read, with checked
+    options.
 
     faces  indices of the faces of its shape that are open; None: the hollow is closed
     """

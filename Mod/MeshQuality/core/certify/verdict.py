@@ -59,13 +59,13 @@ def word(findings):
 
 
 def sentence(findings):
-    """What the property Certificate says."""
+    """The text of the property Certificate."""
     phrase = phrases.NOT_MET_TEXT if word(findings) == NOT_MET else phrases.NOT_DECIDED_TEXT
     return Text(phrase, text=_joined(findings)) if findings else MET
 
 
 def _joined(findings):
-    """The sentences of all, to stand after a colon."""
+    """The sentences of all findings, to stand after a colon."""
     return phrases.lower_first(phrases.joined(*(finding.text for finding in findings)))
 
 
@@ -75,17 +75,17 @@ def is_met(certificate):
 
 
 def is_missed(certificate):
-    """Whether it says that some are not."""
+    """Whether a Certificate says that some limits are not met."""
     return certificate.startswith((NOT_MET, _OLD_NOT_MET))
 
 
 def is_open(certificate):
-    """Whether it says that the measurement is too coarse to tell."""
+    """Whether a Certificate says that the measurement is too coarse to decide."""
     return certificate.startswith(NOT_DECIDED)
 
 
 def said(certificate):
-    """What a Certificate says is not met or not decided, without the words before it."""
+    """The limits that a Certificate names as not met or not decided."""
     if isinstance(certificate, Text):
         return certificate.places["text"]
     for start in (f"{NOT_MET}: ", f"{NOT_DECIDED}: ", _OLD_NOT_MET):
@@ -122,7 +122,7 @@ def line(label, report, findings, say=str):
 
 
 def _figures(report):
-    """What the line says of a MeshReport, BooleanReport or CurveReport."""
+    """The figures of a MeshReport, BooleanReport or CurveReport in that line."""
     curved = hasattr(report, "elements")
     if curved:
         yield counted_sentence(phrases.ELEMENTS, report.elements)

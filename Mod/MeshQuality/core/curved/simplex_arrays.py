@@ -75,6 +75,8 @@ def lost_of_group(mesh, name, carried):
 
 
 def _keys(corners):
-    """One value a row, the same where elements have the same corners; those of new vertices, -1, are of no given element."""
+    """One key for each row, equal for elements with the same corners; a row with a new vertex, -1, matches no given
+    element.
+    """
     rows = np.ascontiguousarray(np.sort(corners, axis=1), dtype=np.int32)
     return rows.view(np.dtype((np.void, rows.itemsize * rows.shape[1]))).ravel()

@@ -92,7 +92,9 @@ def numbers_in(text):
 
 
 def whole(values):
-    """The same as int64; raises ValueError for fractions and for what is too large to be a number of a node."""
+    """int64 array of the numbers in bytes of text; raises ValueError for fractions and for what is too large to
+    be a number of a node.
+    """
     values = np.asarray(values)
     if values.dtype.kind != "f":
         return values.astype(WHOLE)

@@ -6,7 +6,7 @@ import math
 # Elements that a mesh of tetrahedra has, expected: its volume over the cube of its longest edge, times this. Measured as 8.4 to
 # 9.4 on a cantilever, a bracket and a shaft (benchmarks/solvers/fem_stress.py); faces that bend take more.
 _TETRAHEDRA = 9.0
-_TRIANGLES = 5.0  # the same of a mesh of shells: its area over the square of its longest edge
+_TRIANGLES = 5.0  # the same factor for a mesh of shells: its area over the square of its longest edge
 _MOST = 100_000  # elements expected: CalculiX takes some minutes and gigabytes for quadratic ones
 _SHELL_SIZES = 10.0  # longest edges along a shell, for one element through the walls
 

@@ -89,9 +89,9 @@ def voids(source, tolerance=None, progress=None):
     tolerance  mm; largest distance of the mesh from a shape; None: a thousandth of the largest dimension
     progress   callable(fraction 0..1, stage); returning False cancels
 
-    A cavity is a closed surface that faces inwards; a solid that lies in it is not taken off its volume. Those that open to
-    the outside, by a hole however narrow, are none. The solids of a shape are searched each by itself.
-    Raises InvalidInput naming the shape or mesh, the defect and the remedy; TopologyError, GeometryError; Cancelled.
+    A cavity is a closed surface that faces inwards; a solid that lies in it is not taken off its volume. A space that opens
+    to the outside, by a hole however narrow, is no cavity. The solids of a shape are searched each by itself. Raises
+    InvalidInput naming the shape or mesh, the defect and the remedy; TopologyError, GeometryError; Cancelled.
     """
     values = options.check(options.inspection.VOIDS, {"tolerance": tolerance})
     options.require_callable(progress)

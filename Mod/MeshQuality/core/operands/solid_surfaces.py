@@ -19,7 +19,7 @@ def is_given_mesh(source):
 
 
 class SolidSource:
-    """A shape or a mesh, as it is now: the place for errors to name it.
+    """A shape or a mesh, as it is now, with its name for errors.
 
     shape  the Part.Shape; None of a mesh
     label  how sentences call it

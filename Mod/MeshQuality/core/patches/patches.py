@@ -122,8 +122,8 @@ def _add_face(patch_of, names, name, face, index_of):
 
 
 def division_for(source, patches, rest=None):
-    """The same for a shape or a document object, which must have the faces. Names are those of local sizes: "Box.Face3"
-    of a container or a link.
+    """The Division for a shape or a document object, which must have the faces. Names are those of local sizes:
+    "Box.Face3" of a container or a link.
     """
     division = division_of(patches, rest, lambda name: index_in(source, name))
     if division is not None and division.patch_of:

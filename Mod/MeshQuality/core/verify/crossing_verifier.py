@@ -5,7 +5,7 @@ the core proves.
 It shares no code with the core. All sides are triangles of one degree: quadrilaterals are two of twice their order, whose control
 points follow by interpolation. All pairs whose boxes meet are cut into four by four pieces, level by level and many
 pairs at once, until a plane is found by Gilbert's iteration (1966) between two pieces, or between their directions from a
-vertex or an edge that they share. Pairs that are said to cross are shown a common point of.
+vertex or an edge that they share. For pairs that are said to cross a common point is found.
 """
 
 import functools
@@ -304,7 +304,7 @@ def _monotone(order, control, margin):
 
 def examine(nodes, sides, listed=(), left_out=(), progress=None):
     """(pairs (P, 2), verdict (P,)) of the pairs that are not proven apart, and of those that are listed: APART, CROSSING or
-    UNKNOWN. Pairs that are left out are not looked at. sides: [(kind, order, rows)]; progress as for verify.
+    UNKNOWN. Other pairs are not examined. sides: [(kind, order, rows)]; progress as for verify.
     """
     surface = _Surface(nodes, sides)
     count = int(surface.side.max(initial=-1)) + 1

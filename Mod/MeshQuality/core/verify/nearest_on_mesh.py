@@ -19,8 +19,8 @@ _SIDES = (((0.0, 0.0), (1.0, 0.0)), ((1.0, 0.0), (-1.0, 1.0)), ((0.0, 1.0), (0.0
 
 
 def beyond(points, nodes, rows, allowed):
-    """float64 (N,): the distance of each point from the mesh where that is more than `allowed` mm, else one below that was found
-    first; infinite where no triangle is near enough to be searched.
+    """float64 (N,): the distance of each point from the mesh if it exceeds `allowed` mm, else the first distance found below
+    that; infinite where no triangle is near enough to be searched.
     """
     found = np.full(len(points), np.inf)
     candidates = _candidates(points, nodes, rows, allowed)

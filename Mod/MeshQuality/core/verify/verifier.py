@@ -68,7 +68,7 @@ def _rounded(matrix, divisor):
 
 @functools.lru_cache(maxsize=None)
 def _to_bernstein(degree):
-    """From values to coefficients along one side: whole numbers, and the same as floating point."""
+    """The matrix from values to coefficients along one side: whole numbers, and as floating point."""
     rows = [[math.comb(degree, j) * t**j * (_UNIT - t) ** (degree - j) for j in range(degree + 1)] for t in _points(degree)]
     matrix, whole = _inverse(rows)
     return matrix, _rounded(matrix * _UNIT**degree, whole)
@@ -76,7 +76,7 @@ def _to_bernstein(degree):
 
 @functools.lru_cache(maxsize=None)
 def _halves(degree):
-    """From the coefficients of a polynomial to those of its halves, times 2^degree."""
+    """The matrices from the coefficients of a polynomial to those of its halves, times 2^degree."""
     left = [[math.comb(i, j) * 2 ** (degree - i) if j <= i else 0 for j in range(degree + 1)] for i in range(degree + 1)]
     return tuple(np.array(half, dtype=object) for half in (left, [row[::-1] for row in left[::-1]]))
 
@@ -201,7 +201,7 @@ def _coefficients(kind, order, corners, exact):
 
 
 def _decide(coefs, error, exact):
-    """By element what J is."""
+    """By element the sign of J: POSITIVE, TOUCHING, NEGATIVE or UNKNOWN."""
     found = np.full(len(error), UNKNOWN)
     owner, degrees = np.arange(len(error)), [n - 1 for n in coefs.shape[1:]]
     open_, ends = found == UNKNOWN, (slice(None), *(slice(None, None, max(degree, 1)) for degree in degrees))
