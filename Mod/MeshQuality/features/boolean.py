@@ -99,7 +99,7 @@ class MeshBoolean(mesh_object.MeshObject):
 
     @classmethod
     def read(cls, sources):
-        """What compute takes, read from the document."""
+        """The argument of compute, read from the document."""
         return Operands(sources)
 
     @classmethod

@@ -20,8 +20,8 @@ _choosing = set()  # (document, object) whose bound is being chosen
 
 
 def add(obj, table):
-    """Adds the choice to an object that has the two values. One of an older version gets what its
-    values say.
+    """Adds the choice to an object that has the two values. An object of an older version gets the
+    choice that its values imply.
     """
     if PROPERTY not in obj.PropertiesList:
         option = next(option for option in table if option.name == options.DISTANCE[0])

@@ -66,7 +66,7 @@ def update(obj):
 
 
 def _own_groups(obj, mesh):
-    """{(name, kind): group} of those that are neither of the shape nor of a mesh that was given."""
+    """{(name, kind): group} of the groups that belong neither to the shape nor to a given mesh."""
     named = {(mesh.getGroupName(group), mesh.getGroupElementType(group)): group for group in mesh.Groups}
     return {key: group for key, group in named.items()
             if not is_of_shape(key[0]) and key[0] not in _given_groups(obj)}

@@ -109,7 +109,7 @@ class MeshObject(PlainState):
         self.add_properties(obj)
 
     def add_common_properties(self, obj):
-        """Adds what every kind of object has."""
+        """Adds the properties of every kind of object."""
         for name, kind, text, *_ in (*PROMISES, *self.PROMISES):
             if not add_property(obj, kind, name, "Certificate", text):
                 obj.setGroupOfProperty(name, "Certificate")  # older versions had some elsewhere
@@ -166,14 +166,14 @@ class MeshObject(PlainState):
         return mesh.report, findings
 
     def follow(self, obj):
-        """Has what names sub-elements of the sources follow their change."""
+        """Updates names of sub-elements after a change of the sources."""
 
     def size(self, obj):
         """Number of triangles of the mesh that it holds."""
         return obj.Mesh.CountFacets
 
     def lacks_source(self, obj):
-        """Whether something that it is made of was deleted, or never chosen."""
+        """Whether a source was deleted, or never chosen."""
         return None in self.sources(obj)
 
     @property
@@ -222,7 +222,7 @@ class MeshObject(PlainState):
         return names[0] if len(names) == 1 else f"[{', '.join(names)}]"
 
     def told(self, obj):
-        """What users are told of the result beside its certificate, a Text; None: nothing."""
+        """A Text on the result for users, beside its certificate; None: nothing."""
         return None
 
     def left_out(self, obj):
@@ -260,7 +260,7 @@ class MeshObject(PlainState):
         return work, work.result(None)
 
     def is_result(self, obj, work):
-        """Whether the object holds what the work would give."""
+        """Whether the object holds the result of the work."""
         held = self.held(obj)
         return bool(held) and work.fingerprint == held
 
@@ -397,7 +397,7 @@ def require_source(sources, obj):
 
 
 def _tell(obj, report, findings, left_out):
-    """Has the report view say in one line what came of an object that was computed, and in others what is left out."""
+    """Writes one line on the result of an object to the report view, and others on what is left out."""
     text = verdict.line(obj.Label, report, findings, window().translated)
     (FreeCAD.Console.PrintWarning if findings else FreeCAD.Console.PrintMessage)(text + "\n")
     told = obj.Proxy.told(obj)

@@ -76,7 +76,7 @@ def _holders(obj):
 
 
 def _all_holders(obj):
-    """Those around it, and those around them."""
+    """The groups around an object, and the groups around these."""
     found, pending = set(), [obj]
     while pending:
         holders = set(_holders(pending.pop())) - found

@@ -39,7 +39,7 @@ class Work:
         self._digest = lambda: f"{digest()} {how}"
 
     def result(self, progress):
-        """What compute gives; the fingerprint is of what the sources were before."""
+        """The result of compute; the fingerprint is that of the sources before the call."""
         self.announced_fingerprint(progress)
         return self.compute(progress)
 

@@ -49,7 +49,7 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
 
     @classmethod
     def read(cls, sources):
-        """What compute takes, read from the document."""
+        """The argument of compute, read from the document."""
         return Wrapped(sources)
 
     @classmethod
