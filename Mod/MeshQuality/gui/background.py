@@ -97,7 +97,7 @@ class Indicator(QtGui.QWidget):
 
 
 def has_ended():
-    """What is said once a job that was cancelled is over."""
+    """The message once a cancelled job is over."""
     return translate("MeshQuality", "what could not be interrupted has ended")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a panel tells of the certificate of the object that it edits."""
+"""The box of a panel on the certificate of the object that it edits."""
 
 import FreeCAD
 import FreeCADGui

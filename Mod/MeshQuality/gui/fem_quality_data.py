@@ -116,7 +116,7 @@ class FemQualityData(QualityData):
         return np.where(self._outside, worst, np.nan)
 
     def marked(self, measure, values):
-        """Those that are not proven valid."""
+        """The elements that are not proven valid."""
         return values <= 0.0 if measure is JACOBIAN_RATIO else super().marked(measure, values)
 
     def scale(self, measure, values):
@@ -126,11 +126,11 @@ class FemQualityData(QualityData):
         return super().scale(measure, values)
 
     def is_inside(self, element):
-        """Those without a face on the surface."""
+        """The elements without a face on the surface."""
         return not self._outside[element]
 
     def remark(self):
-        """How many those are."""
+        """The number of elements without a face on the surface."""
         invalid, count = self._certificate.invalid, count_text(self.elements)
         if not invalid:
             return translate("MeshQuality", "All {0} proven valid.").format(count)

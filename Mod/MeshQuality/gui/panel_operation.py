@@ -95,7 +95,7 @@ class Operation:
             if self.obj is not None else self.title
 
     def line(self, values):
-        """The line of Python that does it."""
+        """The line of Python that makes the change."""
         if self.obj is not None:
             return f"{self._order()}mq.update({name_of(self.obj)}{_arguments(values, self.values())})"
         given = self.kind.called_with([name_of(source) for source in self.sources])

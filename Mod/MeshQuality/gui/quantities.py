@@ -72,8 +72,8 @@ def count_text(count):
 
 
 def lengths_in_units(texts):
-    """Texts such as ["0.0171 mm", "0.01 mm"] in the user's unit, the one that fits the longest of them. As
-    exact as they are, to three digits at least, and to as many as tell them apart.
+    """Texts such as ["0.0171 mm", "0.01 mm"] in the user's unit, the one that fits the longest of them.
+    They keep their digits: three at least, and as many as tell them apart.
     """
     given = [text.split()[0] for text in texts]
     values = [float(number) for number in given]

@@ -84,7 +84,7 @@ class ExportPanel(WritingPanel):
         return lambda _progress: export.write_ahead(make, self.source, path, **how), partial(self._land, path, how)
 
     def _options(self, path):
-        """What export_mesh takes beside object and path, where it is not the default."""
+        """The arguments of export_mesh beside object and path that are not the default."""
         how = {}
         if self.unit.currentData() != 1.0:
             how["scale"] = self.unit.currentData()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a panel tells of the faults of a mesh: how many of each kind, and where."""
+"""The box of a panel on the faults of a mesh: how many of each kind, and where."""
 
 import FreeCAD
 import numpy as np

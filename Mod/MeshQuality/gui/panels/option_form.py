@@ -499,7 +499,7 @@ class _Faces(_SubElements):
         self.text.setText(", ".join(value or []))
 
     def add(self, names):
-        """Those that are not there yet."""
+        """Adds the names that the field does not have yet."""
         names = element_names.faces_of(names)
         self.write(list(dict.fromkeys([*(self.read() or []), *names])))
         return names

@@ -77,7 +77,7 @@ class WritingPanel:
 
     @staticmethod
     def said_of_cancelling():
-        """What the panel says once the work was cancelled."""
+        """The message of the panel once the work was cancelled."""
         return translate("MeshQuality", "Cancelled; no file was written.")
 
     @staticmethod
