@@ -105,7 +105,7 @@ class Division {
         if (local_.count(point) == 0) {
             const int added = local(point);
             const int at = plane_.insert(added);
-            local_[point] = at;  // another point may have been in the place
+            local_[point] = at;  // the point in this place: an earlier one, if there is one
         }
     }
 
