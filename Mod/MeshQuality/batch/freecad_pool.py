@@ -20,7 +20,7 @@ from ..limits import how_it_ended, ran_out_of_memory
 
 START_SECONDS = 120.0
 MOST_JOBS = 1000
-_GROWN = 0.25  # of the memory limit
+_GROWN = 0.25  # share of the memory limit
 
 
 class Died(Exception):  # noqa: N818 - an event, not a fault of the caller

@@ -166,7 +166,7 @@ def _locked(path):
     stream = os.fdopen(os.open(path, flags, 0o666), "r+b", buffering=0)
     try:
         import fcntl
-    except ImportError:  # Windows has no such locks
+    except ImportError:  # Windows has no fcntl
         return stream
     try:
         fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
