@@ -36,8 +36,8 @@ def freecad_command(script):
 
 
 def _exit_code(process, deadline):
-    """Waits for the process. Raises TimeoutError after the deadline, KeyboardInterrupt also where Python lost it that
-    was raised by a signal, as it may in a destructor.
+    """Waits for the process. Raises TimeoutError after the deadline, and KeyboardInterrupt after a signal, even if
+    Python lost that exception, as it may in a destructor.
     """
     while True:
         left = _LOOK_SECONDS if deadline is None else deadline - time.monotonic()

@@ -19,7 +19,7 @@ def main(arguments=None):
     """Runs the command line; returns the exit status."""
     parsed = parse(arguments)
     if hasattr(sys.stdout, "reconfigure"):
-        sys.stdout.reconfigure(errors="backslashreplace")  # as stderr: not every terminal has a sign for degrees
+        sys.stdout.reconfigure(errors="backslashreplace")  # as Python has it for stderr: not every terminal has a sign for degrees
     with EndedBySignals(last=arguments is None):
         result = _outcome(parsed)
         try:

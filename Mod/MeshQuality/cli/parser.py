@@ -14,7 +14,7 @@ from ..version import __version__
 
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
 MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
-ELEMENT_SUFFIXES = tuple(READABLE)  # of meshes that other programs made
+ELEMENT_SUFFIXES = tuple(READABLE)  # extensions of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
           "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,

@@ -34,7 +34,7 @@ _NO_FINDING = {**dict.fromkeys(("quality", "certify"), "no limits were requested
 # What reports have for Python alone.
 _NOT_WRITTEN = {"exempt_reasons", "spanning", "max_chord_triangle", "max_chord_point", "detail", "sewn", "imprinted", "reused_faces",
                 "holes_filled"}
-WRAP_FIELDS = ("distance_to_input", "distance_from_input", "gap_triangles", "gap_area")  # of the mesh itself
+WRAP_FIELDS = ("distance_to_input", "distance_from_input", "gap_triangles", "gap_area")  # fields of the mesh itself
 
 
 def report_fields(report):
@@ -248,7 +248,8 @@ def end_progress_line():
 
 
 def written(job, write):
-    """Has `write` write the mesh to a path, if asked for; says where, for the sentence to end with.
+    """Has `write` write the mesh to the path of the job, if it has one; returns the end of a
+    sentence that says where.
 
     A file that is there is replaced once the mesh is written in whole.
     """
@@ -346,9 +347,7 @@ def hollow(job):
 
 
 def wrap(job):
-    """As triangulate(), and values that the report of a Boolean lacks. A leak to a place that is to stay dry is a
-    finding.
-    """
+    """As triangulate(), with values that the report of a Boolean lacks. A leak to a place that is to stay dry is a finding."""
     sources = [read_operand(path, job.get("object")) for path in job["inputs"]]
     mesh = mq.wrap(sources, **job["options"], dry=job.get("dry"), progress=progress_line())
     report, told, findings = _offset_written(job, mesh)
