@@ -341,8 +341,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     mesh_scale     factor from the coordinates of that file to mm: 1000 for one in metres, 25.4 for inches
     threads        that work at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any number
 
-    Returns a CurvedMesh, of a mesh with other elements than triangles and tetrahedra a CurvedElementMesh; elements that
-    stay invalid are in its report. The shape is only read.
+    Returns a CurvedMesh, or a CurvedElementMesh if a mesh has other elements than triangles and tetrahedra; its report
+    has the elements that stay invalid. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
     """
     options.require_callable(progress)

@@ -16,16 +16,16 @@ from ..sources import convert
 
 FORMAT, VERSION = "MeshQuality mesh certificate", 1
 CLAIMS = ("folded", "inverted", "not_proven")  # in the order of the core's verdicts 1, 2 and 3
-PAIRS = ("crossing", "not_proven_apart", "touching")  # of triangles of the surface
-GRIDS = {"face_grids": 7, "edge_grids": 4}  # of points of the CAD that were measured, and how many numbers each has
+PAIRS = ("crossing", "not_proven_apart", "touching")  # lists of pairs of triangles of the surface
+GRIDS = {"face_grids": 7, "edge_grids": 4}  # grids of measured points of the CAD: how many numbers each grid has
 OF_SHAPE = ("max_deviation", "folded_on_cad", "cad_deviation", "cad_spacing", "not_on_shape")  # what is said of the shape
 # Numbers that may be None: not searched, or not measured.
 MEASURED = (*OF_SHAPE[:-1], "curved_intersections", "not_proven_apart", "overlapping_bodies")
 _CLAIMS = ("elements", "invalid", *CLAIMS, "min_distortion", "conforming", "oriented", *MEASURED, "not_on_shape")
-_MOST_STEPS = 10_000  # of a grid along one parameter
-_LARGEST = 1e9  # of faces, and of measures in mm
-_DIGITS = 4  # of the bounds; rounded down, so that they stay bounds
-_PLACES = 9  # of distances in mm, rounded up
+_MOST_STEPS = 10_000  # steps of a grid along one parameter
+_LARGEST = 1e9  # largest number of faces, and largest measure in mm
+_DIGITS = 4  # digits of the bounds; rounded down, so that they stay bounds
+_PLACES = 9  # decimal places of distances in mm, rounded up
 
 
 def digest_of(path):

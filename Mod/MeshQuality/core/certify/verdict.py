@@ -24,10 +24,10 @@ SHAPE_DISTORTION_LIMIT = 10.0
 
 UNKNOWN = "unknown: the mesh was made by an older version; update it"
 NOT_COMPUTED = "unknown: the mesh could not be computed with these options and sources"
-_OLD_MET, _OLD_NOT_MET = "kept", "missed: "  # in documents of older versions
+_OLD_MET, _OLD_NOT_MET = "kept", "missed: "  # words in documents of older versions
 _TARGETS = {NOT_MET: phrases.TARGET_NOT_MET, NOT_DECIDED: phrases.TARGET_NOT_DECIDED}
 _NAMED = 3  # elements or faces that a sentence names
-_NO_VOLUME = 1e-9  # of the area to the power 3/2: a sheet with two sides encloses that much by rounding
+_NO_VOLUME = 1e-9  # share of the area to the power 3/2 that a sheet with two sides encloses by rounding
 _COUNTED = 1000  # contacts that the core counts at most, where nobody has counted them before
 
 

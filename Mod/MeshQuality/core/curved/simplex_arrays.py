@@ -18,7 +18,7 @@ def corners_of(mesh, solids):
     """(nodes, triangles, tetrahedra, regions) of an ElementMesh that is not mixed: float64 (N, 3), int32 (T, 3), (E, 4) and
     (E,).
 
-    solids  how many the shape has: groups within one are of materials or loads, and no bodies
+    solids  number of solids of the shape: in a shape with one solid, groups are materials or loads, not bodies
     """
     tetrahedra = [block for block in mesh.blocks if block.kind == "tetrahedron"]
     triangles = [block.nodes[:, :3] for block in mesh.blocks if block.kind == "triangle"]

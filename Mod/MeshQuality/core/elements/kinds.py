@@ -194,7 +194,7 @@ def from_convention(kind, count, convention):
 
 @functools.lru_cache(maxsize=None)
 def from_mirrored(kind, count):
-    """Likewise for MED and SMESH, whose volumes are the other way round than Gmsh's."""
+    """As from_convention, for MED and SMESH, whose volumes are the other way round than Gmsh's."""
     order = from_convention(kind, count, RINGS)
     return order[turned(kind, count)] if DIMENSION[kind] == 3 else order
 
@@ -205,7 +205,7 @@ _CGNS_TETRAHEDRON = (_BASES["tetrahedron"], ((0, 1, 2), (0, 1, 3), (1, 2, 3), (2
 
 @functools.lru_cache(maxsize=None)
 def from_cgns(kind, count):
-    """Likewise for CGNS: of triangles and tetrahedra up to order 4, of other elements up to order 2."""
+    """As from_convention, for CGNS: triangles and tetrahedra up to order 4, other elements up to order 2."""
     if order_of(kind, count) <= 2:
         return from_convention(kind, count, LEVELS)
     sides = _CGNS_TETRAHEDRON if kind == "tetrahedron" else (EDGES[kind], FACES[kind])

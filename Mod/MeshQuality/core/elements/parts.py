@@ -8,7 +8,7 @@ import numpy as np
 
 from ...errors import IoError
 
-# Of names that several formats have for the same thing.
+# The type of integers that readers return, and what error messages advise.
 WHOLE = np.dtype(np.int64)
 REMEDY = "write it anew, or in another format"
 

@@ -13,7 +13,7 @@ from ...compat import extension
 from ..meshes.element_mesh import ElementMesh
 from ..sources import convert, frames
 
-_FITS = 0.02  # of the diagonal, by which boxes may differ where the mesh is coarse
+_FITS = 0.02  # share of the diagonal by which boxes may differ where the mesh is coarse
 _COMPARED = 2000  # nodes of the surface that are held against the faces
 
 

@@ -12,8 +12,8 @@ _SHELL_SIZES = 10.0  # longest edges along a shell, for one element through the 
 
 
 def longest_edge(shape, values):
-    """(length, note): the longest edge of a FEM mesh with these options, in mm, and a sentence where the number of elements
-    is what limits it, or "".
+    """(length, note): the longest edge of a FEM mesh with these options, in mm, and a sentence if the number of elements
+    limits it, or "".
 
     Of solids: the mean wall thickness, twice the volume over the area of the surface, over `elements_through`. A plate
     has as many elements through its thickness, a round bar twice as many through its diameter.

@@ -214,5 +214,5 @@ def _add_sides(data, parts):
         name = names[i - 1]
         numbers, sides = (data[f"{what}_ss{i}"][0].astype(np.int64) for what in ("elem", "side"))
         of_flat = np.isin(numbers, flat)
-        parts.add_to_group(name, numbers[of_flat & (sides <= 2)])  # of shells: either side of theirs
+        parts.add_to_group(name, numbers[of_flat & (sides <= 2)])  # shells, by either of their faces
         parts.sides.append((name, numbers[~of_flat], sides[~of_flat]))

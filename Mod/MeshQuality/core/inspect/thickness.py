@@ -16,11 +16,11 @@ from . import tables
 
 # The mesh of a shape is to deviate by at most this share of the thinnest wall: two sides, one percent of it together.
 _SHARE = 0.005
-_MOST_TRIANGLES = 200_000  # of the finer mesh that this leads to
-_DECIDES = 0.4  # of what is between the smallest thickness and a limit: two sides deviate by less than all of it
-_ROUNDING = 2.0 ** -23  # of the size, of two points with coordinates of single precision
-_LEAST_FINER = 0.1  # of the deviation of a mesh: finer ones are not proposed
-_MEASURES = ((0.0, 0.3), (0.3, 0.6), (0.6, 1.0))  # of the progress, for each mesh and its measure
+_MOST_TRIANGLES = 200_000  # most triangles of such a finer mesh
+_DECIDES = 0.4  # share of the difference of smallest thickness and limit: two sides together deviate by less than the whole
+_ROUNDING = 2.0 ** -23  # share of the size: the rounding of two points to single precision
+_LEAST_FINER = 0.1  # share of the deviation of a mesh: no finer mesh is proposed
+_MEASURES = ((0.0, 0.3), (0.3, 0.6), (0.6, 1.0))  # shares of the progress: for each mesh, and for measuring it
 _PERCENTILES = (1, 5, 25, 50, 75)
 _NAMED = 10  # thin places that a text lists
 

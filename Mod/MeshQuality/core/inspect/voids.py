@@ -120,7 +120,7 @@ def _cavity(mesh, triangles):
     a, b, c = np.moveaxis(corners - middle, 1, 0)
     volumes = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6.0
     volume = float(volumes.sum())
-    # Of the tetrahedra between the triangles and the middle.
+    # The centre of mass of the tetrahedra between the triangles and the middle.
     center = middle + (volumes[:, None] * (a + b + c) / 4.0).sum(axis=0) / volume if volume else middle
     faces = mesh.triangle_face[triangles] if len(mesh.triangle_face) else np.zeros(0, int)
     origin = mesh.origin

@@ -17,9 +17,9 @@ from . import writing
 FLOWS = ("internal", "external")
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.+\-]*")
 _MOST_CELLS = 1000  # along the part
-MOST_LEVELS = 6  # of refinement: cells 64 times as short as those of the background
-_CELLS = {"internal": 20, "external": 4}  # of the background along the part
-_MARGIN = 0.05  # of the size, by which the background is larger than the part for flows inside
+MOST_LEVELS = 6  # levels of refinement: then cells are 64 times as short as in the background
+_CELLS = {"internal": 20, "external": 4}  # cells of the background along the part
+_MARGIN = 0.05  # share of the size by which the background exceeds the part for flows inside
 _FAR = (2.0, 4.0)  # sizes of the part between it and the sides of the background, before and behind it along x
 _OPEN = ("inlet", "outlet", "opening", "farfield")  # patches called so are open, all others walls
 _WALL, _PATCH = "wall", "patch"

@@ -34,7 +34,7 @@ _3MF_PARTS = {
 }
 # What is written at most, and the least size of a mesh: beyond, single precision has infinities, or fewer digits.
 _LARGEST, _SMALLEST = float(np.finfo(np.float32).max), float(np.finfo(np.float32).tiny / np.finfo(np.float32).eps)
-_FASTEST = 1  # of zlib's levels: a third of the time of the usual one, for files a tenth larger
+_FASTEST = 1  # zlib's level: a third of the usual time, for files a tenth larger
 
 
 def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, format=None,  # noqa: A002

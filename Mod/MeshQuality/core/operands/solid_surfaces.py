@@ -9,8 +9,8 @@ from ..triangulation import triangulate
 from .operands import is_arrays
 
 _RELATIVE = 1e-3  # first distance of the mesh from a shape, as a fraction of its largest dimension
-_FINEST = 1e-6  # likewise: single precision holds no finer ones
-_MOST_FOR_ANGLES = 200_000  # triangles: where a bound on angles takes more, as along a face of a millionth of the size, there is none
+_FINEST = 1e-6  # the finest distance, such a fraction too: single precision holds no finer one
+_MOST_FOR_ANGLES = 200_000  # no bound on angles where it takes more triangles, as along a face of a millionth of the size
 
 
 def is_given_mesh(source):
@@ -37,7 +37,7 @@ class SolidSource:
             self.size = max(box.XLength, box.YLength, box.ZLength)
 
     def first_chord_height(self):
-        """Of a shape, where none is given."""
+        """The tolerance for the mesh of a shape where none is given."""
         return _RELATIVE * self.size
 
     def mesh(self, chord_height, max_edge, progress):

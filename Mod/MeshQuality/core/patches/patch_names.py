@@ -128,7 +128,7 @@ def _references(member, document):
     for name in ("References", "ShapeRefs"):
         for entry in getattr(member, name, None) or ():
             obj, names = entry[0], entry[1]
-            if isinstance(obj, str):  # of older CfdOF
+            if isinstance(obj, str):  # older versions of CfdOF store a name
                 obj = document.getObject(obj)
             if obj is not None:
                 yield obj, [names] if isinstance(names, str) else names

@@ -15,7 +15,7 @@ from ..sources import convert
 _FACE = re.compile(r"Face([1-9][0-9]{0,8})")
 _COLOUR = re.compile(r"#([0-9a-fA-F]{2})([0-9a-fA-F]{2})([0-9a-fA-F]{2})")
 _NO_FACE = "Surface"  # the patch of triangles that lie on no face of a shape
-_GOLDEN = 0.618034  # of the circle of hues: neighbours in the list differ most
+_GOLDEN = 0.618034  # step on the circle of hues, with which neighbours in the list differ most
 
 
 class Division(NamedTuple):
@@ -222,5 +222,5 @@ def colour_of(patches, i):
 
 
 def distinct_colour(i):
-    """The colour of a patch that has none of its own, likewise."""
+    """The colour of a patch that has none of its own, red, green, blue from 0 to 255."""
     return tuple(round(255 * part) for part in colorsys.hsv_to_rgb(i * _GOLDEN % 1.0, 0.55, 0.9))

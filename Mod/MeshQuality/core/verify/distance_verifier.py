@@ -14,16 +14,16 @@ from ...compat import extension
 from ..elements import lagrange
 from . import nearest_on_mesh
 
-_STEPS = 7  # of the lattice of points of a triangle; its corners are not measured
+_STEPS = 7  # steps of the lattice of points of a triangle; its corners are not measured
 _OWN = [(i + 0.5) / 9 for i in range(9)]  # places along each parameter at which faces and edges must have been measured
 _MOST_POINTS = 1_000_000
-_EXACT, _NOTHING = 1e-6, 1e-7  # by which distances at the same points may differ, times their own and the size of the mesh
+_EXACT, _NOTHING = 1e-6, 1e-7  # allowed difference of distances at the same points: of the distance, and of the size of the mesh
 _COMPARED = 500  # triangles that are compared with their own face
 _NEARLY_FOLDED = 0.5  # cosine to the normal of the CAD face below which a triangle may be said to fold over it
-_ELSEWHERE = 1e-3  # of the size: a surface that nowhere is farther from the shape cannot be shown not to be on it
+_ELSEWHERE = 1e-3  # share of the size: a surface that is nowhere farther from the shape counts as on it
 _NAMED = 3
 _MIDDLE = (2 / 7, 2 / 7, 0.0)  # a measured point
-_AROUND = [(i / 4 + 1 / 12, j / 4 + 1 / 12, 0.0) for i in range(4) for j in range(4 - i)]  # of triangles that turn far
+_AROUND = [(i / 4 + 1 / 12, j / 4 + 1 / 12, 0.0) for i in range(4) for j in range(4 - i)]  # points of triangles that turn far
 
 
 def faults_of(shape, nodes, rows, said, proven, progress=None):
@@ -85,7 +85,7 @@ def _points(nodes, rows, at):
 
 
 def _distances(shape, nodes, rows, progress):
-    """By triangle; of large meshes at some of the points that were measured."""
+    """Distances of points of each triangle, mm; in large meshes only some of the points that were measured."""
     at = _lattice(_STEPS)
     at = at[(at.max(axis=1) < 1.0) & (at.sum(axis=1) > 0.0)]
     count = int(np.clip(_MOST_POINTS // max(len(rows), 1), 1, len(at)))
@@ -113,7 +113,9 @@ def _own_faces(shape, nodes, rows, faces, place):
 
 
 def largest(shape, nodes, rows, progress=None):
-    """(mm, mm): the largest distance of points of the triangles from the shape, and up to which they may be on it."""
+    """(mm, mm): the largest distance of points of the triangles from the shape, and the distance up to which points
+    count as on it.
+    """
     return float(_distances(shape, nodes, rows, progress).max(initial=0.0)), _ELSEWHERE * float(np.ptp(nodes[rows], axis=(0, 1)).max())
 
 
