@@ -85,7 +85,7 @@ class MeshBoolean(mesh_object.MeshObject):
 
     @classmethod
     def kept_length(cls, sources):
-        """A function of options: the tolerance, or that of the resolution."""
+        """A function from options to the tolerance: the given one, or that of the given resolution."""
         try:
             return tolerance_for(Operands(sources))
         except Error:

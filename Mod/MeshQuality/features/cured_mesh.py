@@ -34,7 +34,7 @@ _FOUND = (
     ("GivenMoved", "App::PropertyInteger", "Number of its vertices that are not where they were"),
 )
 _CERTIFYING = 0.1  # part of the progress
-_RESULT_MESH = "Fem::MeshResult"  # in no solver's way
+_RESULT_MESH = "Fem::MeshResult"  # solvers do not take it
 
 
 class CuredMeshObject(fem_mesh.FemMeshObject):
@@ -166,7 +166,7 @@ def add_cured_mesh(fem_object, part=None, order=2, **values):
     The object's FemMesh is curve(part, mesh=the given one), with a group for each solid, face and edge, and the groups
     of elements of the given mesh as far as their elements stayed. It follows both, and takes the place of all meshes in
     the analysis that has the given one: FreeCAD's solvers take one mesh. These stay in the document. Where no analysis has
-    the given mesh, it goes where that of add_fem_mesh goes.
+    the given mesh, the object goes where add_fem_mesh puts its own.
 
     Returns the object. Raises what curve raises, also where the mesh is not one of the part, and then changes nothing;
     InvalidInput naming the mesh.

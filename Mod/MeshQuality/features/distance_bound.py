@@ -14,7 +14,7 @@ from ..core.sources import convert
 
 PROPERTY = "DistanceBound"
 _VALUES = {options.ABSOLUTE: "ChordHeight", options.RELATIVE: "ChordHeightRelative"}
-_DIGITS = 3  # of a value that is the same as the one given the other way
+_DIGITS = 3  # digits of a bound that is converted from the other option
 
 _choosing = set()  # (document, object) whose bound is being chosen
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Groups of a FEM mesh beside those of the shape: elements of patches, and nodes for constraints.
+"""Groups of a FEM mesh beside the groups of the shape: elements of patches, and nodes for constraints.
 
 FreeCAD looks for the nodes of a constraint within the tolerance of its faces, and so misses those on edges that are
 looser. Before, it looks for a group of nodes whose name begins with that of the constraint: such constraints get one.
@@ -40,8 +40,8 @@ def require_patch_names(names):
 
 
 def complete(obj, mesh):
-    """Gives a Fem.FemMesh, that of a FEM mesh object, the groups that its patches and the constraints beside it need now,
-    and takes away those of others.
+    """Gives the Fem.FemMesh of a FEM mesh object the groups that its patches and the constraints beside it need now, and
+    removes groups of other patches and constraints.
     """
     wanted = _wanted(obj, mesh)
     for key, group in _own_groups(obj, mesh).items():

@@ -120,7 +120,7 @@ class Result:
         self._made = mesh
 
     def mesh(self):
-        """The Fem.FemMesh: that of the steps, if they are done."""
+        """The Fem.FemMesh that the steps made; made now if they are not done."""
         return fem.mesh_of(self.elements) if self._made is None else self._made
 
 

@@ -132,8 +132,8 @@ class MeshObject(PlainState):
         obj.setEditorMode("Status", 1)
 
     def onDocumentRestored(self, obj):
-        """Documents of older versions get the properties that were added since; those that were
-        saved without the GUI, or by a version without views of its own, get a view.
+        """An object of an older version gets the properties that were added since; one that was
+        saved without the GUI, or by a version without views of its own, gets a view.
         """
         self.add_properties(obj)
         if obj.Status == COMPUTING:
@@ -274,9 +274,9 @@ class MeshObject(PlainState):
 def with_precomputed(taker, work, result):
     """Meanwhile an object of the sources and the options of `work` takes this result when it is recomputed.
 
-    taker   the proxy of the object; or the class of its proxy, of an object that a line of Python adds meanwhile:
-            FreeCAD's macros record no other lines than those that they run, which cannot name the result
-    result  what work.result gave, or the exception that it raised
+    taker   the proxy of the object; or the class of its proxy, for an object that a line of Python adds meanwhile:
+            FreeCAD's macros record only lines that they run, and such a line cannot name the result
+    result  the return value of work.result, or the exception that it raised
     """
     taker._precomputed = work, result
     try:
@@ -304,7 +304,7 @@ class OfOneSource(MeshObject):
 
     def add_properties(self, obj):
         """Adds those properties that the object has not got yet."""
-        # Global: a mesh may follow something inside a container that it does not belong to itself.
+        # Global: a mesh may follow an object inside a container to which the mesh does not belong.
         add_property(obj, "App::PropertyLinkGlobal", "Source", "Mesh", self.SOURCE)
         add_property(obj, "App::PropertyString", "SourcePath", "Mesh",
                      "The path from the source to what is meshed, where only a link leads there: Part.Box.")
@@ -446,13 +446,15 @@ def show_certificate(obj, report, closed, findings):
 
 
 class _Observer:
-    """Sees what execute is never called for: FreeCAD does not compute an object of which an expression has no value."""
+    """Sees changes for which execute is never called: FreeCAD does not compute an object with an expression that has no
+    value.
+    """
 
     def slotRecomputedDocument(self, document):
         """Called by FreeCAD: what an object promises of a mesh that is not of its options counts no longer."""
         for obj in document.Objects:
             if isinstance(getattr(obj, "Proxy", None), MeshObject):
-                with suppress(AttributeError):  # of what is read-only, and of what a script has removed
+                with suppress(AttributeError):  # properties that are read-only, or that a script has removed
                     self._tell(obj)
 
     @staticmethod

@@ -22,7 +22,7 @@ ORIGIN = ("MeshOrigin", "App::PropertyVector",
 ARRANGEMENT = ("SourceArrangement", "App::PropertyString",
                "How the containers of the other sources stood to that of the first one then")
 
-_LISTS = ("Group", "ElementList")  # of what groups, containers and link groups hold
+_LISTS = ("Group", "ElementList")  # lists of the members of groups, containers and link groups
 _OF_CONTAINERS = ("Placement", "LinkPlacement", "Scale", *_LISTS)
 
 
@@ -168,8 +168,8 @@ def _is_container(obj):
 
 
 def _meshes(document):
-    """The mesh objects of a document that have been computed and have all that is needed here: what a script has
-    removed comes back when they are computed again.
+    """The mesh objects of a document that have been computed and have all properties needed here; a property
+    that a script removed comes back when they are computed again.
     """
     return [obj for obj in document.Objects if hasattr(getattr(obj, "Proxy", None), "LINKS")
             and {FRAME[0], ORIGIN[0], ARRANGEMENT[0], *obj.Proxy.LINKS} <= set(obj.PropertiesList)
