@@ -20,7 +20,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 RELATIONS = (QT_TRANSLATE_NOOP("MeshQuality", "touching"), QT_TRANSLATE_NOOP("MeshQuality", "overlapping"),
              QT_TRANSLATE_NOOP("MeshQuality", "inside"), QT_TRANSLATE_NOOP("MeshQuality", "equal"))
 
-_NEAR = 0.1  # of the size of a part: what is seen around a place
+_NEAR = 0.1  # share of a part's size that is seen around a place
 _SOLID = 0.5 * np.array([[[-1, -1, -1], [1, 1, 1], [-1, 1, -1]], [[-1, -1, -1], [-1, 1, -1], [1, 1, 1]]])  # looks nowhere
 
 
@@ -58,8 +58,8 @@ class CertificateBox(QtGui.QWidget):
         super().__init__()
         self._obj = None
         self._modes = {}  # display modes by view, before the place was shown
-        self._visible = {}  # likewise, whether sources were
-        self._selected = None  # likewise, what was selected
+        self._visible = {}  # visibility of the sources before the place was shown
+        self._selected = None  # the selection before the place was shown
         self._mark = self.flight = None
         self.text = QtGui.QLabel()
         self.text.setWordWrap(True)

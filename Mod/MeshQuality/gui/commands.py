@@ -54,7 +54,7 @@ class _Command:
         return MeshPanel(operations, **values)
 
     def selected(self):
-        """The selected objects that the command is for; none when it cannot be used."""
+        """The selected objects that the command applies to; none when it cannot be used."""
         return [source for source in _selected() if _has_shape(source)]
 
     def operations(self, selected):
@@ -130,7 +130,7 @@ class Cure(_Command):
     KEYS = "Q, V"
 
     def selected(self):
-        """The part and the FEM mesh: what the mesh says that it is of, unless that is selected beside it."""
+        """The part and the FEM mesh: the selected part, else the part that the mesh names."""
         found = [source for source in _selected() if not fem_mesh.is_analysis(frames.leaf_of(source))]
         meshes = [source for source in found if cured_mesh.has_fem_mesh(source)]
         parts = [source for source in found if source not in meshes and _has_shape(source)]

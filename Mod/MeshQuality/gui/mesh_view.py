@@ -15,7 +15,7 @@ from .view import badge
 
 translate = FreeCAD.Qt.translate
 
-# The number of triangles that are drawn, by the property that holds the mesh; each edge is that of two.
+# The number of triangles that are drawn, by the property that holds the mesh; an edge belongs to two.
 _TRIANGLES = {"Mesh": lambda obj: obj.Mesh.CountFacets, "FemMesh": lambda obj: obj.FemMesh.FaceCount}
 _EDGES_OF_TRIANGLE = 1.5
 
@@ -73,7 +73,7 @@ class MeshView(PlainState):
             return
         before, self._has_colours = self._has_colours, patch_colours.show_on_mesh(obj)
         if before and not self._has_colours:
-            obj.ViewObject.Coloring = False  # one colour, that of the view
+            obj.ViewObject.Coloring = False  # back to the one colour of the view
 
     def doubleClicked(self, view):
         """Opens the panel with the object's options."""

@@ -168,7 +168,7 @@ class Histogram:
 
     low: float
     high: float
-    bar: np.ndarray  # of each element, -1 of those in no bar
+    bar: np.ndarray  # by element; -1: in no bar
     counts: np.ndarray
 
     @classmethod
@@ -409,7 +409,7 @@ def runs_of_edges(triangles):
 
 
 def runs_of_sides(sides):
-    """Likewise of sides, (n, 2)."""
+    """int32: each of the sides, (n, 2), once, as two indices and -1."""
     sides = np.sort(sides.astype(np.int64), axis=1)
     keys = np.unique(sides[:, 0] << 32 | sides[:, 1])
     runs = np.column_stack((keys >> 32, keys & 0xffffffff, np.full(len(keys), -1)))

@@ -128,7 +128,7 @@ class ExportPanel(WritingPanel):
 
 
 def _first_format(source):
-    """That of the last file with such a mesh: who prints, writes for printing again."""
+    """The format of the last file that was written of such a mesh: users who print write for printing again."""
     setting, usual = _setting_of(source)
     last = preferences.stored().GetString(setting, usual)
     return last if last in export.suffixes_for(source) else usual

@@ -218,7 +218,7 @@ class _Field(QtCore.QObject):
         self.set_value(option.default)
 
     def bind(self, expression):
-        """Says that an expression sets the option, None: that none does any more."""
+        """Says which expression sets the option; None: no expression does any more."""
         self._expression = expression
         for widget, hint in self._hints.items():
             widget.setToolTip(hint)
@@ -251,7 +251,7 @@ class _Field(QtCore.QObject):
         self._changed()
 
     def values(self):
-        """{option: value} of the options that it is for."""
+        """{option: value} of the options of the widget."""
         return {self.option.name: self.value()}
 
     def show(self, values):

@@ -8,7 +8,7 @@ from .task_form import narrow
 
 translate = FreeCAD.Qt.translate
 
-_NUMBER = 60  # pixels of a number, at least
+_NUMBER = 60  # least width of a number, pixels
 
 _DIGITS = 3
 

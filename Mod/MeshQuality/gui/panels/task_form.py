@@ -36,7 +36,7 @@ def narrow(widget, rules):
 
 
 def narrow_buttons(box):
-    """Likewise FreeCAD's buttons below a panel: it calls this as modifyStandardButtons."""
+    """Takes room from FreeCAD's buttons below a panel; FreeCAD calls this as modifyStandardButtons."""
     narrow(box, "QPushButton { padding: 4px 8px; margin: 4px 2px }")
 
 

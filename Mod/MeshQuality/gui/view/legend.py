@@ -32,7 +32,7 @@ def picture(scale, view_height):
     metrics = QtGui.QFontMetrics(font)
     line = metrics.height()
     inner = max(_BAR + _GAP + max(map(metrics.horizontalAdvance, labels)), metrics.horizontalAdvance(title))
-    below = 1.5 * line if scale.unbounded else 0.0  # for what is beyond all numbers
+    below = 1.5 * line if scale.unbounded else 0.0  # room for infinite values
     width, height = inner + 2 * _MARGIN, tall + 2 * line + _GAP + 2 * _MARGIN + below
     ratio = FreeCADGui.getMainWindow().devicePixelRatioF()
     image = QtGui.QImage(round(width * ratio), round(height * ratio), QtGui.QImage.Format_RGBA8888)
@@ -46,7 +46,7 @@ def picture(scale, view_height):
     painter.drawRoundedRect(QtCore.QRectF(0, 0, width, height), 5, 5)
     painter.setPen(_INK)
     painter.drawText(QtCore.QRectF(_MARGIN, _MARGIN, inner, line), QtCore.Qt.AlignLeft, title)
-    top = _MARGIN + 1.5 * line + _GAP  # of the bar: labels are as high as a line, and beside its ends
+    top = _MARGIN + 1.5 * line + _GAP  # top of the bar: labels are as high as a line, and stand beside the bar's ends
     _paint_bar(painter, scale, top, tall)
     for i, label in enumerate(labels):
         middle = top + tall * (1.0 - i / (len(labels) - 1))

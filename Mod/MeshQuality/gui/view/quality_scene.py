@@ -10,10 +10,10 @@ from PySide import QtCore
 
 from . import legend
 
-_STEPS, _TICK = 16, 25  # of a flight; ms
+_STEPS, _TICK = 16, 25  # steps of a flight; ms between them
 _SLOW = 0.05  # seconds of drawing from which on moving is drawn coarsely
 _STILL = 250  # ms without a move after which all is drawn again
-_CLOSED = 1e-6  # of the squared size: all sides of an element look nowhere together but for rounding
+_CLOSED = 1e-6  # share of the squared size: the vector areas of an element's sides add up to zero but for rounding
 _AROUND = 25.0  # width of the view around a place, in sizes of the place, ...
 _FITS = 1.5  # ... and of one in which it is seen whole
 
@@ -124,7 +124,7 @@ def flight_to(view, corners, around=_AROUND, within=None):
     """Begins to move a view's camera to look at triangles, (n, 3, 3), from outside; the Flight.
 
     around  width of the view in sizes of the triangles
-    within  (m, 3, 3), all triangles of the mesh, unless None: the view gets no wider than they are
+    within  (m, 3, 3), all triangles of the mesh, or None: the view gets no wider than the mesh
 
     It gets no wider than it is, either, but for triangles that would not fit into it.
     """
