@@ -129,7 +129,7 @@ EXEMPT = {
     "budget": "the triangle limit max_triangles was reached",
     "no_change_within_tolerance": "no change within the tolerance makes it better",
 }
-FORCED = ("narrow_corner", "apex", "narrow_cluster", "infeasible_corner", "tolerance_corner", "sharp_edges")  # by the shape itself
+FORCED = ("narrow_corner", "apex", "narrow_cluster", "infeasible_corner", "tolerance_corner", "sharp_edges")  # reasons that are the shape itself
 CREASE, CREASE_END = "a crease of {name}", "the end of a crease on {name}"
 NOT_REACHABLE = "target angle not reachable: {phrase}."
 _EXEMPT_TRIANGLE = "triangle {count}: {phrase}"
@@ -242,7 +242,7 @@ FILE_ERRORS = (
     FILE_PATCH_TOO_LONG, FOAM_PATCH, CASE_OPEN, CASE_OVERLAP, CASE_SOLIDS, CASE_CELL, CASE_NO_INSIDE, CASE_NO_FOLDER, FILE_NO_NAME,
     FILE_IS_FOLDER, FILE_ENDING, FILE_ENDING_CURVED, FILE_NO_FOLDER, FILE_NOT_WRITABLE, NO_TRIANGLES_YET,
 )
-# Likewise, of the core: the build compiles these into it (tools/core_phrases). What it says of single faults of shapes
+# Errors of the core: the build compiles them into it (tools/core_phrases). What the core says of single faults of shapes
 # is plain text.
 CORE_ERRORS = {
     "no_solids": "the shape has no solids to fill: leave volume off to curve its faces",
@@ -523,7 +523,7 @@ def sentence(phrase):
 
 
 def exempt_sentence(reason, forced):
-    """Likewise why a triangle is exempt; `forced`: whether the shape itself is the reason."""
+    """A Text, a sentence on why a triangle is exempt; `forced`: whether the shape itself is the reason."""
     return upper_first(Text(NOT_REACHABLE, phrase=reason)) if forced else sentence(reason)
 
 
@@ -558,7 +558,7 @@ def rest(name, wording):
 
 
 def _place(name, value, wording):
-    """What stands in a place, but for lengths: those of a phrase are written together."""
+    """The text in a place of a phrase; lengths stay, as those of a whole phrase are written together."""
     kind = _kind(name)
     if kind in ("count", "number"):
         return wording.number(value)
