@@ -16,8 +16,8 @@ from .part import AGAIN
 from .plan import find_parts, matches, plan_of
 
 SYSTEM_PYTHON = "/usr/bin/python3"
-INTERIM_SECONDS = 60.0  # at least, between two looks at what is done; they take 2 % of the time
-MOST_LOST = 50  # parts in a row, before the batch gives up: then it is not the parts
+INTERIM_SECONDS = 60.0  # least time between two looks at finished parts; looks take 2 % of the time
+MOST_LOST = 50  # lost parts in a row after which the batch gives up: then no part is the cause
 
 
 def require_dask():
