@@ -138,7 +138,7 @@ class Formatter(argparse.RawDescriptionHelpFormatter):
 
     def __init__(self, prog):
         super().__init__(prog, max_help_position=26)
-        self._action_max_length = 22  # at least; alone it forgets that commands are indented
+        self._action_max_length = 22  # least width; argparse's own forgets that commands are indented
 
 
 _NEGATIVE_NUMBER = re.compile(r"-(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$")

@@ -24,14 +24,14 @@ from MeshQuality.phrases import Text, upper_first
 _STAGE = 39  # characters, in a line of 80
 _GRACE = 30  # seconds beyond the limit, after which it ends without its owner
 
-# What is said without findings; some commands have no options that request anything.
 _left_out = []  # sentences about what is hidden in the containers that the present job has read
+# The verdict without findings; some commands have no options that request anything.
 _ALL_MET = "all requested limits are met"
 _NO_FINDING = {**dict.fromkeys(("quality", "certify"), "no limits were requested, and no faults were found"),
                "voids": "there are none",
                "verify": "all of it holds"}
 
-# What reports have for Python alone.
+# Fields of reports for Python only.
 _NOT_WRITTEN = {"exempt_reasons", "spanning", "max_chord_triangle", "max_chord_point", "detail", "sewn", "imprinted", "reused_faces",
                 "holes_filled"}
 WRAP_FIELDS = ("distance_to_input", "distance_from_input", "gap_triangles", "gap_area")  # fields of the mesh itself
@@ -137,7 +137,7 @@ def _objects_in(path, name):
 def final_objects(document):
     """Those objects with faces that no other object with faces is made of or holds.
 
-    Meshes, drawings and analyses may refer to them all the same.
+    Meshes, drawings and analyses that refer to an object do not count.
     """
     import Part
 
