@@ -18,7 +18,7 @@ from . import saved_certificate
 
 _VALID, _FOLDED, _INVERTED, _NOT_PROVEN = range(4)  # verdicts of the core
 _WORDS = {_FOLDED: "folded", _INVERTED: "numbered the wrong way round", _NOT_PROVEN: "not proven valid"}
-_LEFT_OUT = 3.0  # times the deviation of the mesh from the CAD: a place at this distance is left out by the mesh
+_LEFT_OUT = 3.0  # times the deviation of the mesh from the CAD: the mesh misses a place of the CAD at this distance
 _UNKNOWN = 1e-3  # assumed distance of the mesh where it was not measured, a share of the shape's diagonal
 _ON_CAD = 5  # highest order of triangles that are measured against a shape
 

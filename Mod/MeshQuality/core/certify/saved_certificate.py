@@ -15,10 +15,10 @@ from ..meshes.writing import atomically
 from ..sources import convert
 
 FORMAT, VERSION = "MeshQuality mesh certificate", 1
-CLAIMS = ("folded", "inverted", "not_proven")  # in the order of the core's verdicts 1, 2 and 3
+CLAIMS = ("folded", "inverted", "not_proven")  # claims in the order of the core's verdicts 1, 2 and 3
 PAIRS = ("crossing", "not_proven_apart", "touching")  # lists of pairs of triangles of the surface
 GRIDS = {"face_grids": 7, "edge_grids": 4}  # grids of measured points of the CAD: how many numbers each grid has
-OF_SHAPE = ("max_deviation", "folded_on_cad", "cad_deviation", "cad_spacing", "not_on_shape")  # what is said of the shape
+OF_SHAPE = ("max_deviation", "folded_on_cad", "cad_deviation", "cad_spacing", "not_on_shape")  # claims on the shape
 # Numbers that may be None: not searched, or not measured.
 MEASURED = (*OF_SHAPE[:-1], "curved_intersections", "not_proven_apart", "overlapping_bodies")
 _CLAIMS = ("elements", "invalid", *CLAIMS, "min_distortion", "conforming", "oriented", *MEASURED, "not_on_shape")

@@ -547,7 +547,7 @@ def _told_apart(value, limit):
 
 
 def _rounded(value):
-    """Likewise of mm and degrees; less than a millionth is rounding."""
+    """The text of a value in mm or degrees; less than a millionth is rounding."""
     return _number(value) if value >= _ROUNDING else "0"
 
 

@@ -14,7 +14,7 @@ from ..elements.parts import Parts, Section, content, hdf5, unsupported, words_o
 from . import netcdf_classic
 from .arrays import element_blocks, points_of, tetrahedra_in_common_order
 
-_FIRST_BYTES = 2**16  # of the file in memory, which grows
+_FIRST_BYTES = 2**16  # initial size of the file in memory, which grows
 _LONGEST = 32  # characters of a name
 _WANTED = ("connect", "coord", "eb_", "ss_", "elem_ss", "side_ss")
 

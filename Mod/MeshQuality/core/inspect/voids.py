@@ -14,7 +14,7 @@ from ..operands.operands import part_of
 from ..operands.solid_surfaces import SolidSource
 from . import tables
 
-_MESHING = 0.9  # of the progress
+_MESHING = 0.9  # share of the progress
 _LISTED = 20  # voids in a text
 
 

@@ -16,7 +16,7 @@ from . import writing
 
 FLOWS = ("internal", "external")
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.+\-]*")
-_MOST_CELLS = 1000  # along the part
+_MOST_CELLS = 1000 # cells of the background along the part, at most
 MOST_LEVELS = 6  # levels of refinement: then cells are 64 times as short as in the background
 _CELLS = {"internal": 20, "external": 4}  # cells of the background along the part
 _MARGIN = 0.05  # share of the size by which the background exceeds the part for flows inside
@@ -35,7 +35,7 @@ _HEADER = """FoamFile
 
 @dataclass(frozen=True)
 class Case:
-    """What the files say, in metres (or what `scale` makes of mm).
+    """The values in the files, in metres (or in the unit that `scale` makes of mm).
 
     name      of the surface
     cell      length of the cells of the background

@@ -155,7 +155,7 @@ def _write_3mf(mesh, path, patches, scale):
 
 
 def arguments_of(patches):
-    """What the core's writers take of Patches."""
+    """The arguments of the core's writers for Patches."""
     return {"names": list(patches.names), "patch": patches.of_triangle, "given": patches.given,
             "colours": [colour_of(patches, i) for i in range(len(patches.names))]}
 

@@ -65,7 +65,7 @@ def plain_name(label):
 
 
 def _another(name, taken):
-    """The name, with a number where another patch has it: labels of other letters look alike."""
+    """The name, with a number if another patch has it: labels may differ only in letters that names of patches cannot have."""
     number = 2
     plain = name
     while name in taken:

@@ -19,10 +19,10 @@ from ..elements import kinds, lagrange
 
 APART, CROSSING, UNKNOWN = 1, -1, 0
 _LEVELS = 12  # how often a triangle is cut at most
-_FEW_PIECES = 200  # of a pair whose sides are said to cross: most pairs of halves of two quadrilaterals do not
+_FEW_PIECES = 200  # pieces of a pair whose sides are said to cross: most pairs of halves of two quadrilaterals do not
 _PIECES, _MANY_PIECES, _TRIED = 2000, 40_000, 50  # pieces of a pair; pieces of each of the first pairs left; how many these first pairs are
-_ROUNDS = 60  # of the search for a plane
-_ROUNDING = 1e-12  # of the largest coordinate
+_ROUNDS = 60  # steps of the search for a plane
+_ROUNDING = 1e-12  # share of the largest coordinate
 _AT_A_TIME = 40_000  # pairs
 _BOXES_AT_A_TIME = 8_000_000
 _NUMBERS_AT_A_TIME = 1_000_000  # components of directions along vectors

@@ -168,7 +168,7 @@ def _points_of_face(face, u0, u1, v0, v1, columns, rows):
 
 
 def _gaps_of_faces(faces, grids):
-    """A face of which points are in none of its grids."""
+    """A list with a sentence on a face that has points in none of its grids; else empty."""
     for number, face in enumerate(faces):
         own = [grid[1:5] for grid in grids if grid[0] == number]
         u0, u1, v0, v1 = face.ParameterRange
@@ -182,7 +182,7 @@ def _gaps_of_faces(faces, grids):
 
 
 def _gaps_of_edges(faces, edges, grids):
-    """An edge of a face of which places are in none of its grids."""
+    """A list with a sentence on an edge of a face that has places in none of its grids; else empty."""
     for number, edge in enumerate(edges):
         own = [grid[1:3] for grid in grids if grid[0] == number]
         low, high = edge.ParameterRange

@@ -11,7 +11,7 @@ import numpy as np
 from ..elements import lagrange
 
 _PARTS = 6  # parts of a triangle's edge, at least: searches start from points between them
-_ROUNDS = 12  # of Gauss-Newton's method
+_ROUNDS = 12  # steps of Gauss-Newton's method
 _FIRST, _MORE = 1, 16  # triangles that are searched for a point: at first, and where none of these is near enough
 _AT_A_TIME = 200_000
 _STEP = 1e-5  # step of finite differences, in the parameters

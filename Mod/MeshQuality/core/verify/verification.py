@@ -21,7 +21,7 @@ _AT_A_TIME = 5000  # elements between two calls of progress
 
 
 class CertificateVerification(metaclass=Public):
-    """What of a saved certificate holds.
+    """Which claims of a saved certificate hold.
 
     holds     whether all of it does
     faults    sentences: what does not hold
