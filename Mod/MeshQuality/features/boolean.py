@@ -35,7 +35,7 @@ class MeshBoolean(mesh_object.MeshObject):
         properties.FAULTS_LEFT,
         properties.DEVIATION,
     )
-    GROUP, LEAST = "Boolean", 2  # of properties; number of sources
+    GROUP, LEAST = "Boolean", 2  # group of the properties; least number of sources
     SOURCES = "The operands: objects with a mesh or a shape, in their order"
     TAKES_MESHES = True
     LINKS = ("Sources", "SourcePaths")

@@ -51,7 +51,7 @@ class CuredMeshObject(fem_mesh.FemMeshObject):
         return [*super().sources(obj), obj.Given]
 
     def add_properties(self, obj):
-        """As in the base class, and the given mesh."""
+        """As in the base class, with a property for the given mesh."""
         mesh_object.add_property(obj, GIVEN[1], GIVEN[0], "Mesh", GIVEN[2])
         super().add_properties(obj)
 
@@ -147,7 +147,7 @@ def has_fem_mesh(obj):
 
 
 def part_of(fem_object):
-    """What a FEM mesh object says that it is a mesh of: a document object, or a pair as in frames; None: nothing."""
+    """The source that a FEM mesh object names: a document object, or a pair as in frames; None: it names none."""
     if isinstance(getattr(fem_object, "Proxy", None), fem_mesh.FemMeshObject):
         return fem_object.Proxy.sources(fem_object)[0]
     names = (fem_source_property(), "Part", "Shape")

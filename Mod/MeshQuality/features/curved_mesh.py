@@ -126,7 +126,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
 
 @dataclass(frozen=True)
 class Result:
-    """What a curved mesh object computes.
+    """The result of a curved mesh object.
 
     curved       CurvedMesh
     fingerprint  of its elements
@@ -149,7 +149,7 @@ class Result:
 
 
 class Proof:
-    """What the certificate of a CurvedMesh is made of: its report, the topology of its corners, and the findings."""
+    """The parts of the certificate of a CurvedMesh: its report, the topology of its corners, and the findings."""
 
     def __init__(self, curved, shape, values):
         self.report = curved.report

@@ -114,7 +114,7 @@ def _of_constraints(obj, part, mesh, groups):
 
 
 def _constraints_of(obj):
-    """What refers to sub-elements in the analyses that have a mesh."""
+    """The objects that refer to sub-elements in the analyses that have a mesh."""
     return [member for analysis in obj.InList if is_analysis(analysis) for member in analysis.Group
             if _REFERENCES in member.PropertiesList and member.References]
 

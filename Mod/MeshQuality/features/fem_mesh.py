@@ -107,7 +107,7 @@ def _name_source(obj):
 
 @dataclass
 class Result:
-    """What a FEM mesh object computes: the fem.Elements of its mesh, and the curved_mesh.Proof of its certificate."""
+    """The result of a FEM mesh object: the fem.Elements of its mesh, and the curved_mesh.Proof of its certificate."""
 
     elements: fem.Elements
     proof: curved_mesh.Proof

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The requests of document objects to the window. The window fills this in: document objects import nothing of
-it.
+"""The requests of document objects to the window. The window fills this in: document objects import nothing of it.
 """
 
 import importlib
@@ -10,7 +9,7 @@ _filled_by = ""  # name of the module that answers where there is a window
 
 
 class Windowless:
-    """What they ask, and the answers where there is no window."""
+    """The requests, with the answers where there is no window."""
 
     def attach_view(self, obj):
         """Gives the view of an object its proxy."""

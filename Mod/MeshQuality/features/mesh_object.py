@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the document objects that hold a mesh have in common."""
+"""The common base of document objects that hold a mesh."""
 
 import hashlib
 import json
@@ -92,7 +92,7 @@ class MeshObject(PlainState):
     TAKES_MESHES = LEAVES_CONTAINERS = False
     BOUND_BEFORE = options.UNBOUNDED
     _clearing = False
-    _precomputed = None  # what with_precomputed gave
+    _precomputed = None  # the (Work, result) of with_precomputed
 
     @classmethod
     def size_of(cls, sources):
@@ -338,7 +338,7 @@ class PatchedMesh(MeshObject):
     """Proxy of an object whose mesh has patches, by the faces of its sources."""
 
     def add_properties(self, obj):
-        """As in the base class, and patches."""
+        """As in the base class, with the properties of patches."""
         super().add_properties(obj)
         patches.add_patch_properties(obj)
 

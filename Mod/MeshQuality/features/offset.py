@@ -70,7 +70,7 @@ class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
 
 
 class Given:
-    """What a source has now, for work on another thread.
+    """The present shape or mesh of a source, for work on another thread.
 
     operands  Operands, of which the source is the only one
     """

@@ -101,7 +101,7 @@ def follow_sources(obj, faces):
             for name, said in patches.items():
                 said["faces"] = [_followed(face, prefix, name, places, lost) for face in said["faces"]]
             obj.Patches = lines_of_patches(patches)
-    obj.PatchesChanged = [*obj.PatchesChanged, *lost]  # until they are chosen anew
+    obj.PatchesChanged = [*obj.PatchesChanged, *lost]  # listed until they are chosen anew
     obj.PatchFaces = _saved(now)
     return lost
 

@@ -36,7 +36,7 @@ class QualityMesh(mesh_object.SourceMesh):
     cache = None  # MeshCache of its last meshes; not saved, nor copied with the object
 
     def add_properties(self, obj):
-        """As in the base class, and Reuse."""
+        """As in the base class, with the property Reuse."""
         super().add_properties(obj)
         if properties.add_property(
                 obj, "App::PropertyBool", "Reuse", "Update",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What changes a document: objects are added to it and updated, each as one undo step."""
+"""Changes of a document: objects are added and updated, each as one undo step."""
 
 from contextlib import contextmanager
 
