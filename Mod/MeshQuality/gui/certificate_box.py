@@ -150,7 +150,7 @@ class CertificateBox(QtGui.QWidget):
 
     def _look_at(self, view, corners, around=None):
         if not hasattr(view, "getCameraNode"):
-            return  # of another kind than the 3D view
+            return  # it is no 3D view
         self._end_mark()
         self._mark = Mark(view, corners.tolist())
         corners = corners.reshape(1, 3, 3)

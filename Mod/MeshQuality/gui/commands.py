@@ -411,7 +411,7 @@ _MENUS = (
     ("", (Update,)),
     (QT_TRANSLATE_NOOP("Workbench", "Help"), (FirstSteps, Example)),
 )
-_COMMANDS = tuple(command for _, commands in _MENUS[:-1] for command in commands)  # for what is selected
+_COMMANDS = tuple(command for _, commands in _MENUS[:-1] for command in commands)  # commands for selected objects
 
 
 def panel_of(obj):

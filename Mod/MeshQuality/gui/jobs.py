@@ -70,7 +70,7 @@ class Job(QtCore.QObject):
         self.quiet, self.drop, self.prepare = quiet, drop, prepare
         self.obstacle, self.taking = obstacle, taking
         self.state, self.fraction, self.stage, self.error = WAITING, 0.0, "", None
-        self.held_up = ""  # what the result has to wait for once the work has ended
+        self.held_up = ""  # the reason for which the result has to wait once the work has ended
         self.over = False  # whether the job has ended, and its work, too
         self._result = self._steps = None
         self._disposed = self._taken = False  # whether the result was taken or dropped, and taken

@@ -24,7 +24,7 @@ class MeshView(PlainState):
     """Proxy of the view of a mesh object."""
 
     _has_colours = False  # whether the mesh is drawn in the colours of its patches
-    _colours_wait = False  # whether they are about to be drawn
+    _colours_wait = False  # whether the colours of patches are about to be drawn
     _drawn = 0  # number of triangles of its last mesh that was not empty
 
     def __init__(self, view):
@@ -50,7 +50,7 @@ class MeshView(PlainState):
             before, self._drawn = self._drawn, obj.Mesh.CountFacets
             visibility.follow_count(self.view, before, self._drawn)
         if name in _TRIANGLES and _TRIANGLES[name](obj):
-            from .view import edge_detail  # with it Coin
+            from .view import edge_detail  # imports Coin
 
             edge_detail.thin_out(self.view.RootNode, _EDGES_OF_TRIANGLE * _TRIANGLES[name](obj))
         if name in ("Mesh", "Patches", "PatchRest"):

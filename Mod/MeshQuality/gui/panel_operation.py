@@ -17,7 +17,7 @@ translate = FreeCAD.Qt.translate
 
 # Properties of a source that do not change its shape or mesh.
 _LOOKS = ("Label", "Label2", "Visibility", "Proxy", "ExpressionEngine", "_GroupTouched")
-_HELD = "Group", "ElementList"  # what lists the objects in a container
+_HELD = "Group", "ElementList"  # properties that list the objects in a container
 
 
 class Operation:
@@ -161,7 +161,7 @@ def is_there(document, obj):
 
 
 def obstacle_in(document):
-    """What the document of this name is in the middle of, in the user's language; empty: of nothing."""
+    """The operation that the document of this name is in the middle of, in the user's language; empty: none."""
     if document not in FreeCAD.listDocuments():
         return ""
     found = FreeCAD.getDocument(document)

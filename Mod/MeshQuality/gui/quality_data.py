@@ -33,7 +33,7 @@ _MANY, COARSE = 200_000, 50_000  # triangles from which on others stand for them
 
 @dataclass(frozen=True)
 class Measure:
-    """What can be shown of each element.
+    """A measure that can be shown on each element.
 
     title    for people
     help     what the numbers mean to them

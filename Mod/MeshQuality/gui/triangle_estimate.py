@@ -24,7 +24,7 @@ class _Moment:
 
     def __init__(self, work):
         self._work = work
-        self._result = None  # of the work, once it has been computed
+        self._result = None  # the result of the work, once it has been computed
 
     def _for_a_moment(self, progress):
         """The result of the work, or None."""

@@ -400,7 +400,7 @@ class _Distance(_Field):
         self.set_value(tuple(values.get(name) for name in options.DISTANCE))
 
     def _chosen(self):
-        """The user has chosen: the other field begins with what means the same."""
+        """Called when the user has chosen how to give the bound: the other field begins with the same bound."""
         before, bound = self._bound, self.choice.itemData(self.choice.currentIndex())
         same = distance_bound.same_bound(
             bound, self.length.value() if before == options.ABSOLUTE else 0.0,

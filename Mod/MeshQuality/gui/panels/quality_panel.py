@@ -35,7 +35,7 @@ _AROUND_INSIDE = 10.0  # width of the view around an element inside, in sizes of
 
 @dataclass(frozen=True)
 class _Found:
-    """What is shown of a measure.
+    """The values and figures of a measure that the panel shows.
 
     values     float64 (E,)
     scale      Scale of them

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the forms of task panels have in common: what they tell is in sight, and they close with the
-document that they are about.
-"""
+"""The common base of forms of task panels: their messages are in sight, and they close with their document."""
 
 import FreeCAD
 from PySide import QtCore, QtGui

@@ -52,7 +52,7 @@ def _draws_lines(node):
 
 def _draws_faces(group):
     search = coin.SoSearchAction()
-    search.setType(coin.SoShapeHints.getClassTypeId())  # which is for faces only
+    search.setType(coin.SoShapeHints.getClassTypeId())  # shape hints are for faces only
     search.setSearchingAll(True)
     search.apply(group)
     return search.getPath() is not None

@@ -12,7 +12,7 @@ translate = FreeCAD.Qt.translate
 
 COLOURS, LABELS = 64, 5
 _FEWER, _LOW = 3, 100  # labels of a bar that is lower than this, pixels
-TOP_LEFT, TOP_RIGHT, BOTTOM_LEFT, BOTTOM_RIGHT = range(4)  # as FreeCAD numbers corners
+TOP_LEFT, TOP_RIGHT, BOTTOM_LEFT, BOTTOM_RIGHT = range(4)  # FreeCAD's numbers of the corners
 _BAR, _HEIGHT, _MARGIN, _GAP = 18, 180, 8, 6  # pixels
 _LEAST, _OF_VIEW = 50, 0.4  # pixels of a bar; of the height of a low view, so that the model is seen
 # Light enough for dark text on whatever is behind it.
@@ -26,7 +26,7 @@ def picture(scale, view_height):
     view_height  of the 3D view in pixels, in a low one of which the legend is low
     """
     title = translate("MeshQuality", scale.measure.title)
-    tall = min(_HEIGHT, max(_LEAST, round(_OF_VIEW * view_height)))  # of the bar
+    tall = min(_HEIGHT, max(_LEAST, round(_OF_VIEW * view_height)))  # height of the bar
     labels = [scale.text(number) for number in np.linspace(scale.low, scale.high, LABELS if tall >= _LOW else _FEWER)]
     font = QtGui.QApplication.font()
     metrics = QtGui.QFontMetrics(font)

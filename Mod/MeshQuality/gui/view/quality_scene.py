@@ -109,7 +109,7 @@ class QualityScene:
         behind = (self._corners @ np.array(ahead, dtype=np.float32)).min(axis=1) >= nearest
         self.scene.show(self._corners[behind])
         self.scene.colour(self._colours[behind])
-        self.scene.light_up(corners)  # what lit up went with the surface
+        self.scene.light_up(corners)  # the lit triangles were removed with the surface
         self._opened = True
 
     def close_again(self):
