@@ -46,7 +46,7 @@ def why_no_extension():
 
 
 def versions():
-    """What a binary must be made for: words for people."""
+    """The version and platform that a binary must be made for, in words."""
     import FreeCAD
     import Part
 

@@ -105,7 +105,7 @@ _TEXT_ONLY = Format("STL as text", names=_ONE_WORD)
 
 
 def title_of(suffix):
-    """What a format is called."""
+    """The name of a format."""
     return (FORMATS.get(suffix) or ELEMENTS_ONLY[suffix]).title
 
 

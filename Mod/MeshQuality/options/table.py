@@ -103,7 +103,7 @@ class Option:
 
     @property
     def property_choices(self):
-        """What the property may be set to: the older names of choices, too."""
+        """The values that the property accepts, with older names of choices."""
         return [*self.choices, *self.choice_aliases]
 
     @property
@@ -121,7 +121,7 @@ class Option:
 
     @property
     def property_help(self):
-        """What the property says of itself."""
+        """The description of the property."""
         told = self.default is not None or self.is_distance or self.is_sizes or self.is_faces or self.is_required
         return self.help if told else f"{self.help}; 0: {self.unset}"
 
@@ -137,7 +137,7 @@ class Option:
 
     @property
     def range_text(self):
-        """What values are allowed, in words."""
+        """The allowed values, in words."""
         if self.choices:
             return "one of " + ", ".join(self.choices)
         if self.kind is bool:
@@ -225,7 +225,7 @@ def _plain_number(value, option):
             return option.kind(value)
     except OverflowError:  # a whole number beyond the largest float
         return math.inf
-    except (TypeError, ValueError):  # of a type that says it is a number
+    except (TypeError, ValueError):  # the type calls itself a number
         pass
     raise InvalidInput(Text(phrases.NOT_A_WHOLE_NUMBER if option.kind is int else phrases.NOT_A_NUMBER,
                             option=option.name, value=repr(value), range=option.range_text))
