@@ -27,7 +27,7 @@ AHEAD = 4
 LEAST_AHEAD = 32
 WAIT_FOR_WORKERS = 60.0
 DASHBOARD = "127.0.0.1:8787"
-CHECK_EVERY = 200  # parts: how often the number of workers is asked for
+CHECK_EVERY = 200  # parts between two queries of the number of workers
 
 
 def cores():

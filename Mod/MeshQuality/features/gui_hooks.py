@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The requests of document objects to the window. The window fills this in: document objects import nothing of it.
-"""
+"""The requests of document objects to the window. The window fills this in: document objects import nothing of it."""
 
 import importlib
 import math

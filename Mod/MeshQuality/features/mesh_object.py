@@ -451,7 +451,7 @@ class _Observer:
     """
 
     def slotRecomputedDocument(self, document):
-        """Called by FreeCAD: what an object promises of a mesh that is not of its options counts no longer."""
+        """Called by FreeCAD: a certificate becomes void if its mesh does not fit the present options."""
         for obj in document.Objects:
             if isinstance(getattr(obj, "Proxy", None), MeshObject):
                 with suppress(AttributeError):  # properties that are read-only, or that a script has removed

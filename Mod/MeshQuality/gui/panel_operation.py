@@ -80,9 +80,7 @@ class Operation:
         return obstacle_in(self.document)
 
     def obstacle_beside_tasks(self):
-        """As obstacle(), and another task that the user has opened: the mesh does not belong to its
-        step of undo, and would end that too early.
-        """
+        """As obstacle(), or another task that the user has opened: the mesh would end the task's step of undo too early."""
         step_is_open = FreeCADGui.Control.activeDialog() and self.document in FreeCAD.listDocuments() \
             and (FreeCAD.getDocument(self.document).HasPendingTransaction or FreeCAD.getActiveTransaction())
         return obstacle_in(self.document) or (

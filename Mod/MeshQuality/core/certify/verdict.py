@@ -529,7 +529,7 @@ def _sentence(phrase, /, **places):
 
 _ROUNDING = 1e-6
 _DIGITS = 3
-_LIMIT_DIGITS = 4  # so that three digits of a limit that was given in inches are right there, too
+_LIMIT_DIGITS = 4  # digits of a limit in mm, so that three digits are right in inches, too
 
 
 def _number(value, digits=_DIGITS):

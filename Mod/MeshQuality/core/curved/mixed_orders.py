@@ -43,7 +43,7 @@ def with_orders(mesh, order, orders, raise_invalid):
 
 
 def _beside_invalid(mesh, found, element):
-    """bool (E,): which elements have a corner of one that is not proven valid."""
+    """bool (E,): whether an element shares a corner with an element that is not proven valid."""
     whole = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] == mesh.dimension]
     invalid = np.zeros(sum(len(block.nodes) for block in whole), dtype=bool)
     for quality, rows in zip(found[1], element):

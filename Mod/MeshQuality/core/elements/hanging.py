@@ -111,7 +111,7 @@ def _bend(kind, order, shape):
 
 
 def _close_to_corners(corners, bend, row, points):
-    """Whether points are as near to the line or plane of the corners as the part may be."""
+    """Whether points are no farther from the line or plane of the corners than the edge or face can be."""
     a, along = corners[:, 0], corners[:, 1] - corners[:, 0]
     length = np.linalg.norm(along, axis=1)
     low, high = corners.min(axis=1), corners.max(axis=1)

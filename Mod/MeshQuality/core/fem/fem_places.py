@@ -32,7 +32,7 @@ def shape_at(source, mesh, part):
 
 
 def mesh_at(source, part):
-    """The ElementMesh of a document object with a FEM mesh on its part, where the document has that."""
+    """The ElementMesh of a document object with a FEM mesh, moved to where its part is in the document."""
     mesh = ElementMesh.of(source)
     return mesh.moved(_motion(source, mesh, part, convert.shape_of(part)))
 

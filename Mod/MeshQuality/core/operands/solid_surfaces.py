@@ -14,7 +14,7 @@ _MOST_FOR_ANGLES = 200_000  # no bound on angles where it takes more triangles, 
 
 
 def is_given_mesh(source):
-    """Whether it is a mesh, and no shape is to be meshed."""
+    """Whether the source is a mesh, so that no shape need be meshed."""
     return isinstance(source, SurfaceMesh) or is_arrays(source) or convert.is_mesh(source)
 
 

@@ -162,7 +162,7 @@ def require_faces(division, count, what):
 
 
 def patches_of(division, triangle_face, count):
-    """The Patches of a mesh with `count` triangles on these faces; without a division each face is one."""
+    """The Patches of a mesh with `count` triangles on these faces; without a division each face is a patch."""
     given = division is not None
     division = division or _PLAIN
     face = np.asarray(triangle_face, dtype=np.int64)

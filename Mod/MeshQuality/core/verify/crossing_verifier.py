@@ -33,7 +33,7 @@ _AWAY = 1e-4  # barycentric coordinate by which a common point is off what is sh
 
 @functools.lru_cache(maxsize=None)
 def _exponents(order):
-    """int (n, 3): of the control points, those of the corners first."""
+    """int (n, 3): the exponents of the control points, corners first."""
     rows = [(i, j, order - i - j) for i in range(order, -1, -1) for j in range(order - i, -1, -1)]
     return np.array(sorted(rows, key=lambda row: -max(row) if max(row) == order else 0))
 
@@ -72,7 +72,7 @@ def _parts(kind):
 
 
 class _Surface:
-    """Control points about the middle of the mesh of the triangles that the sides are divided into, and what these share.
+    """The triangles into which sides are divided: control points about the middle of the mesh, and their common corners.
 
     vertex  int (T, 3), side int (T,): the corners of each triangle, and its side, numbered from one kind to the next
     """

@@ -16,7 +16,7 @@ _DIGITS = 3
 class RangeBox(QtGui.QWidget):
     """The ends of a scale as fields, and a button that sets them by the measure."""
 
-    chosen = QtCore.Signal(object)  # (low, high); None: by the measure
+    chosen = QtCore.Signal(object)  # (low, high); None: the measure sets both
 
     def __init__(self):
         super().__init__()

@@ -23,7 +23,7 @@ _CUBE, _AROUND_CUBE = 132, 1.3  # pixels of FreeCAD's cube at first; with its ar
 def picture(scale, view_height):
     """The legend of a quality_data.Scale: uint8 (height, width, 4), the first row at the bottom.
 
-    view_height  of the 3D view in pixels, in a low one of which the legend is low
+    view_height  height of the 3D view in pixels; the legend is lower in a low view
     """
     title = translate("MeshQuality", scale.measure.title)
     tall = min(_HEIGHT, max(_LEAST, round(_OF_VIEW * view_height)))  # height of the bar
