@@ -290,7 +290,7 @@ RANGES = (
     FACE_NAMES,
 )
 
-# Between the others and whatever they end with, hence last.
+# Phrases that may end other phrases, hence last in the table.
 ENDINGS = (ON_EDGE, ON_FACE)
 
 # Parts of a stage that work cannot interrupt, of the core too.

@@ -122,7 +122,7 @@ def write_results(plan, ledger, total):
 def _do(arguments, plan, todo, ledger, total):
     line, lost, due = ProgressLine(len(todo)), [0], [time.monotonic() + INTERIM_SECONDS]
     if arguments.scheduler is None:
-        freecad()  # says so at once where there is none
+        freecad()  # raises an error at once if there is no FreeCAD
 
     def finished(entry):
         ledger.add(entry)

@@ -53,7 +53,7 @@ MEASURED = (
     ("Repairs", "App::PropertyStringList", "Kinds of repairs, and the number of each", "repairs"),
     properties.NOTES,
 )
-# The same, beside mesh_object.PROMISES.
+# Properties of promises, beside mesh_object.PROMISES.
 PROMISES = (
     ("Invalid", "App::PropertyInteger",
      "Number of elements that are not proven valid; 0 is required", "invalid"),

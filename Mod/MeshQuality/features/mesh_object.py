@@ -45,7 +45,7 @@ COMPUTING = "being computed in the background"
 OUT_OF_DATE = "out of date: a source or an option has changed; choose Update Mesh"
 SOURCE_DELETED = "out of date: the source was deleted"
 FAILED = "failed: "  # and why
-# The same, for those that promise a smallest angle; the name in the report follows.
+# Properties of objects that promise a smallest angle; the last column is the name in the report.
 ANGLE_PROMISES = (
     ("AskedMinAngle", "App::PropertyAngle", "Smallest angle that was requested", "min_angle_asked"),
     ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles", "min_angle"),

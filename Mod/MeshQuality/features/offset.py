@@ -15,8 +15,8 @@ from .recompute_work import Work
 
 
 class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
-    """Proxy of a Mesh::FeaturePython that holds a mesh made of a solid: of a shape, or of the space in a closed mesh. Of a
-    shape its triangles are on the CAD faces from which they come, and in their patches.
+    """Proxy of a Mesh::FeaturePython that holds a mesh made of a solid: of a shape, or of the space in a closed mesh.
+    Triangles from a shape are assigned to its CAD faces, and to the patches of these.
 
     A subclass has
     given_of(source, values, obj)  class method: what the work is about, a Given

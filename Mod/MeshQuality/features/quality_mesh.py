@@ -47,7 +47,7 @@ class QualityMesh(mesh_object.SourceMesh):
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
-        """As for all, with the cache of the object."""
+        """As in the base class, with the cache of the object."""
         work = super().work_on(sources, values, obj)
         if obj is not None and not obj.Reuse:
             work.add_to_fingerprint("from nothing")

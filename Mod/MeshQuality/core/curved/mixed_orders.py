@@ -123,7 +123,7 @@ def _once(kind, parts):
 
 
 def _lower(sides, before, nodes, order):
-    """Puts the nodes of sides where polynomials of their orders are, which go through what bounds them now."""
+    """Puts the nodes of sides on polynomials of the orders of the sides, which go through the present borders."""
     inner, weights = _blending(sides.kind, order)
     for lower in np.unique(sides.order).tolist():
         rows = sides.nodes[sides.order == lower]

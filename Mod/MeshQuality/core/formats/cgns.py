@@ -68,7 +68,7 @@ class _File:
     def __init__(self, path, mode=_MODE_WRITE, arrays=0):
         """arrays  bytes of what will be written"""
         if mode == _MODE_WRITE:
-            # Below the library HDF5 ends the process, at its end, where a disk was full.
+            # On a full disk HDF5, which the library uses, aborts the process when it exits.
             files.require_room(path, _LEAST_BYTES + arrays)
         self.number = _number("cg_open", ctypes.c_char_p(os.fsencode(path)), mode)
 

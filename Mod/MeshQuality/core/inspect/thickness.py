@@ -357,7 +357,8 @@ def _finer(core, values):
         wanted = min(wanted, first.deciding_deviation)
     if deviation <= wanted:
         return None
-    # Triangles of a curved surface are as many as their distance from it is small.
+    # The number of triangles of a curved surface is inversely proportional to their distance from
+    # it.
     least = deviation * len(first.values) / _MOST_TRIANGLES
     wanted = max(wanted, least)
     return wanted if wanted < 0.7 * deviation else None

@@ -34,8 +34,8 @@ def suggested_patches(source, by, analysis=None):
 
 
 def suggested_for(members, by):
-    """Such patches of all sources of a mesh, members of source_faces, by the names that faces have there. By labels,
-    each of several that is no container is one.
+    """Suggested patches of all sources of a mesh, members of source_faces, by the names of faces in the mesh. By
+    labels, each of several sources that is no container is one patch.
     """
     found, refused = {}, InvalidInput(phrases.Text(phrases.NO_PATCHES[by], name=", ".join(
         convert.label_of(member.source) for member in members)))

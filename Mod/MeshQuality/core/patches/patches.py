@@ -208,7 +208,7 @@ def with_interfaces(patches, mesh, link="to"):
         raise InvalidInput(f"patch {taken!r} has the name of an interface: give it another name")
     of_triangle = patches.of_triangle.copy()
     of_triangle[here] = len(patches.names) + number.reshape(-1)
-    used = np.unique(of_triangle).tolist()  # a face that a contact covers leaves nothing of its patch
+    used = np.unique(of_triangle).tolist()  # the patch of a face that a contact covers is empty
     all_names, all_colours = [*patches.names, *names], [*patches.colours, *[None] * len(names)]
     return patches._replace(names=tuple(all_names[i] for i in used), colours=tuple(all_colours[i] for i in used),
                             of_triangle=np.searchsorted(used, of_triangle).astype(np.int32), given=True)
