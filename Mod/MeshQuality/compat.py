@@ -52,7 +52,7 @@ def without_traceback(function):
 
 @functools.lru_cache(maxsize=None)
 def why_no_extension():
-    """What extension() says where it fails; empty where it does not. Asked once: it is looked for again
+    """The error of extension(); empty if it succeeds. Computed once: the binary is looked for again
     when FreeCAD starts.
     """
     try:
@@ -63,7 +63,7 @@ def why_no_extension():
 
 
 def versions():
-    """What a binary must be made for: words for people."""
+    """The version and platform that a binary must be made for, in words."""
     import FreeCAD
     import Part
 
@@ -104,7 +104,8 @@ def flags(buttons):
 
 
 # FreeCAD 0.20 loses 96 bytes each time that an attribute gives a quantity, a placement, a vector or a
-# box (PyObjectBase::trackAttribute); 1.0 and 1.1 do not. These two get the same without that.
+# box (PyObjectBase::trackAttribute); 1.0 and 1.1 do not. The next two functions get these values
+# without the loss.
 
 
 def property_of(obj, name):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is said of faults of meshes; a part of the table of phrases. Imports nothing of FreeCAD."""
+"""Phrases on faults of meshes, a part of the table of phrases. Imports nothing of FreeCAD."""
 
 # The kinds of faults, for one and for many.
 FAULTS = {

@@ -61,8 +61,8 @@ def _require_regular(path, mode):
 
 
 def freecad_takes(path):
-    """Whether the path can be handed to FreeCAD, which takes UTF-8 only, and a backslash for a slash: it would read
-    another file.
+    """Whether FreeCAD can be given the path: it takes UTF-8 only, and reads a backslash as a slash, so as another
+    file.
     """
     if os.sep == "/" and "\\" in path:
         return False

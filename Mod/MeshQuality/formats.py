@@ -97,15 +97,15 @@ READABLE = {
     ".e": ("an Exodus file", "exodus"),
     ".h5": ("a file of HOPR", "hopr"),
 }
-# That elements of all kinds are written into.
+# Extensions of files for elements of all kinds.
 ELEMENTS_WRITTEN = (".msh", ".vtu", ".inp", ".unv", ".nas", ".bdf", ".su2", ".h5", ".re2")
-# Of these what FORMATS does not have: no mesh that this package makes has such elements.
+# Formats that are not in FORMATS, as no mesh that this package makes has their elements.
 ELEMENTS_ONLY = {".re2": Format("Nek5000")}
 _TEXT_ONLY = Format("STL as text", names=_ONE_WORD)
 
 
 def title_of(suffix):
-    """What a format is called."""
+    """The name of a format."""
     return (FORMATS.get(suffix) or ELEMENTS_ONLY[suffix]).title
 
 

@@ -131,7 +131,7 @@ EXEMPT = {
     "budget": "the triangle limit max_triangles was reached",
     "no_change_within_tolerance": "no change within the tolerance makes it better",
 }
-FORCED = ("narrow_corner", "apex", "narrow_cluster", "infeasible_corner", "tolerance_corner", "sharp_edges")  # by the shape itself
+FORCED = ("narrow_corner", "apex", "narrow_cluster", "infeasible_corner", "tolerance_corner", "sharp_edges")  # reasons that are the shape itself
 CREASE, CREASE_END = "a crease of {name}", "the end of a crease on {name}"
 NOT_REACHABLE = "target angle not reachable: {phrase}."
 _EXEMPT_TRIANGLE = "triangle {count}: {phrase}"
@@ -262,7 +262,7 @@ RANGES = (
     FACE_NAMES,
 )
 
-# Between the others and whatever they end with, hence last.
+# Phrases that may end other phrases, hence last in the table.
 ENDINGS = (ON_EDGE, ON_FACE)
 
 # Parts of a stage that work cannot interrupt, of the core too.
@@ -395,22 +395,22 @@ class Text(str):
 
 
 def counted(pair, count, **places):
-    """One of a pair of phrases, by the count that it says."""
+    """The first of a pair of phrases for a count of 1, else the second, with the count."""
     return Text(pair[count != 1], count=f"{count:,}", **places)
 
 
 def counted_sentence(pair, count, /, **places):
-    """The same as a sentence."""
+    """counted() as a sentence."""
     return upper_first(counted(pair, count, **places))
 
 
 def counted_list(pair, names, /, **places):
-    """The same with the names of the first ones."""
+    """counted_sentence() with the names of the first items."""
     return counted_sentence(pair, len(names), list=first_of(names), **places)
 
 
 def first_of(names, most=3):
-    """The first names, and how many there are more."""
+    """The first names, and the number of the others."""
     listed = list(names[:most])
     return Text(AND_MORE, list=listed, count=str(len(names) - most)) if len(names) > most else listed
 
@@ -457,13 +457,13 @@ def stored(text, data):
 
 
 def text_of(value):
-    """What is said of a text or an error: as a Text where it is one."""
+    """The message of an error, or the text itself; a Text stays one."""
     said = value.args[0] if isinstance(value, Exception) and value.args else value
     return said if isinstance(said, Text) else str(value)
 
 
 def renamed(text, before, name):
-    """A text that names something in another way, wherever it does."""
+    """The text with the name `before` replaced by `name` throughout."""
     if isinstance(text, Text):
         return Text._of(text.phrase, {key: renamed(value, before, name) for key, value in text.places.items()}, text.upper)
     if not isinstance(text, str):
@@ -472,7 +472,7 @@ def renamed(text, before, name):
 
 
 def exempt_triangle(triangle, reason):
-    """What documents say of an exempt triangle."""
+    """The sentence of documents on an exempt triangle."""
     return Text(_EXEMPT_TRIANGLE, count=str(triangle), phrase=reason)
 
 
@@ -508,7 +508,7 @@ def sentence(phrase):
 
 
 def exempt_sentence(reason, forced):
-    """Likewise why a triangle is exempt; `forced`: whether the shape itself is the reason."""
+    """A Text, a sentence on why a triangle is exempt; `forced`: whether the shape itself is the reason."""
     return upper_first(Text(NOT_REACHABLE, phrase=reason)) if forced else sentence(reason)
 
 
@@ -543,7 +543,7 @@ def rest(name, wording):
 
 
 def _place(name, value, wording):
-    """What stands in a place, but for lengths: those of a phrase are written together."""
+    """The text in a place of a phrase; lengths stay, as those of a whole phrase are written together."""
     kind = _kind(name)
     if kind in ("count", "number"):
         return wording.number(value)

@@ -34,8 +34,8 @@ class ThreadLimit {
     int before_;
 };
 
-/// The number of threads that work at a time: the present ThreadLimit, or as many as there are cores, or the value of
-/// the environment variable MESHQUALITY_THREADS at the first call, where it is a number greater than 0.
+/// The number of threads that work at a time: the present ThreadLimit; else the value of the environment variable
+/// MESHQUALITY_THREADS at the first call, if it is a number above 0; else the number of cores.
 inline int thread_count() {
     if (ThreadLimit::present() > 0) {
         return ThreadLimit::present();

@@ -20,8 +20,8 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Worker: starts stage `name` (a string literal), which covers the fractions [from, to] of the whole; where less
-    /// is left, as in a second attempt, it covers that.
+    /// Worker: starts stage `name` (a string literal), which covers the fractions [from, to] of the whole, or the rest
+    /// if less is left, as in a second attempt.
     void stage(const char* name, double from, double to) {
         name_.store(name, std::memory_order_release);
         from_.store(low_ + from * (high_ - low_), std::memory_order_relaxed);

@@ -39,8 +39,8 @@ inline double tuning_factor(const char* name) {
 
 namespace mq {
 
-/// Bounds of iterations that ended by themselves in all measurements (docs/measurements/tuning.md). They hold where the
-/// same states come again, for instance by rounding: of rounds through a whole model ...
+/// Bounds of iterations that ended by themselves in all measurements (docs/measurements/tuning.md). They take effect if
+/// states recur, for instance by rounding. The bound of rounds through a whole model ...
 constexpr int kMostRounds = 16;
 /// ... of steps that take little time ...
 constexpr int kMostSteps = 100;

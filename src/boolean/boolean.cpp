@@ -81,7 +81,7 @@ class BooleanPipeline {
     }
 
   private:
-    /// How far common faces are moved beyond each other at least, mm.
+    /// The least distance by which common faces are moved beyond each other, mm.
     double clearance() const { return std::min(BooleanTuning::kClearance * size_, 0.25 * tolerance_); }
 
     void prepare() {
@@ -251,8 +251,8 @@ class BooleanPipeline {
         }
     }
 
-    /// How far the result is from the exact Boolean of the operands as they were before common faces were moved, mm,
-    /// but for the gaps and slivers that were closed.
+    /// The distance of the result, mm, from the exact Boolean of the operands before common faces were moved, except
+    /// for closed gaps and slivers.
     double error_of_moves() const {
         std::vector<std::vector<Vec3>> places(prepared_.size());
         std::vector<EnclosedOperand> enclosed(prepared_.size());
@@ -275,8 +275,8 @@ class BooleanPipeline {
         return measure_error(enclosed, expression_, result_.mesh, {}, limits, progress_, &moved).largest();
     }
 
-    /// The triangles of the soup with pieces at edges or vertices at which the surface is no manifold: the returned
-    /// result is the one that was verified. Contacts were searched while it was rounded.
+    /// The triangles of the soup with pieces at nonmanifold edges or vertices. The result that is returned is the one
+    /// that was verified. Contacts were searched while it was rounded.
     std::set<std::int32_t> nonmanifold(const ResultMesh& draft) {
         const std::vector<std::int32_t> no_contacts;
         constexpr std::size_t kAllFaults = std::numeric_limits<std::size_t>::max();
@@ -364,7 +364,7 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
     sum.retained = static_cast<std::size_t>(std::count_if(sum.triangle_source.begin(), sum.triangle_source.end(),
                                                           [](const auto& source) { return source[0] >= 0; }));
     sum.reconstructed = sum.mesh.triangles.size() - sum.retained;
-    sum.operand_topology.clear();  // the counts are those of partial results
+    sum.operand_topology.clear();  // the runs counted components of partial results
     return sum;
 }
 

@@ -27,8 +27,8 @@ struct BooleanOptions {
     /// Cells along the longest side of the operands' box; the tolerance is then sqrt(3) times the side of a cell, the
     /// bound of Wang 2010, section IV.A.
     int resolution = 512;
-    /// mm, the length that `resolution` divides where that longest side is not it: less for slender operands, whose
-    /// thickness the tolerance would reach. 0: the longest side.
+    /// mm, the length that `resolution` divides; 0: that longest side. A shorter length keeps the tolerance below the
+    /// thickness of slender operands.
     double length = 0.0;
     /// Threads that work at a time; 0: one for each core, or as many as MESHQUALITY_THREADS says. The result is the
     /// same for any number.
@@ -36,12 +36,12 @@ struct BooleanOptions {
     /// Whether the method "uniform" reconstructs the whole surface from its samples (Wang 2010, Table III); other
     /// methods have no samples.
     bool full = false;
-    /// Whether the operands have the intended orientation and are closed up to faults of repair: components around
-    /// which nothing winds stay so. If false, components that bound a volume inside out are reversed.
+    /// Whether the operands have the intended orientation, so that components stay as they are turned. If false,
+    /// components that bound a volume inside out are reversed.
     bool oriented = false;
 
-    /// The tolerance in mm: as it was requested, else that of the resolution for `length`, or for operands whose box
-    /// has this longest side.
+    /// Returns `tolerance`, mm, if it is set; else that of `resolution` for `length`, or for `size`, the longest side
+    /// of the operands' box.
     double tolerance_for(double size) const;
     /// @throws InvalidInput naming the option
     void validate() const;
@@ -94,7 +94,7 @@ struct BooleanResult {
 BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, Operation operation,
                       const BooleanOptions& options, Progress* progress = nullptr);
 
-/// The same for any expression of the operands, in one arrangement: nothing is rounded between its operations.
+/// Evaluates any expression of the operands in one arrangement: nothing is rounded between its operations.
 BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, const Expression& expression,
                       const BooleanOptions& options, Progress* progress = nullptr);
 

@@ -87,7 +87,7 @@ void for_each_piece(const Piece& triangle, double longest, const IsSettled& is_s
     }
 }
 
-/// The spacing of samples on these triangles: the finest, or twice, four times ... that where it takes too many.
+/// The spacing of samples on these triangles: `finest`, doubled until at most kLargeSamples are needed.
 double spacing_on(const std::vector<Piece>& triangles, double finest) {
     double spacing = finest;
     for (double pieces = 2.0 * kLargeSamples; pieces > kLargeSamples; spacing *= 2.0) {
@@ -271,7 +271,8 @@ class Measurement {
         return box.empty() ? 0.0 : (box.high - box.low).norm();
     }
 
-    /// Adds the distances from the result of points of a piece that bound the exact solid, but no film or gap.
+    /// Takes points of a piece that lie on the border of the exact solid, but not at a film or gap, and adds their
+    /// distances from the result.
     void add_points(const Piece& piece, Largest& largest) const {
         // Distance of points from the border, as a fraction of the way to the centre: on the border itself other
         // triangles bound the solid, too.
@@ -284,7 +285,7 @@ class Measurement {
                 !solid_.is_bounded_at(p, normal, limits_.thinnest)) {
                 return;
             }
-            progress_.check();  // balls are tested by many points
+            progress_.check();  // the next test takes many points
             if (solid_.is_thick_at(p, limits_.thinnest)) {
                 largest.add(tree_.size() > 0 ? tree_.nearest(p).distance : size());
             }

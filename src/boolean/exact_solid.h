@@ -14,7 +14,7 @@
 
 namespace mq::boolean {
 
-/// An operand as the set of points that it encloses, in the frame of the result. All is referred to.
+/// An operand as the set of points that it encloses, in the frame of the result. The pointers must outlive it.
 struct EnclosedOperand {
     const std::vector<Vec3>* vertices = nullptr;
     const std::vector<mesh::Triangle>* triangles = nullptr;
@@ -36,7 +36,7 @@ void for_each_way(double length, const Visit& visit) {
 }
 
 /// The points of space that an expression makes of its operands, by the winding numbers of these, counted along rays.
-/// All is referred to.
+/// The arguments must outlive it.
 class ExactSolid {
   public:
     ExactSolid(const std::vector<EnclosedOperand>& operands, const Expression& expression)
@@ -61,9 +61,9 @@ class ExactSolid {
     /// Whether the points before and behind p along an axis, at the distance `half`, belong to the solid.
     std::array<bool, 2> sides(const Vec3& p, int axis, double half) const;
 
-    /// Whether the solid is on one side only of a point of a triangle.
+    /// Whether exactly one of the points at beside() in front of and behind a point of a triangle belongs to the solid.
     bool is_bounded_at(const Vec3& p, const Vec3& normal) const { return is_bounded_at(p, normal, beside_); }
-    /// The same for points at this distance on both sides of the surface.
+    /// Tests the points at the distance `beside` (mm) instead.
     bool is_bounded_at(const Vec3& p, const Vec3& normal, double beside) const;
 
     /// Whether there are balls of this diameter near a point of the surface, one inside of the solid and one outside:

@@ -25,7 +25,7 @@ struct SurfaceConstraint {
 struct MovedVertex {
     std::int32_t vertex = -1;
     Vec3 before = Vec3::Zero(), now = Vec3::Zero();
-    double farthest = 0.0;  ///< largest move, mm; one that goes twice as far is lost
+    double farthest = 0.0;  ///< largest move, mm; a vertex that moves twice as far is lost
     std::vector<SurfaceConstraint> surfaces;
     double first_distance = 0.0;  ///< distance from its surfaces before it moved, mm
     bool lost = false;            ///< a projection failed, or it went too far
@@ -54,7 +54,7 @@ class FaceIntersections {
     /// Projects each vertex onto each of its faces.
     /// @throws Cancelled
     void project(const std::vector<MovedVertex*>& vertices);
-    /// Until each vertex is nearer to its surfaces than `near`, mm, or lost, or kNewtonSteps are done.
+    /// Moves the vertices until each is nearer to its surfaces than `near`, mm, or lost, at most kNewtonSteps times.
     /// @param after_first  called when all were projected for the first time
     /// @throws Cancelled
     void approach(std::vector<MovedVertex>& vertices, double near, const std::function<void()>& after_first);

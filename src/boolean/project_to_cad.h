@@ -32,8 +32,8 @@ struct CadProjection {
 /// shape, onto both its faces.
 ///
 /// The nearest such point is found by Newton's method on all surfaces at once, with the least displacement each time.
-/// Vertices of operands and of triangles that are an operand's own stay. So does what would flip a triangle, or touch,
-/// cross or degenerate others (see verify): a result without faults stays without.
+/// Vertices of operands and of triangles that are an operand's own stay. A vertex stays, too, if its move would flip a
+/// triangle or make triangles touch, cross or degenerate (see verify): no fault is added.
 /// @param result   of the Boolean; its origin is that of the operands
 /// @param source   of each triangle, as in BooleanResult::triangle_source
 /// @param near     how far vertices may be from the meshes they lie on, mm

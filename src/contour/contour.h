@@ -16,9 +16,9 @@ struct Contour {
     std::vector<Vec3> points;               ///< single-precision numbers
     std::vector<mesh::Triangle> triangles;  ///< counter-clockwise seen from outside
     std::vector<std::int32_t> source;  ///< by triangle: the input's triangle that it belongs to; -1: it closes a gap
-    std::vector<std::int32_t> patch;   ///< by triangle: the patch of its crossing, until others are set
-    /// By triangle: the crossing whose plane it stands for; -1: its own plane, if it closes a gap or lies where a level
-    /// set has no edge: there the triangle is nearer to the level set than the planes at its corners are.
+    std::vector<std::int32_t> patch;   ///< by triangle: the patch of its crossing, unless it is replaced later
+    /// By triangle: the crossing whose plane it represents; -1: its own plane, if it closes a gap or the level set has
+    /// no edge there: the triangle is then nearer to the level set than the planes at its corners.
     std::vector<std::int32_t> plane;
 };
 

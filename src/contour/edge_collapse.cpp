@@ -222,10 +222,10 @@ class EdgeCollapse {
         // The least point of a nearly singular quadric may be anywhere.
         return (best - place).squaredNorm() <= (q - p).squaredNorm() ? best : to_single(place);
     }
-    /// What holds a vertex in its place: 2 a fixed triangle, 1 a border between patches, 0 nothing.
+    /// The constraint on a vertex: 2 fixed by a triangle, 1 on a border between patches, 0 none.
     int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border(v) ? 1 : 0; }
 
-    /// Whether the surface stays 2-manifold, and is no tetrahedron.
+    /// Whether the surface stays 2-manifold, and is more than a tetrahedron.
     bool keeps_links(const Candidate& edge) const {
         constexpr std::size_t kOfTetrahedron = 6;  // triangles at both ends
         return stars_[edge.a].size() + stars_[edge.b].size() > kOfTetrahedron &&

@@ -14,19 +14,19 @@ namespace mq::contour {
 /// Whether a triangle with these corners is accepted.
 using TriangleFilter = std::function<bool(const std::array<Vec3, 3>&)>;
 
-/// What a collapse of edges must keep.
+/// The conditions on collapses of edges.
 struct CollapseLimits {
-    double distance = 0.0;  ///< mm: of vertices from the planes that their triangles stand for
+    double distance = 0.0;  ///< mm, of vertices from the planes that their triangles represent
     double border = std::numeric_limits<double>::infinity();   ///< mm: of vertices from borders between patches
     double longest = std::numeric_limits<double>::infinity();  ///< mm: of the edges of triangles that are moved
-    /// By triangle whether it stays as it is, with its vertices; empty: none does.
+    /// By triangle: whether the triangle and its vertices must stay as they are; empty: none must.
     std::vector<char> fixed;
     /// Asked for each moved triangle whether its new place is accepted; empty: all are. Called by several threads.
     TriangleFilter accepts;
     /// Whether each collapse is tested for triangles that meet after it. If not, the caller searches the result for
     /// them: on a surface that is not folded nearly no collapse makes any.
     bool keeps_apart = true;
-    /// Box in which all triangles that are not fixed are, before and after.
+    /// Box that contains all triangles that are not fixed, before and after collapses.
     Box within{Vec3::Constant(-1e300), Vec3::Constant(1e300)};
 };
 

@@ -9,8 +9,7 @@ namespace mq::geometry {
 
 bool is_closed(const Edge& edge);
 
-/// The parameter of the same point between t0 and t1; others than those beside a closed edge are given back as they
-/// are.
+/// The parameter between t0 and t1 of the same point of a closed edge; any other parameter is returned unchanged.
 double in_first_turn(const Edge& edge, double t);
 
 /// Whether an edge has a point at t, to within `slack`.

@@ -5,7 +5,7 @@
 
 namespace mq::geometry {
 
-/// Corners that must stay open although details are not told apart (Topology::detail).
+/// Bounds on the corners that remain after details (Topology::detail) are contracted.
 struct DetailCorners {
     /// Radians: least angle between the edges or faces that meet once a detail is contracted. Above the bounds that are
     /// usually asked for, so that no corner is made that cannot keep them.

@@ -344,7 +344,7 @@ void Engine::Impl::run_job(EngineGate& gate, const std::function<void()>& work, 
             try {
                 keep_open(gate, progress);
             } catch (...) {
-                failure = std::current_exception();  // thrown again below, if the work has missed the answers
+                failure = std::current_exception();  // thrown again below if the work failed for lack of answers
                 gate.close();
             }
         });

@@ -13,7 +13,7 @@ namespace mq::geometry {
 Cancelled engine_has_ended();
 
 /// Lets the threads of a job answer queries themselves while the engine's main thread waits at the gate
-/// (Engine::run_job). It closes for the time that somebody else needs the engine, in which they wait with their next
+/// (Engine::run_job). The gate closes while somebody else needs the engine: the job's threads then wait with their next
 /// question.
 class EngineGate {
   public:

@@ -48,7 +48,7 @@ class Model : public Answerer {
     /// Adds all numbers that define the geometry of a face (its surface), an edge (its curve) or a node (its point).
     /// @param frame  a face with a placement, in whose frame they are; -1: in the model's own frame
     virtual void add_definition(Entity entity, int frame, Fingerprint& key) = 0;
-    /// The same for the curve of an edge use in (u, v).
+    /// Adds the numbers that define the curve of an edge use in (u, v).
     virtual void add_definition_of_use(int use, Fingerprint& key) = 0;
 
   protected:

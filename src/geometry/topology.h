@@ -107,7 +107,7 @@ struct Topology {
     bool sewn = false;       ///< faces without a shell are joined where borders lie together within `detail`
     bool imprinted = false;  ///< faces of two solids that lie on each other are one face
     std::vector<Joined> joined;
-    std::vector<int> joined_nodes;    ///< by node, the node that it is one with; empty: no nodes are joined
+    std::vector<int> joined_nodes;    ///< by node: the node with which it was joined; empty: no nodes are joined
     std::vector<std::string> faults;  ///< faults of the model by the kernel's own checks, naming entities
     /// By dimension, for the entities after the shape's own: the entity of the shape to which each belongs. A piece of
     /// an edge or a face belongs to the whole one, a crease to its face, the end of a crease to the edge or face on
@@ -120,15 +120,15 @@ struct Topology {
     }
     /// The number of entities that are the shape's own.
     std::size_t own_count(int dimension) const;
-    /// The node that a node is one with, or itself.
+    /// The node with which a node was joined, or the node itself.
     int node_of(int node) const { return joined_nodes.empty() ? node : joined_nodes[static_cast<std::size_t>(node)]; }
-    /// The entity itself, unless it is in `parts_of`.
+    /// The entity of the shape to which an entity belongs (`parts_of`), or the entity itself.
     Entity of_shape(Entity entity) const;
     /// The indices of all pieces of an entity of the shape; only its own where it was not cut.
     std::vector<int> pieces_of(Entity entity) const;
     /// The edges around and inside a face.
     std::set<int> edges_of(int face) const;
-    /// The same as mq::geometry::name_of, with the names of the shape's own entities.
+    /// FreeCAD's name of the shape's own entity to which an entity belongs.
     std::string name_of(Entity entity) const;
 };
 

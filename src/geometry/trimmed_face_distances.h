@@ -10,9 +10,9 @@
 
 namespace mq::geometry {
 
-/// Distances of points from trimmed faces, their edges with them: that of the nearest point of the surface where this
-/// is inside of the face, else that of the nearest point of its edges. No less than the distance, and the distance but
-/// where the search for a nearest point ends in another minimum.
+/// Distances of points from trimmed faces with their edges: from the nearest point of the surface if that is inside of
+/// the face, else from the nearest point of the edges. Upper bounds, too large only where the search for a nearest
+/// point ends in another minimum.
 class TrimmedFaceDistances {
   public:
     struct Place {

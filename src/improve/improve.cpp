@@ -39,10 +39,10 @@ mesh::TriangleMesh checked(const mesh::TriangleMesh& given) {
     return mesh;
 }
 
-/// The state that must not become worse: faults by kind, the smallest angle, and the place of the surface.
+/// The state that must not become worse: faults by kind, the smallest angle, and the distance from the given surface.
 class Condition {
   public:
-    /// @param mesh  is referred to
+    /// @param mesh  must outlive this object
     Condition(const mesh::TriangleMesh& mesh, Progress& progress)
         : count_(verified(mesh, progress).count), least_(least_angle(mesh)), surface_(mesh.vertices, mesh.triangles) {}
 

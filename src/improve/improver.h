@@ -45,7 +45,8 @@ class Improver {
     bool same_around(int t, int since) const;
     void note_changed(const LocalOperation& change);
     /// Whether the worst angle at a vertex becomes better where it moves to a place, leaving out the triangles that the
-    /// vertex `without` has too. Usually a quick test, while a change must name all triangles, of which a fan has many.
+    /// vertex `without` has too. This test is usually quick, whereas a change must list all triangles, of which a fan
+    /// has many.
     bool betters(int v, const Vec3& place, int without = -1);
     double worst_angle_at(int v);
     int add_vertex(const Vec3& point, int halvings);

@@ -153,8 +153,8 @@ double depth_of_vertices(const Body& a, const Body& b, const Progress* progress)
     return chunks > 0 ? *std::max_element(most.begin(), most.end()) : 0.0;
 }
 
-/// The largest distance from the surface of b of the middles of edge pieces inside of it; edges of the given triangles
-/// of a.
+/// The largest depth below the surface of b of the middles of pieces of edges of a that are inside of b, for the edges
+/// of the given triangles.
 double depth_of_edges(const Body& a, const std::set<std::int32_t>& triangles, const Body& b, const Progress* progress) {
     const std::vector<std::int32_t> list(triangles.begin(), triangles.end());
     std::vector<double> most(list.size(), 0.0);

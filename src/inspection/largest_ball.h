@@ -22,7 +22,7 @@ struct LargestBall {
 
 /// The last balls that were found free of the surface. Neighbouring points of round solids have nearly the same largest
 /// ball, all of whose surface is equally far from the centre, which makes the search for the nearest point slow; so it
-/// is made only once. The result is the same with and without.
+/// is made only once. These balls do not change results.
 class FreeBalls {
   public:
     /// Whether a ball lies inside of one of the free balls.

@@ -101,11 +101,11 @@ std::vector<UniformOperand> prepare_uniform(const std::vector<const mesh::Triang
                                             const Expression& expression, const LayeredDepthOptions& options,
                                             const Progress* progress);
 
-/// The same Boolean of prepared operands.
+/// layered_depth_boolean() of prepared operands.
 UniformResult layered_depth_boolean(const std::vector<UniformOperand>& prepared, const Expression& expression,
                                     const LayeredDepthOptions& options, Progress* progress, const CadOperands& cad);
 
-/// The same Boolean of two operands.
+/// layered_depth_boolean() of two operands.
 UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
                                     const LayeredDepthOptions& options, Progress* progress);
 

@@ -15,7 +15,7 @@
 namespace mq::boolean {
 
 /// An operand of the uniform scheme that its rays can sample: unchanged if it has no faults, else repaired. If no
-/// repair closes it, it has the winding number that tells which points are inside.
+/// repair closes it, its winding number determines which points are inside.
 class UniformOperand {
   public:
     UniformOperand() = default;

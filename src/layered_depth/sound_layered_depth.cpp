@@ -15,14 +15,14 @@ namespace mq::boolean {
 
 namespace {
 
-/// How far vertices of faulty triangles are moved inward, as a fraction of the tolerance, in the mean: less where
-/// vertices were put on CAD faces, near which they are to stay.
+/// Mean distance by which vertices of faulty triangles are moved inward, as a fraction of the tolerance; less where
+/// vertices were put on CAD faces, so that they stay near these.
 constexpr double kShift = 0.02;
 constexpr double kShiftOnFaces = 0.005;
 
-/// Moves the vertices of triangles with faults inward, each by a length of its own, but for those of operands' own
-/// triangles. The scheme lays sheets on each other that are coplanar but for rounding: where they enclose such a film,
-/// they turn inside out by this, and where they cross all the same, their intersections can be held.
+/// Moves the vertices of faulty triangles inward, each by a random length, except those of operands' own triangles. The
+/// scheme makes sheets that coincide but for rounding. The move turns a film between two of them inside out; if they
+/// still cross, it is at angles at which the intersections can be rounded.
 void shift_faulty(UniformResult& result, const std::vector<mesh::Fault>& faults, double length) {
     std::vector<Vec3>& vertices = result.mesh.vertices;
     std::vector<char> own(vertices.size(), 0);
@@ -58,7 +58,7 @@ void shift_faulty(UniformResult& result, const std::vector<mesh::Fault>& faults,
 /// @param thinnest  the thickness below which films and gaps do not count, mm
 double measured_error(const std::vector<UniformOperand>& prepared, const Expression& expression,
                       const UniformResult& result, double tolerance, double thinnest, const Progress& progress) {
-    // Smaller distances are not told apart, as a fraction of the tolerance: that would take time for nothing.
+    // Distances below this fraction of the tolerance are not refined, to save time.
     constexpr double kEnough = 0.05;
     std::vector<std::vector<char>> given(prepared.size());  // triangles of operands that the result has
     std::vector<char> own;

@@ -8,22 +8,20 @@
 
 namespace mq::boolean {
 
-/// Makes the result of the uniform scheme sound: where its triangles cross or touch, as the paper's reconstruction and
-/// triangles of operands that cross themselves may, it becomes the surface of what it winds around at least once, by
-/// the exact arrangement of its triangles. Vertices of faulty triangles that are no operand's own are moved inward
-/// first, by 1 to 3 % of the tolerance: sheets that the scheme laid on each other have no intersections that can be
-/// rounded. A result without such faults stays as it is; else triangles without faults stay bit for bit, with their
-/// sources. `retained`, `crossing_pairs` and the times are brought up to date; other counts are of the scheme's
-/// surface.
+/// Makes the result of the uniform scheme sound if its triangles cross or touch, as after the paper's reconstruction or
+/// for operands that cross themselves: by the exact arrangement of its triangles it becomes the boundary of the points
+/// around which it winds at least once. First, vertices of faulty triangles that are no operand's own move inward by 1
+/// to 3 % of the tolerance, since intersections of coinciding sheets cannot be rounded. A result without faults does
+/// not change; triangles without faults stay bit for bit, with their sources. `retained`, `crossing_pairs` and the
+/// times are brought up to date; other counts are of the scheme's surface.
 /// @param tolerance  how far points may be moved where they are rounded, mm
 /// @throws TopologyError where the surface cannot be held in single precision, Cancelled
 void remove_crossings(UniformResult& result, double tolerance, Progress& progress);
 
-/// The Boolean by layered depth images, made sound and measured: free of crossings (see remove_crossings), and with an
-/// error bound that is measured both ways (see measure_error), to which how far operands were moved by their repair is
-/// added.
-/// @param tolerance  how far points may be moved where crossings are removed; samples of the measure lie this far
-///     from each other at least, mm
+/// The Boolean by layered depth images, free of crossings (see remove_crossings), with an error bound measured both
+/// ways (see measure_error) plus the distance by which repair moved the operands.
+/// @param tolerance  mm: how far removing crossings may move points, and the least distance between samples of the
+///     error
 /// @throws TopologyError where the result cannot be held in single precision
 UniformResult sound_layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
                                           const Expression& expression, const LayeredDepthOptions& options,

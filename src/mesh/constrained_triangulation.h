@@ -61,14 +61,14 @@ class ConstrainedTriangulation {
         bool on_edge = false;
         int vertex = -1;  ///< the vertex in the point's place, or -1
     };
-    /// A segment that becomes a chain of edges, and how far it has come.
+    /// A segment that becomes a chain of edges, and the vertex `at` that the chain has reached.
     struct Segment {
         int from = -1;
         int to = -1;
         int before = -1;  ///< the vertex before `at`; -1: there is none yet
         int at = -1;
     };
-    /// What ends a segment's way through triangles; neither: it leaves the triangulation.
+    /// The obstacle at which a segment's walk through triangles ends; neither: the segment leaves the triangulation.
     struct Stop {
         int vertex = -1;
         int constraint = -1;  ///< half-edge of a constraint that the segment crosses
@@ -230,7 +230,7 @@ class ConstrainedTriangulation {
     }
 
     /// On which side of the segment's line a vertex lies. The vertices that the segment has passed need no computation:
-    /// for constructed points their zero would be the most expensive sign of all.
+    /// zero is the most expensive sign of constructed points.
     int side(const Segment& segment, int v) const {
         const bool passed = v == segment.from || v == segment.to || v == segment.at || v == segment.before;
         return passed ? 0 : points_.orient(segment.from, segment.to, v);

@@ -25,7 +25,7 @@ struct Weight {
     friend Weight operator+(const Weight& a, const Weight& b) { return {a.avoided + b.avoided, a.area + b.area}; }
 };
 
-/// Appends the best triangulation of a part, which is positions in the loop in its direction.
+/// Appends the best triangulation of a piece of the loop, given by positions in the loop in its direction.
 void append_best(const std::vector<Vec3>& loop, const std::vector<std::int32_t>& part, const AvoidTriangle& avoid,
                  std::vector<Triangle>& triangles) {
     const auto to_be_avoided = [&](const Triangle& t, double area, double scale) {

@@ -26,7 +26,8 @@ constexpr std::size_t kLongestWholeLoop = 300;
 /// is added.
 ///
 /// A triangulation with fewer triangles that are degenerate (exactly) or that `avoid` refuses is preferred whatever its
-/// area; where every triangulation has some, they are in the answer. `avoid` is asked once for a triangle at most.
+/// area; if every triangulation has such triangles, the result has some, too. `avoid` is asked once for a triangle at
+/// most.
 ///
 /// Loops of more than kLongestWholeLoop vertices are first divided, again and again, along the shortest chord between
 /// vertices that lie a quarter of the loop apart or more; the area is then not the least.

@@ -65,7 +65,7 @@ class SimplexStars {
         return found;
     }
     /// The link condition, under which the collapse of edge (a, b) keeps the mesh a manifold: only the vertices in the
-    /// link of the edge are joined to both of its ends. Two triangles with the same vertices at the edge miss it.
+    /// link of the edge are joined to both of its ends. Two triangles with the same vertices at the edge violate it.
     template <typename Simplices>
     bool link_condition(int a, int b, const Simplices& simplices) const {
         const std::vector<int> edge_link = link({a, b}, simplices);

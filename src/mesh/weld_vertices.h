@@ -12,7 +12,7 @@ namespace mq::mesh {
 /// Every coordinate must be a number.
 std::vector<std::int32_t> equal_vertices(const std::vector<Vec3>& vertices);
 
-/// The same for marked vertices only; every other vertex gets its own index.
+/// Likewise among marked vertices only; every other vertex gets its own index.
 std::vector<std::int32_t> equal_vertices(const std::vector<Vec3>& vertices, const std::vector<char>& marked);
 
 }  // namespace mq::mesh

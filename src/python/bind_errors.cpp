@@ -35,7 +35,7 @@ py::object call_without_traceback(const py::function& function, const py::args& 
     return found;
 }
 
-/// What MeshQuality.phrases.from_data takes.
+/// The argument of MeshQuality.phrases.from_data.
 py::object data_of(const Message& message) {
     if (message.is_value) {
         // Names of files need not be UTF-8.

@@ -69,7 +69,7 @@ pybind11::dict value_of(const std::vector<std::pair<std::string, T>>& pairs) {
     return result;
 }
 
-/// A property of the value of a field; of a report in a report the report itself.
+/// Binds a field as a property with its value for Python; a MeshReport within a report is bound itself.
 template <typename Bound, typename Owner, typename T>
 void bind_field(Bound& bound, const char* name, T Owner::*field, const char* said) {
     if constexpr (std::is_same_v<T, mesh::MeshReport>) {

@@ -8,8 +8,8 @@ namespace mq::python {
 /// The geometry engine of the process, started on first use. Call it with the GIL held.
 geometry::Engine& shared_engine();
 
-/// Ends the engine's main thread, which must have nothing to do; see end_with_python. Those for jobs wait while the
-/// process exits.
+/// Ends the engine's main thread, which must have nothing to do; see end_with_python. The engine's threads for jobs
+/// wait while the process exits.
 void stop_shared_engine();
 
 }  // namespace mq::python

@@ -19,7 +19,7 @@ constexpr int kMostFlips = 60;
 constexpr int kMostCalls = 60;
 /// Largest nesting of such removals, in successive attempts.
 constexpr std::array<int, 3> kDepths{0, 1, 2};
-/// Most points on the surface: as many as it has vertices, and twice this.
+/// Most points on the surface: the number of its vertices plus twice this.
 constexpr std::size_t kMostDivisions = 100;
 
 }  // namespace
@@ -73,7 +73,7 @@ void BoundaryRecovery::recover_edges(Edges missing) {
             missing = std::move(left);
         }
         for (const auto& e : missing) {
-            // A point beside it may have brought the edge back.
+            // A point inserted nearby may have restored the edge.
             if (mesh_.cell_with(e[0], e[1]) < 0) {
                 divide_edge(e[0], e[1]);
             }

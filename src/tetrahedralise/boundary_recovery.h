@@ -20,12 +20,12 @@ struct RecoveryCount {
 };
 
 /// Makes the edges and then the triangles of a surface edges and faces of a tetrahedralisation of its points: by flips
-/// along them (George, Hecht and Saltel 1991), and where those end by points on the surface, which are noted in the
-/// constraints.
+/// along them (George, Hecht and Saltel 1991) and, if no flip helps, by points on the surface, which are recorded in
+/// the constraints.
 class BoundaryRecovery {
   public:
-    /// @param least_fraction of an edge between its ends and a point on it, which else lies in the middle: points where
-    /// edges of the tetrahedralisation cross are fewest, but may come nearer and nearer to a vertex
+    /// @param least_fraction of an edge between its ends and a point on it: points where obstacles cross the edge are
+    /// fewest, but may crowd at a vertex; a point nearer to an end is put in the middle instead
     BoundaryRecovery(Tetrahedralisation& mesh, SurfaceConstraints& surface, double least_fraction,
                      const Progress& progress)
         : mesh_(mesh), surface_(surface), flipper_(mesh), least_fraction_(least_fraction), progress_(progress) {}

@@ -18,11 +18,11 @@ Triangle sorted(Triangle corners) {
     return corners;
 }
 
-/// A tetrahedron at a vertex: the vertex's index in it, and the tetrahedra of one side of the surface that it is of.
+/// A tetrahedron at a point of several given vertices.
 struct Around {
     int tetrahedron;
     std::size_t corner;
-    int given = -1;  ///< the vertex given that it gets
+    int given = -1;  ///< its vertex at the point, one of the given ones; -1: not known yet
 };
 
 /// The three faces of a tetrahedron at one of its corners.
@@ -34,8 +34,9 @@ std::array<Triangle, 3> faces_at(const std::array<int, 4>& v, std::size_t corner
     return faces;
 }
 
-/// Gives each tetrahedron around a point the vertex of the triangles that it reaches through others.
-/// @param walls the vertex given of each triangle at the point
+/// Assigns to each tetrahedron around a point the vertex of the surface triangles that can be reached from it through
+/// tetrahedra.
+/// @param walls the given vertex of each surface triangle at the point
 void find_sides(std::vector<Around>& star, const std::vector<std::array<int, 4>>& tetrahedra,
                 const std::map<Triangle, int>& walls) {
     std::map<Triangle, std::vector<Around*>> at_face;

@@ -14,8 +14,8 @@ struct CoincidentVertices {
     CoincidentVertices(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
                        const EndTangents& tangents);
 
-    /// Tetrahedra of the vertices with those of the surface again: where several coincide, those around the point
-    /// belong to the one whose triangles they reach inside the surface.
+    /// Gives tetrahedra the given vertices again: if several coincide, a tetrahedron at their point gets the one whose
+    /// triangles can be reached from it inside the surface.
     /// @throws MeshingFailed where tetrahedra reach triangles of several vertices that coincide.
     Tetrahedra separate(Tetrahedra result) const;
 
@@ -26,7 +26,7 @@ struct CoincidentVertices {
   private:
     const std::vector<std::array<int, 3>>& given_;
     std::size_t given_points_;
-    std::vector<int> first_;    // by vertex: the first one given of those that coincide
+    std::vector<int> first_;    // by vertex: the first of the given ones that coincide there
     std::vector<char> shared_;  // by vertex: whether several coincide
 };
 

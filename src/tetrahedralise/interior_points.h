@@ -38,7 +38,7 @@ class InteriorPoints {
 
     Tetrahedralisation& mesh_;
     double growth_;
-    std::vector<double> length_;  // wanted at each vertex
+    std::vector<double> length_;  // by vertex: length wanted there, mm
     std::vector<Candidate> queue_;
     Locator locator_;
     CavityInsertion insertion_;

@@ -41,7 +41,7 @@ class Optimisation {
     std::vector<char> tried_;              // by cell: no flip has helped since a cell around it changed
     std::vector<char> settled_;            // by vertex: no move has helped since then
     std::size_t block_ = 0;
-    std::vector<std::size_t> changed_in_;  // by cell: the last block of plans in which it changed or went
+    std::vector<std::size_t> changed_in_;  // by cell: the last block of plans that changed or removed it
     std::vector<int> created_;
 };
 

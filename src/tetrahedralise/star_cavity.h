@@ -11,7 +11,7 @@
 namespace mq::tetrahedralise {
 
 /// Cells that give way to those that connect one point with the faces around them. Where the point does not see a face,
-/// the cell behind it joins: points that should lie on a face or an edge hardly ever do so exactly.
+/// the cell behind it joins: points meant to lie on a face or an edge hardly ever lie exactly on it.
 class StarCavity {
   public:
     StarCavity(const Tetrahedralisation& mesh, const SurfaceConstraints& surface) : mesh_(mesh), surface_(surface) {}

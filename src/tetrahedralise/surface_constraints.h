@@ -21,7 +21,8 @@ class SurfaceConstraints {
         std::vector<Triangle> children;
     };
 
-    /// @throws MeshingFailed where an edge has an odd number of triangles: two, or more where shells meet.
+    /// @throws MeshingFailed if an edge has an odd number of triangles; an edge where shells meet may have more than
+    /// two.
     explicit SurfaceConstraints(const std::vector<Triangle>& triangles);
 
     bool has_edge(int a, int b) const { return edges_.count(pair_key(a, b)) > 0; }

@@ -41,7 +41,7 @@ Tetrahedra tetrahedra_of(const Tetrahedralisation& mesh, std::size_t surface) {
     return result;
 }
 
-/// The inside of a surface, without points of its own but for those that its triangles need.
+/// Tetrahedralises the inside of a surface, without inner points except those that recovering its triangles needs.
 Tetrahedralisation inside_of(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
                              double least_fraction, const Progress& progress) {
     Tetrahedralisation mesh = delaunay_tetrahedralisation(points, progress);
@@ -52,7 +52,7 @@ Tetrahedralisation inside_of(const std::vector<Vec3>& points, const std::vector<
     return mesh;
 }
 
-/// inside_of() with points on edges ever nearer their middles until that succeeds.
+/// Calls inside_of() with points on edges nearer and nearer to the middles until it succeeds.
 /// @throws MeshingFailed the first error
 Tetrahedralisation inside_of(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
                              const Progress& progress) {

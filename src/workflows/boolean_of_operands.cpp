@@ -32,7 +32,7 @@ void assign(BooleanSurface& surface, BooleanResult&& result) {
     figures.retained = result.retained;
     figures.reconstructed = result.reconstructed;
     figures.faults_left = result.faults_left;
-    figures.self_intersections = 0;  // or an error was raised
+    figures.self_intersections = 0;  // otherwise an error is thrown
     figures.crossing_pairs = result.crossing_pairs;
     figures.curve_edges = result.curve_edges;
     figures.separated_contacts = result.separated_contacts;
@@ -84,7 +84,7 @@ void assign(BooleanSurface& surface, UniformResult&& result) {
     figures.error_bound = result.error_bound;
     figures.retained = result.retained;
     figures.reconstructed = result.mesh.triangles.size() - result.retained;
-    figures.self_intersections = 0;  // or an error was raised
+    figures.self_intersections = 0;  // otherwise an error is thrown
     figures.crossing_pairs = result.crossing_pairs;
     if (result.unsampled_triangles > 0) {
         figures.notes.push_back(counted(phrases::kLost, result.unsampled_triangles));
@@ -338,7 +338,7 @@ BooleanSurface boolean_of_operands(const Operands& operands, const Expression& e
     meshing.volume_error = is_given ? 0.0 : kVolumeError;
     meshing.threads = options.threads;
     MeshedOperands meshed = operands.meshed(meshing, progress, 0.0, kMeshing);
-    meshed.work.error_bound = 0.0;  // notes tell it, as the bound is that of the Boolean of the meshes
+    meshed.work.error_bound = 0.0;  // in the notes only: the reported bound refers to the operands' meshes
     const ProgressShare rest(progress, operands.any_shapes() ? kMeshing : 0.0, 1.0);
     return boolean_of_operands(operands.engine(), meshed.operands, expression, options, method, meshed.work, progress);
 }

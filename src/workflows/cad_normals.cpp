@@ -20,7 +20,7 @@ struct PointBesideFace {
     Vec3 point;  ///< in the frame of the shape
 };
 
-/// Unit normals of the faces at what is nearest to the points; zero where a surface has none.
+/// Unit normals of the faces at their points nearest to the given ones; zero where a surface has none.
 std::vector<Vec3> nearest_normals(geometry::Engine& engine, const std::vector<PointBesideFace>& points,
                                   const TopoDS_Shape& shape, Progress& progress) {
     std::shared_ptr<geometry::Model> model;

@@ -218,9 +218,9 @@ bool has(const geometry::Model& model, geometry::Volume::Kind kind, std::ptrdiff
                          [&](const geometry::Volume& volume) { return volume.kind == kind; }) >= least;
 }
 
-/// What `work` makes of the model of a shape. A mesh may join what the shape keeps apart. Where it does not follow
-/// several solids, it is tried again with faces of two solids that lie on each other as one; where it does not follow
-/// faces without a shell, with edges of these joined that lie within the distances of given meshes.
+/// Returns work(model of the shape). A mesh may join entities that are apart in the shape. If it does not follow the
+/// model, `work` is tried again with other models: of several solids, with coincident faces of two solids as one face;
+/// of faces without a shell, with their edges joined within each distance of curve::kNear.
 template <typename Work>
 auto on_shape_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, bool imprint, Progress& progress,
                         const Work& work) {

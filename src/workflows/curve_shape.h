@@ -29,8 +29,8 @@ curve::CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& sh
                                 const curve::CurveOptions& options, Progress& progress);
 
 /// Curves a mesh of the shape that another program made, see curve::curve_given.
-/// @param imprint  whether faces of two solids that lie on each other are one, as in meshes that join them; where the
-///     mesh is found on no solids apart, that is tried, too
+/// @param imprint  whether coincident faces of two solids are one face, as in meshes that join the solids; tried, too,
+///     if the mesh does not match separate solids
 /// @throws as curve::curve_given.
 curve::CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
                                    const curve::CurveOptions& options, bool imprint, Progress& progress);
@@ -45,12 +45,12 @@ curve::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, cons
                                                   const std::vector<Vec3>& nodes, int order,
                                                   const std::vector<std::int32_t>& triangles, Progress& progress);
 
-/// Distances in the other direction: of sampled points of the CAD faces from the surface of a mesh.
+/// Distances of sampled points of the CAD faces from the surface of a mesh.
 /// @throws as curve::cad_distances.
 curve::CadDistances cad_distances(geometry::Engine& engine, const TopoDS_Shape& shape, const std::vector<Vec3>& nodes,
                                   int order, const std::vector<std::int32_t>& triangles, Progress& progress);
 
-/// geometry::distances_to_faces: the distance of each point from the faces of a shape, mm, without any of its mesh.
+/// The distance of each point from the faces of a shape, mm, independent of its mesh (geometry::distances_to_faces).
 std::vector<double> distances_to_faces(geometry::Engine& engine, const TopoDS_Shape& shape,
                                        const std::vector<Vec3>& points, Progress& progress);
 

@@ -19,8 +19,8 @@ struct SolidSurface {
     std::vector<std::int32_t> body;
 };
 
-/// The surface of a shape whose solids are meshed, each of them a body; anything else is repaired as an operand of a
-/// Boolean is and makes one body, which the notes of its report tell.
+/// The surface of a shape with meshed solids, each of which is a body; any other surface is repaired like an operand of
+/// a Boolean and is one body, as a note of its report says.
 /// @throws InvalidInput for what bounds no volume, naming the defect and the remedy; Cancelled.
 SolidSurface solid_surface(const triangulate::Result& given, Progress& progress);
 

@@ -69,7 +69,7 @@ boolean::OffsetResult first_within(const boolean::OffsetOptions& options, const 
             return std::move(*first);
         }
     } catch (const TopologyError&) {
-        // The contour's answer on the same surface counts.
+        // The result or error of the contour counts instead.
     }
     StageTimes seconds = first ? first->seconds : StageTimes{{"trimming the raw offset", watch.wall()}};
     boolean::OffsetResult second;
@@ -102,8 +102,8 @@ BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::Offse
     return reported(std::move(found), solid, options, before, watch, progress);
 }
 
-/// What is deeper in a solid than a distance, from those of its triangles that are not open (boolean::extend_openings),
-/// with its report and CAD faces likewise. It reaches out of the openings.
+/// The points of a solid that are farther than a distance from its triangles that are not open
+/// (boolean::extend_openings), with report and CAD faces as in offset_of_solid. The result protrudes from the openings.
 /// @return nothing where openings are not plane, or are in pockets that are too narrow
 std::optional<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid, const std::vector<char>& open,
                                                      const boolean::OffsetOptions& options, const WorkBefore& before,
@@ -126,8 +126,8 @@ std::optional<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid
     return offset_of_solid(extended, inward, extending, progress);
 }
 
-/// All that is within a distance of some triangles of a solid (boolean::thicken, offset::contoured_walls) with its
-/// report and CAD faces likewise.
+/// All points within a distance of some triangles of a solid (boolean::thicken, offset::contoured_walls), with report
+/// and CAD faces as in offset_of_solid.
 BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,
                                const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
@@ -140,8 +140,8 @@ BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<ch
     return reported(std::move(found), solid, options, before, watch, progress);
 }
 
-// Shares of the tolerance: of the mesh of a shape, of the union of what is given, of cutting the hollow out; what is
-// left is for the offset.
+// Shares of the tolerance for the mesh of a shape, the union of its bodies, and cutting the hollow out; the offset has
+// the rest.
 constexpr double kChord = 0.15;
 constexpr double kUnion = 0.05;
 constexpr double kCutting = 0.05;
@@ -161,7 +161,7 @@ const GivenOperand& only_operand(const Operands& operands) {
     return operands.given().front();
 }
 
-/// What the steps of an offset share.
+/// The state that the steps of an offset share.
 class OffsetWork {
   public:
     OffsetWork(const Operands& operands, const OffsetShapeOptions& options, Progress& progress)
@@ -170,7 +170,7 @@ class OffsetWork {
         const double size = operands.size();
         const double distance = std::abs(options.distance);
         if (options_.tolerance <= 0.0) {
-            // An offset outward is larger than the model: by its own size its triangles are counted.
+            // The default is relative to the size of the result: an offset outward is larger than the model.
             options_.tolerance = std::min(1e-3 * (size + 2.0 * std::max(options.distance, 0.0)), 0.1 * distance);
         }
         finest_ = boolean::kFinestTolerance * size;
@@ -218,7 +218,7 @@ class OffsetWork {
     }
 
     BooleanSurface hollowed(const std::optional<std::vector<std::int32_t>>& openings) {
-        bool cuts = true;  // what is inside the wall, or keeps the wall
+        bool cuts = true;  // whether `inside` is the hollow to be cut out; else it is the wall to be kept
         const BooleanSurface inside =
             openings ? inside_of(*openings, cuts) : offset(false, -options_.distance, kOffset);
         add(inside.figures);
@@ -252,7 +252,7 @@ class OffsetWork {
                                    BooleanMethod::Exact, before, progress_);
     }
 
-    /// With the tolerance that meshing, union and cutting have left.
+    /// The options of an offset with the tolerance that meshing, union and cutting have left.
     boolean::OffsetOptions left_for(double distance) const {
         const double left = (1.0 - kUnion - kCutting) * options_.tolerance - work_.error_bound;
         if (left <= 0.0) {
@@ -279,12 +279,12 @@ class OffsetWork {
         return cuts ? std::move(*inside) : thickened_walls(solid_, open, options, before(false), progress_);
     }
 
-    /// Takes over what the report of a step says.
+    /// Adopts the error bound, times and notes of a step's report.
     void add(const BooleanReport& report) {
         work_.error_bound = report.error_bound;
         work_.seconds = report.seconds;
         work_.cpu_seconds = report.cpu_seconds;
-        if (report.triangles > 0) {  // a step without a result tells nothing of what is left
+        if (report.triangles > 0) {  // notes on an empty result do not concern the rest
             work_.notes = report.notes;
         }
     }

@@ -75,7 +75,7 @@ void sort_by_face(wrap::WrapResult& wrapped, const std::vector<std::int32_t>& fa
     }
 }
 
-/// How many CAD faces an object has; 0: not all of its triangles know theirs.
+/// The number of CAD faces of an object; 0: not all of its triangles have one.
 std::int32_t faces_of(const BooleanOperand& object) {
     const std::vector<std::int32_t>& faces = object.surface->mesh.triangle_face;
     if (object.shape != nullptr) {
@@ -141,7 +141,7 @@ WrapSurface wrap_objects(const Operands& objects, wrap::WrapOptions options, Pro
     constexpr double kLargest = 0.5;     // fraction of the gap: the lattice must not pass openings
     constexpr double kDeviation = 0.05;  // meshes of shapes, as a fraction of the tolerance
     constexpr double kMeshing = 0.1;     // fraction of the progress
-    const double size = objects.size();  // what has none is refused below
+    const double size = objects.size();  // 0 without triangles, which is refused later
     if (options.spacing <= 0.0) {
         options.spacing = std::min(kRelative * (size > 0.0 ? size : options.gap), kOfGap * options.gap);
     }

@@ -17,13 +17,13 @@ struct WrapSurface : BooleanSurface {
     std::vector<wrap::Leak> leaks;
     std::size_t gap_triangles = 0;
     double gap_area = 0.0;  ///< the sum of the triangles that close gaps, mm2
-    /// How many faces each object has; 0: not all of its triangles know theirs, and it counts as one.
+    /// The number of CAD faces of each object; 0: not all of its triangles have one, and it counts as one face.
     std::vector<std::int32_t> faces;
 };
 
 /// Wraps objects in any frames; shapes are meshed within a twentieth of the tolerance. `triangle_source` names the
 /// object and its triangle on which each triangle lies, (-1, -1) where it closes a gap; in `triangle_face` the faces of
-/// all objects are numbered on. Triangles come by face, those of gaps first.
+/// all objects are numbered consecutively. Triangles come by face, those of gaps first.
 /// @param options  its places to stay dry are in the frame of the document; spacing 0: a quarter of the gap, at most a
 ///     fiftieth of the size
 /// @throws InvalidInput where the spacing is more than half of the gap; as Operands::meshed and wrap::wrap

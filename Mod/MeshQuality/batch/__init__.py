@@ -14,5 +14,5 @@ Only `worker_loop` imports FreeCAD. Results do not depend on which worker did a 
 before; a part has failed only if it failed in a FreeCAD that had done nothing else.
 """
 
-# A line of parts.jsonl stays short: of a list with more items than LONG_LIST it has some only.
+# Lines of parts.jsonl stay short: they have some items only of a list with more than LONG_LIST.
 LONG_LIST, SHOWN_OF_LIST = 60, 20

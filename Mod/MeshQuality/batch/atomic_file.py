@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files that are there whole or not at all, whenever a batch is stopped."""
+"""Files that are complete or absent, whenever a batch is stopped."""
 
 import contextlib
 import os

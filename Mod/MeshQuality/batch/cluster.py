@@ -27,7 +27,7 @@ AHEAD = 4
 LEAST_AHEAD = 32
 WAIT_FOR_WORKERS = 60.0
 DASHBOARD = "127.0.0.1:8787"
-CHECK_EVERY = 200  # parts: how often the number of workers is asked for
+CHECK_EVERY = 200  # parts between two queries of the number of workers
 
 
 def cores():
@@ -48,12 +48,12 @@ def client_of(scheduler=None, jobs=None, dashboard=False):
     from distributed import Client
 
     for name in list(logging.root.manager.loggerDict):
-        # What matters is raised, and the line on stderr is the command's. Some of Dask's loggers have
+        # Errors are raised, and stderr belongs to the command's line. Some of Dask's loggers have
         # levels of their own.
         if name.partition(".")[0] in ("distributed", "asyncio"):
             logging.getLogger(name).setLevel(logging.CRITICAL)
 
-    # Results of parts are small, and what FreeCAD takes is limited elsewhere.
+    # Results of parts are small, and FreeCAD's memory is limited elsewhere.
     with dask.config.set({"distributed.worker.memory.target": False,
                           "distributed.worker.memory.spill": False}):
         if scheduler is None:
@@ -200,7 +200,7 @@ class _WorkerWatch(threading.Thread):
                 return
 
     def end(self):
-        """Watches no longer."""
+        """Stops watching."""
         self._ended.set()
         if self.is_alive():
             self.join()

@@ -16,8 +16,8 @@ from .part import AGAIN
 from .plan import find_parts, matches, plan_of
 
 SYSTEM_PYTHON = "/usr/bin/python3"
-INTERIM_SECONDS = 60.0  # at least, between two looks at what is done; they take 2 % of the time
-MOST_LOST = 50  # parts in a row, before the batch gives up: then it is not the parts
+INTERIM_SECONDS = 60.0  # least time between two looks at finished parts; looks take 2 % of the time
+MOST_LOST = 50  # lost parts in a row after which the batch gives up: then no part is the cause
 
 
 def require_dask():
@@ -58,7 +58,7 @@ class ProgressLine:
               f"{_duration(left)} left\x1b[K", end="", file=sys.stderr, flush=True)
 
     def end(self):
-        """Takes the line away."""
+        """Removes the line."""
         if self._visible:
             print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 
@@ -122,7 +122,7 @@ def write_results(plan, ledger, total):
 def _do(arguments, plan, todo, ledger, total):
     line, lost, due = ProgressLine(len(todo)), [0], [time.monotonic() + INTERIM_SECONDS]
     if arguments.scheduler is None:
-        freecad()  # says so at once where there is none
+        freecad()  # raises an error at once if there is no FreeCAD
 
     def finished(entry):
         ledger.add(entry)

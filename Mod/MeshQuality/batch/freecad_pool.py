@@ -20,7 +20,7 @@ from ..limits import how_it_ended, ran_out_of_memory
 
 START_SECONDS = 120.0
 MOST_JOBS = 1000
-_GROWN = 0.25  # of the memory limit
+_GROWN = 0.25  # share of the memory limit
 
 
 class Died(Exception):  # noqa: N818 - an event, not a fault of the caller
@@ -32,7 +32,7 @@ class Died(Exception):  # noqa: N818 - an event, not a fault of the caller
 
 
 class NotStarted(Exception):  # noqa: N818
-    """There is no FreeCAD to do a job: not the job's doing."""
+    """No FreeCAD could be started for a job; the job is not the cause."""
 
 
 # Linux ends the FreeCADs with the thread that started them (see limits), which may be one of Dask's that
@@ -76,11 +76,11 @@ class FreeCad:
 
     @property
     def worn(self):
-        """Whether the next job had better get a new one."""
+        """Whether the next job should get a new FreeCAD."""
         return self.jobs >= MOST_JOBS or self.resident > _GROWN * self._bytes
 
     def _answer(self, seconds):
-        """The next object that it prints."""
+        """The next object that the FreeCAD prints."""
         late = threading.Event()
 
         def end():
@@ -111,18 +111,18 @@ class FreeCad:
         return Died("crash", how_it_ended(code, words))
 
     def kill(self):
-        """Ends it and all that it started."""
+        """Ends the FreeCAD and all processes that it started."""
         if hasattr(os, "killpg"):
             with contextlib.suppress(ProcessLookupError, PermissionError):
                 os.killpg(self.pid, signal.SIGKILL)
         self._process.kill()
 
     def close(self):
-        """Ends it and waits until it is gone."""
+        """Ends the FreeCAD and waits until it is gone."""
         self.kill()
         self._process.wait()
         for stream in (self._process.stdin, self._process.stdout, self._words):
-            with contextlib.suppress(OSError):  # what was not written yet is for nobody
+            with contextlib.suppress(OSError):  # nobody reads the rest
                 stream.close()
 
 
@@ -151,7 +151,7 @@ class Pool:
         return freecad
 
     def give_back(self, freecad, good):
-        """Keeps it for the next job if it did its last one well."""
+        """Keeps the FreeCAD for the next job if its last one succeeded."""
         with self._lock:
             self._busy.discard(freecad)
             keep = good and not freecad.worn and not self._closed
@@ -165,7 +165,7 @@ class Pool:
         return self._closed
 
     def close(self):
-        """Ends all of them, also those at work."""
+        """Ends all FreeCADs, also those at work."""
         with self._lock:
             self._closed = True
             idle, busy = self._idle, list(self._busy)

@@ -33,8 +33,8 @@ class Ledger:
 
         A line is kept where the options, the version and the content of the file are those of the
         line, and the mesh of the part is there as it was written: by its size, with `check_content` by its content. `retry`: lines of failures are not. Lines of parts
-        that are not `chosen`, by name, stay as they are. Also takes away what interrupted writers left
-        behind, and lines that are damaged, with a message.
+        that are not `chosen`, by name, stay as they are. Also removes files of interrupted writers
+        and, with a message, damaged lines.
         """
         known = {part.name: part for part in parts}
         kept, doubtful = {}, {}
@@ -144,7 +144,7 @@ class Ledger:
         self._stream.flush()
 
     def close(self):
-        """Gives the folder free."""
+        """Releases the lock of the folder."""
         self._close_stream()
         self._lock.close()
 
@@ -166,7 +166,7 @@ def _locked(path):
     stream = os.fdopen(os.open(path, flags, 0o666), "r+b", buffering=0)
     try:
         import fcntl
-    except ImportError:  # Windows has no such locks
+    except ImportError:  # Windows has no fcntl
         return stream
     try:
         fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -11,7 +11,7 @@ from ..files import UNFINISHED_OF_BATCH, freecad_takes, is_full, open_regular, r
 from ..scratch import Folder
 from . import freecad_pool
 
-# The state of a part that nobody could begin or end, and of one whose mesh had no room.
+# The states of a part that no worker could begin or end, and of one without room for its mesh.
 LOST, DISK = "lost", "disk"
 # A later run does these without being asked: they say nothing of the part.
 AGAIN = (LOST, DISK)
@@ -58,7 +58,7 @@ def run(task, batch):
 
 
 def _attempt(task, pool, fresh):
-    """(what came of the part, whether its FreeCAD had done others before)."""
+    """(result of the part, whether its FreeCAD had done other parts before)."""
     with Folder() as made:
         scratch, path = made.path, task["path"]
         if not freecad_takes(path):

@@ -30,8 +30,8 @@ class Part(NamedTuple):
 
 @dataclass(frozen=True)
 class Plan:
-    """What is done to each part. `suffix` is the extension of the meshes, None without any; `deviation`
-    is that of flat triangles of curved meshes, `writing` what is said of the files besides.
+    """The operation on each part. `suffix` is the extension of the meshes, None without any;
+    `deviation` is that of flat triangles of curved meshes, `writing` what is said of the files besides.
     """
 
     folder: Path

@@ -26,7 +26,7 @@ _STATES = {
 @dataclass(frozen=True)
 class Figure:
     """A figure of parts: how it is got from an entry, how it is drawn, which end of it is bad, and
-    which option asks for a bound: on the good side of it parts are not among the worst.
+    which option sets a bound: parts on the good side of that bound are not among the worst.
     """
 
     title: str

@@ -18,7 +18,7 @@ _GRACE = 30  # seconds beyond the limit of a job
 
 
 def forget_peak():
-    """Gives back what earlier jobs left, and has the peak of memory counted from now on; on Linux only."""
+    """Releases memory of earlier jobs, and counts the peak of memory from now on; on Linux only."""
     if not sys.platform.startswith("linux"):
         return
     trim = getattr(ctypes.CDLL(None), "malloc_trim", None)  # the GNU library has it
@@ -82,7 +82,7 @@ def main():
     end_with_owner()
     limit_memory(int(os.environ["MESHQUALITY_SERVE"]))
     channel = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what FreeCAD prints is for nobody
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # nobody reads FreeCAD's output
     jobs, given = [], threading.Semaphore(0)
     stdin = os.fdopen(0, "rb", closefd=False)
     threading.Thread(target=watch, args=(stdin, jobs, given), daemon=True).start()

@@ -10,7 +10,7 @@ import time
 
 from .signals import EndedBySignals
 
-_LOOK_SECONDS = 0.5  # between looks whether a signal came
+_LOOK_SECONDS = 0.5  # seconds between looks whether a signal came
 
 
 def freecad():
@@ -36,8 +36,8 @@ def freecad_command(script):
 
 
 def _exit_code(process, deadline):
-    """Waits for the process. Raises TimeoutError after the deadline, KeyboardInterrupt also where Python lost it that
-    was raised by a signal, as it may in a destructor.
+    """Waits for the process. Raises TimeoutError after the deadline, and KeyboardInterrupt after a signal, even if
+    Python lost that exception, as it may in a destructor.
     """
     while True:
         left = _LOOK_SECONDS if deadline is None else deadline - time.monotonic()
@@ -73,7 +73,7 @@ def wait_for(process, deadline):
         if process.poll() is None:
             process.kill()
             process.wait()
-        reader.join(5)  # what the process started may hold its stderr
+        reader.join(5)  # children of the process may hold its stderr
         if not reader.is_alive():
             process.stderr.close()
     return code, words.decode(errors="replace")

@@ -59,7 +59,7 @@ def _check_mesh_scale(job):
 
 
 def _require_savable(job):
-    """Raises Error where a certificate cannot be saved there, or of such a mesh."""
+    """Raises Error where the certificate of the job's mesh cannot be saved to its path."""
     path = job["save"]
     if STANDARD in (path, job["input"], job.get("shape")):
         raise Error("--save is for a certificate in a file, of a mesh and a shape in files: it names them with their SHA-256")

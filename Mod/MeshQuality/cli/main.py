@@ -19,7 +19,7 @@ def main(arguments=None):
     """Runs the command line; returns the exit status."""
     parsed = parse(arguments)
     if hasattr(sys.stdout, "reconfigure"):
-        sys.stdout.reconfigure(errors="backslashreplace")  # as stderr: not every terminal has a sign for degrees
+        sys.stdout.reconfigure(errors="backslashreplace")  # as Python has it for stderr: not every terminal has a sign for degrees
     with EndedBySignals(last=arguments is None):
         result = _outcome(parsed)
         try:
@@ -65,7 +65,7 @@ def _result_of(parsed):
 
 
 def _give_up(stream):
-    """Nobody takes what is written there any more; Python must not try once more when it ends."""
+    """Nobody reads the stream any more; Python must not flush it once more when it ends."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 

@@ -14,7 +14,7 @@ from ..version import __version__
 
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
 MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
-ELEMENT_SUFFIXES = tuple(READABLE)  # of meshes that other programs made
+ELEMENT_SUFFIXES = tuple(READABLE)  # extensions of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
           "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
@@ -138,7 +138,7 @@ class Formatter(argparse.RawDescriptionHelpFormatter):
 
     def __init__(self, prog):
         super().__init__(prog, max_help_position=26)
-        self._action_max_length = 22  # at least; alone it forgets that commands are indented
+        self._action_max_length = 22  # least width; argparse's own forgets that commands are indented
 
 
 _NEGATIVE_NUMBER = re.compile(r"-(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$")
@@ -375,7 +375,7 @@ def _add_options(one, table, headings=None):
         group = groups.get(title) or one.add_argument_group(title[0].lower() + title[1:])
         groups[title] = group
         if option.kind is bool:
-            # --no-... exists for what is on unless it is switched off.
+            # --no-... exists for options that are on by default.
             action = argparse.BooleanOptionalAction if option.default else "store_true"
             group.add_argument(option.flag, action=action, default=option.default,
                                help=option.help)

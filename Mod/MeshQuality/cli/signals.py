@@ -36,7 +36,7 @@ class EndedBySignals:
 
 @contextlib.contextmanager
 def signals_held():
-    """None of them comes meanwhile, on systems that can hold them back."""
+    """None of the signals comes in the `with` block, on systems that can hold them back."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return

@@ -63,7 +63,7 @@ def _run_in_freecad(job, folder, deadline):
     result_path = os.path.join(folder, "result.json")
     with open(job_path, "w", encoding="utf-8") as stream:
         json.dump({**job, "result": result_path}, stream)
-    # What FreeCAD makes for itself goes with the folder, too.
+    # Files that FreeCAD makes for itself are removed with the folder.
     at_terminal = sys.stderr is not None and sys.stderr.isatty()
     temporary = dict.fromkeys(("TMPDIR", "TEMP", "TMP"), folder)
     environment = {**os.environ, **temporary, "MESHQUALITY_JOB": job_path,

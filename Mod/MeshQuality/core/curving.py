@@ -156,8 +156,8 @@ class CurvedMesh(metaclass=Public):
         A higher order has the same shape: nodes are put where the polynomials of this one are, and its qualities are
         those of this one. A lower order goes through points of the edges, faces and elements as they are: triangle_quality
         and tetrahedron_quality are measured anew, as lower bounds of min J / max J by the elements themselves. Elements,
-        entities and patches stay; the report is None, straight and what was said of a given mesh are not kept.
-        Raises InvalidInput naming the orders there are.
+        entities and patches stay; the report is None; `straight`, and the relation to a given mesh, are not
+        kept. Raises InvalidInput naming the orders there are.
         """
         order, arrays = orders.arrays_of_order(self, order)
         return CurvedMesh(extension().curved_from_arrays(order, arrays), measured=False, patches=self._patches)
@@ -241,7 +241,9 @@ def holds_elements(source):
 
 
 def loader_of(obj, motion=None):
-    """The same for an object that holds elements, where they were computed, or moved from there by a placement."""
+    """A function that makes the elements that an object holds, where they were computed or moved from there by a
+    placement.
+    """
     label, order = obj.Label, obj.ElementsOrder
     lists = {name: getattr(obj, name) for name in ARRAYS}
 
@@ -283,7 +285,7 @@ def _require_no_straight_options(values):
 
 
 def _check_given(mesh, mesh_scale, values, shape):
-    """Refuses options of a mesh that is made together with one that is given, and the other way round."""
+    """Refuses options of the straight mesh if `mesh` is given, and options of a given mesh if none is."""
     if mesh is None:
         if mesh_scale != 1.0:
             raise InvalidInput("mesh_scale= is for a mesh that another program made: give its path as mesh=")
@@ -339,8 +341,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     mesh_scale     factor from the coordinates of that file to mm: 1000 for one in metres, 25.4 for inches
     threads        that work at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any number
 
-    Returns a CurvedMesh, of a mesh with other elements than triangles and tetrahedra a CurvedElementMesh; elements that
-    stay invalid are in its report. The shape is only read.
+    Returns a CurvedMesh, or a CurvedElementMesh if a mesh has other elements than triangles and tetrahedra; its report
+    has the elements that stay invalid. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
     """
     options.require_callable(progress)

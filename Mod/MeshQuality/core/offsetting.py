@@ -49,7 +49,7 @@ def offset(source, distance, tolerance=None, progress=None, threads=0):
 
 
 def run_offset(operands, values, progress=None):
-    """The OffsetMesh of Operands, of which there is one, that were read, with checked options."""
+    """The OffsetMesh of a single operand that was read (Operands), with checked options."""
     return OffsetMesh(operands.given_to(lambda core: extension().offset_shape(
         core, values["distance"], values["tolerance"] or 0.0, values.get("threads", 0), progress)))
 
@@ -79,7 +79,7 @@ def hollow(source, thickness, openings=None, tolerance=None, progress=None, thre
 
 
 def run_hollow(operands, faces, values, progress=None):
-    """The same of Operands, of which there is one, that were read, with checked options.
+    """The OffsetMesh of hollowing a single operand that was read (Operands), with checked options.
 
     faces  indices of the faces of its shape that are open; None: the hollow is closed
     """

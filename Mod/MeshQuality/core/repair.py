@@ -15,7 +15,8 @@ def repair(mesh, tolerance=None, progress=None, threads=0):
     progress, threads   as boolean has them
 
     It is the union of the one operand: duplicate, flipped and degenerate triangles are put right, small holes closed, and
-    triangles that cross are divided along their intersection. What lies inside goes.
+    triangles that cross are divided along their intersection. Surfaces inside the solid are
+    removed.
 
     Returns a BooleanMesh; report.repaired says what was put right. Raises what boolean raises, as for a hole too large to be
     closed by guessing.
@@ -26,5 +27,5 @@ def repair(mesh, tolerance=None, progress=None, threads=0):
 
 
 def run_repair(operands, values, progress=None):
-    """The BooleanMesh of Operands, of which there is one, that were read, with checked options."""
+    """The BooleanMesh of a single operand that was read (Operands), with checked options."""
     return run(operands, {**options.defaults(options.BOOLEAN), **values}, progress)

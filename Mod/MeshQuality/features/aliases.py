@@ -8,7 +8,7 @@ versions have it, and scripts may go on using it.
 from .. import options
 from ..compat import property_of
 
-_HIDDEN = 2  # in the property editor
+_HIDDEN = 2  # hidden in the property editor
 
 
 def first_value(obj, option):

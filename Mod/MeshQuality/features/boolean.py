@@ -36,7 +36,7 @@ class MeshBoolean(mesh_object.MeshObject):
         properties.FAULTS_LEFT,
         properties.DEVIATION,
     )
-    GROUP, LEAST = "Boolean", 2  # of properties; number of sources
+    GROUP, LEAST = "Boolean", 2  # group of the properties; least number of sources
     SOURCES = "The operands: objects with a mesh or a shape, in their order"
     TAKES_MESHES = True
     LINKS = ("Sources", "SourcePaths")
@@ -78,7 +78,7 @@ class MeshBoolean(mesh_object.MeshObject):
 
     @classmethod
     def size_of(cls, sources):
-        """That of all sources together."""
+        """The size of all sources together."""
         try:
             return Operands(sources).size()
         except Error:
@@ -86,7 +86,7 @@ class MeshBoolean(mesh_object.MeshObject):
 
     @classmethod
     def kept_length(cls, sources):
-        """The tolerance, or that of the resolution."""
+        """A function from options to the tolerance: the given one, or that of the given resolution."""
         try:
             return tolerance_for(Operands(sources))
         except Error:
@@ -94,13 +94,13 @@ class MeshBoolean(mesh_object.MeshObject):
 
     @classmethod
     def few(cls, count):
-        """What is said of too few sources, a Text."""
+        """The Text for an object with too few sources."""
         one, several = phrases.FEW_SOURCES
         return phrases.Text(one) if count == 1 else phrases.Text(several, count=str(count))
 
     @classmethod
     def read(cls, sources):
-        """What compute takes, read from the document."""
+        """The argument of compute, read from the document."""
         return Operands(sources)
 
     @classmethod

@@ -66,7 +66,7 @@ class CfdSurface(PlainState):
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(error)}\n")
             import Part
 
-            obj.Shape = Part.Shape()  # faces without their triangles are not those of the mesh
+            obj.Shape = Part.Shape()  # faces without their triangles would get other triangles than the mesh
             obj.touch()
             return
         obj.purgeTouched()

@@ -34,7 +34,7 @@ _FOUND = (
     ("GivenMoved", "App::PropertyInteger", "Number of its vertices that are not where they were"),
 )
 _CERTIFYING = 0.1  # part of the progress
-_RESULT_MESH = "Fem::MeshResult"  # in no solver's way
+_RESULT_MESH = "Fem::MeshResult"  # solvers do not take it
 
 
 class CuredMeshObject(fem_mesh.FemMeshObject):
@@ -51,19 +51,19 @@ class CuredMeshObject(fem_mesh.FemMeshObject):
         return [*super().sources(obj), obj.Given]
 
     def add_properties(self, obj):
-        """As for all, and the given mesh."""
+        """As in the base class, with a property for the given mesh."""
         mesh_object.add_property(obj, GIVEN[1], GIVEN[0], "Mesh", GIVEN[2])
         super().add_properties(obj)
 
     @classmethod
     def called_with(cls, names):
-        """The mesh comes first."""
+        """The arguments of CALL: the mesh comes first."""
         part, mesh = names
         return f"{mesh}, {part}"
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
-        """To cure the mesh of the second source on the shape of the first."""
+        """The Work of curing the mesh of the second source on the shape of the first."""
         mesh_object.require_source(sources[:1], obj)
         if sources[1] is None:
             raise InvalidInput(phrases.Text(phrases.GIVEN_DELETED))
@@ -86,7 +86,7 @@ class CuredMeshObject(fem_mesh.FemMeshObject):
         return fem_mesh.Result(elements, Cure(curved, shape, values, mesh, before, carried))
 
     def take(self, obj, result):
-        """As for all; which groups are the given ones has to be known before patches become groups."""
+        """As in the base class; which groups are the given ones has to be known before patches become groups."""
         obj.GivenGroups = sorted(result.proof.groups)
         return super().take(obj, result)
 
@@ -147,7 +147,7 @@ def has_fem_mesh(obj):
 
 
 def part_of(fem_object):
-    """What a FEM mesh object says that it is a mesh of: a document object, or a pair as in frames; None: nothing."""
+    """The source that a FEM mesh object names: a document object, or a pair as in frames; None: it names none."""
     if isinstance(getattr(fem_object, "Proxy", None), fem_mesh.FemMeshObject):
         return fem_object.Proxy.sources(fem_object)[0]
     names = (fem_source_property(), "Part", "Shape")
@@ -166,7 +166,7 @@ def add_cured_mesh(fem_object, part=None, order=2, **values):
     The object's FemMesh is curve(part, mesh=the given one), with a group for each solid, face and edge, and the groups
     of elements of the given mesh as far as their elements stayed. It follows both, and takes the place of all meshes in
     the analysis that has the given one: FreeCAD's solvers take one mesh. These stay in the document. Where no analysis has
-    the given mesh, it goes where that of add_fem_mesh goes.
+    the given mesh, the object goes where add_fem_mesh puts its own.
 
     Returns the object. Raises what curve raises, also where the mesh is not one of the part, and then changes nothing;
     InvalidInput naming the mesh.

@@ -54,7 +54,7 @@ MEASURED = (
     properties.BRIDGE,
     properties.NOTES,
 )
-# The same, beside mesh_object.PROMISES.
+# Properties of promises, beside mesh_object.PROMISES.
 PROMISES = (
     ("Invalid", "App::PropertyInteger",
      "Number of elements that are not proven valid; 0 is required", "invalid"),
@@ -81,7 +81,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
-        """As for all; where the deviation alone has changed, the elements are cut anew only."""
+        """As in the base class; where the deviation alone has changed, the elements are cut anew only."""
         work = super().work_on(sources, values, obj)
         own = convert.own_shape_of(sources[0])
         work.compute = partial(work.compute, digest=partial(_elements_fingerprint, own, work.values),
@@ -127,7 +127,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
 
 @dataclass(frozen=True)
 class Result:
-    """What a curved mesh object computes.
+    """The result of a curved mesh object.
 
     curved       CurvedMesh
     fingerprint  of its elements
@@ -150,7 +150,7 @@ class Result:
 
 
 class Proof:
-    """What the certificate of a CurvedMesh is made of: its report, the topology of its corners, and the findings."""
+    """The parts of the certificate of a CurvedMesh: its report, the topology of its corners, and the findings."""
 
     def __init__(self, curved, shape, values):
         self.report = curved.report

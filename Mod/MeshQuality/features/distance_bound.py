@@ -14,14 +14,14 @@ from ..core.sources import convert
 
 PROPERTY = "DistanceBound"
 _VALUES = {options.ABSOLUTE: "ChordHeight", options.RELATIVE: "ChordHeightRelative"}
-_DIGITS = 3  # of a value that is the same as the one given the other way
+_DIGITS = 3  # digits of a bound that is converted from the other option
 
 _choosing = set()  # (document, object) whose bound is being chosen
 
 
 def add(obj, table):
-    """Adds the choice to an object that has the two values. One of an older version gets what its
-    values say.
+    """Adds the choice to an object that has the two values. An object of an older version gets the
+    choice that its values imply.
     """
     if PROPERTY not in obj.PropertiesList:
         option = next(option for option in table if option.name == options.DISTANCE[0])
@@ -98,7 +98,7 @@ def same_bound(bound, length, relative, size):
 
 
 def _same_as_before(obj, bound, size):
-    """The same for the properties of an object, which has the default where nothing was given."""
+    """same_bound() for the properties of an object, with the default where no value was given."""
     default = next(option.default for option in obj.Proxy.OPTIONS
                    if option.name == options.DISTANCE[1])
     relative = max(_number(obj, "ChordHeightRelative"), 0.0) or default

@@ -167,7 +167,7 @@ def _is_outdated(holder):
         return False
     try:
         return holder.Proxy.work_on(sources, options_of(holder, holder.Proxy.OPTIONS), holder).fingerprint != held
-    except Error:  # what is asked for now cannot be meshed
+    except Error:  # the present options or sources cannot be meshed
         return True
 
 

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-_SAME = 1e-6  # of the size, and of an area: the same face
+_SAME = 1e-6  # share of the size, and of an area, by which the same face may differ
 
 
 def described(shape):
@@ -26,7 +26,7 @@ def followed(before, now):
 
 
 def _same_faces(before, now):
-    """Of those of which there is one alike, and for which no other is."""
+    """{index before: index now} of faces that match exactly one face, which matches no other."""
     kinds, numbers = np.array([face[0] for face in now]), np.array([face[1:] for face in now], dtype=float)
     near = _SAME * max(float(np.ptp(numbers[:, 1:], axis=0).max(initial=0.0)), 1.0)
     found = {}

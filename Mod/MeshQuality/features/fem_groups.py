@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Groups of a FEM mesh beside those of the shape: elements of patches, and nodes for constraints.
+"""Groups of a FEM mesh beside the groups of the shape: elements of patches, and nodes for constraints.
 
 FreeCAD looks for the nodes of a constraint within the tolerance of its faces, and so misses those on edges that are
 looser. Before, it looks for a group of nodes whose name begins with that of the constraint: such constraints get one.
@@ -40,8 +40,8 @@ def require_patch_names(names):
 
 
 def complete(obj, mesh):
-    """Gives a Fem.FemMesh, that of a FEM mesh object, the groups that its patches and the constraints beside it need now,
-    and takes away those of others.
+    """Gives the Fem.FemMesh of a FEM mesh object the groups that its patches and the constraints beside it need now, and
+    removes groups of other patches and constraints.
     """
     wanted = _wanted(obj, mesh)
     for key, group in _own_groups(obj, mesh).items():
@@ -54,7 +54,7 @@ def complete(obj, mesh):
 
 
 def update(obj):
-    """The same for the mesh that an object holds."""
+    """Updates the groups of the mesh that an object holds."""
     mesh = obj.FemMesh
     if {key: set(mesh.getGroupElements(group)) for key, group in _own_groups(obj, mesh).items()} != _wanted(obj, mesh):
         touched = "Touched" in obj.State
@@ -66,7 +66,7 @@ def update(obj):
 
 
 def _own_groups(obj, mesh):
-    """{(name, kind): group} of those that are neither of the shape nor of a mesh that was given."""
+    """{(name, kind): group} of the groups that belong neither to the shape nor to a given mesh."""
     named = {(mesh.getGroupName(group), mesh.getGroupElementType(group)): group for group in mesh.Groups}
     return {key: group for key, group in named.items()
             if not is_of_shape(key[0]) and key[0] not in _given_groups(obj)}
@@ -114,7 +114,7 @@ def _of_constraints(obj, part, mesh, groups):
 
 
 def _constraints_of(obj):
-    """What refers to sub-elements in the analyses that have a mesh."""
+    """The objects that refer to sub-elements in the analyses that have a mesh."""
     return [member for analysis in obj.InList if is_analysis(analysis) for member in analysis.Group
             if _REFERENCES in member.PropertiesList and member.References]
 

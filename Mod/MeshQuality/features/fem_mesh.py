@@ -3,8 +3,8 @@
 document.
 
 That workbench finds nodes and faces by where they lie on a shape as its own placement has it, without the
-containers around it. So the mesh stays there, too. It is seen where the part is in the same App::Part, into which it is
-put unless an analysis elsewhere gets it.
+containers around it. So the mesh stays there, too. Only in the App::Part of the part it is seen at the part: it is put
+there unless an analysis elsewhere gets it.
 """
 
 from dataclasses import dataclass
@@ -48,7 +48,7 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
             _name_source(obj)
 
     def add_properties(self, obj):
-        """As for all; an object of another version of FreeCAD gets the name that this one looks up."""
+        """As in the base class; an object of another version of FreeCAD gets the name that this one looks up."""
         super().add_properties(obj)
         _name_source(obj)
 
@@ -57,7 +57,7 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
         fem_groups.require_patch_names(names)
 
     def told(self, obj):
-        """That the mesh is not seen where its part is, and how it would be."""
+        """A Text if the mesh is not seen where its part is, with the remedy."""
         source = self.sources(obj)[0]
         if source is None or frames.same(frames.frame_of(obj), frames.frame_of(source)):
             return None
@@ -71,13 +71,13 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
         fem_groups.update(obj)
 
     def _bring_up_to_date(self, obj):
-        """As for all; patches may have been changed in the property editor."""
+        """As in the base class; patches may have been changed in the property editor."""
         super()._bring_up_to_date(obj)
         self._shown = obj.Fingerprint
         fem_groups.update(obj)
 
     def held(self, obj):
-        """As for all; nothing after undo or redo, which bring back the fingerprint, and not always the FemMesh."""
+        """As in the base class; nothing after undo or redo, which bring back the fingerprint, and not always the FemMesh."""
         known = super().held(obj)
         return known if self._shown in (None, known) else ""
 
@@ -107,7 +107,7 @@ def _name_source(obj):
 
 @dataclass
 class Result:
-    """What a FEM mesh object computes: the fem.Elements of its mesh, and the curved_mesh.Proof of its certificate."""
+    """The result of a FEM mesh object: the fem.Elements of its mesh, and the curved_mesh.Proof of its certificate."""
 
     elements: fem.Elements
     proof: curved_mesh.Proof
@@ -120,7 +120,7 @@ class Result:
         self._made = mesh
 
     def mesh(self):
-        """The Fem.FemMesh: that of the steps, if they are done."""
+        """The Fem.FemMesh that the steps made; made now if they are not done."""
         return fem.mesh_of(self.elements) if self._made is None else self._made
 
 

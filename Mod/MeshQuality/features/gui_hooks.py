@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What document objects ask of the window. The window fills this in: document objects import nothing of it."""
+"""The requests of document objects to the window. The window fills this in: document objects import nothing of it."""
 
 import importlib
 import math
@@ -8,7 +8,7 @@ _filled_by = ""  # name of the module that answers where there is a window
 
 
 class Windowless:
-    """What they ask, and the answers where there is no window."""
+    """The requests, with the answers where there is no window."""
 
     def attach_view(self, obj):
         """Gives the view of an object its proxy."""
@@ -18,7 +18,7 @@ class Windowless:
         return False
 
     def resume_in_background(self, obj):
-        """Has it compute what it had not finished when the document was saved."""
+        """Has the background compute what was unfinished when the document was saved."""
 
     def stop_in_background(self, obj):
         """Ends that."""
@@ -61,7 +61,7 @@ def fill(module):
 
 
 def window():
-    """What answers now."""
+    """The object that answers now."""
     import FreeCAD  # not above: the command line loads this outside FreeCAD, too
 
     return importlib.import_module(_filled_by).WINDOW if FreeCAD.GuiUp and _filled_by else WINDOWLESS

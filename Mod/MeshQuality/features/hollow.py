@@ -58,7 +58,7 @@ class HollowObject(offset.SolidMesh):
         return finished
 
     def told(self, obj):
-        """That there is no hollow, or one that is sealed, and what it saves."""
+        """A Text if there is no hollow, or a sealed one with its volume."""
         if not obj.Fingerprint:
             return None
         if not obj.HollowTriangles:
@@ -99,7 +99,7 @@ class _OpenGiven(offset.Given):
         self.described = json.dumps({"names": self.names, "faces": faces})
 
     def digest(self, values):
-        """By the present names."""
+        """A hash by the present names of the openings."""
         return super().digest({**values, "openings": self.faces})
 
 

@@ -35,7 +35,7 @@ RESULTS = (
     (("draft",), "UndercutArea", "App::PropertyArea", "Area that neither half of the mould can leave"),
     (("voids",), "VoidVolume", "App::PropertyVolume", "Volume of all voids"),
 )
-_MOST_PAIRS = 500  # that are listed
+_MOST_PAIRS = 500  # pairs in the list
 _NO_MESH = (np.zeros((0, 3)), np.zeros((0, 3), np.int32), np.zeros(0, np.int32), True)
 
 

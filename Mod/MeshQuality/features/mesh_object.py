@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the document objects that hold a mesh have in common."""
+"""The common base of document objects that hold a mesh."""
 
 import hashlib
 import json
@@ -45,7 +45,7 @@ COMPUTING = "being computed in the background"
 OUT_OF_DATE = "out of date: a source or an option has changed; choose Update Mesh"
 SOURCE_DELETED = "out of date: the source was deleted"
 FAILED = "failed: "  # and why
-# The same, for those that promise a smallest angle; the name in the report follows.
+# Properties of objects that promise a smallest angle; the last column is the name in the report.
 ANGLE_PROMISES = (
     ("AskedMinAngle", "App::PropertyAngle", "Smallest angle that was requested", "min_angle_asked"),
     ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles", "min_angle"),
@@ -92,16 +92,16 @@ class MeshObject(PlainState):
     TAKES_MESHES = LEAVES_CONTAINERS = False
     BOUND_BEFORE = options.UNBOUNDED
     _clearing = False
-    _precomputed = None  # what with_precomputed gave
+    _precomputed = None  # the (Work, result) of with_precomputed
 
     @classmethod
     def size_of(cls, sources):
-        """As the class says."""
+        """See the docstring of MeshObject."""
         return convert.size_of(sources[0])
 
     @classmethod
     def kept_length(cls, sources):
-        """As the class says."""
+        """See the docstring of MeshObject."""
         return None
 
     def __init__(self, obj):
@@ -109,7 +109,7 @@ class MeshObject(PlainState):
         self.add_properties(obj)
 
     def add_common_properties(self, obj):
-        """Adds what every kind of object has."""
+        """Adds the properties of every kind of object."""
         for name, kind, text, *_ in (*PROMISES, *self.PROMISES):
             if not add_property(obj, kind, name, "Certificate", text):
                 obj.setGroupOfProperty(name, "Certificate")  # older versions had some elsewhere
@@ -132,8 +132,8 @@ class MeshObject(PlainState):
         obj.setEditorMode("Status", 1)
 
     def onDocumentRestored(self, obj):
-        """Documents of older versions get the properties that were added since; those that were
-        saved without the GUI, or by a version without views of its own, get a view.
+        """An object of an older version gets the properties that were added since; one that was
+        saved without the GUI, or by a version without views of its own, gets a view.
         """
         self.add_properties(obj)
         if obj.Status == COMPUTING:
@@ -166,14 +166,14 @@ class MeshObject(PlainState):
         return mesh.report, findings
 
     def follow(self, obj):
-        """Has what names sub-elements of the sources follow their change."""
+        """Updates names of sub-elements after a change of the sources."""
 
     def size(self, obj):
         """Number of triangles of the mesh that it holds."""
         return obj.Mesh.CountFacets
 
     def lacks_source(self, obj):
-        """Whether something that it is made of was deleted, or never chosen."""
+        """Whether a source was deleted, or never chosen."""
         return None in self.sources(obj)
 
     @property
@@ -222,7 +222,7 @@ class MeshObject(PlainState):
         return names[0] if len(names) == 1 else f"[{', '.join(names)}]"
 
     def told(self, obj):
-        """What users are told of the result beside its certificate, a Text; None: nothing."""
+        """A Text on the result for users, beside its certificate; None: nothing."""
         return None
 
     def left_out(self, obj):
@@ -260,7 +260,7 @@ class MeshObject(PlainState):
         return work, work.result(None)
 
     def is_result(self, obj, work):
-        """Whether the object holds what the work would give."""
+        """Whether the object holds the result of the work."""
         held = self.held(obj)
         return bool(held) and work.fingerprint == held
 
@@ -274,9 +274,9 @@ class MeshObject(PlainState):
 def with_precomputed(taker, work, result):
     """Meanwhile an object of the sources and the options of `work` takes this result when it is recomputed.
 
-    taker   the proxy of the object; or the class of its proxy, of an object that a line of Python adds meanwhile:
-            FreeCAD's macros record no other lines than those that they run, which cannot name the result
-    result  what work.result gave, or the exception that it raised
+    taker   the proxy of the object; or the class of its proxy, for an object that a line of Python adds meanwhile:
+            FreeCAD's macros record only lines that they run, and such a line cannot name the result
+    result  the return value of work.result, or the exception that it raised
     """
     taker._precomputed = work, result
     try:
@@ -304,7 +304,7 @@ class OfOneSource(MeshObject):
 
     def add_properties(self, obj):
         """Adds those properties that the object has not got yet."""
-        # Global: a mesh may follow something inside a container that it does not belong to itself.
+        # Global: a mesh may follow an object inside a container to which the mesh does not belong.
         add_property(obj, "App::PropertyLinkGlobal", "Source", "Mesh", self.SOURCE)
         add_property(obj, "App::PropertyString", "SourcePath", "Mesh",
                      "The path from the source to what is meshed, where only a link leads there: Part.Box.")
@@ -323,7 +323,7 @@ class ShapeMesh(OfOneSource):
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
-        """To mesh the source with these options."""
+        """The Work of meshing the source with these options."""
         require_source(sources, obj)
         values = options.check(cls.OPTIONS, values)
         own = convert.taken(convert.own_shape_of(sources[0]))
@@ -338,7 +338,7 @@ class PatchedMesh(MeshObject):
     """Proxy of an object whose mesh has patches, by the faces of its sources."""
 
     def add_properties(self, obj):
-        """As for all, and patches."""
+        """As in the base class, with the properties of patches."""
         super().add_properties(obj)
         patches.add_patch_properties(obj)
 
@@ -348,11 +348,11 @@ class PatchedMesh(MeshObject):
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(sentence)}\n")
 
     def faces(self, obj):
-        """What its sources' faces are called, as source_faces has them."""
+        """The names of its sources' faces, as in source_faces."""
         return FacesOfOne(self.sources(obj)[0])
 
     def has_faces(self, obj):
-        """Whether its mesh knows faces of which patches can be made."""
+        """Whether its mesh has faces of which patches can be made."""
         return True
 
     def require_patch_names(self, names):
@@ -363,12 +363,12 @@ class PatchedMesh(MeshObject):
 
 
 class SegmentedMesh(PatchedMesh):
-    """The same of a mesh with one segment a CAD face."""
+    """Proxy of such an object whose mesh has one segment for each CAD face."""
 
     HIDDEN = (FACE_RUNS,)
 
     def show(self, obj, mesh, shown, closed, findings):
-        """As for all."""
+        """As in the base class."""
         obj.FaceRuns = runs_of_faces(mesh.triangle_face)
         return super().show(obj, mesh, shown, closed, findings)
 
@@ -397,7 +397,7 @@ def require_source(sources, obj):
 
 
 def _tell(obj, report, findings, left_out):
-    """Has the report view say in one line what came of an object that was computed, and in others what is left out."""
+    """Writes one line on the result of an object to the report view, and others on what is left out."""
     text = verdict.line(obj.Label, report, findings, window().translated)
     (FreeCAD.Console.PrintWarning if findings else FreeCAD.Console.PrintMessage)(text + "\n")
     told = obj.Proxy.told(obj)
@@ -432,7 +432,7 @@ def faces_of_runs(runs, triangles):
 
 
 def show_certificate(obj, report, closed, findings):
-    """Fills what every kind of object has in the group Certificate.
+    """Fills the properties of the group Certificate that every kind of object has.
 
     report  a MeshReport
     closed  whether the mesh was to be closed
@@ -446,13 +446,15 @@ def show_certificate(obj, report, closed, findings):
 
 
 class _Observer:
-    """Sees what execute is never called for: FreeCAD does not compute an object of which an expression has no value."""
+    """Sees changes for which execute is never called: FreeCAD does not compute an object with an expression that has no
+    value.
+    """
 
     def slotRecomputedDocument(self, document):
-        """Called by FreeCAD: what an object promises of a mesh that is not of its options counts no longer."""
+        """Called by FreeCAD: a certificate becomes void if its mesh does not fit the present options."""
         for obj in document.Objects:
             if isinstance(getattr(obj, "Proxy", None), MeshObject):
-                with suppress(AttributeError):  # of what is read-only, and of what a script has removed
+                with suppress(AttributeError):  # properties that are read-only, or that a script has removed
                     self._tell(obj)
 
     @staticmethod

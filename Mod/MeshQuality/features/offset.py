@@ -15,8 +15,8 @@ from .recompute_work import Work
 
 
 class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
-    """Proxy of a Mesh::FeaturePython that holds a mesh made of a solid: of a shape, or of the space in a closed mesh. Of a
-    shape its triangles are on the CAD faces from which they come, and in their patches.
+    """Proxy of a Mesh::FeaturePython that holds a mesh made of a solid: of a shape, or of the space in a closed mesh.
+    Triangles from a shape are assigned to its CAD faces, and to the patches of these.
 
     A subclass has
     given_of(source, values, obj)  class method: what the work is about, a Given
@@ -41,7 +41,7 @@ class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
-        """To make the mesh of the source with these options."""
+        """The Work of making the mesh of the source with these options."""
         mesh_object.require_source(sources, obj)
         values = options.check(cls.OPTIONS, values)
         missing = next((option for option in cls.OPTIONS if option.is_required and not values[option.name]), None)
@@ -56,7 +56,7 @@ class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
         return Given(source)
 
     def has_faces(self, obj):
-        """One that is made of a mesh knows none."""
+        """False if the source is a mesh, or has meshes."""
         source, = self.sources(obj)
         return convert.has_faces(source) and not convert.meshes_in(source)
 
@@ -71,7 +71,7 @@ class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
 
 
 class Given:
-    """What a source has now, for work on another thread.
+    """The present shape or mesh of a source, for work on another thread.
 
     operands  Operands, of which the source is the only one
     """
@@ -80,7 +80,9 @@ class Given:
         self.operands = Operands([source])
 
     def digest(self, values):
-        """A hash of it and options; the same after saving and loading, and after a container around it was moved."""
+        """A hash of the source and options; the same after saving and loading, and after a container around it was
+        moved.
+        """
         return self.operands.digest() + json.dumps(values, sort_keys=True)
 
 
@@ -93,12 +95,12 @@ class OffsetObject(SolidMesh):
 
     @classmethod
     def compute(cls, given, values, progress):
-        """The mesh and what belongs to it."""
+        """(OffsetMesh, Mesh.Mesh, findings of its certificate, given)."""
         mesh = run_offset(given.operands, values, progress)
         return mesh, mesh.to_mesh(), verdict.of_boolean(mesh), given
 
     def told(self, obj):
-        """That nothing is left."""
+        """A Text if the offset is empty."""
         return None if obj.Triangles or not obj.Fingerprint else phrases.Text(phrases.NOTHING_LEFT)
 
 

@@ -49,7 +49,7 @@ def patches_of_lines(lines):
 
 
 def lines_of_patches(patches):
-    """The inverse, of what patches= takes."""
+    """The lines of the property for patches as patches= takes them."""
     lines = []
     for name, said in patches.items():
         faces, colour = (said["faces"], said.get("colour")) if hasattr(said, "items") else (said, None)
@@ -101,7 +101,7 @@ def follow_sources(obj, faces):
             for name, said in patches.items():
                 said["faces"] = [_followed(face, prefix, name, places, lost) for face in said["faces"]]
             obj.Patches = lines_of_patches(patches)
-    obj.PatchesChanged = [*obj.PatchesChanged, *lost]  # until they are chosen anew
+    obj.PatchesChanged = [*obj.PatchesChanged, *lost]  # listed until they are chosen anew
     obj.PatchFaces = _saved(now)
     return lost
 

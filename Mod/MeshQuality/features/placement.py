@@ -22,7 +22,7 @@ ORIGIN = ("MeshOrigin", "App::PropertyVector",
 ARRANGEMENT = ("SourceArrangement", "App::PropertyString",
                "How the containers of the other sources stood to that of the first one then")
 
-_LISTS = ("Group", "ElementList")  # of what groups, containers and link groups hold
+_LISTS = ("Group", "ElementList")  # lists of the members of groups, containers and link groups
 _OF_CONTAINERS = ("Placement", "LinkPlacement", "Scale", *_LISTS)
 
 
@@ -76,7 +76,7 @@ def _holders(obj):
 
 
 def _all_holders(obj):
-    """Those around it, and those around them."""
+    """The groups around an object, and the groups around these."""
     found, pending = set(), [obj]
     while pending:
         holders = set(_holders(pending.pop())) - found
@@ -145,7 +145,7 @@ class _Observer:
             _follow_all(document)
 
     def slotDeletedObject(self, obj):
-        """Called by FreeCAD while what the object holds is still in it."""
+        """Called by FreeCAD while the deleted object still has its content."""
         if _is_container(obj):
             for mesh in _meshes(obj.Document):
                 if any(obj in frames.containers_of(frames.object_of(source)) for source in (mesh, *_sources(mesh))):
@@ -168,8 +168,8 @@ def _is_container(obj):
 
 
 def _meshes(document):
-    """The mesh objects of a document that have been computed and have all that is needed here: what a script has
-    removed comes back when they are computed again.
+    """The mesh objects of a document that have been computed and have all properties needed here; a property
+    that a script removed comes back when they are computed again.
     """
     return [obj for obj in document.Objects if hasattr(getattr(obj, "Proxy", None), "LINKS")
             and {FRAME[0], ORIGIN[0], ARRANGEMENT[0], *obj.Proxy.LINKS} <= set(obj.PropertiesList)

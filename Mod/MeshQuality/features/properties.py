@@ -19,7 +19,7 @@ VOLUME = ("Volume", "App::PropertyVolume", "Enclosed volume", "volume")
 BRIDGE = ("Bridge", "App::PropertyString", "How the shape came from FreeCAD: live, in place, or stream, as a copy; empty: there was none",
           "bridge")
 NOTES = ("Notes", "App::PropertyStringList", "Other remarks about the computation", "notes")
-# The same, of those that promise a smallest angle.
+# Further properties of objects that promise a smallest angle.
 ANGLES = (
     ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles", "max_angle"),
     ("ExemptCount", "App::PropertyInteger", "Number of triangles below the requested angle"),
@@ -35,7 +35,7 @@ DEVIATION = ("DeviationInFull", "App::PropertyString",
              "Max. deviation, measured and requested, with the digits that count: the editor shows 0.003 as 0.00")
 _DEVIATIONS = (("MaxChordHeight", "AskedChordHeight"), ("ErrorBound", "AskedTolerance"), ("MaxDeviation", None))
 
-_MOST_LINES = 50  # of a list in the property editor
+_MOST_LINES = 50  # lines of a list in the property editor
 
 
 def add_property(obj, kind, name, group, text):
@@ -119,7 +119,7 @@ def _show_exempt(obj, report):
     obj.ExemptReasons = [json.dumps([phrases.to_data(reason), numbers]) for reason, numbers in triangles.items()]
 
 
-_EXEMPT_LINE = re.compile(r"triangle (\d+): (.+)")  # where no reasons are stored beside
+_EXEMPT_LINE = re.compile(r"triangle (\d+): (.+)")  # used where no reasons are stored
 
 
 def exempt_reasons(obj):

@@ -37,7 +37,7 @@ class QualityMesh(mesh_object.SourceMesh):
     cache = None  # MeshCache of its last meshes; not saved, nor copied with the object
 
     def add_properties(self, obj):
-        """As for all, and Reuse."""
+        """As in the base class, with the property Reuse."""
         super().add_properties(obj)
         if properties.add_property(
                 obj, "App::PropertyBool", "Reuse", "Update",
@@ -48,7 +48,7 @@ class QualityMesh(mesh_object.SourceMesh):
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
-        """As for all, with the cache of the object."""
+        """As in the base class, with the cache of the object."""
         work = super().work_on(sources, values, obj)
         if obj is not None and not obj.Reuse:
             work.add_to_fingerprint("from nothing")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a document object has to compute."""
+"""The computation of a document object."""
 
 from functools import cached_property
 
@@ -10,7 +10,7 @@ _COMPARING = Text(WAITS_FOR_KERNEL, stage="comparing the shape")
 
 
 class Work:
-    """What an object of these sources and options has to compute.
+    """The computation of an object with these sources and options.
 
     sources  document objects, or pairs (document object, path) as in frames
     values   checked options
@@ -34,12 +34,12 @@ class Work:
         return (self.sources, self.values) == (list(sources), values)
 
     def add_to_fingerprint(self, how):
-        """Has the fingerprint say how it is computed, too."""
+        """Adds to the fingerprint how the result is computed."""
         digest = self._digest
         self._digest = lambda: f"{digest()} {how}"
 
     def result(self, progress):
-        """What compute gives; the fingerprint is of what the sources were before."""
+        """The result of compute; the fingerprint is that of the sources before the call."""
         self.announced_fingerprint(progress)
         return self.compute(progress)
 

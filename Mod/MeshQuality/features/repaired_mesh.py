@@ -25,7 +25,7 @@ class RepairedMesh(offset.SolidMesh):
         return mesh, mesh.to_mesh(), verdict.of_boolean(mesh), given
 
     def told(self, obj):
-        """What was put right beside triangles that cross."""
+        """A Text on the repairs, but for crossing triangles; None without any."""
         done = [part for text in obj.Repaired for part in _parts(text.removeprefix("operand A: "))]  # there is no other one
         return phrases.Text(fault_phrases.REPAIRS, list=done) if done else None
 

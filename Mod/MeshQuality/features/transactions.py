@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What changes a document: objects are added to it and updated, each as one undo step."""
+"""Changes of a document: objects are added and updated, each as one undo step."""
 
 from contextlib import contextmanager
 
@@ -114,7 +114,7 @@ def set_patches(obj, patches, patch_rest=None):
 
 
 def _require_unchanged(obj, label, values, work):
-    """Raises Error where scripts have taken away meanwhile what the result is for."""
+    """Raises Error if the object or its document is gone, or a source has changed meanwhile."""
     try:
         there = obj.Document.getObject(obj.Name) == obj
     except (ReferenceError, RuntimeError, AttributeError):

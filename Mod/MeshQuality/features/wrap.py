@@ -40,17 +40,17 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
 
     @classmethod
     def kept_length(cls, sources):
-        """The options say it."""
+        """None: the options have the distance."""
         return None
 
     @classmethod
     def few(cls, count):
-        """What is said of no source, a Text."""
+        """The Text for an object without sources."""
         return phrases.Text(phrases.NO_SOURCES)
 
     @classmethod
     def read(cls, sources):
-        """What compute takes, read from the document."""
+        """The argument of compute, read from the document."""
         return Wrapped(sources)
 
     @classmethod
@@ -62,7 +62,7 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
         return mesh, mesh.to_mesh(), verdict.of_boolean(mesh)
 
     def faces(self, obj):
-        """Those of all sources."""
+        """The names of the faces of all sources."""
         return FacesOfSeveral(self.sources(obj))
 
     def holds_mesh(self, obj):
@@ -70,7 +70,7 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
         return super().holds_mesh(obj) and bool(obj.FaceRuns or not obj.Triangles)
 
     def follow_label(self, obj):
-        """It has one operation."""
+        """Labels stay: a wrap has no choice of operations."""
 
 
 def add_wrap(objects, gap, tolerance=None):

@@ -59,7 +59,7 @@ class Indicator(QtGui.QWidget):
         self.hide()
 
     def add(self, job, cancel):
-        """Shows a job too."""
+        """Shows one more job."""
         if not self._jobs:
             self._timer.start()
         self._jobs.append((job, cancel))
@@ -97,7 +97,7 @@ class Indicator(QtGui.QWidget):
 
 
 def has_ended():
-    """What is said once a job that was cancelled is over."""
+    """The message once a cancelled job is over."""
     return translate("MeshQuality", "what could not be interrupted has ended")
 
 

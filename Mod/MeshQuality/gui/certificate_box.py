@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a panel tells of the certificate of the object that it edits."""
+"""The box of a panel on the certificate of the object that it edits."""
 
 import FreeCAD
 import FreeCADGui
@@ -20,7 +20,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 RELATIONS = (QT_TRANSLATE_NOOP("MeshQuality", "touching"), QT_TRANSLATE_NOOP("MeshQuality", "overlapping"),
              QT_TRANSLATE_NOOP("MeshQuality", "inside"), QT_TRANSLATE_NOOP("MeshQuality", "equal"))
 
-_NEAR = 0.1  # of the size of a part: what is seen around a place
+_NEAR = 0.1  # share of a part's size that is seen around a place
 _SOLID = 0.5 * np.array([[[-1, -1, -1], [1, 1, 1], [-1, 1, -1]], [[-1, -1, -1], [-1, 1, -1], [1, 1, 1]]])  # looks nowhere
 
 
@@ -58,8 +58,8 @@ class CertificateBox(QtGui.QWidget):
         super().__init__()
         self._obj = None
         self._modes = {}  # display modes by view, before the place was shown
-        self._visible = {}  # likewise, whether sources were
-        self._selected = None  # likewise, what was selected
+        self._visible = {}  # visibility of the sources before the place was shown
+        self._selected = None  # the selection before the place was shown
         self._mark = self.flight = None
         self.text = QtGui.QLabel()
         self.text.setWordWrap(True)
@@ -133,7 +133,7 @@ class CertificateBox(QtGui.QWidget):
                       convert.size_of(self._obj.Proxy.sources(self._obj)[0]))
 
     def _remember(self, view):
-        """What is to be as before once the panel closes."""
+        """Stores the state of the view that is restored once the panel closes."""
         self._modes.setdefault(view, view.DisplayMode)
         source = getattr(self._obj, "Source", None)
         if source is not None:
@@ -150,7 +150,7 @@ class CertificateBox(QtGui.QWidget):
 
     def _show_places(self, view, corners, around=None):
         if not hasattr(view, "getCameraNode"):
-            return  # of another kind than the 3D view
+            return  # it is no 3D view
         self._end_mark()
         self._mark = Mark(view, corners.tolist())
         corners = corners.reshape(1, 3, 3)

@@ -54,16 +54,16 @@ class _Command:
         return MeshPanel(operations, **values)
 
     def selected(self):
-        """The selected objects that the command is for; none when it cannot be used."""
+        """The selected objects that the command applies to; none when it cannot be used."""
         return [source for source in _selected() if _has_shape(source)]
 
     def operations(self, selected):
-        """What the panel is to do: here, a mesh of each."""
+        """The operations of the panel: here, a mesh of each object."""
         return [Operation(self.TEXT, self.KIND, [source], self.trial([source]))
                 for source in selected]
 
     def editing(self, obj):
-        """What the panel of an object that is there is to do."""
+        """The operation of the panel that edits an existing object."""
         return Operation.of_object(self.TEXT, obj, self.trial(obj.Proxy.sources(obj)))
 
     def trial(self, sources):
@@ -130,7 +130,7 @@ class Cure(_Command):
     KEYS = "Q, V"
 
     def selected(self):
-        """The part and the FEM mesh: what the mesh says that it is of, unless that is selected beside it."""
+        """The part and the FEM mesh: the selected part, else the part that the mesh names."""
         found = [source for source in _selected() if not fem_mesh.is_analysis(frames.leaf_of(source))]
         meshes = [source for source in found if cured_mesh.has_fem_mesh(source)]
         parts = [source for source in found if source not in meshes and _has_shape(source)]
@@ -411,7 +411,7 @@ _MENUS = (
     ("", (Update,)),
     (QT_TRANSLATE_NOOP("Workbench", "Help"), (FirstSteps, Example)),
 )
-_COMMANDS = tuple(command for _, commands in _MENUS[:-1] for command in commands)  # for what is selected
+_COMMANDS = tuple(command for _, commands in _MENUS[:-1] for command in commands)  # commands for selected objects
 
 
 def panel_of(obj):

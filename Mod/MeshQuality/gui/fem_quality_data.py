@@ -116,21 +116,21 @@ class FemQualityData(QualityData):
         return np.where(self._outside, worst, np.nan)
 
     def marked(self, measure, values):
-        """Those that are not proven valid."""
+        """The elements that are not proven valid."""
         return values <= 0.0 if measure is JACOBIAN_RATIO else super().marked(measure, values)
 
     def scale(self, measure, values):
-        """As for all; that of volumes ends at twice the median."""
+        """As in the base class; that of volumes ends at twice the median."""
         if measure in (VOLUME, AREA):
             measure = replace(measure, good=2.0 * max(float(np.median(values)), np.finfo(float).tiny))
         return super().scale(measure, values)
 
     def is_inside(self, element):
-        """Those without a face on the surface."""
+        """The elements without a face on the surface."""
         return not self._outside[element]
 
     def remark(self):
-        """How many those are."""
+        """The number of elements without a face on the surface."""
         invalid, count = self._certificate.invalid, count_text(self.elements)
         if not invalid:
             return translate("MeshQuality", "All {0} proven valid.").format(count)
@@ -146,7 +146,7 @@ class FemQualityData(QualityData):
         return translate("MeshQuality", "element {0} on {1}").format(number, f"Face{face + 1}")
 
     def triangles_of(self, chosen):
-        """As for all; those inside have all of their faces."""
+        """As in the base class; those inside have all of their faces."""
         inside = np.flatnonzero(chosen & ~self._outside)[:_MOST_INSIDE]
         parts = [super().triangles_of(chosen)]
         for block, first, end in zip(self._mesh.blocks, self._starts, self._starts[1:]):

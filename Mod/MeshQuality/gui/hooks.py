@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the window answers to document objects; see features/gui_hooks.py."""
+"""The window's answers to requests of document objects; see features/gui_hooks.py."""
 
 from ..compat import PlainState
 from ..features.curved_mesh import CurvedMeshObject
@@ -37,7 +37,7 @@ class Window(Windowless):
 
     def analysis_for(self, source):
         """As fem_analyses.chosen_for."""
-        from . import fem_analyses  # with it FreeCAD's FEM workbench, which no other object needs
+        from . import fem_analyses  # imports FreeCAD's FEM workbench, which no other object needs
 
         return fem_analyses.chosen_for(source)
 
@@ -54,7 +54,7 @@ class Window(Windowless):
         thickness_colours.show(obj, values)
 
     def drawing(self):
-        """That of the 3D view."""
+        """The Drawing of the 3D view."""
         # Here, not on the thread that computes: Coin is loaded where the window is.
         from .curved_view import Drawing
 
@@ -64,7 +64,7 @@ class Window(Windowless):
 def _view_of(obj):
     """The class of the view's proxy: curved elements are shown with their edges."""
     if isinstance(obj.Proxy, CurvedMeshObject):
-        from .curved_view import CurvedMeshView  # with it Coin, which no other object needs
+        from .curved_view import CurvedMeshView  # imports Coin, which no other object needs
 
         return CurvedMeshView
     return mesh_view.MeshView

@@ -70,7 +70,7 @@ class Job(QtCore.QObject):
         self.quiet, self.drop, self.prepare = quiet, drop, prepare
         self.obstacle, self.taking = obstacle, taking
         self.state, self.fraction, self.stage, self.error = WAITING, 0.0, "", None
-        self.held_up = ""  # what the result has to wait for once the work has ended
+        self.held_up = ""  # the reason for which the result has to wait once the work has ended
         self.over = False  # whether the job has ended, and its work, too
         self._result = self._steps = None
         self._disposed = self._taken = False  # whether the result was taken or dropped, and taken
@@ -80,7 +80,7 @@ class Job(QtCore.QObject):
 
     @property
     def active(self):
-        """Whether it waits or runs."""
+        """Whether the job waits or runs."""
         return self.state in (WAITING, RUNNING)
 
     @property
@@ -90,7 +90,7 @@ class Job(QtCore.QObject):
 
     @property
     def wait(self):
-        """What it waits for, in the user's language; empty where that has no name."""
+        """What the job waits for, in the user's language; empty if that has no name."""
         other = queue().running
         if self.state == WAITING and other is not None:
             return translate("MeshQuality", "waits for “{}”: {}").format(other.title, other.doing)
@@ -101,7 +101,7 @@ class Job(QtCore.QObject):
 
     @property
     def doing(self):
-        """What it does or waits for, in the user's language."""
+        """What the job does or waits for, in the user's language."""
         if not self.active and not self.over:
             return translated_rest(self._stage_now())
         return self.wait or (translated_stage(self.stage) if self.stage else state_text(self.state))

@@ -15,7 +15,7 @@ from .view import badge
 
 translate = FreeCAD.Qt.translate
 
-# The number of triangles that are drawn, by the property that holds the mesh; each edge is that of two.
+# The number of triangles that are drawn, by the property that holds the mesh; an edge belongs to two.
 _TRIANGLES = {"Mesh": lambda obj: obj.Mesh.CountFacets, "FemMesh": lambda obj: obj.FemMesh.FaceCount}
 _EDGES_OF_TRIANGLE = 1.5
 
@@ -24,7 +24,7 @@ class MeshView(PlainState):
     """Proxy of the view of a mesh object."""
 
     _has_colours = False  # whether the mesh is drawn in the colours of its patches
-    _colours_wait = False  # whether they are about to be drawn
+    _colours_wait = False  # whether the colours of patches are about to be drawn
     _drawn = 0  # number of triangles of its last mesh that was not empty
 
     def __init__(self, view):
@@ -35,7 +35,7 @@ class MeshView(PlainState):
         self.view = view
 
     def getIcon(self):
-        """That of the command which adds such objects, as the path of a file or as a picture."""
+        """The icon of the command that adds such objects, as the path of a file or as a picture."""
         obj = self.view.Object
         # A document that is being read has no proxy yet.
         icon = getattr(obj.Proxy, "COMMAND", "MeshQuality")
@@ -50,7 +50,7 @@ class MeshView(PlainState):
             before, self._drawn = self._drawn, obj.Mesh.CountFacets
             visibility.follow_count(self.view, before, self._drawn)
         if name in _TRIANGLES and _TRIANGLES[name](obj):
-            from .view import edge_detail  # with it Coin
+            from .view import edge_detail  # imports Coin
 
             edge_detail.thin_out(self.view.RootNode, _EDGES_OF_TRIANGLE * _TRIANGLES[name](obj))
         if name in ("Mesh", "Patches", "PatchRest"):
@@ -73,7 +73,7 @@ class MeshView(PlainState):
             return
         before, self._has_colours = self._has_colours, patch_colours.show_on_mesh(obj)
         if before and not self._has_colours:
-            obj.ViewObject.Coloring = False  # one colour, that of the view
+            obj.ViewObject.Coloring = False  # back to the one colour of the view
 
     def doubleClicked(self, view):
         """Opens the panel with the object's options."""

@@ -17,7 +17,7 @@ translate = FreeCAD.Qt.translate
 
 # Properties of a source that do not change its shape or mesh.
 _LOOKS = ("Label", "Label2", "Visibility", "Proxy", "ExpressionEngine", "_GroupTouched")
-_HELD = "Group", "ElementList"  # what lists the objects in a container
+_HELD = "Group", "ElementList"  # properties that list the objects in a container
 
 
 class Operation:
@@ -66,7 +66,7 @@ class Operation:
         return self.kind.work_on(self.sources, values, self.obj)
 
     def is_done(self, work):
-        """Whether the object already holds what the work would give, and says so."""
+        """Whether the object already holds the result of the work with these values."""
         return self.obj is not None and work.values == self.values() and not self._order() \
             and self.obj.Proxy.is_result(self.obj, work)
 
@@ -76,13 +76,11 @@ class Operation:
         return all(obj is not None and is_there(self.document, frames.object_of(obj)) for obj in needed)
 
     def obstacle(self):
-        """What a result has to wait for before it can land, as in obstacle_in."""
+        """The obstacle that delays taking a result, see obstacle_in."""
         return obstacle_in(self.document)
 
     def obstacle_beside_tasks(self):
-        """The same while the user may have opened another task: the mesh is no part of its step of
-        undo, and would end that too early.
-        """
+        """As obstacle(), or another task that the user has opened: the mesh would end the task's step of undo too early."""
         step_is_open = FreeCADGui.Control.activeDialog() and self.document in FreeCAD.listDocuments() \
             and (FreeCAD.getDocument(self.document).HasPendingTransaction or FreeCAD.getActiveTransaction())
         return obstacle_in(self.document) or (
@@ -90,19 +88,19 @@ class Operation:
 
     @property
     def step(self):
-        """What undo calls it."""
+        """The name of the step of undo."""
         return translate("MeshQuality", "Edit {}").format(self.obj.Label) \
             if self.obj is not None else self.title
 
     def line(self, values):
-        """The line of Python that does it."""
+        """The line of Python that makes the change."""
         if self.obj is not None:
             return f"{self._order()}mq.update({name_of(self.obj)}{_arguments(values, self.values())})"
         given = self.kind.called_with([name_of(source) for source in self.sources])
         return f"mq.{self.kind.CALL}({given}{_arguments(values, options.defaults(self.kind.OPTIONS))})"
 
     def _order(self):
-        """What gives the object its operands in another order; empty: they are in this one."""
+        """The Python that reorders the object's operands; empty if they are in this order."""
         if "Sources" not in self.kind.LINKS or self.obj.Proxy.sources(self.obj) == self.sources:
             return ""
         names = ", ".join(name_of(frames.object_of(source)) for source in self.sources)
@@ -142,7 +140,7 @@ class Watch:
         FreeCAD.addDocumentObserver(self)
 
     def end(self):
-        """Watches no longer."""
+        """Stops watching."""
         FreeCAD.removeDocumentObserver(self)
 
     def slotChangedObject(self, obj, name):
@@ -161,7 +159,7 @@ def is_there(document, obj):
 
 
 def obstacle_in(document):
-    """What the document of this name is in the middle of, in the user's language; empty: of nothing."""
+    """The operation that the document of this name is in the middle of, in the user's language; empty: none."""
     if document not in FreeCAD.listDocuments():
         return ""
     found = FreeCAD.getDocument(document)

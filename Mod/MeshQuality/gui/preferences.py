@@ -37,7 +37,7 @@ def defaults(kind):
 
 
 def suggested(kind, size):
-    """{option: length in mm} that a panel of this kind begins with, of a part of this size; {} where that is unknown, 0."""
+    """{option: length in mm} with which a panel of this kind begins for a part of this size; {} for size 0, unknown."""
     return {option.name: float(f"{min(option.suggested[0] * size, option.suggested[1]):.2g}")
             for option in kind.OPTIONS if option.suggested and size > 0.0}
 

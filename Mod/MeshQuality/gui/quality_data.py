@@ -33,7 +33,7 @@ _MANY, COARSE = 200_000, 50_000  # triangles from which on others stand for them
 
 @dataclass(frozen=True)
 class Measure:
-    """What can be shown of each element.
+    """A measure that can be shown on each element.
 
     title    for people
     help     what the numbers mean to them
@@ -88,7 +88,7 @@ class Scale:
 
     @property
     def unit(self):
-        """What stands after a number."""
+        """The unit that follows a number."""
         return self.measure.unit if self._length_unit is None else f" {self._length_unit.name}"
 
     def number(self, value, digits=4):
@@ -168,7 +168,7 @@ class Histogram:
 
     low: float
     high: float
-    bar: np.ndarray  # of each element, -1 of those in no bar
+    bar: np.ndarray  # by element; -1: in no bar
     counts: np.ndarray
 
     @classmethod
@@ -282,7 +282,7 @@ class QualityData:
 
     @property
     def has_lines(self):
-        """Whether they are made."""
+        """Whether the lines are made."""
         return "lines" in vars(self)
 
     def coarse_colours(self, colours):
@@ -302,7 +302,7 @@ class QualityData:
 
     @property
     def elements(self):
-        """How many there are."""
+        """The number of elements."""
         return len(self.face)
 
     def shapes(self):
@@ -318,7 +318,7 @@ class QualityData:
         return self.shapes()[2]
 
     def distortions_of_all(self, progress=None):
-        """The same of each tetrahedron; none without them."""
+        """The distortion of each tetrahedron; empty without tetrahedra."""
         return self._curved.tetrahedron_distortion if self.tetrahedra else np.zeros(0)
 
     def jacobians_of_all(self):
@@ -372,7 +372,7 @@ class QualityData:
         return False
 
     def remark(self):
-        """What is to be said of all elements beside the numbers."""
+        """A text on all elements beside the numbers."""
         return ""
 
     def place(self, element):
@@ -409,7 +409,7 @@ def runs_of_edges(triangles):
 
 
 def runs_of_sides(sides):
-    """The same of sides, (n, 2)."""
+    """int32: each of the sides, (n, 2), once, as two indices and -1."""
     sides = np.sort(sides.astype(np.int64), axis=1)
     keys = np.unique(sides[:, 0] << 32 | sides[:, 1])
     runs = np.column_stack((keys >> 32, keys & 0xffffffff, np.full(len(keys), -1)))

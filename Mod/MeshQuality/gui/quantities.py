@@ -22,7 +22,7 @@ _UNITS = {"mm": FreeCAD.Units.Length, "degrees": FreeCAD.Units.Angle}
 _NAMES = {'"': "in", "'": "ft"}  # signs of FreeCAD that are hard to read after a number
 _PLAIN = 10.0  # mm or degrees, which the user writes in the unit of numbers without one
 _LARGEST = 1e12
-_DECIMALS = 17  # to which a QDoubleSpinBox rounds its value: all that a number has
+_DECIMALS = 17  # decimals to which a QDoubleSpinBox rounds its value: all digits of a number
 _DIGITS = 3  # that a length has at least
 _ALL_DIGITS = 17  # that tell any two numbers apart
 _TIE = 1.0 + 1e-9  # half a unit of the last digit, but for rounding
@@ -58,7 +58,7 @@ def in_locale(text):
 
 
 def _group_separator(locale):
-    """What stands between thousands. FreeCAD may write numbers in another manner than the user's language does: 9,084 would be
+    """The separator of thousands. FreeCAD may write numbers in another manner than the user's language does: 9,084 would be
     nine there, and a narrow blank is none of a decimal point.
     """
     language = FreeCADGui.getLocale()
@@ -72,8 +72,8 @@ def count_text(count):
 
 
 def lengths_in_units(texts):
-    """Texts such as ["0.0171 mm", "0.01 mm"] in the user's unit, the one that fits the longest of them. As
-    exact as they are, to three digits at least, and to as many as tell them apart.
+    """Texts such as ["0.0171 mm", "0.01 mm"] in the user's unit, the one that fits the longest of them.
+    They keep their digits: three at least, and as many as tell them apart.
     """
     given = [text.split()[0] for text in texts]
     values = [float(number) for number in given]

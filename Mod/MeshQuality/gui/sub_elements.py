@@ -7,8 +7,8 @@ from pivy import coin
 
 from ..core.sources import convert, frames
 
-_NEAR = 1e-6  # of the size: the same point
-_COLOUR, _WIDTH = (1.0, 0.125, 1.0), 4.0  # as what the quality view lights up; pixels
+_NEAR = 1e-6  # share of the size within which points are the same
+_COLOUR, _WIDTH = (1.0, 0.125, 1.0), 4.0  # the colour of lit elements in the quality view; pixels
 
 
 def sub_element(source, face):

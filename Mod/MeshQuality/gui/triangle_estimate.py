@@ -24,7 +24,7 @@ class _Moment:
 
     def __init__(self, work):
         self._work = work
-        self._result = None  # of the work, once it has been computed
+        self._result = None  # the result of the work, once it has been computed
 
     def _for_a_moment(self, progress):
         """The result of the work, or None."""
@@ -43,14 +43,14 @@ class _Moment:
             return None
 
     def result_of(self, work, progress):
-        """The result of other work on any thread: that of the trial where it is the same work."""
+        """The result of any work, on any thread: the trial's result if its work is the same."""
         same = self._result is not None and self._work.values == work.values \
             and self._work.fingerprint == work.fingerprint
         return self._result if same else work.result(progress)
 
 
 class Trial(_Moment):
-    """That of a quality mesh; where a moment does not suffice, the same with a limit on the number of triangles.
+    """The trial of a quality mesh; where a moment does not suffice, with a limit on the number of triangles.
 
     kind, sources, values   of the work
     obj                     the document object that is edited, or None
@@ -80,13 +80,13 @@ class Trial(_Moment):
 
     @staticmethod
     def words(trials):
-        """What is said of the triangles of all of these trials, {} for their number."""
+        """The text on the triangles of all of these trials, with {} for their number."""
         return translate("MeshQuality", "{} triangles") if all(trial.complete for trial in trials) \
             else translate("MeshQuality", "More than {} triangles")
 
 
 class FemTrial(_Moment):
-    """That of a FEM mesh; where a moment does not suffice, the number that its longest edge lets expect."""
+    """The trial of a FEM mesh; where a moment does not suffice, the number of elements is estimated from its longest edge."""
 
     def __init__(self, kind, sources, values, obj=None):
         super().__init__(kind.work_on(sources, values, obj))
@@ -94,7 +94,9 @@ class FemTrial(_Moment):
         self.count, self.complete, self.length = 0, False, 0.0
 
     def compute(self, progress):
-        """Fills `count`, `complete`, whether that is exact, and `length`, that of the longest edges; on any thread."""
+        """Fills `count`, `complete`, whether the count is exact, and `length`, the length of the longest edges; on any
+        thread.
+        """
         self._result = self._for_a_moment(progress)
         self.complete = self._result is not None
         self.length, _ = fem_size.longest_edge(self._shape, self._values)
@@ -108,7 +110,7 @@ class FemTrial(_Moment):
 
     @staticmethod
     def words(trials):
-        """What is said of the elements of all of these trials, {} for their number."""
+        """The text on the elements of all of these trials, with {} for their number."""
         text = translate("MeshQuality", "{} elements, with edges up to {}") if all(trial.complete for trial in trials) \
             else translate("MeshQuality", "About {} elements, with edges up to {}")
         return text.format("{}", length_text(max(trial.length for trial in trials)))

@@ -89,7 +89,7 @@ class Hidden:
             _set_visible(obj, False)
 
     def end(self):
-        """What is still there is seen again."""
+        """Objects that still exist are shown again."""
         for obj in self._objects:
             if obj in obj.Document.Objects:
                 _set_visible(obj, True)

@@ -22,12 +22,12 @@ OVERLAPS = ("refuse", "allow")
 OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
 BOOLEAN_METHODS = ("default", "exact", "uniform")
 
-# The bound on the distance is one choice with one value: DISTANCE are the two options that give it.
+# The bound on the distance is given by one of two options.
 DISTANCE = ("chord_height", "chord_height_relative")
-MUST_BE_GIVEN = "must be given"  # what an option is unset without which there is no operation
-NO_BOUND = "none"  # chord_height that says there is none
+MUST_BE_GIVEN = "must be given"  # the text for a required option that is unset
+NO_BOUND = "none"  # the value of chord_height for no bound
 RELATIVE, ABSOLUTE, UNBOUNDED = "Relative", "Absolute", "None"
-BOUNDS = (RELATIVE, ABSOLUTE, UNBOUNDED)  # of the property DistanceBound
+BOUNDS = (RELATIVE, ABSOLUTE, UNBOUNDED)  # values of the property DistanceBound
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ class Option:
 
     @property
     def property_choices(self):
-        """What the property may be set to: the older names of choices, too."""
+        """The values that the property accepts, with older names of choices."""
         return [*self.choices, *self.choice_aliases]
 
     @property
@@ -121,7 +121,7 @@ class Option:
 
     @property
     def property_help(self):
-        """What the property says of itself."""
+        """The description of the property."""
         told = self.default is not None or self.is_distance or self.is_sizes or self.is_faces or self.is_required
         return self.help if told else f"{self.help}; 0: {self.unset}"
 
@@ -132,12 +132,12 @@ class Option:
 
     @property
     def alias_flag(self):
-        """The same of its alias."""
+        """The name of its alias on the command line."""
         return _flag(self.alias)
 
     @property
     def range_text(self):
-        """What values are allowed, in words."""
+        """The allowed values, in words."""
         if self.choices:
             return Text(phrases.ONE_OF, list=", ".join(self.choices))
         if self.kind is bool:
@@ -225,7 +225,7 @@ def _plain_number(value, option):
             return option.kind(value)
     except OverflowError:  # a whole number beyond the largest float
         return math.inf
-    except (TypeError, ValueError):  # of a type that says it is a number
+    except (TypeError, ValueError):  # the type calls itself a number
         pass
     raise InvalidInput(Text(phrases.NOT_A_WHOLE_NUMBER if option.kind is int else phrases.NOT_A_NUMBER,
                             option=option.name, value=repr(value), range=option.range_text))
@@ -425,7 +425,7 @@ CURVE_PRESETS = (
     _fineness("Coarse", 0.03, order=2), _fineness("Medium", 0.01, order=2),
     _fineness("Fine", 0.005, order=3), _fineness("Very fine", 0.001, order=3),
 )
-FIRST_PRESET = "Medium"  # where nothing was chosen yet
+FIRST_PRESET = "Medium"  # the preset before any choice
 
 
 def check(table, values):
@@ -512,9 +512,7 @@ def merged(values, changes):
 
 
 def differing(values, known):
-    """Those of the checked `values` that are not `known`: merged(known, differing(values, known)) are
-    the same as `values`.
-    """
+    """The checked `values` that differ from `known`, so that merged(known, differing(values, known)) is `values`."""
     return {name: value for name, value in values.items()
             if value != known[name] and not (name in DISTANCE and value is None)}
 
@@ -578,8 +576,8 @@ def from_property(option, value):
 
 
 def bound_from_properties(bound, values):
-    """The two values of the bound on the distance from those of their properties: of which of BOUNDS
-    is chosen the other one has no effect.
+    """The two options of the bound on the distance from the values of their properties; `bound`, one
+    of BOUNDS, says which has an effect.
     """
     if bound not in BOUNDS:  # a script may give the property other choices
         raise InvalidInput(f"DistanceBound = {bound!r} is not allowed: it must be one of {', '.join(BOUNDS)}")

@@ -137,7 +137,7 @@ class Divider {
     }
 
   private:
-    /// What one thread divides: one triangle, or one cluster.
+    /// The task of one thread: to divide one triangle, or one cluster.
     struct Task {
         std::int32_t triangle;
         const std::vector<std::int32_t>* cluster;

@@ -41,8 +41,8 @@ std::vector<std::int32_t> PointTable::canonical(std::vector<std::int32_t> vertic
     std::vector<std::int32_t> order = std::move(vertices);
     order.resize(order.size() + constructed_.size());
     std::iota(order.end() - static_cast<std::ptrdiff_t>(constructed_.size()), order.end(), given_);
-    // Places along a direction across which no plane of a part is likely to lie: along an axis, all points of a face
-    // across it are in one place.
+    // Positions along a skew direction: along an axis, all points of a face perpendicular to it would have one
+    // position.
     const Vec3 skew(0.6086, 0.5257, 0.5943);
     std::vector<double> along(static_cast<std::size_t>(size()));
     double error = 0.0;
@@ -62,7 +62,8 @@ std::vector<std::int32_t> PointTable::canonical(std::vector<std::int32_t> vertic
     const double reach = 4.0 * error + 6.0 * std::numeric_limits<double>::epsilon() * largest;
     std::vector<std::int32_t> result(static_cast<std::size_t>(size()));
     std::iota(result.begin(), result.end(), 0);
-    // Each is compared with the first of those that coincide: points through which many planes pass are many.
+    // Each point is compared with the first of a set of coinciding points only, since such sets are large where many
+    // planes meet.
     std::vector<char> found(order.size(), 0);
     std::vector<std::int32_t> same;
     for (std::size_t i = 0; i < order.size(); ++i) {

@@ -26,7 +26,7 @@ class About {
     }
 
   private:
-    /// A face's plane, the axis along which it is seen, and the turn of (low, high, apex) so seen.
+    /// A face's plane, the axis along which it is seen, and the orientation of (low, high, apex) seen along it.
     struct HalfPlane {
         PlanePoints plane;
         int axis = 0;

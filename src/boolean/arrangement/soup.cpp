@@ -13,7 +13,7 @@ namespace mq::boolean {
 
 namespace {
 
-/// The closed boxes common to two operands each.
+/// The intersections of the closed boxes of any two operands.
 std::vector<Box> meeting_boxes(const std::vector<Box>& boxes) {
     std::vector<Box> found;
     for (std::size_t a = 0; a < boxes.size(); ++a) {

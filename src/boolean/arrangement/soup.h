@@ -16,7 +16,7 @@ using mesh::Triangle;
 struct Source {
     std::int32_t operand = -1;
     std::int32_t triangle = -1;
-    std::int32_t moved_from = -1;  ///< the triangle of which it was made, also where its corners were moved since
+    std::int32_t moved_from = -1;  ///< the triangle of which it was made, even if its corners were moved since
 };
 
 /// The triangles of all operands in one list. Operands are closed and oriented; they may cross themselves.
@@ -25,8 +25,7 @@ struct Soup {
     std::vector<Triangle> triangles;
     std::vector<Source> source;  ///< origin of each triangle; triangle -1 where corners are not those of the operand's
     std::vector<char> moved;  ///< for each vertex whether it was moved from the operand's place; empty: none is moved
-    /// For each vertex whether several vertices of one operand were merged into it, as of sheets that touch; empty:
-    /// none.
+    /// For each vertex whether several vertices of one operand were merged into it, as where sheets touch; empty: none.
     std::vector<char> shared;
     int operands = 0;
 };
@@ -38,7 +37,7 @@ struct CoincidentTriangle {
     int turn = 1;
 };
 
-/// Marks the triangles with moved vertices as no operand's own.
+/// Sets the source triangle of triangles with moved vertices to -1.
 void forget_moved_triangles(Soup& soup);
 
 /// The box of each operand's triangles.
@@ -48,15 +47,15 @@ std::vector<Box> operand_boxes(const Soup& soup);
 /// @param boxes  that contain the operands
 void merge_vertices(Soup& soup, const std::vector<Box>& boxes);
 
-/// Does the same for all vertices.
+/// Gives all vertices in the same place the lowest of their indices.
 void merge_all_vertices(Soup& soup);
 
-/// Does the same for the vertices of the pairs of triangles given, wherever they are.
+/// Gives vertices of these pairs of triangles that are in the same place the lowest of their indices.
 void merge_touching(Soup& soup, const std::vector<std::array<std::int32_t, 2>>& pairs);
 
 /// Triangles with the same three vertices, whatever their order: all but the first of each set.
 std::vector<CoincidentTriangle> find_twins(const Soup& soup);
-/// The same among some triangles only.
+/// Likewise, but searches only the triangles `among`.
 std::vector<CoincidentTriangle> find_twins(const Soup& soup, const std::vector<std::int32_t>& among);
 
 }  // namespace mq::boolean

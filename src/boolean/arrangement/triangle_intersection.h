@@ -11,7 +11,7 @@
 
 namespace mq::boolean {
 
-/// A piece of the line in which another triangle meets the one that holds it.
+/// A piece of the line in which a triangle meets another one.
 struct Segment {
     std::int32_t from = -1;   ///< point
     std::int32_t to = -1;     ///< point

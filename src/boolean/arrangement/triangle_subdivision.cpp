@@ -106,7 +106,7 @@ class Division {
         if (local_.count(point) == 0) {
             const int added = local(point);
             const int at = plane_.insert(added);
-            local_[point] = at;  // another point may have been in the place
+            local_[point] = at;  // the point in this place: an earlier one, if there is one
         }
     }
 
@@ -155,8 +155,8 @@ class Division {
 
     void put_on_edge(std::int32_t point, std::int32_t edge) { edges_at_[point].push_back(edge); }
 
-    /// Whether an edge that is there already, of the triangle or of the cluster, holds both points: where a triangle
-    /// that stands on the plane meets it along its own edge.
+    /// Whether both points lie on one edge of the triangle or of the cluster: the segment between them is a piece of it
+    /// already.
     bool on_common_edge(std::int32_t a, std::int32_t b) const {
         const auto at_a = edges_at_.find(a);
         const auto at_b = edges_at_.find(b);

@@ -30,7 +30,7 @@ struct FaceDivision {
 FaceDivision divide_triangle(const Soup& soup, std::int32_t triangle, const Incidences& found, const PointTable& points,
                              const Progress* progress);
 
-/// Divides triangles of one plane together, so that where they overlap they have the same pieces.
+/// Divides triangles of one plane together, so that they have the same pieces where they overlap.
 FaceDivision divide_cluster(const Soup& soup, const std::vector<std::int32_t>& triangles, const Incidences& found,
                             const PointTable& points, const Progress* progress);
 

@@ -310,7 +310,8 @@ int orient2d(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r, int 
     const double area = ax * by - ay * bx;
     const double size = std::max(largest(ax, ay, bx), std::abs(by));
     const double error = std::max({p.error(), q.error(), r.error()});
-    // Each difference has an error of at most 2 errors and a rounding, multiplied by the other factor, at most `size`.
+    // Each difference has the errors of two coordinates and one rounding, and is multiplied by a factor of at most
+    // `size`.
     if (std::abs(area) > 10.0 * error * (size + error) + 8.0 * kEpsilon * size * size) {
         return area > 0.0 ? 1 : -1;
     }

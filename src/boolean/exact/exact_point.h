@@ -20,8 +20,7 @@ PlanePoints standing_plane(const Vec3& from, const Vec3& to, int axis);
 /// Predicates first try the nearest doubles with a static filter. Those of a constructed point come from its
 /// construction in double-double arithmetic with a forward error bound; its homogeneous coordinates as exact expansions
 /// are computed when a predicate first needs them, or at once where the bound does not suffice. A constructed point
-/// whose coordinates are doubles, as all of boxes along the axes are, is kept as if it were given. Threads may share
-/// points.
+/// whose coordinates are doubles, as for axis-parallel boxes, is kept as if it were given. Threads may share points.
 class ExactPoint {
   public:
     explicit ExactPoint(const Vec3& given) : approx_(given) {}

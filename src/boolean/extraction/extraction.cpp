@@ -107,8 +107,8 @@ class FanOpener {
         sort_radially(points_, edge[0], edge[1], around);
         wedges_.emplace_back();
         for (std::size_t i = 0; i < around.size(); ++i) {
-            // A face that runs up has its front, the outside, on the counter-clockwise side, one that runs down the
-            // material.
+            // A face that runs up has the outside on its counter-clockwise side; a face that runs down has the material
+            // there.
             if (!around[i].runs_up) {
                 const RadialFace& beyond = around[(i + 1) % around.size()];
                 const auto one = static_cast<std::size_t>(around[i].face);
@@ -216,7 +216,7 @@ std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrange
     for (const std::int32_t f : kept) {
         const Face& face = arrangement.faces[static_cast<std::size_t>(f)];
         const std::int32_t own = soup.source[static_cast<std::size_t>(face.source)].operand;
-        // An edge to a point where sheets meet may have several of them, too, of which not all are kept.
+        // Several sheets may also meet along an edge to a point where sheets meet, and not all of them are kept.
         const bool beside_shared = std::any_of(face.points.begin(), face.points.end(), [&](std::int32_t p) {
             return marked(soup.shared, arrangement.points, p);
         });

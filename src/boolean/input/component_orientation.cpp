@@ -48,7 +48,7 @@ class Enclosure {
     }
 
   private:
-    /// A point outside of everything, for each attempt in another direction that no axis, grid or diagonal has.
+    /// A point outside of all components: for each attempt in another direction, which no axis, grid or diagonal has.
     Vec3 far_point(int attempt) const {
         const Box box = tree_.box();
         const std::array<double, 3>& d = kIrregular[attempt];

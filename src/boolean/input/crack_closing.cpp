@@ -100,8 +100,8 @@ class CrackClosing {
     Vec3 edge(std::int32_t corner) const { return draft_.vertices[draft_.head(corner)] - draft_.point(corner); }
 
     /// Whether the triangles of two border edges of different components face each other across a crack: the edges run
-    /// along each other, and the triangles continue each other's orientation, or do not lie on one another. A solid in
-    /// a solid, open at the same place, is none.
+    /// along each other, in opposite directions or else with triangles that do not lie on one another. A solid nested
+    /// in another one, both open at one place, makes no crack.
     bool face_each_other(std::int32_t h, std::int32_t g) const {
         if (component_of_[h / 3] == component_of_[g / 3]) {
             return false;

@@ -74,7 +74,7 @@ class HoleClosing {
                 visited[h] = 1;
                 place[draft_.tail(h)] = path.size();
                 path.push_back(h);
-                const std::int32_t next = next_on_border(h);  // before a border of two edges may close here
+                const std::int32_t next = next_on_border(h);  // read first, as closing a border of two edges changes it
                 const auto met = place.find(draft_.head(h));
                 if (met != place.end()) {
                     const auto first = path.begin() + static_cast<std::ptrdiff_t>(met->second);

@@ -75,7 +75,7 @@ void pair_and_orient(OperandMesh& draft);
 /// @throws InvalidInput for an open surface.
 void close_holes(OperandMesh& draft, const Progress* progress);
 
-/// Gives each fan of triangles at a vertex a vertex of its own, so that indices alone tell the neighbours.
+/// Gives each fan of triangles at a vertex a vertex of its own, so that indices alone determine the neighbours.
 void split_fans(OperandMesh& draft);
 
 /// Reverses components whose orientation contradicts the components around them. A component with negative volume that
@@ -83,8 +83,7 @@ void split_fans(OperandMesh& draft);
 /// @return the number of components
 std::size_t orient_to_bound_volume(OperandMesh& draft);
 
-/// Reverses components with a border of which more area has, by rays that count the triangles, the inside in front of
-/// it than behind it.
+/// Reverses open components if most of their area has the inside in front of it, by rays that count the triangles.
 void orient_open_sheets(OperandMesh& draft, const Progress* progress);
 
 }  // namespace mq::boolean

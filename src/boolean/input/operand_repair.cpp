@@ -401,9 +401,9 @@ Operand prepare_open_operand(const mesh::TriangleMesh& mesh, const std::string& 
         orient_to_bound_volume(turned);
         orient_open_sheets(turned, progress);
         draft = std::move(turned);
-        draft.repairs.nonmanifold_edges = 0;  // no edges are separated there
+        draft.repairs.nonmanifold_edges = 0;  // open operands keep nonmanifold edges
     } catch (const OpenOperand&) {
-        check_cancelled(progress);  // a one-sided surface: its triangles keep their orientation
+        check_cancelled(progress);  // a one-sided surface keeps the orientation of its triangles
     }
     return operand_of(draft, mesh);
 }

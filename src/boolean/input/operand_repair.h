@@ -74,9 +74,9 @@ std::string operand_name(std::size_t index, std::size_t count);
 Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, double reach = 0.0,
                         const Progress* progress = nullptr, bool oriented = false);
 
-/// What can be made of an operand that prepare_operand refuses as open: equal vertices welded, triangles without area
-/// and all but one of those on the same vertices removed, neighbours turned alike unless the surface has one side only,
-/// and each open sheet turned with the side out from which rays leave the operand. It is not closed.
+/// Repairs an operand that prepare_operand refuses as open, and leaves it open. Welds equal vertices, removes
+/// degenerate and duplicate triangles, orients neighbours alike unless the surface is one-sided, and turns each open
+/// sheet so that rays leave the operand on its outside.
 /// @throws InvalidInput, Cancelled as prepare_operand
 Operand prepare_open_operand(const mesh::TriangleMesh& mesh, const std::string& name,
                              const Progress* progress = nullptr);

@@ -83,7 +83,7 @@ class Expression {
 /// that it passes costs no more than the operations whose result changes.
 class Membership {
   public:
-    /// @param expression is referred to
+    /// @param expression must outlive this object
     explicit Membership(const Expression& expression);
 
     void set(std::size_t operand, bool inside);

@@ -18,14 +18,13 @@ struct InputTuning {
     /// Cosine of about 32 degrees. Edges along a crack make at most this angle with each other; triangles around it
     /// that are nearer to each other, and turn the same side out, lie on one another.
     MESHQUALITY_TUNED(double, kCrackCosine, 0.85);
-    /// An open component is closed only if the area to be added is at most this fraction of its own: a box without
-    /// its lid (0.2) and most of a sphere are, half a sphere (0.5) and a sheet (1) are not. Of a dome as open as this,
-    /// the winding number (Jacobson 2013) inside is 0.78 in the mean.
+    /// An open component is closed only if the area to be added is at most this fraction of its own: a box without its
+    /// lid (0.2) and most of a sphere are, half a sphere (0.5) and a sheet (1) are not. The mean winding number
+    /// (Jacobson 2013) inside a dome as open as this is 0.78.
     MESHQUALITY_TUNED(double, kLargestFilledShare, 1.0 / 3.0);
     /// A component is a sheet, which bounds nothing, if the area that would close it is at least this fraction of its
-    /// own
-    /// area: the winding number of such a dome is 0.6 in the mean, that of a plane sheet 0.5. Sheets are left out if
-    /// together they have at most half of the operand's area. For layered depth images it is the guessed area.
+    /// own area: the mean winding number inside such a dome is 0.6, beside a plane sheet 0.5. Sheets are left out if
+    /// together they have at most half of the operand's area (for layered depth images, of the guessed area).
     MESHQUALITY_TUNED(double, kLeastSheetShare, 0.8);
     /// Other components that cannot be closed are left out if together they have at most this fraction of the operand's
     /// area; components attached to the rest along edges of three or more triangles (inner walls, fins) are treated as

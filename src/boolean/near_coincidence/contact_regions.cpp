@@ -139,7 +139,7 @@ class FarSides {
 struct Region {
     std::vector<const FacingPair*> pairs;
 
-    /// Whether the share of its area is within a distance.
+    /// Whether kContactShare of the region's area is within a distance.
     bool is_within(double distance) const {
         double sum = 0.0;
         for (const FacingPair* pair : pairs) {
@@ -147,7 +147,7 @@ struct Region {
         }
         return sum >= NearCoincidenceTuning::kContactShare * area();
     }
-    /// The distance within which the share of its area is, mm. Sorts the pairs by their largest distance.
+    /// The distance, mm, within which kContactShare of the region's area is. Sorts the pairs by their largest distance.
     double gap() {
         std::sort(pairs.begin(), pairs.end(), [](const FacingPair* a, const FacingPair* b) {
             return std::pair(a->overlap.worst, a) < std::pair(b->overlap.worst, b);
@@ -166,7 +166,7 @@ struct Region {
         return std::accumulate(pairs.begin(), pairs.end(), 0.0,
                                [](double sum, const FacingPair* pair) { return sum + pair->overlap.area; });
     }
-    /// A lower bound of its length, mm.
+    /// A lower bound of the region's length, mm.
     double length() const {
         Box box;
         for (const FacingPair* pair : pairs) {
@@ -177,7 +177,7 @@ struct Region {
 };
 
 /// Pairs of the same two operands and the same side, joined by common triangles to regions.
-/// @param last  for each triangle of the soup -1, then and now
+/// @param last  for each triangle of the soup -1, before and after the call
 std::vector<Region> regions_of(const FacingPair* begin, const FacingPair* end, std::vector<std::int32_t>& last) {
     const auto size = static_cast<std::size_t>(end - begin);
     DisjointSets<std::int32_t> sets(size);

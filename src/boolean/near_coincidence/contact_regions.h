@@ -25,11 +25,11 @@ struct ContactFace {
 /// the operands, then of the triangles. Faces in one plane, and twins, have heights of 0.
 ///
 /// Surfaces that cross at a small angle, or touch in a point, are within the tolerance of each other, too: in a strip
-/// or a disc. How its area grows with the distance tells them from a common face: that of a strip or a disc is
-/// proportional to the distance, that of a common face stays. So pairs of triangles that face each other within twice
-/// the tolerance are joined to regions, and a region is a common face if nine tenths of its area are within the
-/// tolerance, and if it is at least eight times as wide as its gap. Of it those pairs count whose gap is at most four
-/// times as large as that of nine tenths: not those of a rounding beside a plane face, which moves away from it.
+/// or a disc. The area within a distance tells them from a common face: that of a strip or a disc is proportional to
+/// the distance, that of a common face is constant. So pairs of triangles that face each other within twice the
+/// tolerance are joined to regions, and a region is a common face if nine tenths of its area are within the tolerance,
+/// and if it is at least eight times as wide as its gap. A pair of the region counts if its gap is at most four times
+/// the gap within which nine tenths of the area are; so the pairs of a fillet beside a plane face are left out.
 ///
 /// Where a wall is thinner than the tolerance both of its sides are near the other surface: the nearer one counts.
 /// @param search  with a reach of at least twice the tolerance

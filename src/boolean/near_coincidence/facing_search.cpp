@@ -10,7 +10,7 @@ namespace mq::boolean {
 
 namespace {
 
-/// Triangles near those of other operands: at least all that are within `reach` of one.
+/// A superset of the triangles within `reach` of a triangle of another operand.
 std::vector<std::int32_t> near_other_operands(const Soup& soup, mesh::AabbTree& all, double reach,
                                               const Progress& progress) {
     std::vector<std::int32_t> operand;

@@ -47,15 +47,15 @@ struct BoundingCircle {
     double radius = 0.0;
 };
 
-/// Finds triangles of different operands that face each other. The soup is referred to.
+/// Finds triangles of different operands that face each other. The soup must outlive it.
 class FacingSearch {
   public:
     /// @param all    a tree over the triangles of the soup, in any frame; its groups are set
-    /// @param reach  mm, at least as much as is asked for later
+    /// @param reach  mm, at least the largest one of later searches
     /// @throws Cancelled
     FacingSearch(const Soup& soup, mesh::AabbTree& all, double reach, const Progress& progress);
 
-    /// Triangles near those of other operands: at least all that are within the reach of one; in ascending order.
+    /// A superset of the triangles within the reach of a triangle of another operand, ascending.
     const std::vector<std::int32_t>& near() const { return near_; }
 
     /// visit(earlier, overlap) for each triangle of an earlier operand that a triangle faces.

@@ -42,11 +42,11 @@ int offset_sign(const Expression& expression, std::int32_t earlier, std::int32_t
     return 0;
 }
 
-/// A displacement d is to fulfil direction.dot(d) >= least.
+/// The constraint direction.dot(d) >= least on a displacement d.
 struct HalfSpace {
     Vec3 direction = Vec3::Zero();
     double least = 0.0;
-    int rank = 0;  ///< if not all half-spaces can be kept, those with lower ranks are
+    int rank = 0;  ///< if not all constraints can be met, those with lower ranks are
 };
 
 /// The shortest displacement in some half-spaces. Of least length under linear constraints, it is the least solution of
@@ -54,8 +54,8 @@ struct HalfSpace {
 /// 1992).
 class ShortestDisplacement {
   public:
-    /// Takes the half-space farthest from being kept to those that hold the solution, until all are kept: the length
-    /// grows with each.
+    /// Adds the most violated half-space to the active ones until none is violated: each addition lengthens the
+    /// solution.
     /// @return nothing if no displacement is in all of them
     static std::optional<Vec3> in(const std::vector<HalfSpace>& spaces) {
         ShortestDisplacement solver(spaces);
@@ -93,7 +93,7 @@ class ShortestDisplacement {
         return worst;
     }
 
-    /// The best solution with one more half-space beside those that hold the present one.
+    /// Makes one more half-space active and finds the best solution.
     bool add(std::size_t added) {
         held_.push_back(added);
         std::optional<Vec3> best;
@@ -148,7 +148,7 @@ class ShortestDisplacement {
     std::vector<std::size_t> held_;
 };
 
-/// The planes that the vertices of the operands leave.
+/// The planes beyond which the vertices of the operands have to move.
 class PlanesToLeave {
   public:
     PlanesToLeave(const Soup& soup, const Expression& expression, const OverlapOptions& options)
@@ -162,9 +162,9 @@ class PlanesToLeave {
             return;
         }
         const Vec3 direction = -way * unit_normal(soup_, earlier);
-        // A gap remains between bodies that should be joined if their faces look at each other, and a film between
-        // bodies that should be parted if their faces look the same way. In the other cases a face inside of the other
-        // body only stays visible.
+        // If the vertices stay, a gap remains between bodies to be joined whose faces look at each other, and a film
+        // between bodies to be separated whose faces look the same way. In the other cases only a face inside of the
+        // other body remains.
         const bool tells = overlap.same_side == (way < 0);
         const int rank = (beside ? 2 : 0) + (tells ? 0 : 1);
         const double gap = options_.clearance + (way > 0 ? overlap.high : -overlap.low);
@@ -211,7 +211,7 @@ class PlanesToLeave {
         for (const HalfSpace& space : spaces) {
             kept.push_back(space);
             const std::optional<Vec3> way = ShortestDisplacement::in(kept);
-            // Displacements that join or part bodies may be twice the tolerance long, at corners of three faces.
+            // Displacements that join or separate bodies may be twice the tolerance long, at corners of three faces.
             if (way && way->norm() <= (space.rank == 0 ? 2.0 : 1.0) * options_.tolerance) {
                 result = way;
             } else {

@@ -17,7 +17,7 @@ struct NearCoincidence {
 };
 
 struct OverlapOptions {
-    /// mm, the largest displacement; twice this where it joins or parts bodies, as in a corner of three faces
+    /// mm, the largest displacement; twice this where it joins or separates bodies, as in a corner of three faces
     double tolerance = 0.0;
     /// mm: distance by which a common face of the later operand is moved beyond that of the earlier one; larger than
     /// the moves of rounding
@@ -27,16 +27,16 @@ struct OverlapOptions {
 /// Whether these triangles lie on each other within the tolerance only, and not exactly.
 bool differs(const ContactFace& face);
 
-/// Makes of faces that nearly coincide such as cross nowhere: the vertices of the later operand's move beyond the faces
-/// of the earlier one, whichever way leaves these whole (the rule of Remark 3 in Wang 2010 for tangential contact, for
-/// areas). In a union they go into the material of the earlier operand, so that the bodies are joined and no film is
-/// left between them; in an intersection and a difference, out of it.
+/// Moves faces that nearly coincide so that they no longer cross: the vertices of the later operand move beyond the
+/// faces of the earlier one, to the side that keeps these faces whole in the result (the rule of Remark 3 in Wang 2010
+/// for tangential contact, for areas). In a union they move into the material of the earlier operand, which joins the
+/// bodies without a film; in an intersection and a difference, out of it.
 ///
-/// A vertex takes the shortest way that leaves the planes of all faces on which its triangles lie, each by as much as
-/// the pair needs: a quadratic programme in three variables. Planes of other faces are no constraint, so that a side of
-/// a body stays in its place while its base is moved along it; but planes of the common face, or in one plane with the
-/// triangle, on which it lies only after the move are left as well. Where not all can be left, those that join or part
-/// bodies come first. A vertex whose way is longer than the tolerance allows stays.
+/// The displacement of a vertex is the shortest one beyond the planes of all faces on which its triangles lie, each by
+/// the distance that the pair needs: a quadratic programme in three variables. Planes of other faces are no constraint,
+/// so that the sides of a body stay while its base moves along them, unless they belong to the common face or are
+/// coplanar with a triangle that meets them after the move. If not all constraints can be met, those that join or
+/// separate bodies come first. A vertex whose displacement would be longer than the tolerance allows stays.
 ///
 /// Faces that coincide exactly are left alone, unless a vertex of them moves: the arrangement knows them. Nothing is
 /// moved for a symmetric difference.
@@ -46,7 +46,7 @@ NearCoincidence overlap_contacts(Soup& soup, const FacingSearch& search, const E
                                  const Progress& progress);
 
 /// Puts vertices back where displacements left a triangle without area.
-/// @param before  where the vertices were
+/// @param before  positions of the vertices before the displacements
 void undo_degenerate_moves(Soup& soup, const std::vector<Vec3>& before);
 
 }  // namespace mq::boolean

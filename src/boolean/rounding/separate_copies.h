@@ -7,9 +7,9 @@
 
 namespace mq::boolean {
 
-/// Moves all but the first copy of each point in which regions of the result touch into their own material, so that the
-/// regions no longer touch: against the normals around them or, in a thin wedge, whose normals cancel each other, along
-/// its edges, which cuts its tip off. The triangles around them are then no operand's own.
+/// Separates regions of the result that touch in points: moves all but the first copy of each such point into the
+/// material of its region, against the normals there or, in a thin wedge, whose normals cancel each other, along the
+/// edges of the wedge. The triangles at moved copies lose their source.
 ///
 /// @param distance  mm; a copy moves less where its shortest edge is below ten times that
 /// @param least     mm; no copy moves less than this

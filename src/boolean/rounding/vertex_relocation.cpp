@@ -250,7 +250,7 @@ class VertexRelocation {
         return std::any_of(groups.begin(), groups.end(), [&](const Group& group) { return move(group, ways); });
     }
 
-    /// Moves a group where that leaves fewest faults, if fewer than now.
+    /// Moves a group to the position with the fewest faults, if these are fewer than now.
     bool move(const Group& group, const std::vector<Vec3>& ways) {
         if (stuck(group)) {
             return false;

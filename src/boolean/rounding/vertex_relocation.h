@@ -24,8 +24,8 @@ struct EmbeddingFaults {
     std::vector<std::int32_t> flat;                     ///< triangles without area, ascending
     /// Whether a piece of the surface may have turned inside out, or come into or out of another one.
     bool may_have_turned = false;
-    /// Whether there are more faults than triangles, and than RoundingTuning::kTangle: no work on them is known to
-    /// help, and not all of them were looked for.
+    /// Whether there are more faults than triangles and than RoundingTuning::kTangle: no repair is known to help, and
+    /// the search did not list all faults.
     bool is_tangle = false;
     std::size_t size() const { return contacts.size() + flat.size(); }
 };

@@ -233,7 +233,7 @@ class Elements {
 
     const std::vector<Vec3>& nodes_;
     const std::vector<SolidBlock>& blocks_;
-    std::vector<std::pair<std::size_t, std::size_t>> place_;  // block, and the index of its first node
+    std::vector<std::pair<std::size_t, std::size_t>> place_;  // by element: its block, and the index of its first node
     std::vector<Vec3> ends_;
     std::vector<mesh::Triangle> boxes_;
     Box all_;

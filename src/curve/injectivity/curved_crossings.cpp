@@ -20,7 +20,7 @@ std::vector<Pair> candidates(const SurfacePatches& patches, const Progress* prog
     // Tasks of the traversal: several for each thread, so that all threads end at about the same time.
     constexpr std::size_t kTasks = 64;
     std::vector<Vec3> ends;
-    std::vector<mesh::Triangle> boxes;  // triangles whose boxes are those between two points
+    std::vector<mesh::Triangle> boxes;  // degenerate triangles with the boxes of the patches
     std::vector<Pair> pairs;
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(patches.size()); ++t) {
         Box box;

@@ -36,8 +36,8 @@ struct CurvedCrossings {
     /// `kLeastPiece` of the mesh's size; or the proof needs more comparisons than `kMostPiecePairs` (patch_pair.h) or
     /// the remaining effort allow.
     std::vector<std::pair<std::int32_t, std::int32_t>> not_proven;
-    /// Pairs of different bodies that are proven to touch only: a plane has the two sides on its two sides, up to 1e-9
-    /// of the mesh's size. Bodies are connected by edges of exactly two triangles.
+    /// Pairs of different bodies that are proven to touch only: a plane separates the two sides, up to 1e-9 of the
+    /// mesh's size. Bodies are connected by edges of exactly two triangles.
     std::vector<std::pair<std::int32_t, std::int32_t>> touching;
     std::size_t compared = 0;  ///< pairs whose bounding boxes meet
     std::size_t given_up = 0;  ///< pairs in `not_proven` for which no effort was left
@@ -51,7 +51,7 @@ struct CurvedCrossings {
 /// @throws Cancelled.
 CurvedCrossings curved_crossings(const CurvedMesh& mesh, Progress* progress = nullptr,
                                  const CrossingEffort& effort = {});
-/// The same for sides of elements of any kinds and orders. The pairs contain the numbers of sides.
+/// Compares sides of elements of any kinds and orders. The pairs contain the numbers of sides.
 CurvedCrossings curved_crossings(const SurfacePatches& patches, Progress* progress = nullptr,
                                  const CrossingEffort& effort = {});
 

@@ -102,7 +102,7 @@ void SurfacePatches::add(const SideBlock& block, const std::vector<std::int32_t>
 /// Sides belong to one body if edges of exactly two sides connect them. If bodies lie on each other, their common edges
 /// have four sides.
 void SurfacePatches::find_bodies(const std::vector<SideBlock>& blocks) {
-    std::vector<std::array<std::int32_t, 3>> edges;  // two corners, and a side
+    std::vector<std::array<std::int32_t, 3>> edges;  // the two corners of an edge, and the side that has it
     std::size_t t = 0;
     for (const SideBlock& block : blocks) {
         const bool halved = block.kind == ElementKind::Quadrilateral;

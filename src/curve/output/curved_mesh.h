@@ -113,7 +113,8 @@ void classify_on_original_entities(CurvedMesh& mesh, const geometry::Topology& t
 /// @throws InvalidInput naming the list that is wrong.
 void require_sound(const CurvedMesh& mesh);
 
-/// The mesh as writers see it, with its patches; without any each face is one by its own name, as are edges and solids.
+/// The mesh as writers see it, grouped by its patches or, without patches, by CAD face; edges and solids are groups by
+/// name.
 /// @throws InvalidInput where there is not one patch for each triangle
 mesh::ExportMesh exported(const CurvedMesh& mesh, const mesh::Patches& patches = {}, double scale = 1.0);
 

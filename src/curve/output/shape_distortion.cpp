@@ -41,8 +41,9 @@ double weighed(double, double jacobian) {
     return std::copysign(6.0 * std::cbrt(2.0 * jacobian * jacobian), jacobian);
 }
 
-/// Polynomials on the same lattice that are nowhere larger than `weighed`: the normal along its mean direction, and the
-/// chord of a function that is concave between the least and the largest Jacobian.
+/// Coefficients of a polynomial on the same lattice that is nowhere larger than `weighed`: for a normal, its component
+/// along the mean direction; for a Jacobian, the chord between its least and largest value, below the concave
+/// `weighed`.
 void lower_bounds(const std::vector<Vec3>& normal, double rounding, std::vector<double>& bounds) {
     Vec3 sum = Vec3::Zero();
     for (const Vec3& c : normal) {
@@ -74,7 +75,7 @@ class ShapeSearch {
     ShapeSearch(const Lattice& lattice, double rounding)
         : lattice_(lattice), rounding_(rounding), bounds_(static_cast<std::size_t>(lattice.size())) {}
 
-    /// @return 1 / it; infinite where it is not proven to be positive.
+    /// @return the reciprocal of the least 1 / eta; infinite where that is not proven to be positive.
     double inverse_of_least(std::vector<TetrahedralMesh> volume, std::vector<double> stretch) {
         push({0.0, 0, std::move(volume), std::move(stretch)});
         while (high_ > 0.0 && queue_.top().low < (1.0 - kDistortionAccuracy) * high_ && serial_ < kMaxPieces) {

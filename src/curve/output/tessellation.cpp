@@ -87,7 +87,8 @@ Vec3 polar(const Lattice& lattice, const std::vector<Vec3>& control, const Argum
     return points[0];
 }
 
-/// Whether both points lie on one side of the curved triangle. Halving and thirds keep zeros.
+/// Whether both points lie on one side of the curved triangle. Coordinates of 0 stay exactly 0 when edges are halved
+/// and centroids are taken.
 bool on_side(const Barycentric& a, const Barycentric& b) {
     return (a[0] == 0.0 && b[0] == 0.0) || (a[1] == 0.0 && b[1] == 0.0) || (a[2] == 0.0 && b[2] == 0.0);
 }
@@ -223,7 +224,7 @@ class Tessellator {
         control_ = nodes_to_bezier(lattice_, nodes_);
     }
 
-    /// Control points of the triangle, its corners as vertices of the result.
+    /// Reads the control points of the triangle, and makes its corners vertices of the result.
     void read_control() {
         read_nodes();
         for (std::size_t i = 0; i < 3; ++i) {

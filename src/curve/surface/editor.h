@@ -31,8 +31,8 @@ class SurfaceEditor {
     double length(int a, int b) const;
     /// Root mean square of the distances of the triangles from their CAD faces, mm.
     double rms_deviation(const std::vector<int>& triangles);
-    /// The root mean square deviation of the surface at the first call, before shapes were given up, mm: repairs are
-    /// measured against it. On large surfaces a sample of the triangles is measured.
+    /// The root mean square deviation of the surface at the first call, before any shape was given up, mm: the
+    /// reference for repairs. On large surfaces a sample of the triangles is measured.
     double plain_deviation();
     const Vec3& point(int v) const { return surface.shapes.vertices[static_cast<std::size_t>(v)].point; }
     const SurfaceTriangle& triangle(int t) const { return surface.triangles[static_cast<std::size_t>(t)]; }
@@ -59,10 +59,9 @@ bool collapse_surface_edge(SurfaceEditor& editor, int a, int b, SurfaceEditor::R
 /// vertex a. Its nodes stay on the face.
 bool curve_face_edge(SurfaceEditor& editor, int a, int b, int c);
 
-/// Puts the nodes of the mesh edges of `triangle` that lie inside its face at even (u, v), or those of all triangles at
-/// its corners. The image of a triangle with
-/// straight edges in (u, v) never folds over its face, and elements of high order come near to it: narrow strips
-/// between curved CAD edges need it, where edges that are projected bend less than these.
+/// Puts the nodes of the mesh edges of `triangle` inside its face at even (u, v), or also those of all triangles at its
+/// corners. A triangle with straight edges in (u, v) never folds over its face, and elements of high order come near to
+/// it. Narrow strips between curved CAD edges need this, as projected edges bend less than the CAD edges.
 /// @return whether fewer triangles are invalid, or the worst is better; else nothing is changed.
 bool follow_parameters(SurfaceEditor& editor, int triangle);
 

@@ -129,7 +129,7 @@ std::vector<Placement::Gaps> Placement::segment_gaps(const std::vector<EdgeTask>
 std::vector<Answer> Placement::at_even_lengths(const std::vector<EdgeTask>& tasks, std::vector<Query>& points) {
     const auto per = static_cast<std::size_t>(surface_.shapes.order() - 1);
     const auto segment = [&](std::size_t i) { return *surface_.segment(tasks[i / per].a, tasks[i / per].b); };
-    std::vector<std::pair<double, double>> between;  // parameters of less length than wanted, and of more
+    std::vector<std::pair<double, double>> between;  // bracket of each node's parameter
     for (std::size_t i = 0; i < points.size(); ++i) {
         between.emplace_back(segment(i).t_low, segment(i).t_high);
     }

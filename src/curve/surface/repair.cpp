@@ -314,14 +314,14 @@ class Repair {
         return {v[at], v[(at + 1) % 3]};
     }
 
-    /// The edge with the largest such deviation; the longest where all edges are straight.
+    /// The edge with the largest deviation relative to the triangle's height; the longest where all edges are straight.
     std::pair<int, int> edge_to_split(const std::array<int, 3>& v) const {
         const Bulge bulge = most_bulging(v);
         return bulge.ratio > SurfaceTuning::kBulges ? bulge.edge : longest(v);
     }
 
-    /// The edge with the largest such deviation of the triangle or of its neighbours: a triangle may be folded by an
-    /// edge of its neighbour behind which its vertices lie.
+    /// The edge to split of the triangle and of its neighbours on the face: a triangle may be folded by an edge of its
+    /// neighbour behind which its vertices lie.
     std::pair<int, int> edge_to_split_around(int t) const {
         const SurfaceTriangle& bad = editor_.triangle(t);
         Bulge most = most_bulging(bad.corners);

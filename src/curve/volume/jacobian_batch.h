@@ -60,7 +60,7 @@ class JacobianBatch {
 
     int degree_;
     std::vector<Term> first_;   // products of two derivatives
-    std::vector<Term> second_;  // products of the third with the cross product of those
+    std::vector<Term> second_;  // products of the third derivative with the cross product of the first two
     /// By direction and coefficient of a derivative: the control points whose difference it is.
     std::array<std::vector<std::pair<std::size_t, std::size_t>>, 3> ends_;
     std::array<std::vector<LaneVector>, 3> derivatives_;

@@ -56,7 +56,7 @@ class Repair {
 
     /// From this round on the topology may change, and inner vertices of bad elements may move: the mesher knew only
     /// the straight surface, and may have put them between it and the curved one. Orders above 2 have one more round
-    /// before.
+    /// before it.
     int moving_round() const { return volume_.shapes().order() > 2 ? 2 : 1; }
 
     int invalid() const { return static_cast<int>(volume_.invalid()); }

@@ -26,10 +26,10 @@ struct VolumeRepairs {
 ///
 /// First the elements that no curving can help, because three edges on the surface meet in one of their corners nearly
 /// in a plane: swaps, then splits. Then the bad ones with the layers around them form patches, whose inner edges and
-/// faces are curved. Elements that are bad after that are swapped, collapsed or split, and curved again. What failed is
-/// not tried again while its neighbours are the same, so that the work is in proportion to the bad elements.
-/// Tetrahedra on folded triangles of the surface are left alone, as nothing inside can make them valid. Valid ones keep
-/// their corners where the scope says so.
+/// faces are curved. Elements that are bad after that are swapped, collapsed or split, and curved again. A failed
+/// repair is not tried again while the neighbours are the same, so that the work is proportional to the number of bad
+/// elements. Tetrahedra on folded triangles of the surface are left alone, as nothing inside can make them valid. Valid
+/// ones keep their corners where the scope says so.
 VolumeRepairs repair_volume(TetrahedralMesh& volume, const Progress& progress, RepairScope scope = RepairScope::Poor);
 
 }  // namespace mq::curve

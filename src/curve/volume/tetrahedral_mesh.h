@@ -47,9 +47,9 @@ class TetrahedralMesh {
     double straight_jacobian(const std::array<int, 4>& corners) const;
     /// 1 for the regular tetrahedron, 0 for a flat one, negative for an inverted one.
     double straight_shape(const std::array<int, 4>& corners) const;
-    /// J that an element is to have: that of the straight tetrahedron, or if this is flat, that of one with the same
-    /// sum of squared edges and the mean ratio from which elements are not flat. Relative to its own J a flat element
-    /// would outweigh all others.
+    /// The target of an element's J: J of the straight tetrahedron or, if this is flat, of one with the same sum of
+    /// squared edges and the least mean ratio that is not flat. Relative to its own J a flat element would outweigh all
+    /// others.
     double reference_jacobian(const std::array<int, 4>& corners) const;
     bool curved(const std::array<int, 4>& corners) const;
 
@@ -78,7 +78,7 @@ class FoldedTriangles {
   public:
     explicit FoldedTriangles(const CurvedSurface& surface);
 
-    /// Whether a face of the tetrahedron is one of them.
+    /// Whether a face of the tetrahedron is an invalid triangle of the surface.
     bool has_face_of(const std::array<int, 4>& corners) const;
 
   private:

@@ -197,7 +197,7 @@ class Objective {
     }
 
     /// A coefficient depends on the control points next to it; where all those are fixed nothing can change it.
-    /// Elements without any that can be changed are left out.
+    /// Elements without coefficients that can be changed are left out.
     void find_movable() {
         const int points = patch_.lattice().size();
         std::vector<std::vector<std::size_t>> dependent(at(points));
@@ -275,7 +275,7 @@ class Objective {
     std::vector<Lanes> least_;
     std::size_t at_once_ = 1;                    // batches
     std::vector<Workspace> workspaces_;          // by thread
-    std::vector<double> sums_;                   // by batch of those that are summed in parallel
+    std::vector<double> sums_;                   // by batch among those that are summed in parallel
     std::vector<std::vector<Vec3>> by_control_;  // likewise, by element
 };
 

@@ -15,9 +15,9 @@ namespace mq::curve {
 ///
 /// The objective is the sum over the coefficients B (relative to that J) of log^2((B - b) / (1 - b)) + (B
 /// - 1)^2, whose barrier b lies below the least coefficient and moves up with it (Toulorge, Geuzaine, Remacle,
-/// Lambrechts 2013); minimised by the limited-memory BFGS method. Unlike there each element has a barrier of its own:
-/// one that cannot become valid keeps no others back, and no valid one becomes invalid. As the coefficients bound the
-/// Jacobian, an element whose coefficients end above zero is proven valid.
+/// Lambrechts 2013); minimised by the limited-memory BFGS method. Unlike there each element has its own barrier: an
+/// element that cannot become valid does not hold back others, and no valid element becomes invalid. As the
+/// coefficients bound the Jacobian, an element whose coefficients end above zero is proven valid.
 /// @return the number of Jacobians evaluated, which measures the work.
 /// @throws Cancelled
 std::size_t untangle(UntanglingPatch& patch, double target, const Progress& progress);

@@ -9,7 +9,7 @@ namespace mq::curve {
 
 void relocate_vertex(VolumeEditor& editor, int p, const std::vector<std::array<int, 4>>& star, double size) {
     Vec3& point = editor.volume.shapes().vertices[static_cast<std::size_t>(p)].point;
-    // The value at the present place; where it is at most `best`, any value up to that.
+    // The value at the present place; if it does not exceed `best`, an upper bound of it that does not either.
     const auto value = [&](double best) {
         double flat = 1.0;
         for (const auto& corners : star) {

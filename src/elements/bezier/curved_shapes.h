@@ -44,7 +44,7 @@ class CurvedShapes {
 
     /// The inner control points of face (a, b, c), in the order of the triangle lattice on these corners.
     void set_face(const std::array<int, 3>& corners, const std::vector<Vec3>& inner);
-    /// Likewise, from all control points of the triangle, of which the inner ones are kept.
+    /// Sets them by all control points of the triangle, of which it keeps the inner ones.
     void set_inside(const std::array<int, 3>& corners, const std::vector<Vec3>& control);
     void forget_face(const std::array<int, 3>& corners);
     bool has_face(const std::array<int, 3>& corners) const;

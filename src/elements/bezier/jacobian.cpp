@@ -71,7 +71,8 @@ JacobianForm jacobian_by_nodes(const Lattice& lattice, const std::vector<Vec3>& 
         side = std::max(side, longest(derivative(lattice, control, k)));
     }
     // Nodes are off by less than four units in the last place, and control points by at most 3^q times as much: the
-    // norm of interpolation at even nodes is less than that at orders 2 to 5. A derivative has q times two of them.
+    // norm of interpolation at even nodes is less than that at orders 2 to 5. A derivative has q times the errors of
+    // two control points.
     const int q = lattice.degree();
     const double point = std::pow(3.0, q) * 4.0 * std::numeric_limits<double>::epsilon() * far;
     form.rounding += 3.0 * (2.0 * q * point) * side * side;

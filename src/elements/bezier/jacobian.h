@@ -25,8 +25,8 @@ using NormalForm = BernsteinForm<Vec3>;
 /// box product of the three derivatives (equation (6)). Six times the volume where the element is straight.
 JacobianForm jacobian_of(const Lattice& lattice, const std::vector<Vec3>& control);
 
-/// The same for an element that is kept by its nodes: `rounding` bounds what rounding them to double precision can
-/// change, too, so that what is positive stays so for whoever reads the nodes.
+/// jacobian_of() for an element stored by its nodes: `rounding` also bounds the effect of rounding the nodes to double
+/// precision, so that J stays positive for whoever reads the nodes.
 JacobianForm jacobian_by_nodes(const Lattice& lattice, const std::vector<Vec3>& control);
 
 /// The Jacobian at one point.

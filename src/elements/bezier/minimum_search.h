@@ -41,8 +41,8 @@ class MinimumSearch {
 
     const ProductLattice& lattice_;
     double rounding_;
-    /// Bound of the error that one halving adds to each coefficient: each is the mean of two numbers up to as many
-    /// times as the highest degree, each time rounded by half a unit in the last place.
+    /// Bound of the error that one halving adds to a coefficient: it is made by as many means as the highest degree,
+    /// each of two numbers and rounded by half a unit in the last place.
     double halving_rounding_;
     int serial_ = 0;
     double high_ = std::numeric_limits<double>::infinity();

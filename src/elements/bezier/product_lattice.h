@@ -23,7 +23,7 @@ class ProductLattice {
     using Indices = std::array<int, 3>;
 
     explicit ProductLattice(std::vector<Factor> factors);
-    /// That of one factor, from a table.
+    /// The lattice on one simplex, from a table.
     static const ProductLattice& simplex(int dimension, int degree);
 
     int factors() const { return static_cast<int>(factors_.size()); }
@@ -45,7 +45,8 @@ class ProductLattice {
     /// The corners of the domain, and which corner of each factor they are.
     const std::vector<int>& corners() const { return corners_; }
     const Indices& corner_of_factors(int k) const { return corner_of_factors_[static_cast<std::size_t>(k)]; }
-    /// The largest number of means that a coefficient is made of when it is halved.
+    /// The largest degree on a factor: halving makes each coefficient by at most this number of means, one after
+    /// another.
     int highest_degree() const;
 
     /// The coefficients on the two halves that the middle of edge (a, b) of factor `f` makes.

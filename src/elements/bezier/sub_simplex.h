@@ -20,7 +20,7 @@ double squared_length(const SimplexPart& part, const std::pair<int, int>& edge);
 /// Whether a squared length exceeds another by more than rounding.
 bool is_longer(double squared, double than_squared);
 
-/// The corners at its ends, in barycentric coordinates; among edges that are equal but for rounding the first.
+/// The ends of the edge that is longest in barycentric coordinates; of edges equal up to rounding the first.
 std::pair<int, int> longest_edge(const SimplexPart& part, int dimension);
 
 /// The two halves that the middle of edge (a, b) makes: first the one that keeps corner a.

@@ -39,9 +39,9 @@ int corner_count(ElementKind kind) {
 
 /// Weights of the given nodes for all nodes of the full element, in Gmsh's order.
 ///
-/// The missing nodes are the middles of faces and of hexahedra. Where the polynomial of degree 2 along each axis has no
-/// term of degree 2 along more than one of them, its value in the middle is -1/4 of each corner and an equal share of
-/// the rest from each edge, of those that lie symmetrically about it.
+/// The missing nodes are the middles of faces and of hexahedra. A serendipity polynomial has no term of degree 2 along
+/// more than one axis: its value in a middle is the sum over the nodes symmetric about it, with weights of -1/4 for
+/// corners and equal weights for edge nodes, all adding up to 1.
 ExtendedMatrix completion(const std::vector<GridPoint>& points, int corners, int given) {
     const auto all = static_cast<int>(points.size());
     ExtendedMatrix weights = ExtendedMatrix::Zero(all, given);

@@ -22,8 +22,8 @@ std::vector<double> multinomials_of(const ProductLattice& lattice) {
     return all;
 }
 
-/// The nodes from their mean, in units of their largest distance from it: a power of two, so that this loses nothing.
-/// Returns that distance in these units.
+/// The nodes relative to their mean, in units of a power of two near their largest distance from it, so that scaling is
+/// exact. Returns the largest distance in these units.
 /// @param exponent  of the power of two
 double to_local(const std::vector<Vec3>& nodes, std::vector<Vec3>& local, int& exponent) {
     Vec3 mean = Vec3::Zero();

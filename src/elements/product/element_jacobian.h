@@ -18,8 +18,8 @@ class ElementJacobian {
     ElementJacobian(ElementKind kind, int order, int nodes);
 
     /// J of a solid element; of a surface element the component of the normal x_r x x_s along its mean in the element.
-    /// Either is up to a factor, which is positive and the same in all of the element. Nodes are taken as exact: the
-    /// bound of rounding covers all that is computed from them. Where that overflows, coefficients are not finite.
+    /// Both are multiplied by a positive constant. Nodes are taken as exact: the bound of rounding covers all that is
+    /// computed from them. Where that overflows, coefficients are not finite.
     JacobianForm of(const std::vector<Vec3>& nodes) const;
 
     /// The volume of a solid element: the integral of J over the reference element, negative where it is inverted.
@@ -38,7 +38,7 @@ class ElementJacobian {
     struct Product {
         ProductLattice lattice;
         std::vector<int> targets;
-        int terms = 0;  // in the longest sum
+        int terms = 0;  // number of terms in the longest sum
     };
     /// Vectors times multinomials, as one list for each coordinate.
     struct Field {
@@ -56,7 +56,7 @@ class ElementJacobian {
 
     ElementKind kind_;
     std::vector<Derivative> derivatives_;
-    std::vector<Product> products_;  // the product of the last two derivatives, then that of the first one and this
+    std::vector<Product> products_;  // for the last two derivatives, then for the first one and that product
     std::vector<double> multinomials_;
 };
 

@@ -30,7 +30,7 @@ Points corners_of(ElementKind kind, int n) {
     return {{0, 0, 0}, {n, 0, 0}, {n, n, 0}, {0, n, 0}, {0, 0, n}, {n, 0, n}, {n, n, n}, {0, n, n}};
 }
 
-/// The point `step` of `steps` along the way.
+/// Point `step` of the division of the segment into `steps` pieces.
 GridPoint along(const GridPoint& from, const GridPoint& to, int step, int steps) {
     GridPoint p{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -39,8 +39,8 @@ GridPoint along(const GridPoint& from, const GridPoint& to, int step, int steps)
     return p;
 }
 
-/// Corners of an element whose mean is its centre. The nodes inside are those of an element whose order is lower by
-/// their number; prisms have no such.
+/// Corners whose mean is the centre of an element; none for prisms. The inner nodes form an element whose order is
+/// lower by the number of these corners.
 const std::vector<std::size_t>& central_corners(ElementKind kind) {
     static const auto& corners = never_destroyed<std::array<std::vector<std::size_t>, 6>>(
         {{{0, 1, 2}, {0, 2}, {0, 1, 2, 3}, {0, 2, 4}, {}, {0, 6}}});

@@ -25,9 +25,9 @@ const ElementSides& sides_of(ElementKind kind);
 /// the inside each as an element of lower order. @throws InvalidInput for orders out of 1 to kMaxOrder.
 std::vector<GridPoint> gmsh_nodes(ElementKind kind, int order);
 
-/// The same of a line, triangle or tetrahedron of any order: entry i is the lattice point of Gmsh's node i.
+/// Gmsh's order of the nodes of a line, triangle or tetrahedron of any order: entry i is the lattice point of node i.
 const std::vector<int>& gmsh_order(const Lattice& lattice);
-/// The control points of such an element from its nodes in Gmsh's order, and back.
+/// The control points of a line, triangle or tetrahedron from its nodes in Gmsh's order, and back.
 std::vector<Vec3> gmsh_to_bezier(const Lattice& lattice, const std::vector<Vec3>& nodes);
 std::vector<Vec3> bezier_to_gmsh(const Lattice& lattice, const std::vector<Vec3>& control);
 /// VTK's order for its Lagrange cells; for order 2 also that of its quadratic cells.

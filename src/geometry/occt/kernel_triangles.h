@@ -17,7 +17,7 @@ struct KernelTriangles {
 };
 
 /// OpenCASCADE's triangulation of a face, which stores it; nothing where it finds none.
-/// @param distance  mm, asked for, but not always kept
+/// @param distance  mm, requested, but not always kept
 /// @throws GeometryError when the kernel fails
 KernelTriangles kernel_triangles(const TopoDS_Shape& face, double distance);
 

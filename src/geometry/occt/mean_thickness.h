@@ -7,7 +7,7 @@ class TopoDS_Shape;
 
 namespace mq::geometry {
 
-/// The mean thickness, 2 V / A, mm, of each solid, or of the shape where it has none; none of what has no volume.
+/// The mean thickness, 2 V / A, mm, of each solid, or of a shape without solids; solids without volume are left out.
 /// @throws GeometryError when the kernel fails
 std::vector<double> mean_thicknesses(const TopoDS_Shape& shape);
 

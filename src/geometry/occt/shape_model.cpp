@@ -177,7 +177,7 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     topology_.sewn = join.sew && topology_.detail > 0.0;
     if (topology_.sewn) {
         for (const int turned : join_loose_faces(topology_, live_, progress)) {
-            first_.forget_face(turned);  // it measured the size, and knows the former side
+            first_.forget_face(turned);  // it has cached the size and side of the former face
         }
     }
     check_cancelled(progress);

@@ -48,8 +48,8 @@ constexpr std::array<double, 8> kKronrod{0.022935322010529224963732008058970, 0.
 constexpr std::array<double, 4> kGauss{0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
                                        0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
 
-/// An integral, its error, that of the absolute value, which the error is held against, and that of the sizes of the
-/// terms of which the integrand is a sum: it is rounded by a fraction of these, also where they cancel.
+/// An integral and its error; the integral of the absolute value, relative to which the error is bounded; and that of
+/// the magnitudes of the integrand's terms, which bounds rounding even where the terms cancel.
 struct Integral {
     double value = 0.0;
     double error = 0.0;
@@ -64,10 +64,10 @@ struct Integral {
     }
 };
 
-/// The integrand at a place.
+/// The integrand at a point.
 struct Sample {
     double value = 0.0;
-    double terms = 0.0;  ///< the size of its terms
+    double terms = 0.0;  ///< sum of the magnitudes of its terms
 };
 
 template <typename Function>
@@ -95,8 +95,8 @@ Integral by_rule(const Function& f, double low, double high) {
 /// Fraction of the terms' size by which an integrand is rounded at most: no halving makes that less.
 constexpr double kIntegrandRounding = 0x1p-46;
 
-/// Halves the interval until the error is that fraction of the integral of the absolute value over the whole interval,
-/// or as small as rounding.
+/// Halves the interval until the error is at most `allowed` or, if `allowed` < 0, -`allowed` times the integral of the
+/// absolute value over the whole interval; or as small as rounding.
 template <typename Function>
 Integral adaptive(const Function& f, double low, double high, double allowed, int halvings) {
     const Integral whole = by_rule(f, low, high);
@@ -115,7 +115,7 @@ Integral adaptive(const Function& f, double low, double high, double allowed, in
 constexpr double kAccuracy = 1e-7;
 constexpr int kHalvings = 10;
 
-/// The numbers of `breaks` between two numbers, and these two.
+/// `low`, the numbers of `breaks` between `low` and `high`, and `high`.
 std::vector<double> pieces(const TColStd_Array1OfReal& breaks, double low, double high) {
     std::vector<double> found{low};
     for (int i = breaks.Lower(); i <= breaks.Upper(); ++i) {
@@ -165,8 +165,8 @@ class FaceFlux {
             const Integral across = over_u(at.X(), at.Y());
             inner_error = std::max(inner_error, across.error);
             rise = std::max(rise, std::abs(by_t.Y()));
-            // Along lines of the parameters (u, v) the range of the integral over u, or the derivative of v, is nothing
-            // but the rounding of coordinates as large as the face.
+            // Along parameter lines the range of the integral over u, or the derivative of v, is mere rounding of
+            // coordinates as large as the face.
             const double terms = across.of_terms + flux(at.X(), at.Y()).terms * (high_ - low_);
             return Sample{across.value * by_t.Y(), terms * by_t.Magnitude()};
         };
@@ -244,7 +244,8 @@ Integral volume_of(const TopoDS_Shape& solid, const Progress* progress) {
             sum += part;
         }
     }
-    // Faces meet within the tolerance of their edges: a gap as wide as that takes a cone from the middle to it.
+    // Faces meet within the tolerance of their edges: a gap as wide as the tolerance changes the volume by that of the
+    // cone from the middle over the gap.
     TopTools_IndexedMapOfShape edges;
     TopExp::MapShapes(solid, TopAbs_EDGE, edges);
     for (int i = 1; i <= edges.Extent(); ++i) {

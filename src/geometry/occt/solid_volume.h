@@ -9,7 +9,7 @@ namespace mq::geometry {
 
 struct SolidContent {
     double volume = 0.0;  ///< mm^3; 0 without a solid
-    double error = 0.0;   ///< mm^3: that of the integration, and of faces that meet within the tolerance of their edges
+    double error = 0.0;   ///< mm^3: by integration, and by faces that meet only within the tolerance of their edges
 };
 
 /// The volume of the solids of the shape, each solid once and also of those that are inside out. Integrated over their

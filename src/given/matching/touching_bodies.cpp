@@ -77,8 +77,8 @@ class Bodies {
         }
     }
 
-    /// The triangles in their order around the edge; of triangles that lie on each other those come first that close a
-    /// body.
+    /// The triangles in their order around the edge; among triangles that lie on each other those that close a body
+    /// come first.
     std::vector<Wing> wings_of(int low, int high, const std::uint32_t* first, const std::uint32_t* last) const {
         const Vec3 along = (at(high) - at(low)).normalized();
         Vec3 right = Vec3::Zero();

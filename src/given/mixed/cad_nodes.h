@@ -17,10 +17,10 @@ namespace mq::curve {
 struct CadFace {
     ElementKind kind = ElementKind::Triangle;
     std::vector<std::int32_t>
-        corners;    ///< outward of the element behind the face; of surfaces without solids in the given order
+        corners;    ///< outward from the element behind the face; in the given order if there are no solids
     int face = -1;  ///< the CAD face
     std::vector<int> triangles;  ///< in the matched surface: the face itself, or its two halves
-    std::int64_t element = -1;   ///< the element behind the face; of an interface the first of its two elements
+    std::int64_t element = -1;   ///< the element behind the face; at an interface the first of its two elements
 };
 
 /// A mixed mesh on the model: its simplices were matched, and its faces are found by them.

@@ -12,7 +12,7 @@ namespace mq::curve {
 /// Sherwin and Peiro (2015), for layers of any thickness.
 ///
 /// A whole row is one macro-element: its wall is curved, its top is straight or curved less, and it is linear from the
-/// wall to the top. Each side gets the fraction of the displacement that belongs to its own fractions of the height. So
+/// wall to the top. The displacement of a side is interpolated at the positions of its corners along their columns. So
 /// layers are pieces of the macro-element, and valid if it is. A row whose other end is inside of the mesh keeps the
 /// fraction `kept` of the displacement at that end: none if the row is high enough, more if the wall bends by more than
 /// a third of its height.

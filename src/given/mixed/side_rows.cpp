@@ -44,7 +44,8 @@ void measure(SideRow& row, const std::vector<Vec3>& nodes) {
     }
 }
 
-/// Keeps a row that has sides between its ends; of a row with both ends on the CAD one of the two directions.
+/// Keeps a row, unless both of its ends are on the CAD and it has no sides between them or is kept in the other
+/// direction.
 void keep(SideRow row, const std::vector<Vec3>& nodes, const OnCad& on_cad, std::vector<SideRow>& rows) {
     row.ends_on_cad = on_cad(row.sides.back());
     const Corners first = sorted(row.sides.front());

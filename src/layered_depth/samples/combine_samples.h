@@ -52,8 +52,8 @@ struct CombineOptions {
 CombinedSet combine(const OperandSet& set, std::vector<LayeredDepthSet> operands, const SampleGrid& grid,
                     const CombineOptions& options, const Progress* progress);
 
-/// The same for meshes, which are sampled a band of rays at a time. The samples of a band are released once they are
-/// combined, so that those of the operands take little memory. The result does not depend on the height of the bands.
+/// Samples and combines meshes, a band of rays at a time. The samples of a band are released once they are combined, so
+/// that the operands' samples take little memory. The result does not depend on the height of the bands.
 /// @param counts the number of samples of each triangle, to which the samples of these operands are added
 CombinedSet combine_meshes(const OperandSet& set, const SampleGrid& grid, const CombineOptions& options,
                            SampleCounts& counts, const Progress* progress, int rows_per_band = kRowsPerBand);

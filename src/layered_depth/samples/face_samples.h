@@ -32,11 +32,11 @@ struct FaceSampleCounts {
 ///
 /// The triangles determine which faces a ray meets and in which order (rasterise: consistent at edges, seams, vertices
 /// and poles without a tolerance). The new point is the intersection of the ray and the face's whole surface at which
-/// the ray enters or leaves the solid as at the triangle; of several the one nearest to the triangle. Planes,
-/// cylinders, cones, spheres and tori are solved in closed form, other surfaces by Newton's method from the parameters
-/// of the triangle's corners, all in parallel. A point farther from the triangle's plane than the mesh may deviate is
-/// refused, and the sample stays on the triangle. Then the rays are made consistent once more (restore_order,
-/// make_consistent).
+/// the ray enters or leaves the solid as at the triangle; if there are several, the one nearest to the triangle.
+/// Planes, cylinders, cones, spheres and tori are solved in closed form, other surfaces by Newton's method from the
+/// parameters of the triangle's corners, all in parallel. A point farther from the triangle's plane than the mesh may
+/// deviate is refused, and the sample stays on the triangle. Then the rays are made consistent once more
+/// (restore_order, make_consistent).
 /// @param origin of the frame of the operands in that of the model, mm
 /// @throws Cancelled
 void sample_faces(LayeredDepthSet& set, const OperandSet& pair, const SampleGrid& grid, const Vec3& origin,

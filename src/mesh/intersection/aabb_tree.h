@@ -37,13 +37,13 @@ class AabbTree {
     /// The box of all triangles, rounded outward; empty when there are none.
     Box box() const;
 
-    /// Groups of triangles of which no two need be reported as own pairs: the group of each triangle, -1 for none.
-    /// Pairs of one group may still be reported where its subtrees hold other groups too.
+    /// Sets the group of each triangle; -1: none. Pairs within a group need not be reported as own pairs, but may be
+    /// where a subtree contains several groups.
     void set_groups(const std::vector<std::int32_t>& group);
 
-    /// The triangles whose boxes come within a distance of that of a triangle of another group, at least; ascending.
-    /// Every triangle must have a group. The triangles of a leaf are taken together, and subtrees that are near as a
-    /// whole are not divided any more, so that n triangles in one place take n steps.
+    /// A superset of the triangles whose boxes are within a distance of the box of a triangle of another group;
+    /// ascending. Every triangle must have a group. Leaves and subtrees that are near as a whole are not divided, so
+    /// that n triangles in one place take n steps.
     /// @throws Cancelled
     std::vector<std::int32_t> near_other_groups(double distance, const Progress* progress) const;
 

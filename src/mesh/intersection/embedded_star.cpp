@@ -9,8 +9,8 @@
 namespace mq::mesh {
 namespace {
 
-/// Every vertex is as often a head as a tail, so that the link is made of closed walks. The rooms are for `count`
-/// vertices each.
+/// Whether every vertex is as often a head as a tail, so that the link consists of closed walks. `tails` and `heads`
+/// are buffers for `count` vertices each.
 bool is_closed(const StarSector* sectors, std::size_t count, std::int32_t* tails, std::int32_t* heads) {
     for (std::size_t i = 0; i < count; ++i) {
         tails[i] = sectors[i].from;
@@ -69,7 +69,7 @@ bool is_embedded(const StarSector* sectors, std::size_t count, std::int32_t* tai
     return is_closed(sectors, count, tails, heads) && turns_once(sectors, count, normal);
 }
 
-constexpr std::size_t kOnStack = 24;  // triangles of a star for which no memory is asked for
+constexpr std::size_t kOnStack = 24;  // triangles of a star without allocation of memory
 
 }  // namespace
 

@@ -26,7 +26,7 @@ struct StarSector {
 /// undecided. About 0.1 us for six triangles; O(n log n).
 bool embedded_star(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, VertexStars::Star star);
 
-/// The same for a star that is given by its `count` triangles.
+/// Likewise, for a star given by its `count` triangles.
 bool embedded_star(const StarSector* sectors, std::size_t count);
 
 }  // namespace mq::mesh

@@ -36,7 +36,7 @@ class Border {
     struct Edge {
         std::int32_t from;
         std::int32_t to;
-        std::int32_t next;  ///< the edge that follows
+        std::int32_t next;  ///< index of the next edge around the patch
     };
 
     Border(const std::vector<Vec3>& vertices, const View& view, std::vector<Edge>&& edges)

@@ -26,10 +26,10 @@ struct ContactPair {
 /// The value of a limit that lists all pairs.
 constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 
-/// The value of a limit for pairs that are only counted: a report that counts as many says that there are more.
+/// The limit for pairs that are only counted: a report with this count says "at least".
 constexpr std::size_t kMostCounted = 1'000'000;
 
-/// A search for contacts whose tree may be asked other things first. Vertices and triangles are referred to.
+/// A search for contacts whose tree also serves other queries. Vertices and triangles must outlive it.
 class SelfIntersectionSearch {
   public:
     /// @throws Cancelled

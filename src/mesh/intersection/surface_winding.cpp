@@ -15,8 +15,8 @@ namespace {
 /// Triangles at a distance of more than this many radii are summed as one: the neglected terms are of third order in
 /// its inverse.
 constexpr double kFar = 2.5;
-/// For bounds border edges are taken together from this many widths of their box on: what that adds to the bound is
-/// then a quarter of the sum of their parts at most.
+/// Bounds sum border edges as one at a distance of more than this many widths of their box: that adds at most a quarter
+/// of the sum of their single contributions.
 constexpr double kFarBorder = 4.0;
 constexpr double kWhole = 4.0 * M_PI;
 /// If the bound by area, times the size of the triangles, exceeds this, the bound by the border is computed as well.
@@ -207,7 +207,7 @@ Vec3 SurfaceWinding::gradient(const Vec3& p) const {
 
 double SurfaceWinding::steepest(const Vec3& p, double radius) const {
     const double by_border = steepest_by_border(p, radius);
-    // A single sheet is bounded well by its border; of many loose triangles the border is long, and its pieces
+    // The bound by the border is tight for a single sheet; the border of many loose triangles is long, and its pieces
     // cancel each other.
     return by_border > kLongBorder / tree_.box().largest_side() ? std::min(by_border, steepest_by_area(p, radius))
                                                                 : by_border;

@@ -9,7 +9,8 @@
 namespace mq::mesh {
 
 /// The generalised winding number of triangles that need not close (Jacobson, Kavan and Sorkine-Hornung 2013): their
-/// solid angle by 4 pi. It is 1 within a closed surface and 0 outside; across a hole it goes from 1 to 0 smoothly.
+/// solid angle divided by 4 pi. It is 1 within a closed surface and 0 outside; across a hole it goes from 1 to 0
+/// smoothly.
 ///
 /// Far triangles are taken together by the first three terms of the expansion of Barill, Dickson, Schmidt, Levin and
 /// Jacobson 2018, so that a value takes O(log n); it is within 0.003 of the sum over all triangles.
@@ -27,8 +28,8 @@ class SurfaceWinding {
     /// A bound of the length of the gradient in the ball around p, per mm; infinite where the border is in the ball.
     double steepest(const Vec3& p, double radius) const;
 
-    /// The edges (a, b, b) along which more triangles run one way than the other, directed as in these; one that has k
-    /// more of them occurs k times.
+    /// The border as degenerate triangles (a, b, b): each edge along which k more triangles run from a to b than from b
+    /// to a occurs k times.
     const std::vector<Triangle>& border() const { return border_; }
     const AabbTree& tree() const { return tree_; }
 

@@ -19,8 +19,8 @@ enum class Contact {
 /// (The test for interiors is that of Guigue and Devillers 2003.)
 Contact contact(const std::vector<Vec3>& vertices, const Triangle& p, const Triangle& q);
 
-/// Whether it is certain that two triangles have no point in common: one of seven directions in or across the plane of
-/// the first parts their corners, with a margin for rounding. False means undecided.
+/// Whether it is certain that two triangles have no point in common: their corners are separated along one of seven
+/// directions in or across the plane of the first, with a margin for rounding. False means undecided.
 bool certainly_apart(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q);
 
 }  // namespace mq::mesh

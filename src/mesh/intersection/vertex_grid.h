@@ -43,8 +43,8 @@ class VertexGrid {
 
     std::size_t size() const { return static_cast<std::size_t>(side_[0]) * side_[1] * side_[2]; }
 
-    /// use(cell) for each cell of the box of a triangle. False when that has more than `most`, or as soon as `use` says
-    /// so. A triangle beside the grid's box has no cells.
+    /// use(cell) for each cell of the box of a triangle. False if the box has more than `most` cells, or as soon as
+    /// `use` returns false. A triangle beside the grid's box has no cells.
     template <typename Use>
     bool visit(const Triangle& t, int most, const Use& use) const {
         std::array<int, 3> low;

@@ -8,7 +8,7 @@
 
 namespace mq::mesh {
 
-/// A kind of elements with a number of nodes, and what formats call it; 0 or "": the format does not hold it.
+/// A kind of elements with a number of nodes, and its number or name in each format; 0 or "": the format lacks it.
 struct ElementType {
     /// Orders of the nodes of order 2: by place in the file the place in Gmsh's order, as digits and then letters.
     /// Empty: Gmsh's own.
@@ -31,7 +31,7 @@ struct ElementType {
     NodeOrders orders{};
 };
 
-/// All that there are, those of Gmsh: up to order 5, and those of order 2 without nodes on faces.
+/// All types of elements, which are Gmsh's up to order 5 and its serendipity elements of order 2.
 const std::vector<ElementType>& element_types();
 
 /// @throws InvalidInput for one that is not in the table

@@ -158,7 +158,7 @@ void set_groups(ExportMesh& mesh, const std::vector<NamedRows>& groups) {
         block.group.assign(block.size(), 0);
     }
     mesh.sets = {{}};
-    std::map<std::int32_t, std::int32_t> with;  // by set: the one with the group besides
+    std::map<std::int32_t, std::int32_t> with;  // by set: the set with this group added
     for (const auto& [name, parts] : groups) {
         const auto number = static_cast<std::int32_t>(mesh.groups[2].size());
         mesh.groups[2].push_back({name});

@@ -23,7 +23,7 @@ struct Group {
 struct Patches {
     std::vector<Group> groups;
     std::vector<std::int32_t> of_triangle;
-    /// Whether they were asked for. Where not, formats that can do without names are written without.
+    /// Whether patches were requested. If not, formats that can be written without names get none.
     bool given = false;
 };
 
@@ -33,7 +33,7 @@ struct Elements {
     std::vector<std::int32_t> nodes;    ///< flat, `type->nodes` numbers an element
     std::vector<std::int32_t> entity;   ///< the CAD entity of each, -1: none; empty when the mesh has no CAD
     std::vector<std::int32_t> group;    ///< index into the groups of the dimension, or into ExportMesh::sets
-    std::vector<std::size_t> lagrange;  ///< order of the nodes in VTK's Lagrange cells, as in ElementType::orders
+    std::vector<std::size_t> lagrange;  ///< node order of VTK's Lagrange cells, as in ElementType::orders
 
     std::size_t size() const { return nodes.size() / type->nodes; }
     const std::int32_t* of(std::size_t k) const { return nodes.data() + k * type->nodes; }
@@ -45,7 +45,7 @@ struct NumberedElements {
     std::size_t first;
 };
 
-/// How many there are in all blocks.
+/// The number of elements in all blocks.
 inline std::size_t count_of(const std::vector<NumberedElements>& blocks) {
     return blocks.empty() ? 0 : blocks.back().first - 1 + blocks.back().elements->size();
 }
@@ -66,13 +66,13 @@ struct ExportMesh {
     double scale = 1.0;       ///< factor of the file's coordinates: 0.001 makes metres of mm
     std::vector<Vec3> nodes;  ///< mm, relative to origin
     std::vector<VertexEntity> node_entity;
-    bool nodes_by_entity = false;  ///< whether formats with CAD entities list each node with its own, of any dimension
+    bool nodes_by_entity = false;  ///< whether formats with CAD entities list a node with the entity on which it lies
     std::vector<Elements> blocks;
     std::array<std::vector<Group>, 4> groups;  ///< by dimension; those of dimension 0 are not used
     bool patches_given = false;                ///< Patches::given
-    /// For a mesh from elsewhere, whose groups have elements of any dimension, and whose elements may be in several
-    /// groups or in none: sets of groups, which Elements::group are indices of. The groups of all dimensions are the
-    /// same then. Empty: each element is in one group of its dimension.
+    /// Sets of groups, to which Elements::group are indices, for the mesh of another program: there an element may be
+    /// in several groups or in none, groups have elements of any dimension, and `groups` is the same for all
+    /// dimensions. Empty: each element is in one group of its dimension.
     std::vector<std::vector<std::int32_t>> sets;
 
     /// The node as it stands in the file.
@@ -83,17 +83,17 @@ struct ExportMesh {
     /// The triangles of a mesh of triangles.
     const Elements& triangles() const { return blocks.front(); }
     const std::vector<Group>& patches() const { return groups[2]; }
-    /// The number from 0 of the first group that an element is in; -1: it is in none.
+    /// The index of the first group of an element; -1: it is in no group.
     std::int32_t first_group(const Elements& block, std::size_t k) const {
         const Indices all = groups_of(block, k);
         return all.first == all.last ? -1 : *all.first;
     }
-    /// All that an element is in.
+    /// The indices of all groups of an element.
     Indices groups_of(const Elements& block, std::size_t k) const;
     /// The blocks of these dimensions, numbered from one to the next.
     std::vector<NumberedElements> numbered(int lowest, int highest = 3) const;
-    /// The lowest dimension of the elements in a format that has such of `below` dimensions less than the highest one.
-    /// Formats of solvers have no lines on CAD edges, but those of a mesh from elsewhere.
+    /// The lowest dimension of elements to be written, where a format allows `below` less than the highest one. Lines
+    /// on CAD edges are not written to formats of solvers; lines of another program's mesh are.
     int lowest(int below) const { return is_given() ? std::max(1, dimension() - below) : 2; }
 };
 
@@ -101,29 +101,29 @@ struct ExportMesh {
 struct Members {
     std::string name;
     std::vector<std::pair<const NumberedElements*, std::int32_t>> elements;
-    std::vector<std::int32_t> nodes;  ///< all of its elements that are not volumes, ascending
+    std::vector<std::int32_t> nodes;  ///< ascending: of its elements that are not volumes
 };
 
-/// The elements of these blocks by the first group that each is in; of a mesh from elsewhere without groups that have
-/// none, and with those in none as "others" at the end.
+/// The elements of these blocks by their first groups; those without a group form "others" at the end. For the mesh of
+/// another program empty groups are left out.
 std::vector<Members> divided(const ExportMesh& mesh, const std::vector<NumberedElements>& numbered);
 
-/// The groups of faces, then those of volumes; of a mesh from elsewhere all of them.
+/// The groups of faces, then those of volumes; for the mesh of another program all groups.
 std::vector<Members> members_of(const ExportMesh& mesh, const std::vector<NumberedElements>& numbered);
 
-/// The numbers of properties, from 1, by which solvers know groups: each element has that of its first one. Those of a
-/// mesh from elsewhere are the ones that elements have.
+/// Property numbers, from 1, by which solvers know groups: an element has the number of its first group. For the mesh
+/// of another program only groups that are the first of some element are numbered.
 class Properties {
   public:
     Properties(const ExportMesh& mesh, const std::vector<NumberedElements>& blocks);
     std::size_t of(const Elements& block, std::size_t k) const { return number_[slot_of(block, k)]; }
-    const std::vector<std::string>& names() const { return names_; }  ///< that of number 1 first
+    const std::vector<std::string>& names() const { return names_; }  ///< entry i is property i + 1
 
   private:
     std::size_t slot_of(const Elements& block, std::size_t k) const;
 
     const ExportMesh& mesh_;
-    std::vector<std::size_t> number_;  ///< by slot: groups of lines, lines in none, the same of faces and of solids
+    std::vector<std::size_t> number_;  ///< by slot: groups of lines, lines without a group; likewise faces and solids
     std::vector<std::string> names_;
 };
 
@@ -131,11 +131,11 @@ class Properties {
 /// @throws InvalidInput for a mesh that require_valid refuses, and for patches that do not fit it
 ExportMesh exported(const TriangleMesh& mesh, const Patches& patches = {}, double scale = 1.0);
 
-/// Puts the patches into a mesh whose triangles, the last block of dimension 2, are all but named.
+/// Names the patches of the triangles, the last block of dimension 2, in a mesh that is complete but for these names.
 /// @throws InvalidInput where they do not fit
 void set_patches(ExportMesh& mesh, const Patches& patches);
 
-/// Names the groups of a mesh from elsewhere, which is all but that.
+/// Names the groups of the mesh of another program, which is complete but for these names.
 /// @param groups  the names, each with rows of blocks: (index of the block, elements of it)
 /// @throws std::out_of_range for blocks and rows that there are not
 using NamedRows = std::pair<std::string, std::vector<std::pair<std::size_t, std::vector<std::int32_t>>>>;

@@ -16,7 +16,7 @@ namespace mq::mesh {
 
 namespace {
 
-/// How a format is written, and which elements it holds: those with a number or name there.
+/// The writer of a format, and the types of elements that it can write: those with a number or name in it.
 struct Format {
     const char* name;
     void (*write)(Output&, const ExportMesh&);
@@ -32,7 +32,7 @@ constexpr auto has_unv = [](const ElementType& type) { return type.unv > 0; };
 constexpr auto has_nastran = [](const ElementType& type) { return !type.nastran.empty(); };
 constexpr auto has_abaqus = [](const ElementType& type) { return !type.abaqus.empty(); };
 
-/// The writers by extension. The first ones can do without patches.
+/// The writers by extension. The first kPlain ones do not need patches.
 constexpr std::size_t kPlain = 6;
 constexpr std::array<Format, 17> kFormats{{{"stl", to_stl, is_flat},
                                            {"ply", to_ply, is_flat},

@@ -16,8 +16,8 @@ namespace mq::mesh {
 /// @throws IoError naming the path.
 void write(const TriangleMesh& mesh, const std::string& path);
 
-/// Writes a mesh in one of the formats, named as extensions without the full stop: the above, and those that need what
-/// an ExportMesh has besides, such as "su2" or "inp". `ascii` chooses the text form of "stl".
+/// Writes a mesh in one of the formats, named as extensions without the full stop: the above, and formats that need
+/// groups or other elements, such as "su2" or "inp". `ascii` chooses the text form of "stl".
 /// @throws IoError naming the path, and for a format that is not known here
 /// @throws InvalidInput where the format does not know elements of the order
 void write(const ExportMesh& mesh, const std::string& path, const std::string& format, bool ascii = false);
@@ -25,7 +25,7 @@ void write(const ExportMesh& mesh, const std::string& path, const std::string& f
 /// A format that holds elements of several types.
 struct ElementFormat {
     std::string name;
-    int below = 0;  ///< by how much dimensions of its elements may be lower than the highest; what is lower is left out
+    int below = 0;  ///< how far below the highest dimension its elements may be; lower ones are left out
     std::vector<const ElementType*> types;
 };
 

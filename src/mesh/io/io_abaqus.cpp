@@ -95,7 +95,7 @@ void append_elements(Output& out, const ExportMesh& mesh, const std::vector<Numb
     }
 }
 
-/// A side by what tells it from others: its lowest three corners, and how many it has.
+/// The key of a side: its lowest three corners, and the number of its corners.
 using Side = std::array<std::int32_t, 4>;
 
 Side side_of(const std::int32_t* nodes, std::string_view corners) {

@@ -9,7 +9,7 @@ namespace mq::mesh {
 
 namespace {
 
-/// One entity of a Gmsh file: what lies on a CAD entity, or a piece of it that is in other groups.
+/// One entity of a Gmsh file: the elements on a CAD entity, or those of them that are in the same other groups.
 struct Entity {
     std::vector<std::int32_t> groups;  ///< numbers of physical groups, from 1
     std::vector<std::int32_t> nodes;
@@ -19,7 +19,8 @@ struct Entity {
 
 using Tag = std::pair<int, int>;  ///< dimension, and number from 1
 
-/// The entities by Gmsh's tags: the CAD entity's number from 1. Elements without one share the tag after the last one.
+/// The entities by Gmsh's tags: the CAD entity's number from 1. Elements without CAD entity share the tag after the
+/// last.
 class Entities {
   public:
     Entities(const ExportMesh& mesh, const std::vector<NumberedElements>& blocks) : mesh_(mesh) {
@@ -59,7 +60,7 @@ class Entities {
     }
 
   private:
-    /// Whether the groups of the mesh are the physical ones; else each CAD entity is one.
+    /// Whether the mesh's groups become physical groups; else each CAD entity becomes one.
     bool has_groups(int dimension) const { return mesh_.is_given() || (dimension == 2 && mesh_.patches_given); }
 
     void add(const NumberedElements& block) {
@@ -95,8 +96,8 @@ class Entities {
         }
     }
 
-    /// What is in one group, or in the same ones. What is in others than the first element of a CAD entity is an entity
-    /// of its own, after all others.
+    /// The Gmsh entity of the elements of a CAD entity in the same groups. Elements in other groups than the first
+    /// element of the CAD entity form entities of their own, with tags after all others.
     Entity& piece(const Tag& tag, std::int32_t group) {
         if (group == first_group_.try_emplace(tag, group).first->second) {
             return all_[tag];
@@ -107,7 +108,8 @@ class Entities {
         return all_[{tag.first, unknown_[static_cast<std::size_t>(tag.first)] + 1 + found->second}];
     }
 
-    /// The entity of a node. One without elements is a group as well, but not a vertex or a face in no patch.
+    /// The entity of a node. An entity without elements is also a physical group, unless it is a vertex, or groups are
+    /// those of the mesh.
     Entity& at(const Tag& tag) {
         const auto [found, is_new] = all_.try_emplace(tag);
         if (is_new && tag.first > 0 && !has_groups(tag.first)) {
@@ -196,7 +198,7 @@ void to_msh(Output& out, const ExportMesh& mesh) {
     }
     out += "$EndNodes\n";
     begin("Elements", pieces, count_of(blocks));
-    std::size_t next = 1;  // by CAD entities; in other meshes elements keep their numbers
+    std::size_t next = 1;  // number of the next element, by CAD entities; elements of other meshes keep their numbers
     for (const auto& [tag, entity] : entities) {
         for (const auto& [block, rows] : entity.elements) {
             const ElementType& type = *block->elements->type;

@@ -110,7 +110,7 @@ void append_cells(Output& out, const std::vector<NumberedElements>& blocks) {
     out += "</Cells>\n";
 }
 
-/// The CAD entity of each cell, and its patch where these were given; of a mesh from elsewhere its first group.
+/// The CAD entity of each cell, and its patch if patches were given; for the mesh of another program its first group.
 void append_cell_data(Output& out, const ExportMesh& mesh, const std::vector<NumberedElements>& blocks) {
     std::vector<std::int32_t> entities, groups;
     for (const auto& [block, first] : blocks) {
@@ -140,7 +140,8 @@ void append_cell_data(Output& out, const ExportMesh& mesh, const std::vector<Num
 
 }  // namespace
 
-// Cells of the highest dimension, of a mesh from elsewhere all. Orders of nodes are those of version 2.2.
+// Writes the cells of the highest dimension; for the mesh of another program all cells. Orders of nodes are those of
+// version 2.2.
 void to_vtu(Output& out, const ExportMesh& mesh) {
     const std::vector<NumberedElements> blocks = mesh.numbered(mesh.is_given() ? 1 : mesh.dimension());
     out += std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"") +

@@ -135,7 +135,7 @@ struct SurfaceTopology {
     long euler = 0;              ///< V - E + F
 };
 
-/// The same two numbers as in a MeshReport, computed in a fraction of its time. The mesh must be valid.
+/// The components and the Euler number as in a MeshReport, in a fraction of its time. The mesh must be valid.
 SurfaceTopology topology_of(const TriangleMesh& mesh);
 
 /// A text of a dozen lines for people.

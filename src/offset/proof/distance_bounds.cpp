@@ -17,7 +17,7 @@ namespace mq::boolean {
 
 namespace {
 
-/// How often a triangle is divided into four at most.
+/// Largest number of successive divisions of a triangle into four.
 constexpr int kMostDivisions = 10;
 /// Triangles that one parallel task takes.
 constexpr std::size_t kBlock = 64;
@@ -48,8 +48,8 @@ double distance(const Vec3& p, const Corners& t) {
     return (mesh::nearest_on_triangle(p, t[0], t[1], t[2]) - p).norm();
 }
 
-/// The smallest of the upper bounds for the distance of a triangle's points from a surface that its single triangles
-/// give.
+/// An upper bound for the distance of a triangle's points from a surface: the largest distance of its corners from the
+/// surface's triangle nearest to `middle`.
 double farthest(const Corners& t, const Vec3& middle, const SearchedSurface& surface) {
     const std::int32_t nearest_triangle = surface.tree.nearest(middle).triangle;
     if (nearest_triangle < 0) {
@@ -60,8 +60,7 @@ double farthest(const Corners& t, const Vec3& middle, const SearchedSurface& sur
 }
 
 /// Whether a point lies on the inner side of a closed surface. At edges and vertices several triangles are equally
-/// near: the one from whose plane the point is farthest decides. A sheet that has both
-/// sides is never in front of a point.
+/// near: the one from whose plane the point is farthest decides. No point is behind a sheet that has both sides.
 bool is_behind(const Vec3& p, const SearchedSurface& surface) {
     constexpr double kSame = 1e-9;  // relative difference of distances that count as equal
     const double reach = surface.tree.nearest(p).distance * (1.0 + kSame);
@@ -203,7 +202,7 @@ std::vector<std::int32_t> triangles_beyond(const std::vector<Corners>& triangles
 
 namespace {
 
-/// The bound of distance_of_outer_points without divisions, if the result clearly lacks a part: if the centre of a
+/// The bound of distance_of_outer_points without divisions, if the result clearly lacks a region: if the centre of a
 /// triangle may lie on the exact offset and is farther than `gap` from the result. Else 0.
 ProvenBound coarse_bound_of_missing(const std::vector<Corners>& triangles, const SearchedSurface& surface, double least,
                                     double gap, const SearchedSurface& result, const Progress& progress) {

@@ -33,7 +33,7 @@ constexpr double kSameDirection = 1e-9;
 constexpr double kParallel = 1e-8;
 /// Largest distance by which a prism leans inward beside walls that rise, in widths of the gap to the wall.
 constexpr double kMostLean = 4.0;
-/// Least gap between a prism and a wall that rises from its rim, as a fraction of what the prism leaves there.
+/// Least gap between a prism and a wall that rises from its rim, as a fraction of the gap that the prism's lean leaves.
 constexpr double kLeastGap = 0.25;
 /// Group number of the pieces between the prisms of several openings.
 constexpr std::int32_t kBetween = -1;
@@ -186,7 +186,7 @@ class OpeningExtension {
     const Vec3& normal(const Opening& opening) const {
         return directions_[static_cast<std::size_t>(opening.direction)];
     }
-    /// Sets how far prisms lean inward beside walls that rise from an opening, however far outward, so that a gap is
+    /// Sets how far prisms lean inward beside walls that rise from an opening, at any outward angle, so that a gap is
     /// left between prism and wall. False if a prism would have to lean farther than the gap is wide.
     bool lean_from_walls() {
         struct Rim {

@@ -27,7 +27,7 @@ struct RawOffsetOptions {
     double tolerance = 0.0;  ///< mm: largest distance of the raw offset from points at `distance` ...
     /// mm: ... or this, if it is larger and vertices are moved along the normals of CAD faces
     double face_tolerance = 0.0;
-    double deep = 0.0;                          ///< mm: what is nearer to the surface than this lies within the offset
+    double deep = 0.0;                          ///< mm: points nearer to the surface than this lie within the offset
     const SearchedSurface* searched = nullptr;  ///< the surface
     /// mm: how far the offset of a sheet is extended beyond its border, so that the surface that cuts the sheet there
     /// meets no vertices.
@@ -37,15 +37,15 @@ struct RawOffsetOptions {
 
 /// All points p + d u for points p of a surface and directions u between the normals at p: the surface on which the
 /// centre of a ball with radius d may lie while the ball touches the surface from its front. It contains the boundary
-/// of all points within the distance d, and crosses itself where that boundary has sharp edges and where parts of the
+/// of all points within the distance d, and crosses itself where that boundary has sharp edges and where pieces of the
 /// surface are near to each other (the raw offset of Farouki 1985; the convolution of Guibas, Ramshaw and Stolfi 1983).
 ///
 /// Each triangle of the surface gives one triangle, moved along the directions at its corners. Triangles around a
 /// vertex share one direction as far as their normals allow within the tolerance, so that a smooth surface keeps its
-/// connectivity. This is the normal of the CAD face, if it is known. The mean of the triangles' normals differs from it
-/// by up to half of the angle between neighbours; offset to the centre of curvature such a surface crosses itself
-/// everywhere. Different directions are joined by an arc. Strips of triangles between two arcs round the edges, caps
-/// on spheres round the vertices.
+/// connectivity. The direction is the normal of the CAD face, if that is known. The mean of the triangles' normals
+/// differs from it by up to half of the angle between neighbours; offset to the centre of curvature such a surface
+/// crosses itself everywhere. Different directions are joined by an arc. Strips of triangles between two arcs round the
+/// edges, caps on spheres round the vertices.
 struct RawOffset {
     std::vector<Vec3> vertices;  ///< single-precision numbers
     std::vector<mesh::Triangle> triangles;

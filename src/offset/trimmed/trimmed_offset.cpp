@@ -298,8 +298,8 @@ class OffsetPipeline {
                                  v[static_cast<std::size_t>(t[2])]});
         }
         const ProvenBound there = deviation_from_distance(triangles, searched_, asked_, fineness, progress_);
-        // Every point of the exact offset has a point of the raw offset within the raw offset's error; that one may be
-        // in a piece that was trimmed off.
+        // Every point of the exact offset has a point of the raw offset within the raw offset's error; that point may
+        // be in a piece that was trimmed off.
         triangles.clear();
         for (std::size_t f = 0; f < arrangement.faces.size(); ++f) {
             const auto front = static_cast<std::size_t>(cells.front[f]);
@@ -319,7 +319,7 @@ class OffsetPipeline {
     const ClosedSurface surface_;
     const SearchedSurface searched_;
     const double distance_;  ///< mm: distance of the raw offset
-    const double asked_;     ///< mm: distance that the caller asked for
+    const double asked_;     ///< mm: distance that the caller requested
     const double tolerance_;
     Progress& progress_;
     OffsetResult result_;

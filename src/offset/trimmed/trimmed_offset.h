@@ -25,14 +25,13 @@ struct OffsetOptions {
 /// A closed surface at a distance from another one, with its counts.
 struct OffsetResult {
     mesh::TriangleMesh mesh;
-    /// For each triangle the input's triangle from which it, or the strip along an edge of which it is a part, is
-    /// offset.
+    /// For each triangle the input's triangle from which it is offset, itself or as a piece of the strip along an edge.
     std::vector<std::int32_t> triangle_source;
     /// mm, proven: no point of the result is farther than this from the exact distance, and no point of the exact
     /// offset is farther from the result. Excepted are gaps between offsets that are thinner than twice the tolerance:
     /// these may close. For a contour the second bound holds at the nodes of its lattice only (see RefinedCells).
     double error_bound = 0.0;
-    std::size_t raw_triangles = 0;  ///< number before trimming; 0 for a contour, as are the pairs
+    std::size_t raw_triangles = 0;  ///< number before trimming; for a contour 0, as is the number of pairs
     std::size_t crossing_pairs = 0;
     StageTimes seconds;
 };

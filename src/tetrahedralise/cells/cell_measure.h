@@ -9,10 +9,10 @@
 
 namespace mq::tetrahedralise {
 
-/// How good a cell will be once the surface is curved: the least of a fraction of the mean ratio (Liu and Joe 1994),
-/// which sees short and long cells that have good angles, and of the sines of the dihedral angles, those at its corners
-/// also by the tangents of the curved edges of the surface. Two edges of a smooth face that meet in an obtuse angle
-/// become nearly collinear, and then no curving inside makes a tetrahedron between them valid.
+/// The quality of a cell once the surface is curved: the least of a fraction of the mean ratio (Liu and Joe 1994),
+/// which detects cells with good angles but unequal edges, and of the sines of the dihedral angles, at its corners also
+/// by the tangents of the surface's curved edges. Two edges of a smooth face that meet in an obtuse angle become nearly
+/// collinear, and then no curving inside makes a tetrahedron between them valid.
 class CellMeasure {
   public:
     CellMeasure(const Tetrahedralisation& mesh, const EndTangents& tangents);

@@ -59,7 +59,8 @@ class CavityInsertion {
 };
 
 /// The Delaunay tetrahedralisation of the points of a surface, in a tetrahedron far around them, whose corners follow
-/// the points of the surface. Exact; of points on one sphere it is one of the possible ones, always the same.
+/// the points of the surface. Exact and deterministic, also for points on one sphere, which have several Delaunay
+/// tetrahedralisations.
 /// @throws MeshingFailed where two points coincide; Cancelled.
 Tetrahedralisation delaunay_tetrahedralisation(const std::vector<Vec3>& points, const Progress& progress);
 

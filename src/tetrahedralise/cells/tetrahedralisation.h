@@ -49,7 +49,7 @@ class Tetrahedralisation {
     int cell_at(int v) const { return at_vertex_[v]; }
     /// All cells with this vertex.
     void star(int v, std::vector<int>& found) const { star(v, found, seen_); }
-    /// The same for threads that search in parallel, each with scratch memory of its own.
+    /// All cells with this vertex; threads that search in parallel pass their own scratch memory.
     void star(int v, std::vector<int>& found, std::vector<char>& seen) const;
     /// A cell with this edge, or -1.
     int cell_with(int a, int b) const;
@@ -57,7 +57,7 @@ class Tetrahedralisation {
     int cell_with(int a, int b, int c) const;
     /// @return false where there is no such edge, or where it lies on the boundary.
     bool ring(int a, int b, EdgeRing& found) const;
-    /// The same if a cell with the edge is known.
+    /// @param first  a known cell with the edge
     bool ring(int first, int a, int b, EdgeRing& found) const;
 
     int index_of(int cell, int v) const {
@@ -87,7 +87,7 @@ class Tetrahedralisation {
     std::vector<int> free_;
     std::vector<Open> table_;
     std::uint32_t round_ = 0;
-    std::vector<char> goes_;  // by cell: while it is removed
+    std::vector<char> goes_;  // by cell: whether it is being removed
     mutable std::vector<char> seen_;
     mutable std::vector<int> queue_;
 };

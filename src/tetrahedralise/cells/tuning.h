@@ -10,8 +10,8 @@ struct CellTuning {
     /// Fraction of the mean ratio (1: regular) that counts beside the least sine of the dihedral angles (0.94:
     /// regular).
     MESHQUALITY_TUNED(double, kMeanRatioFraction, 0.7);
-    /// Sine of a dihedral angle by the tangents of curved edges, from which on it counts as it is; smaller ones, and
-    /// folds, by an exponential function.
+    /// Sine of a dihedral angle by the tangents of curved edges below which, folds included, an exponential function of
+    /// the sine is used instead of the sine.
     MESHQUALITY_TUNED(double, kFoldedSine, 0.1);
 };
 

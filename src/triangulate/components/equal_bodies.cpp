@@ -62,7 +62,7 @@ Fingerprint outline_of(const Topology& topology, const Faces& faces) {
     return key;
 }
 
-/// Adds what defines bodies.
+/// Computes fingerprints of all that defines a body.
 class BodyFingerprints {
   public:
     using AddMore = std::function<void(geometry::Entity, Fingerprint&)>;
@@ -80,7 +80,7 @@ class BodyFingerprints {
         Fingerprint key{};
         geometry::LocalNumbers numbers;
         std::map<int, int> volumes;
-        std::map<int, int> wholes;  // faces of the shape whose pieces are here
+        std::map<int, int> wholes;  // faces of the shape of which the body has pieces
         const auto number_in = [](std::map<int, int>& numbered, int index) {
             return numbered.emplace(index, static_cast<int>(numbered.size())).first->second;
         };

@@ -23,7 +23,7 @@ struct BodyEntities {
 struct EqualBodies {
     /// By body: the body with the lowest face that is equal to it, if that is another one; -1: there is none.
     std::vector<int> original;
-    std::vector<geometry::RigidMotion> motion;  ///< by body: from its original to it
+    std::vector<geometry::RigidMotion> motion;  ///< by body: motion from its original to the body
     std::vector<BodyEntities> entities;         ///< by body; empty where none could be equal to it
     std::array<std::vector<int>, 3> places;     ///< by dimension and entity: its index in the entities of its body
     std::vector<int> places_of_uses;

@@ -44,7 +44,7 @@ struct MeshComponent {
 MeshComponent component_of(const ClassifiedMesh& mesh, std::vector<int> triangles, const Progress* progress = nullptr);
 
 /// The mesh of which components were taken, with the changes that were made to them. Its former vertices and sites keep
-/// their indices; nothing uses those that no component has. Segments keep theirs where all have a component.
+/// their indices; those that no component has are unused. Segments keep their indices if each is in a component.
 struct JoinedComponents {
     ClassifiedMesh mesh;
     std::vector<int> first;  ///< by component: index of its first triangle; the others follow in the component's order

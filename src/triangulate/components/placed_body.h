@@ -24,7 +24,7 @@ std::map<int, int> vertices_of_nodes(const ClassifiedMesh& mesh, const std::vect
 ///
 /// Nothing is added where these points are not the moved ones of the original, or where rounding turns a triangle over.
 /// @param original  the mesh of the body without unused indices
-/// @param whole  the mesh of which the component will be a part: its vertices at the copy's nodes are `nodes`
+/// @param whole  the mesh to which the component will belong: its vertices at the copy's nodes are `nodes`
 /// @return whether the copy was added
 /// @throws Cancelled
 bool add_placed(geometry::Session& session, const SinglePrecisionGrid& grid, const ClassifiedMesh& original,

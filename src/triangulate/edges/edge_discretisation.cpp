@@ -26,7 +26,7 @@ struct Interval {
 // Whether the angle between two vectors exceeds EdgeTuning::kMaxTurn; most angles are far below it.
 bool exceeds_turn(const Vec3& a, const Vec3& b) {
     constexpr double kClear = 0.5;                       // Fraction of the limit: below it, rounding cannot matter.
-    const double slope = kClear * EdgeTuning::kMaxTurn;  // smaller than its tangent
+    const double slope = kClear * EdgeTuning::kMaxTurn;  // this angle is smaller than its tangent
     const double along = a.dot(b);
     if (along > 0.0 && a.cross(b).squaredNorm() < slope * slope * along * along) {
         return false;

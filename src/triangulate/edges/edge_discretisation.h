@@ -77,7 +77,7 @@ class EdgeDiscretisation {
     std::vector<int> node_vertex_;
     std::set<int> small_faces_;
     std::vector<int> contracted_;
-    std::vector<std::vector<Vec3>> points_;  // by edge, while sampling
+    std::vector<std::vector<Vec3>> points_;  // by edge, only while edges are sampled
     /// A ball around an end of an edge: points inside it are not distinguished from the node.
     struct Ball {
         Vec3 centre = Vec3::Zero();  // in the shape's frame

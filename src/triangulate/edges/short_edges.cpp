@@ -139,7 +139,7 @@ class ShortEdges {
     const std::vector<std::vector<Vec3>>& points_;
     std::vector<double> lengths_;  // by edge, mm; 0: it is a vertex
     DisjointSets<int> places_;
-    std::vector<Box> boxes_;  // by node; of all nodes at one place at its root
+    std::vector<Box> boxes_;  // by node: the root of a set of nodes at one place has the box of all of them
     std::vector<int> contracted_;
 };
 

@@ -8,8 +8,8 @@
 namespace mq::triangulate {
 
 /// Returns the edges shorter than the detail of the topology that can be contracted to one vertex, in ascending order
-/// of length. A triangulation with bounded angles is graded from its shortest edge outwards: an edge far below the
-/// distance that is asked for would cost triangles without end, and show nowhere.
+/// of length. A triangulation with bounded angles is graded from its shortest edge outwards: an edge far shorter than
+/// the requested distance would cost a great number of triangles, and show nowhere.
 ///
 /// An edge is left as it is where contracting it would damage a face: where its neighbours on a loop would meet at less
 /// than 30 degrees, as the long sides of a thin plate, or where another edge joins the same two nodes. The nodes that

@@ -18,7 +18,7 @@ struct RoundLimits {
 
 /// Triangulates one face of the result over its present chains.
 using FaceTriangulator = std::function<void(int face, bool border_may_change)>;
-/// The same where several threads triangulate faces at a time, each with an oracle of its own.
+/// Likewise, called by several threads at a time, each with an oracle of its own.
 using ParallelFaceTriangulator = std::function<void(geometry::Oracle& oracle, int face, bool border_may_change)>;
 
 /// Triangulates the `open` faces of the result, halves the pieces of CAD edges that obstruct them, and continues with
@@ -28,7 +28,7 @@ using ParallelFaceTriangulator = std::function<void(geometry::Oracle& oracle, in
 void triangulate_in_rounds(geometry::Session& session, InitialTriangulation& result, std::vector<int> open,
                            const RoundLimits& limits, Progress& progress, const std::function<bool(int)>& included,
                            const FaceTriangulator& triangulate);
-/// The same on as many threads as the caller may use. The result does not depend on their number.
+/// Likewise on as many threads as the caller may use. The result does not depend on their number.
 void triangulate_in_rounds(geometry::Session& session, InitialTriangulation& result, std::vector<int> open,
                            const RoundLimits& limits, Progress& progress, const std::function<bool(int)>& included,
                            const ParallelFaceTriangulator& triangulate);

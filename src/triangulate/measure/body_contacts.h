@@ -39,8 +39,8 @@ class BodyContacts {
   public:
     BodyContacts(Workspace& work, SelfIntersections& finder);
 
-    /// Examines the pairs of two faces, of many that only touch a sample of them; once as long as neither the mesh nor
-    /// the deviation changes.
+    /// Examines the crossing triangles of each pair of faces; only a sample of them if they are many and only touch.
+    /// Repeated only after the mesh or the deviation has changed.
     /// @param deviation  largest distance of the mesh from its faces, mm
     /// @throws Cancelled
     const std::vector<FaceContact>& find(double deviation);
@@ -54,12 +54,12 @@ class BodyContacts {
     /// Where two triangles cross.
     struct Place {
         Vec3 common;                 ///< in the shape's frame, as all points here
-        std::array<Vec3, 2> points;  ///< the nearest ones of the faces
+        std::array<Vec3, 2> points;  ///< the nearest points of the two faces
         std::array<Vec3, 2> normals;
         double depth = 0.0;   ///< mm, by which the triangles go through each other, or overlap in one plane
         int ends = 0;         ///< the triangle, 0 or 1, that ends first
         int segment = -1;     ///< the segment where it ends; -1: it ends at no edge of the shape
-        double height = 0.0;  ///< mm, of that edge over the other face
+        double height = 0.0;  ///< mm: height of that edge over the other face
         bool found = false;
         bool deep = false;  ///< deeper than chords explain
     };

@@ -22,7 +22,7 @@ using geometry::Session;
 
 // Fractions of a segment's length at which a curve is measured beside its farthest point.
 constexpr std::initializer_list<double> kBesideCurve{-0.15, 0.15};
-constexpr std::initializer_list<double> kBesideClose{-0.05, 0.05};  // The same where it is close to the tolerance.
+constexpr std::initializer_list<double> kBesideClose{-0.05, 0.05};  // if its distance is close to the tolerance
 
 void include(Distance& result, double distance, const Vec3& point, bool avoidable) {
     if (distance >= result.distance) {

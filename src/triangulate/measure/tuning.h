@@ -19,9 +19,10 @@ struct MeasureTuning {
     /// Fraction of the tolerance: an edge or triangle this close to it may exceed it beside the farthest place
     /// found, and is measured again beside that place.
     MESHQUALITY_TUNED(double, kClose, 0.95);
-    /// Distance of that place beside an edge's farthest point, as a fraction of the edge's length.
+    /// Distance of these further places from an edge's farthest point, as a fraction of the edge's length.
     MESHQUALITY_TUNED(double, kAside, 0.06);
-    /// The same beside a triangle's peak, as a fraction of the distance from the peak to a corner.
+    /// Distance of these further places from a triangle's peak, as a fraction of the distance from the peak to a
+    /// corner.
     MESHQUALITY_TUNED(double, kAsideOfPeak, 0.1);
     /// Denominator of the barycentric lattice of places examined in a triangle, except its sides.
     MESHQUALITY_TUNED(int, kLattice, 8);

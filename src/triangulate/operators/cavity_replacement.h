@@ -28,7 +28,7 @@ std::vector<int> replace_by_fan(Workspace& work, const Cavity& disc, int apex_si
 /// Moves the last triangles, with their exemptions, to the unused indices.
 /// @return old and new index of each moved triangle, in order.
 std::vector<std::pair<int, int>> close_gaps(Workspace& work);
-/// The same; `touched` is a list of triangles, which loses those that are gone and gets those that moved.
+/// Also removes from a list of triangles those that are gone, and adds all that moved.
 void close_gaps(Workspace& work, std::vector<int>& touched);
 
 }  // namespace mq::triangulate

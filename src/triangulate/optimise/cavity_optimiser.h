@@ -158,7 +158,7 @@ class CavityOptimiser {
     int ear_ = -1;                             // in a trial: the site whose corner was cut off, or -1
     std::optional<std::array<int, 2>> split_;  // in a trial: the segment that was split, and its far half
     TriangleMarks failed_;                     // triangles that failed, until a triangle beside them changes
-    TriangleMarks failed_beyond_;              // the same with the larger target
+    TriangleMarks failed_beyond_;              // triangles that failed with the larger target
     KeySet tried_to_escape_;
     int attempts_of_search_ = 0;  // left for the present triangle
     std::int64_t vain_attempts_left_ = OptimisationTuning::kSearchAttempts;

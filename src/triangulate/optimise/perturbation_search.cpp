@@ -49,9 +49,9 @@ std::vector<double> angles_now(const ClassifiedMesh& mesh, const EditTransaction
 
 }  // namespace
 
-// Perturbs at all remaining triangles, the smallest deficit first, since it is the easiest to remove. Ends when
-// attempts in vain exceed a multiple of those that led to a change, so that the search takes at most that multiple of
-// the time of its useful part, besides a constant.
+// Perturbs at all remaining triangles, the smallest deficit first, since it is the easiest to remove. Ends when failed
+// attempts exceed a multiple of those that led to a change, so that the search takes at most that multiple of the time
+// of its useful attempts, besides a constant.
 bool CavityOptimiser::perturb_all() {
     bool changed = false;
     for (bool again = true; again;) {  // undoing changes the indices of triangles

@@ -61,12 +61,12 @@ struct OptimisationTuning {
     static constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};
     /// Positions tried for one vertex on a CAD edge.
     MESHQUALITY_TUNED(std::size_t, kMaxPositions, 3);
-    /// Attempts in vain, perturbations and repairs after them, that the search by perturbations may make besides a
-    /// multiple of the useful ones. The triangles left share them.
+    /// Failed attempts (perturbations and their repairs) that the search may make besides kVainAttempts for each useful
+    /// one. The remaining triangles share this number.
     MESHQUALITY_TUNED(int, kSearchAttempts, 20'000);
-    /// That multiple: attempts in vain for each one that led to a change.
+    /// Failed attempts for each one that led to a change.
     MESHQUALITY_TUNED(int, kVainAttempts, 4);
-    /// Least share of a triangle.
+    /// Least number of attempts for each remaining triangle.
     MESHQUALITY_TUNED(int, kLeastShare, 600);
     /// Local repairs of each kind after a perturbation.
     MESHQUALITY_TUNED(int, kAttemptsAfter, 75);

@@ -61,9 +61,9 @@ std::vector<int> faces_together(const geometry::Topology& topology) {
     return together.number(count);
 }
 
-// Estimates how many triangles one becomes. Edges over a surface that bends by k per mm get a length of sqrt(8 h / k)
-// at the chord tolerance h, and of w / k at the largest turn w; bounds on edges are lengths themselves. Equilateral
-// triangles with edges of length l have an area of 0.43 l^2.
+// Estimates the number of triangles into which a triangle is divided. Edges over a surface that bends by k per mm get a
+// length of sqrt(8 h / k) at the chord tolerance h, and of w / k at the largest turn w; bounds on edges are lengths
+// themselves. Equilateral triangles with edges of length l have an area of 0.43 l^2.
 double triangles_expected(const ClassifiedMesh& mesh, int triangle, const Sizing& sizing) {
     constexpr double kOfEquilateral = 0.25 * 1.7320508075688772;
     double bend = 0.0;

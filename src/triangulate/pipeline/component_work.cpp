@@ -71,7 +71,7 @@ void ComponentWork::run() {
     refinement_->run();
     refinement_.reset();
     if (placed_) {
-        work_.settled.clear();  // as those of its original are not settled
+        work_.settled.clear();  // since triangles of the original are not settled
     }
 }
 
@@ -116,7 +116,8 @@ void ComponentWork::read_from(const PlacedBodies& placed) {
 // moved its ends. So pieces that may exceed the tolerance by that distance are measured again.
 void ComponentWork::read_measured(const PlacedBodies::Copy& copy, const geometry::RigidMotion& motion) {
     const ClassifiedMesh& original = copy.original.mesh;
-    std::vector<double> moved(static_cast<std::size_t>(original.vertex_count()));  // by rounding, mm
+    std::vector<double> moved(
+        static_cast<std::size_t>(original.vertex_count()));  // by vertex, mm: how far rounding moved it
     for (int v = 0; v < original.vertex_count(); ++v) {
         const Vec3 exact = motion.of_point(work_.grid.to_shape(original.vertex(v).point));
         const Vec3 point = work_.grid.to_shape(work_.mesh.vertex(copy.first_vertex + v).point);

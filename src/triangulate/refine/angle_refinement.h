@@ -55,7 +55,7 @@ class AngleRefinement {
         int attempt = 0;  // the chosen rule's site; if refused, the other rule's, then the middle of the longest edge
     };
 
-    /// Counts whatever lets a retry end in another way than the one before it.
+    /// Counts of the changes that may let a retry succeed where the previous one failed.
     using State = std::array<std::size_t, 4>;
 
     void add_turned(const QueuedTriangle& bad, std::vector<Job>& jobs);

@@ -36,7 +36,7 @@ class FaceSizeFloors {
   private:
     struct Raised {
         double factor = 1.0;
-        std::size_t most = 0;  // exempt triangles before it is raised again
+        std::size_t most = 0;  // number of exempt triangles at which the floor is raised again
     };
 
     bool joins_near_sides(int triangle) const;

@@ -42,9 +42,9 @@ std::vector<IntersectionRefinement::Crossing> IntersectionRefinement::crossings(
     return result;
 }
 
-// Marks pairs of faces of which most crossings are deeper than chords explain, or whose crossings become more while the
-// heights are no chords': there the shape's own faces cross. A chord half as long has a quarter of the height, so that
-// heights over squared lengths stay the same.
+// Marks pairs of faces as crossing in the shape itself: those with most crossings deeper than chords explain, or with
+// more and more crossings while heights do not fall as those of chords. A chord half as long has a quarter of the
+// height, so that heights over squared lengths stay the same.
 void IntersectionRefinement::judge(const std::vector<Crossing>& crossings) {
     std::map<SelfIntersections::Faces, int> balance;
     std::map<SelfIntersections::Faces, Bends> bends;

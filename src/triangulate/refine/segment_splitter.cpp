@@ -290,8 +290,8 @@ SegmentSplitter::Outcome SegmentSplitter::wait_for(int segment, int other) {
     return waiting_[other] != 0 ? Outcome::Later : Outcome::Folds;
 }
 
-// Returns the cavity of the new vertex on the face of one use. Where the normal reverses beside the border there is
-// none, until the vertex gets the normal slightly inside.
+// Returns the cavity of the new vertex on the face of one use. If the normal reverses beside the border, there is no
+// cavity until the vertex gets the normal slightly inside.
 InsertionCavity SegmentSplitter::cavity_for(int half_edge, const Vec3& point, Answer& on_face) const {
     const ClassifiedMesh& mesh = work_.mesh;
     const int triangle = ClassifiedMesh::triangle_of(half_edge);

@@ -39,11 +39,11 @@ class SegmentSplitter {
     /// Whether the segment is seen from p under an angle above 120 degrees.
     bool in_diametral_lens(int segment, const Vec3& p) const;
 
-    /// Queues the segment. With `force` also if it is an innermost piece: for bounds on lengths and chord errors,
+    /// Queues the segment. With `force`, innermost pieces are queued, too: for bounds on lengths and chord errors,
     /// which terminate by themselves. The other edge at its small input angle follows to the same shell.
     void request(int segment, bool force = false);
     /// Queues the segment with force, to be split not in its middle but at this distance (mm) from one of its ends. A
-    /// failure does not count for other places.
+    /// failure does not block splits at other places.
     void request_at(int segment, int end, double distance);
     /// Splits all queued segments and all that become encroached, in batches. Changed triangles are appended to
     /// `touched`.

@@ -58,13 +58,13 @@ struct RefinementTuning {
     /// Largest radius of the innermost shell in lengths of an edge that is a single piece, which has a corner at
     /// its other end, too.
     MESHQUALITY_TUNED(double, kShellOfWholeEdge, 0.6);
-    /// The same for an edge between two nodes with small input angles of which it is no side.
+    /// Likewise, if the edge joins two nodes with small input angles and is a side of neither angle.
     MESHQUALITY_TUNED(double, kShellBetweenTwo, 0.75);
     /// Largest radius in distances from the node to the nearest vertex that does not belong to the corner, on a
     /// face beside the node: entities that are merely close in space, such as nodes of separate bodies, do not
     /// restrict it.
     MESHQUALITY_TUNED(double, kShellRoom, 0.9);
-    /// The same to an edge that passes by.
+    /// Largest radius in distances from the node to an edge that passes by.
     MESHQUALITY_TUNED(double, kShellPassing, 1.2);
     /// Least distance of an edge from the middle of an innermost piece, in lengths of the piece: the radius is
     /// halved until it is reached.
@@ -74,7 +74,7 @@ struct RefinementTuning {
     /// Exempt triangles on a face before its floor is raised first: tips of wings and similar places have about ten
     /// each.
     MESHQUALITY_TUNED(std::size_t, kExemptBeforeFloor, 128);
-    /// Further exempt triangles before it is raised again.
+    /// Further exempt triangles before the floor is raised again.
     MESHQUALITY_TUNED(std::size_t, kExemptBetweenFloors, 32);
     /// Factor by which a floor is raised.
     MESHQUALITY_TUNED(double, kFloorRise, 2.0);

@@ -267,7 +267,7 @@ class Overlaps {
     const mesh::TriangleMesh& mesh_;
     const std::vector<int>& source_;
     const std::vector<FaceContact>& contacts_;
-    double near_;                                // mm: by that much bodies that touch may cross
+    double near_;                                // mm: depth by which meshes of bodies that touch may cross
     std::map<int, Solid> solids_;                // by volume
     std::map<Volumes, BodyContact> worst_;       // pairs whose triangles cross, and how they are in contact
     std::map<Volumes, std::set<int>> crossing_;  // triangles of the working mesh

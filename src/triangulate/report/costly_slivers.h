@@ -6,8 +6,8 @@
 
 namespace mq::triangulate {
 
-/// A sentence that names the faces, far narrower than long, for which a mesh has most of its small triangles, and what
-/// leaves them out; empty where there are none, or where they cost less than 10,000 triangles.
+/// A sentence that names the sliver faces for which a mesh has most of its small triangles, and the remedy; empty if
+/// there are none, or if they cost less than 10,000 triangles.
 /// @param size  largest side of the shape's box, mm
 Message costly_slivers(const mesh::TriangleMesh& mesh, double size);
 

@@ -64,7 +64,7 @@ std::optional<ExemptReason> joined_corner_at(const Workspace& work, JoinedCorner
 }
 
 // Whether the triangle fills a corner that the edges themselves enclose, not only their chords. Local improvement can
-// lead to this.
+// make such triangles.
 bool fills_corner(const Workspace& work, int triangle) {
     const SmallestAngle smallest = smallest_angle(work.mesh, triangle);
     const int vertex = work.mesh.vertex_of(smallest.half_edge);
@@ -109,7 +109,7 @@ ExemptReason reason_of(const Workspace& work, const CornersOfReport& corners, in
     ExemptReason reason{exemption.cause};
     if (exemption.cause == Cause::NarrowCluster) {
         const auto infeasible = corners.infeasible.at(exemption.vertex);
-        const double least = infeasible ? bound : kNarrowCorner;  // corners below that end splitting
+        const double least = infeasible ? bound : kNarrowCorner;  // splitting ends at corners below this angle
         if (const auto joined = joined_corner_at(work, corners.joined, exemption.vertex, least)) {
             return *joined;
         }

@@ -137,7 +137,7 @@ Message sentence_of(const mesh::BodyOverlap& found) {
     return {phrase(), {{"name", found.bodies[0]}, {"name2", found.bodies[1]}}};
 }
 
-// Solids of a shape are to be apart, or to touch. Where these do, their chords cross, which imprinting avoids.
+// Solids of a shape are to be apart, or to touch. Where solids touch, their chords cross unless they are imprinted.
 void report_bodies(const Workspace& work, MeasurementCache& findings, const Output& out, mesh::MeshReport& report) {
     const double deviation = std::max({report.max_chord_height, report.chord_height_asked, 0.0});
     const std::vector<FaceContact>& contacts = findings.bodies.find(deviation);

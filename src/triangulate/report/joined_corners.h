@@ -25,8 +25,8 @@ class JoinedCorners {
         double
             own;  ///< radians: the smallest corner in the shape of the faces at the vertex; half a turn: none has one
     };
-    /// Returns the entities farthest apart that count as one at a vertex, and the corners of these faces of the
-    /// topology; of all faces there, if none are given. No value where nothing is joined.
+    /// Returns the entities farthest apart that count as one at a vertex, and the smallest corner of these faces of the
+    /// topology, or of all faces there if none are given. No value where nothing is joined.
     std::optional<Found> at(int vertex, std::vector<int> faces = {});
 
     /// Two segments that meet at a vertex, and the angle between them, radians.

@@ -22,7 +22,8 @@ using VertexUse = FaceMesh::VertexUse;
 // Fraction of a ball's radius: vertices this close to the ball lie on it within rounding.
 constexpr double kRound = 1e-9;
 constexpr double kSees = 0.0;  // Least cosine between the normals of two vertices on one sheet of the surface.
-// The same limit where no other triangle fits, since the normal turns too much for the spacing (90 degrees).
+// Least cosine between a triangle's normal and those at its corners if no other triangle fits (90 degrees), since the
+// normal turns too much for the spacing.
 constexpr double kTurnedLast = 0.0;
 
 class Front {

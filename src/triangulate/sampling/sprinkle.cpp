@@ -76,7 +76,7 @@ std::optional<Vec2> Sprinkler::dart(std::size_t cell) {
     return found ? found : dart(cell, 1 - first);
 }
 
-// The same in half 0 of the cell, with the corners 0, 1, 2, or in half 1, with 0, 2, 3.
+// Returns such a place in half 0 of the cell, with the corners 0, 1, 2, or in half 1, with 0, 2, 3.
 std::optional<Vec2> Sprinkler::dart(std::size_t cell, int half) {
     const FaceCells::Corner* corners[3] = {&cells_.corner(cell, 0), &cells_.corner(cell, 1 + half),
                                            &cells_.corner(cell, 2 + half)};

@@ -54,7 +54,7 @@ void move_to_indices(const LargeVector<int>& renewed, Values& values, const type
     values.swap(moved);
 }
 
-/// The same for data in a map by index, which may contain indices that no longer exist.
+/// Likewise for data in a map by index, which may contain indices that no longer exist.
 template <typename Value>
 void move_to_indices(const LargeVector<int>& renewed, std::map<int, Value>& values) {
     std::map<int, Value> moved;

@@ -9,12 +9,11 @@ namespace mq::triangulate {
 
 /// Largest ratio of the angle between two CAD edges to the angle between their chords for which both angles count as
 /// equal.
-/// on the corpus.
 constexpr double kNarrowed = 1.08;
 
-/// Returns the angle, radians, between the CAD edges of two segments at a vertex where both end; no value if one has
-/// no direction there. Where the curves end beside the vertex, within its tolerance, it is the least that their chords
-/// may enclose for that.
+/// Returns the angle, radians, between the CAD edges of two segments at a vertex where both end; no value if one has no
+/// direction there. If the curves end beside the vertex, within its tolerance, the angle is reduced by the angles that
+/// these gaps subtend at the chords' far ends.
 std::optional<double> angle_between_edges(const Workspace& work, int a, int b, int vertex);
 
 }  // namespace mq::triangulate

@@ -32,7 +32,7 @@ class MaxMinSwaps {
     /// with their surface than `least` make a swap illegal, unless the old ones were worse.
     void restore(std::vector<int>& stack, std::vector<int>& touched, double least = kAlignedSwap);
 
-    /// The same for the edges of the triangles that `touched` contains from index `first` on.
+    /// Likewise from the edges of the triangles that `touched` contains from index `first` on.
     void restore_around(std::size_t first, std::vector<int>& touched);
 
     /// Swaps the edge of `h` regardless of the predicate, and updates the table of joined pairs.

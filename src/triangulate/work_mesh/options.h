@@ -75,12 +75,11 @@ struct TriangulateOptions {
     std::size_t budget() const { return max_triangles > 0 ? max_triangles : 5'000'000; }
     /// The tolerance of the chord height for a shape of this box, mm; 0: no bound.
     double chord_height_of(const Box& box) const;
-    /// Largest length of a detail, as a fraction of the shape's size, and of the tolerance or the edge lengths that are
-    /// asked for.
+    /// Largest length of a detail, as a fraction of the shape's size, and of the requested tolerance or edge lengths.
     static constexpr double kLargestDetail = 1e-4;
     static constexpr double kDetailOfWhatIsAsked = 0.1;
-    /// The length below which edges and faces of a shape of this box show neither at the tolerance nor at the sizes
-    /// that are asked for, mm.
+    /// The length below which edges and faces of a shape of this box show neither at the requested tolerance nor at the
+    /// requested sizes, mm.
     double detail_of(const Box& box) const;
     /// Checks all options. @throws InvalidInput naming the option, its value and its range.
     void validate() const;

@@ -32,7 +32,8 @@ Message names_of(const std::vector<std::int32_t>& faces) {
     return mesh::list_of(names);
 }
 
-/// mm: of points of a mesh from its face, and of points of the face, which are those of a finer mesh, from it.
+/// The largest distance, mm, of points of the coarse mesh from its face, and of points of the fine mesh, which stand
+/// for the face, from the coarse one.
 double deviation_of(const TopoDS_Shape& face, const TriangleMesh& coarse, const TriangleMesh& fine,
                     Progress& progress) {
     const std::vector<double> from_face =
@@ -41,7 +42,7 @@ double deviation_of(const TopoDS_Shape& face, const TriangleMesh& coarse, const 
     return std::max(largest, mesh::surface_distance(fine, coarse, progress).largest);
 }
 
-/// What our mesher leaves: which faces are missing, and why.
+/// The faces that our mesher could not mesh, and the reasons.
 struct Missing {
     std::vector<std::int32_t> faces;
     Message why;
@@ -121,10 +122,10 @@ std::pair<TriangleMesh, double> kernel_mesh(geometry::Engine& engine, const Topo
             }
         }
     }
-    if (!deviation) {  // there was one only
+    if (!deviation) {  // only one triangulation succeeded
         deviation = now.triangles.empty() ? 0.0 : deviation_of(*copy, now, now, progress);
     }
-    return {std::move(now), *deviation};  // otherwise that of the coarser one
+    return {std::move(now), *deviation};  // the last measured deviation, of the coarser one
 }
 
 DistanceMesh mesh_within(geometry::Engine& engine, const TopoDS_Shape& shape, double distance, int threads,

@@ -30,7 +30,7 @@ DistanceMesh mesh_within(geometry::Engine& engine, const TopoDS_Shape& shape, do
                          Progress& progress);
 
 /// OpenCASCADE's triangulation of a face of a shape: the coarsest one that is measured within a distance, and its
-/// deviation, mm. What it is asked for alone takes far too many triangles in faces with faults.
+/// deviation, mm. The requested deflection alone would give far too many triangles on faulty faces.
 std::pair<mesh::TriangleMesh, double> kernel_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
                                                   std::int32_t face, double distance, Progress& progress);
 

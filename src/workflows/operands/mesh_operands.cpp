@@ -39,8 +39,8 @@ Result complete(geometry::Engine& engine, const TopoDS_Shape& shape, const trian
     return mesh;
 }
 
-/// (a mesh as fine as a relative error of the volume of the shape needs, and that error). The volume of a mesh errs by
-/// a multiple of its chord height: two meshes tell by which (Richardson's extrapolation).
+/// Returns a mesh fine enough for `how.volume_error`, and its relative error of volume. That is proportional to the
+/// chord height: two meshes give the factor (Richardson's extrapolation).
 std::pair<Result, double> keeping_volume(geometry::Engine& engine, const TopoDS_Shape& shape,
                                          triangulate::TriangulateOptions options, const OperandMeshing& how,
                                          Progress& progress) {
@@ -90,7 +90,7 @@ Result joined(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
     return result;
 }
 
-/// Meshes the shapes one after the other, and tells how far they deviate.
+/// Meshes the shapes one after the other, and collects the deviations of the meshes.
 class ShapeMesher {
   public:
     ShapeMesher(geometry::Engine& engine, const OperandMeshing& how, Progress& progress)

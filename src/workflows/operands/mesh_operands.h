@@ -17,7 +17,7 @@ class TopoDS_Shape;
 
 namespace mq::workflows {
 
-/// What an operation is given: a mesh, a shape, or both, which then are one operand.
+/// An operand as it is given: a mesh, a shape, or both, joined to one operand.
 struct GivenOperand {
     std::string name;                                    ///< in errors and notes: "operand A", "'Box'"
     std::shared_ptr<const triangulate::Result> surface;  ///< null: a shape alone
@@ -35,25 +35,26 @@ struct BooleanOperand {
     const TopoDS_Shape* shape = nullptr;  ///< null: the operand is nothing but a mesh
 };
 
-/// The steps before one of several: stages, notes and processor time.
+/// Stages, notes, processor time and errors of the steps before the present one.
 struct WorkBefore {
     StageTimes seconds;
     std::vector<Message> notes;
     double cpu_seconds = 0.0;
-    /// mm: how far that work may have moved surfaces; the reported bound includes it.
+    /// mm: how far these steps may have moved surfaces; the reported bound includes it.
     double error_bound = 0.0;
     double tolerance = 0.0;           ///< mm: the tolerance for all of the work, where it is not that of the last step
     std::vector<Message> repaired{};  ///< a sentence for each operand that was repaired before
 };
 
-/// How shapes among operands are meshed.
+/// Options for meshing the shapes among operands.
 struct OperandMeshing {
     double tolerance = 0.0;       ///< mm, that of the operation
-    double share = 0.5;           ///< the fraction of it by which the meshes may deviate from the shapes
+    double share = 0.5;           ///< fraction of the tolerance by which the meshes may deviate from the shapes
     double min_angle = 25.0;      ///< degrees
-    double volume_error = 0.0;    ///< relative: finer where the volume of a shape would err by more; 0: no bound
-    double most_triangles = 5e5;  ///< are expected of a mesh that is finer for the sake of the volume
-    /// Bound by the distance alone; also of shapes with faces that we cannot mesh, which notes tell (mesh_within).
+    double volume_error = 0.0;    ///< largest relative error of the volume of a shape; 0: no bound
+    double most_triangles = 5e5;  ///< limit of triangles for refinement by `volume_error`
+    /// Whether meshes are bound by the distance alone, and faces that we cannot mesh are allowed and noted
+    /// (mesh_within).
     bool any_faces = false;
     int threads = 0;
 };
@@ -62,11 +63,11 @@ struct OperandMeshing {
 struct MeshedOperands {
     std::vector<std::shared_ptr<const triangulate::Result>> surfaces;
     std::vector<BooleanOperand> operands;  ///< they point to these surfaces
-    WorkBefore work;                       ///< reading and meshing; its error bound is the largest deviation
+    WorkBefore work;                       ///< reading and meshing; `error_bound` is the largest deviation
 };
 
-/// The operands of an operation in their order. Between its construction and the last call of `add` they are read, the
-/// time of which is reported.
+/// The operands of an operation in their order. The time between its construction and the last call of `add` is
+/// reported as reading.
 class Operands {
   public:
     explicit Operands(geometry::Engine& engine) : engine_(engine) {}
@@ -81,12 +82,12 @@ class Operands {
     /// Longest side of the box of all operands, mm; shapes are read for it, once.
     /// @throws GeometryError
     double size() const;
-    /// mm; the length that a resolution divides, where the method is exact: the size, or 8 times the mean thickness of
-    /// the thinnest operand, where that is less, and not below a sixteenth of the size. What is thinner than the
-    /// tolerance may be lost where operands nearly touch, so that the tolerance goes by what is thin.
+    /// mm: the length that a resolution divides, for the exact method: 8 times the mean thickness of the thinnest
+    /// operand, but between a sixteenth of the size and the size. Features thinner than the tolerance may be lost where
+    /// operands nearly touch.
     double divided_length() const;
 
-    /// Meshes those that are shapes, in the progress from one fraction to another.
+    /// Meshes the shapes among the operands; the progress advances from `from` to `to`.
     /// @throws InvalidInput, TopologyError naming the operand; Cancelled
     MeshedOperands meshed(const OperandMeshing& meshing, Progress& progress, double from, double to) const;
 
@@ -95,7 +96,7 @@ class Operands {
 
     geometry::Engine& engine_;
     std::vector<GivenOperand> given_;
-    mutable std::vector<std::optional<Box>> boxes_;  ///< by operand: the box of its shape, once it was asked for
+    mutable std::vector<std::optional<Box>> boxes_;  ///< by operand: the box of its shape, once computed
     Stopwatch watch_;
     double read_wall_ = 0.0;
     double read_cpu_ = 0.0;

@@ -28,7 +28,7 @@ triangulate::Result triangulate_shape(geometry::Engine& engine, const TopoDS_Sha
 /// @throws Cancelled
 mesh::MeshReport report_with_crossings(const triangulate::Result& surface, Progress& progress);
 
-/// The same report with the largest distance from all faces of the shape: for each triangle from the nearest face.
+/// report_with_crossings() with the largest distance of the triangles from the shape's face nearest to each.
 mesh::MeshReport measure_against_shape(const triangulate::Result& surface, const TopoDS_Shape& shape,
                                        Progress& progress);
 

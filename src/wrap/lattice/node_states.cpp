@@ -32,7 +32,7 @@ NodeStates::NodeStates(const Lattice& lattice, const InputSurface& surface, doub
     for_chunks(static_cast<int>(blocks_.size()), [&](int k) {
         progress.check();
         classify(static_cast<std::size_t>(k));
-        // Finding the barred edges takes about as long as this.
+        // Half of the stage, as finding the barred edges takes about as long.
         progress.advance(0.5 * ++done / static_cast<double>(blocks_.size()));
     });
     for_chunks(static_cast<int>(blocks_.size()), [&](int k) {

@@ -29,9 +29,9 @@ struct Edge {
     Node inner;
 };
 
-/// By its middle, which no other edge has.
+/// The key of an edge, made of its middle, which no other edge has.
 std::uint64_t edge_key(const Edge& edge) {
-    constexpr int kBits = 21;  // for sums of two numbers of nodes
+    constexpr int kBits = 21;  // enough for the sum of two node coordinates
     const Node sum = edge.outer + edge.inner;
     return (static_cast<std::uint64_t>(sum[0]) << 2 * kBits) | (static_cast<std::uint64_t>(sum[1]) << kBits) |
            static_cast<std::uint64_t>(sum[2]);

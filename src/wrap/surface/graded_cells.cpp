@@ -70,7 +70,7 @@ std::optional<Plane> plane_in(const InputSurface& surface, const std::vector<std
     return holds ? std::optional<Plane>(plane) : std::nullopt;
 }
 
-/// visit(node) for the nodes in a closed cube, until it returns false; whether it never did.
+/// Calls visit(node) for the nodes in a closed cube. @return whether all calls returned true; the first false ends it
 template <typename Visit>
 bool all_nodes(const Node& low, std::int32_t across, const Visit& visit) {
     for (std::int32_t x = 0; x <= 2 * across; ++x) {
@@ -136,7 +136,7 @@ bool GradedCells::is_plane(const Cube& low, std::int32_t across) const {
     const Node first{2 * low[0], 2 * low[1], 2 * low[2]};
     const auto is_outside = [&](const Node& node) { return !lattice.contains(node) || states_.is_outside(node); };
     bool is_one = true;               // all nodes are on one side
-    bool is_above[2] = {true, true};  // all nodes outside are above the plane, and those inside below; the reverse
+    bool is_above[2] = {true, true};  // [0]: outside nodes are above the plane, inner ones below; [1]: the reverse
     const bool known = all_nodes(first, across, [&](const Node& node) {
         const NodeState* state = lattice.contains(node) ? states_.find(node) : nullptr;
         if (state != nullptr && (state->moved || state->sheet)) {

@@ -16,10 +16,10 @@ namespace mq::wrap {
 /// tetrahedra of the body-centred cubic lattice of that side, bisected at edges with smaller cubes; between a cube and
 /// a larger one there are halves of pyramids (Labelle and Shewchuk 2007, Isosurface Stuffing, section 3.2).
 ///
-/// A larger cube is plane: all of the input in it and half its side around it lies in one plane, and is of one patch;
-/// its nodes are all on one side of the wrap, or those on one side of the plane are outside; edges between outside and
-/// inside meet the input; and none of its nodes is moved, or in a sheet. Each tetrahedron at it is within that box, so
-/// that the wrap passes its edges as it passes those of the lattice: at most once, in that plane.
+/// A larger cube is plane: the input in it, and in the margin of half its side around it, lies in one plane and belongs
+/// to one patch; its nodes are all on one side of the wrap, or exactly those on one side of the plane are outside;
+/// edges between outside and inside meet the input; no node is moved or in a sheet. Its tetrahedra lie within that
+/// margin, so that the wrap crosses each of their edges at most once, in that plane.
 class GradedCells {
   public:
     /// @param patch  of each triangle of the input; empty: all are of one

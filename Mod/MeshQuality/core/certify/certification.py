@@ -18,8 +18,8 @@ from . import saved_certificate
 
 _VALID, _FOLDED, _INVERTED, _NOT_PROVEN = range(4)  # verdicts of the core
 _WORDS = {_FOLDED: "folded", _INVERTED: "numbered the wrong way round", _NOT_PROVEN: "not proven valid"}
-_LEFT_OUT = 3.0  # times the deviation of the mesh from the CAD: a place at this distance is left out by the mesh
-_UNKNOWN = 1e-3  # of the shape's diagonal: the distance of the mesh where it was not measured
+_LEFT_OUT = 3.0  # times the deviation of the mesh from the CAD: the mesh misses a place of the CAD at this distance
+_UNKNOWN = 1e-3  # assumed distance of the mesh where it was not measured, a share of the shape's diagonal
 _ON_CAD = 5  # highest order of triangles that are measured against a shape
 
 
@@ -310,7 +310,7 @@ def _follow_cad(found, quality):
 
 
 def _measure_from_cad(mesh, order, surface, shape, found, progress):
-    """The other direction; triangles that the mesh lists between bodies count, too."""
+    """Measures the distances of the CAD from the mesh; triangles listed between bodies count, too."""
     listed = [block.nodes for block in mesh.blocks if block.kind == "triangle" and block.order == order]
     rows = np.concatenate([surface, *listed]) if mesh.dimension == 3 else surface
     try:

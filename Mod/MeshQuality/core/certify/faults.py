@@ -36,7 +36,7 @@ def find_faults(surface, progress=None):
     found = dict(_at_edges(triangles))
     corners = np.sort(triangles, axis=1)
     _, first, same = np.unique(corners, axis=0, return_index=True, return_inverse=True)
-    first = first[same.ravel()]  # of each triangle the first one with its corners
+    first = first[same.ravel()]  # by triangle: the first triangle with the same corners
     later = np.flatnonzero(first != np.arange(len(triangles)))
     found["duplicate"] = np.column_stack((later, first[later]))
     by_core = extension().faults(surface, MOST, progress)
@@ -49,7 +49,7 @@ def find_faults(surface, progress=None):
 
 
 def _at_edges(triangles):
-    """(kind, int (n, 2)) of the faults that edges show: how many triangles have them, and in which direction."""
+    """(kind, int (n, 2)) of the faults that show in the number and the directions of triangles at edges."""
     sides = triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2).astype(np.int64)
     owner = np.repeat(np.arange(len(triangles)), 3)
     sound = sides[:, 0] != sides[:, 1]

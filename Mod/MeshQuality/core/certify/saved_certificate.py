@@ -15,17 +15,17 @@ from ..meshes.writing import atomically
 from ..sources import convert
 
 FORMAT, VERSION = "MeshQuality mesh certificate", 1
-CLAIMS = ("folded", "inverted", "not_proven")  # in the order of the core's verdicts 1, 2 and 3
-PAIRS = ("crossing", "not_proven_apart", "touching")  # of triangles of the surface
-GRIDS = {"face_grids": 7, "edge_grids": 4}  # of points of the CAD that were measured, and how many numbers each has
-OF_SHAPE = ("max_deviation", "folded_on_cad", "cad_deviation", "cad_spacing", "not_on_shape")  # what is said of the shape
-# Numbers that may be left open: what was not looked for or not measured.
+CLAIMS = ("folded", "inverted", "not_proven")  # claims in the order of the core's verdicts 1, 2 and 3
+PAIRS = ("crossing", "not_proven_apart", "touching")  # lists of pairs of triangles of the surface
+GRIDS = {"face_grids": 7, "edge_grids": 4}  # grids of measured points of the CAD: how many numbers each grid has
+OF_SHAPE = ("max_deviation", "folded_on_cad", "cad_deviation", "cad_spacing", "not_on_shape")  # claims on the shape
+# Numbers that may be None: not searched, or not measured.
 MEASURED = (*OF_SHAPE[:-1], "curved_intersections", "not_proven_apart", "overlapping_bodies")
 _CLAIMS = ("elements", "invalid", *CLAIMS, "min_distortion", "conforming", "oriented", *MEASURED, "not_on_shape")
-_MOST_STEPS = 10_000  # of a grid along one parameter
-_LARGEST = 1e9  # of faces, and of measures in mm
-_DIGITS = 4  # of the bounds; rounded down, so that they stay bounds
-_PLACES = 9  # of distances in mm, rounded up
+_MOST_STEPS = 10_000  # steps of a grid along one parameter
+_LARGEST = 1e9  # largest number of faces, and largest measure in mm
+_DIGITS = 4  # digits of the bounds; rounded down, so that they stay bounds
+_PLACES = 9  # decimal places of distances in mm, rounded up
 
 
 def digest_of(path):
@@ -124,7 +124,7 @@ def load(path):
 
 
 def _fault_of(content):
-    """What of its parts is not there or of another type; None where all is well."""
+    """The first fault of the content: an entry that is missing or of another type; None without one."""
     for part in ("mesh", "cad"):
         said = content.get(part, "")
         if not (part == "cad" and said is None) and not _is_file(said):
@@ -148,8 +148,7 @@ def _fault_of(content):
 
 
 def missing(content):
-    """Names of what a loaded certificate should say and does not, as those of older versions, or where it was taken out; and
-    says nothing of, from here on.
+    """Names of claims that a loaded certificate lacks, as of an older version or after editing; sets these claims to None.
     """
     proven, surface = content["proven"], content.setdefault("surface", {})
     found = [name for name in _CLAIMS if name not in proven]

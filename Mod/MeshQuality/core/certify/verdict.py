@@ -24,10 +24,10 @@ SHAPE_DISTORTION_LIMIT = 10.0
 
 UNKNOWN = "unknown: the mesh was made by an older version; update it"
 NOT_COMPUTED = "unknown: the mesh could not be computed with these options and sources"
-_OLD_MET, _OLD_NOT_MET = "kept", "missed: "  # in documents of older versions
+_OLD_MET, _OLD_NOT_MET = "kept", "missed: "  # words in documents of older versions
 _TARGETS = {NOT_MET: phrases.TARGET_NOT_MET, NOT_DECIDED: phrases.TARGET_NOT_DECIDED}
 _NAMED = 3  # elements or faces that a sentence names
-_NO_VOLUME = 1e-9  # of the area to the power 3/2: a sheet with two sides encloses that much by rounding
+_NO_VOLUME = 1e-9  # share of the area to the power 3/2 that a sheet with two sides encloses by rounding
 _COUNTED = 1000  # contacts that the core counts at most, where nobody has counted them before
 
 
@@ -59,13 +59,13 @@ def word(findings):
 
 
 def sentence(findings):
-    """What the property Certificate says."""
+    """The text of the property Certificate."""
     phrase = phrases.NOT_MET_TEXT if word(findings) == NOT_MET else phrases.NOT_DECIDED_TEXT
     return Text(phrase, text=_joined(findings)) if findings else MET
 
 
 def _joined(findings):
-    """The sentences of all, to stand after a colon."""
+    """The sentences of all findings, to stand after a colon."""
     return phrases.lower_first(phrases.joined(*(finding.text for finding in findings)))
 
 
@@ -75,17 +75,17 @@ def is_met(certificate):
 
 
 def is_missed(certificate):
-    """Whether it says that some are not."""
+    """Whether a Certificate says that some limits are not met."""
     return certificate.startswith((NOT_MET, _OLD_NOT_MET))
 
 
 def is_open(certificate):
-    """Whether it says that the measurement is too coarse to tell."""
+    """Whether a Certificate says that the measurement is too coarse to decide."""
     return certificate.startswith(NOT_DECIDED)
 
 
 def said(certificate):
-    """What a Certificate says is not met or not decided, without the words before it."""
+    """The limits that a Certificate names as not met or not decided."""
     if isinstance(certificate, Text):
         return certificate.places["text"]
     for start in (f"{NOT_MET}: ", f"{NOT_DECIDED}: ", _OLD_NOT_MET):
@@ -122,7 +122,7 @@ def line(label, report, findings, say=str):
 
 
 def _figures(report):
-    """What the line says of a MeshReport, BooleanReport or CurveReport."""
+    """The figures of a MeshReport, BooleanReport or CurveReport in that line."""
     curved = hasattr(report, "elements")
     if curved:
         yield counted_sentence(phrases.ELEMENTS, report.elements)
@@ -491,7 +491,7 @@ _SAID_OF_BODIES = {"overlapping": phrases.BODY_OVERLAPS, "inside": phrases.BODY_
 def _overlapping_bodies(report, values, kinds=tuple(_SAID_OF_BODIES)):
     """Findings of bodies of the shape that are not apart in the mesh, of these kinds, unless the options allow that.
 
-    Curved elements may be apart where the straight mesh crosses: what they do themselves is counted.
+    Curved elements may be apart where the straight mesh crosses: their own crossings are counted.
     """
     pairs = [pair for pair in report.overlapping_bodies if pair[2] in kinds]
     near = [pair for pair in pairs if pair[2] == "near"]
@@ -529,7 +529,7 @@ def _sentence(phrase, /, **places):
 
 _ROUNDING = 1e-6
 _DIGITS = 3
-_LIMIT_DIGITS = 4  # so that three digits of a limit that was given in inches are right there, too
+_LIMIT_DIGITS = 4  # digits of a limit in mm, so that three digits are right in inches, too
 
 
 def _number(value, digits=_DIGITS):
@@ -547,7 +547,7 @@ def _told_apart(value, limit):
 
 
 def _rounded(value):
-    """Likewise of mm and degrees; less than a millionth is rounding."""
+    """The text of a value in mm or degrees; less than a millionth is rounding."""
     return _number(value) if value >= _ROUNDING else "0"
 
 

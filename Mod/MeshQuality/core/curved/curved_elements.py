@@ -44,7 +44,7 @@ class CurvedElementMesh(ElementMesh):
 
     @property
     def surface_triangles(self):
-        """int32 (T, 3): the corners of what lies on the CAD faces, quadrilaterals as two triangles."""
+        """int32 (T, 3): the corners of triangles on the CAD faces; quadrilaterals count as two triangles."""
         flat = [(block.kind, block.nodes) for block in self.blocks if kinds.DIMENSION[block.kind] == 2]
         parts = [nodes[:, :3] for _, nodes in flat]
         parts += [nodes[:, [0, 2, 3]] for kind, nodes in flat if kind == "quadrilateral"]

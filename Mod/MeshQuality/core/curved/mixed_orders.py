@@ -43,7 +43,7 @@ def with_orders(mesh, order, orders, raise_invalid):
 
 
 def _beside_invalid(mesh, found, element):
-    """bool (E,): which elements have a corner of one that is not proven valid."""
+    """bool (E,): whether an element shares a corner with an element that is not proven valid."""
     whole = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] == mesh.dimension]
     invalid = np.zeros(sum(len(block.nodes) for block in whole), dtype=bool)
     for quality, rows in zip(found[1], element):
@@ -123,7 +123,7 @@ def _once(kind, parts):
 
 
 def _lower(sides, before, nodes, order):
-    """Puts the nodes of sides where polynomials of their orders are, which go through what bounds them now."""
+    """Puts the nodes of sides on polynomials of the orders of the sides, which go through the present borders."""
     inner, weights = _blending(sides.kind, order)
     for lower in np.unique(sides.order).tolist():
         rows = sides.nodes[sides.order == lower]

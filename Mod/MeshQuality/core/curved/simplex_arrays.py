@@ -18,7 +18,7 @@ def corners_of(mesh, solids):
     """(nodes, triangles, tetrahedra, regions) of an ElementMesh that is not mixed: float64 (N, 3), int32 (T, 3), (E, 4) and
     (E,).
 
-    solids  how many the shape has: groups within one are of materials or loads, and no bodies
+    solids  number of solids of the shape: in a shape with one solid, groups are materials or loads, not bodies
     """
     tetrahedra = [block for block in mesh.blocks if block.kind == "tetrahedron"]
     triangles = [block.nodes[:, :3] for block in mesh.blocks if block.kind == "triangle"]
@@ -75,6 +75,8 @@ def lost_of_group(mesh, name, carried):
 
 
 def _keys(corners):
-    """One value a row, the same where elements have the same corners; those of new vertices, -1, are of no given element."""
+    """One key for each row, equal for elements with the same corners; a row with a new vertex, -1, matches no given
+    element.
+    """
     rows = np.ascontiguousarray(np.sort(corners, axis=1), dtype=np.int32)
     return rows.view(np.dtype((np.void, rows.itemsize * rows.shape[1]))).ravel()

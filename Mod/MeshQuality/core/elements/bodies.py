@@ -9,7 +9,7 @@ import numpy as np
 
 from . import boundary, kinds, lagrange
 
-_POINTS = 3  # of a body, in its largest elements, all of which must be inside
+_POINTS = 3  # points of a body, in its largest elements, all of which must be inside
 _FINER = 2  # flat triangles along an edge, times the order, where it is curved
 _AT_A_TIME = 4_000_000  # pairs of points and triangles
 _TURN = np.linalg.qr(np.array([[0.61, -0.37, 0.19], [0.23, 0.71, -0.43], [-0.31, 0.29, 0.83]]))[0]  # no ray along an edge
@@ -51,8 +51,8 @@ def solids(blocks):
 
 
 def of_elements(whole):
-    """int32 (E,): by element the lowest one that faces connect it with: trees are hooked onto lower ones and made flat in turn
-    (Shiloach and Vishkin 1982), in rounds that grow as the logarithm of the number of elements."""
+    """int32 (E,): by element the lowest index of an element that faces connect with it: trees are hooked onto lower ones and
+    made flat in turn (Shiloach and Vishkin 1982), in rounds that grow as the logarithm of the number of elements."""
     found = np.arange(sum(len(block.nodes) for block in whole))
     pairs = _neighbours(whole)
     while True:

@@ -36,9 +36,9 @@ def of_blocks(blocks, nodes):
 
 
 def doubled(whole):
-    """[(kind, index of an element, index of another one)]: elements that are there twice, indices counting on from one block of
-    the kind to the next. Volume elements are with the same corners in whatever order, surface elements with those in the same
-    order: where two bodies touch, each may have the same triangle, seen from its own side.
+    """[(kind, index of an element, index of another one)]: elements with the same corners; indices count on from one block
+    of the kind to the next. The corners of surface elements must also go round in the same direction: where two bodies
+    touch, each may have the same triangle, seen from its own side.
     """
     found = []
     for kind in sorted({block.kind for block in whole}):
@@ -55,7 +55,7 @@ def doubled(whole):
 
 
 def _counted(sides):
-    """By side: how many elements have it, and the sum of the ways in which they go round it, 1 or -1."""
+    """By side: how many elements have it, and the sum of their directions round it, 1 or -1."""
     first = np.argmin(sides, axis=1)
     rows = np.arange(len(sides))
     count = sides.shape[1]

@@ -11,9 +11,9 @@ import numpy as np
 
 from . import boundary, kinds, lagrange
 
-_NEAR = 1e-6  # of the length of an edge: places that are the same
-_ROUNDS = 12  # of Newton's method
-_STEP = 1e-5  # of the parameters, for derivatives
+_NEAR = 1e-6  # share of an edge's length within which places are the same
+_ROUNDS = 12  # steps of Newton's method
+_STEP = 1e-5  # step of the parameters for derivatives
 _AT_A_TIME = 200_000
 
 
@@ -29,7 +29,7 @@ def hangs(whole, nodes):
 
 
 class _Neighbours:
-    """By corner the other ends of its edges."""
+    """The corners that edges connect with each corner."""
 
     def __init__(self, ends, count):
         ends = np.concatenate([np.empty((0, 2), dtype=np.int32), *ends])
@@ -75,7 +75,7 @@ def _corners_of(whole, block, element):
 
 
 def _used_once(rows, kind, whole):
-    """By edge of the kind, bool (F,): which of these edges are of one triangle or quadrilateral of all."""
+    """bool (F,) for each edge of the kind: whether just one triangle or quadrilateral of all has that edge."""
     ends = [np.sort(block.nodes[:, list(edge)], axis=1) for block in whole for edge in kinds.EDGES[block.kind]]
     edges, counts = np.unique(np.concatenate(ends).astype(np.int64) @ [2**32, 1], return_counts=True)
     single = edges[counts == 1]
@@ -102,7 +102,7 @@ def _any_on(kind, order, rows, elements, neighbours, nodes):
 
 
 def _bend(kind, order, shape):
-    """By row how far it may be from what its corners span: a bound for orders up to 5."""
+    """By row a bound of its distance from what its corners span, for orders up to 5."""
     corners = kinds.CORNERS[kind]
     if shape.shape[1] == corners:
         return np.zeros(len(shape)) if corners < 4 else np.abs(shape[:, 0] - shape[:, 1] + shape[:, 2] - shape[:, 3]).max(axis=1)
@@ -111,7 +111,7 @@ def _bend(kind, order, shape):
 
 
 def _close_to_corners(corners, bend, row, points):
-    """Whether points are as near to the line or plane of the corners as the part may be."""
+    """Whether points are no farther from the line or plane of the corners than the edge or face can be."""
     a, along = corners[:, 0], corners[:, 1] - corners[:, 0]
     length = np.linalg.norm(along, axis=1)
     low, high = corners.min(axis=1), corners.max(axis=1)

@@ -134,7 +134,7 @@ def _inside(kind, corners, order, sides):
     if kind == "prism":
         flat = _inside("triangle", corners[:3], order, (EDGES["triangle"], ()))
         up = corners[3] - corners[0]
-        levels = [*{1, order - 1}, *range(2, order - 1)] if order > 1 else []  # of a line within: its ends first
+        levels = [*{1, order - 1}, *range(2, order - 1)] if order > 1 else []  # inner nodes of a line: its ends first
         return np.concatenate([point + np.outer(levels, up) / order for point in flat] or [flat])
     left = order - _SHRINKS[kind]
     if left < 0:
@@ -185,7 +185,7 @@ def turned(kind, count):
 
 @functools.lru_cache(maxsize=None)
 def from_convention(kind, count, convention):
-    """By which nodes in the order of a Convention get into Gmsh's: nodes[:, order]; of order 1 and 2."""
+    """The indices that bring nodes in the order of a Convention into Gmsh's: nodes[:, order]; of order 1 and 2."""
     corners = np.array(_CORNERS[kind], dtype=float)
     edges, faces = convention.edges.get(kind, EDGES[kind]), convention.faces.get(kind, ())
     wanted = [*corners, *(corners[list(part)].mean(axis=0) for part in (*edges, *faces)), corners.mean(axis=0)]
@@ -194,7 +194,7 @@ def from_convention(kind, count, convention):
 
 @functools.lru_cache(maxsize=None)
 def from_mirrored(kind, count):
-    """Likewise for MED and SMESH, whose volumes are the other way round than Gmsh's."""
+    """As from_convention, for MED and SMESH, whose volumes are the other way round than Gmsh's."""
     order = from_convention(kind, count, RINGS)
     return order[turned(kind, count)] if DIMENSION[kind] == 3 else order
 
@@ -205,7 +205,7 @@ _CGNS_TETRAHEDRON = (_BASES["tetrahedron"], ((0, 1, 2), (0, 1, 3), (1, 2, 3), (2
 
 @functools.lru_cache(maxsize=None)
 def from_cgns(kind, count):
-    """Likewise for CGNS: of triangles and tetrahedra up to order 4, of other elements up to order 2."""
+    """As from_convention, for CGNS: triangles and tetrahedra up to order 4, other elements up to order 2."""
     if order_of(kind, count) <= 2:
         return from_convention(kind, count, LEVELS)
     sides = _CGNS_TETRAHEDRON if kind == "tetrahedron" else (EDGES[kind], FACES[kind])

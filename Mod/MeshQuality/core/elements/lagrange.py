@@ -52,7 +52,7 @@ def at_places(kind, count, at):
     index = np.abs(kinds.places(kind, full)[:, :2, None] - line).argmin(axis=2)
     u, v = (values("line", order, shares("line", at[:, d:d + 1])) for d in (0, 1))
     found = u[:, index[:, 0]] * v[:, index[:, 1]]
-    if full != count:  # of 8 nodes: the ninth follows from them
+    if full != count:  # 8 nodes: the ninth follows from them
         found[:, :4] -= 0.25 * found[:, 8:]
         found[:, 4:8] += 0.5 * found[:, 8:]
     return found[:, :count]

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...errors import IoError
 
-# Of names that several formats have for the same thing.
+# The type of integers that readers return, and what error messages advise.
 WHOLE = np.dtype(np.int64)
 REMEDY = "write it anew, or in another format"
 
@@ -92,7 +92,9 @@ def numbers_in(text):
 
 
 def whole(values):
-    """The same as int64; raises ValueError for fractions and for what is too large to be a number of a node."""
+    """int64 array of the numbers in bytes of text; raises ValueError for fractions and for what is too large to
+    be a number of a node.
+    """
     values = np.asarray(values)
     if values.dtype.kind != "f":
         return values.astype(WHOLE)

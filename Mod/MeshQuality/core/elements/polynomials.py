@@ -53,19 +53,21 @@ def values(kind, order, at):
 
 @functools.lru_cache(maxsize=None)
 def between(kind, order, wanted):
-    """float64 (nodes of `wanted`, nodes of `order`): by which nodes of one order make those of another one."""
+    """float64 (nodes of `wanted`, nodes of `order`): the weights of nodes of `order` at the nodes of `wanted`."""
     return values(kind, order, kinds.places(kind, kinds.count_of(kind, wanted)))
 
 
 @functools.lru_cache(maxsize=None)
 def lowered(kind, order, lower):
-    """float64 (nodes, nodes): the nodes of an order of the polynomial of a lower one through points of it."""
+    """float64 (nodes, nodes): maps nodes of an order to those of the polynomial of a lower order through
+    points of theirs.
+    """
     return between(kind, lower, order) @ between(kind, order, lower)
 
 
 @functools.lru_cache(maxsize=None)
 def corner_weights(kind, order):
-    """float64 (nodes, corners): of the straight element, the corners make the nodes by these."""
+    """float64 (nodes, corners): the weights of the corners at the nodes of the straight element."""
     at = kinds.places(kind, kinds.count_of(kind, order))
     if kind != "pyramid":
         return values(kind, 1, at)

@@ -92,7 +92,9 @@ def _distortion(kind, corners):
 
 
 def _in_own_plane(sides):
-    """The sides at a corner, (E, d, 3), as columns of matrices (E, d, d): of two sides in the plane that they span."""
+    """The sides at a corner, (E, d, 3), as columns of matrices (E, d, d); two sides in coordinates of the plane that
+    they span.
+    """
     if sides.shape[1] == 3:
         return np.swapaxes(sides, 1, 2)
     first, second = sides[:, 0], sides[:, 1]

@@ -69,7 +69,7 @@ def _sides(elements, order, table, flat):
 
 
 def _turns_of(order):
-    """By row of `order` its number in TURNS."""
+    """The number in TURNS of each row of `order`."""
     turns = np.array(TURNS[order.shape[1]])
     return (order[:, None, :] == turns[None]).all(axis=2).argmax(axis=1)
 

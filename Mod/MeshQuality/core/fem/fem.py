@@ -89,7 +89,7 @@ def _groups(kind, name, entities, first):
 
 
 def groups_from_rows(groups, elements):
-    """The groups of given.carried_groups as those of Elements with groups."""
+    """The groups of given.carried_groups in the form of the groups of Elements."""
     first = {kind: number for kind, number, _ in elements.blocks}
     return [(name, _NAMES[kind], convert.lists(rows + first[_NAMES[kind]]))
             for name, parts in groups.items() for kind, rows in parts.items() if len(rows)]

@@ -2,8 +2,9 @@
 """Where FEM meshes of a document lie on their parts.
 
 FreeCAD's FEM workbench makes meshes where the part's own placement has it, without the containers around it; other
-programs give them back where the document has the part. Both are meshes of it: the one that lies on it is meant. Boxes tell
-that mostly; where both fit, as of a part that is turned about the middle of its box, the distance from the faces does.
+programs give them back where the document has the part. So a mesh may lie on the part in either place: the place where it
+fits counts. Boxes tell that mostly; where both fit, as of a part that is turned about the middle of its box, the distance
+from the faces does.
 """
 
 import FreeCAD
@@ -13,7 +14,7 @@ from ...compat import extension
 from ..meshes.element_mesh import ElementMesh
 from ..sources import convert, frames
 
-_FITS = 0.02  # of the diagonal, by which boxes may differ where the mesh is coarse
+_FITS = 0.02  # share of the diagonal by which boxes may differ where the mesh is coarse
 _COMPARED = 2000  # nodes of the surface that are held against the faces
 
 
@@ -31,7 +32,7 @@ def shape_at(source, mesh, part):
 
 
 def mesh_at(source, part):
-    """The ElementMesh of a document object with a FEM mesh on its part, where the document has that."""
+    """The ElementMesh of a document object with a FEM mesh, moved to where its part is in the document."""
     mesh = ElementMesh.of(source)
     return mesh.moved(_motion(source, mesh, part, convert.shape_of(part)))
 
@@ -67,8 +68,8 @@ def _off_box(mesh, motion, box):
 
 
 def _off_faces(mesh, motion, shape):
-    """mm: the mean distance of nodes of the surface from the faces of the part, likewise. A part that is turned onto itself has
-    the same but for rounding: then either place is one of the mesh.
+    """mm: the mean distance of nodes of the surface from the faces of the part, without the motion and with it. A part that
+    is turned onto itself has the same but for rounding: then either place is one of the mesh.
     """
     nodes = np.unique(np.concatenate([rows.ravel() for rows in mesh.boundary()]))
     nodes = mesh.nodes[nodes[np.unique(np.linspace(0, len(nodes) - 1, _COMPARED).astype(int))]]

@@ -6,14 +6,14 @@ import math
 # Elements that a mesh of tetrahedra has, expected: its volume over the cube of its longest edge, times this. Measured as 8.4 to
 # 9.4 on a cantilever, a bracket and a shaft (benchmarks/solvers/fem_stress.py); faces that bend take more.
 _TETRAHEDRA = 9.0
-_TRIANGLES = 5.0  # the same of a mesh of shells: its area over the square of its longest edge
+_TRIANGLES = 5.0  # the same factor for a mesh of shells: its area over the square of its longest edge
 _MOST = 100_000  # elements expected: CalculiX takes some minutes and gigabytes for quadratic ones
 _SHELL_SIZES = 10.0  # longest edges along a shell, for one element through the walls
 
 
 def longest_edge(shape, values):
-    """(length, note): the longest edge of a FEM mesh with these options, in mm, and a sentence where the number of elements
-    is what limits it, or "".
+    """(length, note): the longest edge of a FEM mesh with these options, in mm, and a sentence if the number of elements
+    limits it, or "".
 
     Of solids: the mean wall thickness, twice the volume over the area of the surface, over `elements_through`. A plate
     has as many elements through its thickness, a round bar twice as many through its diameter.

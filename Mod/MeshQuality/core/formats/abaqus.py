@@ -17,7 +17,7 @@ _FLATS = re.compile(r"(?:STRI|DS|S|M3D|R3D|SFM3D|CPS|CPEG|CPE|CAX|CGAX|DC2D|DCAX
 # Faces of kinds.FACES, in the order of S1, S2, ...
 SIDES = {"tetrahedron": (0, 1, 3, 2), "hexahedron": (0, 5, 1, 3, 4, 2), "prism": (0, 1, 2, 4, 3),
          "pyramid": (4, 0, 2, 3, 1)}
-_SURFACE = "_surface"  # what our own files put behind the name of a patch for its faces
+_SURFACE = "_surface"  # follows the name of a patch in the names of its faces in our own files
 _DEEPEST = 8
 
 

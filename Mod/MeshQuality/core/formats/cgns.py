@@ -17,12 +17,12 @@ from ..elements import kinds
 from ..elements.parts import REMEDY, Parts, Section, count_within, equal_rows, unsupported, whole, words_of
 from .arrays import element_blocks, points_of
 
-# Of the enumerations of cgnslib.h.
+# Values of the enumerations of cgnslib.h.
 _MODE_READ, _MODE_WRITE = 0, 1
 _UNSTRUCTURED, _REAL_DOUBLE, _POINT_RANGE, _FAMILY_SPECIFIED = 3, 4, 4, 25
 _VERTEX, _CELL_CENTER, _FACE_CENTER = 2, 3, 4
 _DIMENSIONAL, _UNKNOWN_DIMENSION = 2, 4
-_LIST, _RANGE = (2, 7), (_POINT_RANGE, 6)  # of points or of elements
+_LIST, _RANGE = (2, 7), (_POINT_RANGE, 6)  # of points, or of elements: values of PointSetType_t
 _NODE, _MIXED = 2, 20
 _TYPES = {3: ("line", 2), 4: ("line", 3), 5: ("triangle", 3), 6: ("triangle", 6), 7: ("quadrilateral", 4),
           8: ("quadrilateral", 8), 9: ("quadrilateral", 9), 10: ("tetrahedron", 4), 11: ("tetrahedron", 10),
@@ -32,8 +32,8 @@ _TYPES = {3: ("line", 2), 4: ("line", 3), 5: ("triangle", 3), 6: ("triangle", 6)
 _NAMES = {22: "polygons (NGON_n)", 23: "polyhedra (NFACE_n)"}
 _NUMBERS = {known: number for number, known in _TYPES.items()}
 _DENSEST = 1000  # how many times a compressed file may grow
-_LENGTHS = {1.0: 4, 0.001: 2}  # by scale: millimetre, metre
-_LEAST_BYTES = 2**19  # of a file beside its arrays
+_LENGTHS = {1.0: 4, 0.001: 2}  # the value of LengthUnits_t by scale: millimetre, metre
+_LEAST_BYTES = 2**19  # room for what a file holds beside its arrays
 
 
 @functools.lru_cache(maxsize=None)
@@ -68,7 +68,7 @@ class _File:
     def __init__(self, path, mode=_MODE_WRITE, arrays=0):
         """arrays  bytes of what will be written"""
         if mode == _MODE_WRITE:
-            # Below the library HDF5 ends the process, at its end, where a disk was full.
+            # On a full disk HDF5, which the library uses, aborts the process when it exits.
             files.require_room(path, _LEAST_BYTES + arrays)
         self.number = _number("cg_open", ctypes.c_char_p(os.fsencode(path)), mode)
 

@@ -14,7 +14,7 @@ from ..elements.parts import Parts, Section, content, hdf5, unsupported, words_o
 from . import netcdf_classic
 from .arrays import element_blocks, points_of, tetrahedra_in_common_order
 
-_FIRST_BYTES = 2**16  # of the file in memory, which grows
+_FIRST_BYTES = 2**16  # initial size of the file in memory, which grows
 _LONGEST = 32  # characters of a name
 _WANTED = ("connect", "coord", "eb_", "ss_", "elem_ss", "side_ss")
 
@@ -214,5 +214,5 @@ def _add_sides(data, parts):
         name = names[i - 1]
         numbers, sides = (data[f"{what}_ss{i}"][0].astype(np.int64) for what in ("elem", "side"))
         of_flat = np.isin(numbers, flat)
-        parts.add_to_group(name, numbers[of_flat & (sides <= 2)])  # of shells: either side of theirs
+        parts.add_to_group(name, numbers[of_flat & (sides <= 2)])  # shells, by either of their faces
         parts.sides.append((name, numbers[~of_flat], sides[~of_flat]))

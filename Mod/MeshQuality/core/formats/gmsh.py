@@ -47,7 +47,7 @@ class _Text:
 
 
 class _Binary:
-    """Likewise out of a section that is binary."""
+    """Takes numbers one after the other out of a binary section."""
 
     def __init__(self, data, start, order):
         self._data, self.end, self._order = data, start, order

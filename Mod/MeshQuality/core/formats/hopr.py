@@ -16,13 +16,13 @@ from .sides import alike, keys_of
 
 _STRAIGHT = {"tetrahedron": 104, "pyramid": 115, "prism": 116, "hexahedron": 118}
 _CURVED = {"tetrahedron": 204, "pyramid": 205, "prism": 206, "hexahedron": 208}
-_COUNTED = (104, 204, 105, 115, 205, 106, 116, 206, 108, 118, 208)  # of ElemCounter
+_COUNTED = (104, 204, 105, 115, 205, 106, 116, 206, 108, 118, 208)  # types in the order of ElemCounter
 _OTHERS = "others"  # the boundary condition of sides in no group
-_BC_TYPE = (2, 0, 0, 0)  # until the parameters of a solver say what each is
-_KINDS = {4: "tetrahedron", 5: "pyramid", 6: "prism", 8: "hexahedron"}  # by the last digit of the type
+_BC_TYPE = (2, 0, 0, 0)  # no condition yet: the parameters of a solver say it
+_KINDS = {4: "tetrahedron", 5: "pyramid", 6: "prism", 8: "hexahedron"}  # the kind by the last digit of the type
 _WHAT = "files of HOPR"
 _NAME = 255
-_BITS = 21  # of each coordinate along the curve by which elements are ordered
+_BITS = 21  # bits of each coordinate on the curve by which elements are ordered
 _MOST = 2**31 - 1
 
 
@@ -126,7 +126,7 @@ class _Sides:
         number = np.cumsum(master)
         self.number = np.where(master, number, -number[first[same]])
         last = np.empty(len(first), dtype=np.int64)
-        last[same] = index  # of two equal ones the later one stays
+        last[same] = index  # the later of two equal sides stays
         self._other = np.where(master, last[same], first[same])
         self.outer = self._other == index
 

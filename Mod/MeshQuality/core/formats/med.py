@@ -55,7 +55,7 @@ def _parts(file):
 
 
 def _columns(dataset, what):
-    """The columns of a table that lie one after the other, as rows."""
+    """The rows of a table that is stored column by column."""
     count = count_within(dataset.attrs["NBR"], dataset.size, what)
     if not count or dataset.size % count:
         raise IoError(f"the number of its {what} does not fit: {REMEDY}")

@@ -81,7 +81,7 @@ def closed_points(order):
     """float64 (order + 1,): the Gauss-Lobatto points of [0, 1], where MFEM has the nodes of an edge."""
     inner = np.polynomial.legendre.Legendre.basis(order).deriv().roots()
     found = np.concatenate([[0.0], (np.sort(inner.real) + 1.0) / 2.0, [1.0]])
-    return (found + 1.0 - found[::-1]) / 2.0  # as symmetric as they are
+    return (found + 1.0 - found[::-1]) / 2.0  # exactly symmetric
 
 
 def inner_shares(kind, order):

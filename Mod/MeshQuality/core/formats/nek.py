@@ -11,7 +11,7 @@ from .sides import sides_of
 _EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
 _SIDES = {**kinds.FACES, "hexahedron": (1, 3, 4, 2, 0, 5)}
 _MIDDLE, _CONDITION = b"m", b"MSH"  # the latter is for the case to replace by what the number means
-_BENT = 1e-9  # of an edge's length: how far a middle node is from the middle
+_BENT = 1e-9  # share of an edge's length: a node farther from the middle bends the edge
 
 TYPES = {("hexahedron", count) for count in (8, 20, 27)}
 

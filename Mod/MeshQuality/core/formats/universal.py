@@ -11,7 +11,7 @@ from ..elements import kinds
 from ..elements.parts import REMEDY, Parts, Section, content, count_within, equal_rows, numbers_in, unsupported, whole, words_of
 
 _NODES, _ELEMENTS = (b"2411", b"781"), (b"2412", b"780")
-# By dataset of groups the numbers for each member: its type, its number, and two that say nothing of elements.
+# How many numbers each dataset of groups has for a member: its type, its number, and two unused ones.
 _GROUPS = {b"2467": 4, b"2477": 4, b"2452": 4, b"2435": 4, b"2432": 2, b"2430": 2, b"2429": 2}
 _ELEMENT = 8
 _BEAMS = {11, 21, 22, 23, 24, 31, 32}
@@ -31,7 +31,7 @@ AROUND = {
 
 @functools.lru_cache(maxsize=None)
 def order_of(kind, count):
-    """By which nodes get into Gmsh's order."""
+    """The indices that bring nodes into Gmsh's order."""
     if (kind, count) not in AROUND:
         return np.arange(count)
     places = kinds.places(kind, count)

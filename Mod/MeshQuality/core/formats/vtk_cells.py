@@ -7,21 +7,21 @@ from ...errors import IoError
 from ..elements import kinds
 from ..elements.parts import REMEDY, runs, unsupported
 
-# By VTK's number the kind and how many nodes; None: Lagrange cells, of any order.
+# The kind and the number of nodes by VTK's number; None: Lagrange cells, of any order.
 CELLS = {3: ("line", 2), 5: ("triangle", 3), 9: ("quadrilateral", 4), 10: ("tetrahedron", 4), 12: ("hexahedron", 8),
           13: ("prism", 6), 14: ("pyramid", 5), 21: ("line", 3), 22: ("triangle", 6), 23: ("quadrilateral", 8),
           24: ("tetrahedron", 10), 25: ("hexahedron", 20), 26: ("prism", 15), 27: ("pyramid", 13), 28: ("quadrilateral", 9),
           29: ("hexahedron", 27), 32: ("prism", 18), 68: ("line", None), 69: ("triangle", None),
           70: ("quadrilateral", None), 71: ("tetrahedron", None)}
-# Of files from version 2.2 on: before it had other orders of nodes.
+# Cells of files from version 2.2 on: older versions had other orders of nodes.
 NEWER_CELLS = {**CELLS, 72: ("hexahedron", None), 73: ("prism", None)}
 _POINTS = {0, 1, 2}
 _NAMES = {4: "poly lines", 6: "triangle strips", 7: "polygons", 8: "pixels", 11: "voxels", 34: "triangles with 7 nodes",
           35: "cubic lines", 37: "pyramids with 19 nodes", 42: "polyhedra", 72: "hexahedra of VTK Lagrange",
           73: "prisms of VTK Lagrange", 74: "pyramids of VTK Lagrange"}
-# Of the arrays of cells that name a group by its number; the CAD entities that our own files have.
+# Arrays of cells that hold numbers of groups, and their dimension: the CAD entities of our own files.
 _GEOMETRY = {"cad_face": 2, "cad_solid": 3}
-GROUP = "group"  # of files of ElementMesh: the group of each cell
+GROUP = "group"  # the array with the group of each cell in files of ElementMesh
 TABLES = (*_GEOMETRY, "patch", GROUP, "CellEntityIds", "gmsh:geometrical")
 
 

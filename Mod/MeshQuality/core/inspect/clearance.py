@@ -14,7 +14,7 @@ from ..operands.operands import is_arrays, part_of
 from ..operands.solid_surfaces import SolidSource, face_name
 from ..sources import convert, frames
 
-_MESHING = 0.5  # of the progress
+_MESHING = 0.5  # share of the progress
 _ROUNDING = 1e-7  # fraction of the size of the bodies, below which two lengths are the same
 _MOST_FACE_PAIRS = 16  # that are measured by OpenCASCADE for one pair of bodies
 _LISTED = 20  # pairs in a text

@@ -15,10 +15,10 @@ from ..operands.solid_surfaces import SolidSource, face_name
 from . import tables
 
 _AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
-_UNDERCUT = 0  # of the core's release
-_MESHING = 0.6  # of the progress
+_UNDERCUT = 0  # the core's number of a release that is an undercut
+_MESHING = 0.6  # share of the progress
 _LISTED = 20  # faces in a text
-_PER_DIMENSION = 50.0  # of the largest dimension in an edge, at least
+_PER_DIMENSION = 50.0  # least number of edges along the largest dimension
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ def write(path, head, rows):
 
 
 def connected(triangles, chosen):
-    """The chosen triangles by regions that hang together by vertices: index arrays."""
+    """The chosen triangles by regions connected by vertices: index arrays."""
     if not len(chosen):
         return []
     _, corners = np.unique(triangles[chosen], return_inverse=True)

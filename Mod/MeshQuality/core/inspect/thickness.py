@@ -16,11 +16,11 @@ from . import tables
 
 # The mesh of a shape is to deviate by at most this share of the thinnest wall: two sides, one percent of it together.
 _SHARE = 0.005
-_MOST_TRIANGLES = 200_000  # of the finer mesh that this leads to
-_DECIDES = 0.4  # of what is between the smallest thickness and a limit: two sides deviate by less than all of it
-_ROUNDING = 2.0 ** -23  # of the size, of two points with coordinates of single precision
-_LEAST_FINER = 0.1  # of the deviation of a mesh: finer ones are not proposed
-_MEASURES = ((0.0, 0.3), (0.3, 0.6), (0.6, 1.0))  # of the progress, for each mesh and its measure
+_MOST_TRIANGLES = 200_000  # most triangles of such a finer mesh
+_DECIDES = 0.4  # share of the difference of smallest thickness and limit: two sides together deviate by less than the whole
+_ROUNDING = 2.0 ** -23  # share of the size: the rounding of two points to single precision
+_LEAST_FINER = 0.1  # share of the deviation of a mesh: no finer mesh is proposed
+_MEASURES = ((0.0, 0.3), (0.3, 0.6), (0.6, 1.0))  # shares of the progress: for each mesh, and for measuring it
 _PERCENTILES = (1, 5, 25, 50, 75)
 _NAMED = 10  # thin places that a text lists
 
@@ -117,7 +117,7 @@ class ThicknessMap(metaclass=Public):
         return self._core.by_rays if self._measure == "rays" else self._core.by_spheres
 
     def by(self, measure):
-        """The same of the other measure, "spheres" or "rays"; nothing is computed again."""
+        """This map by the measure "spheres" or "rays"; nothing is computed again."""
         measure = options.inspection.THICKNESS[0].checked(measure)
         other = object.__new__(type(self))
         for name in self.__slots__:
@@ -138,7 +138,7 @@ class ThicknessMap(metaclass=Public):
 
     @property
     def bounds(self):
-        """Between which it is, mm, by the deviation of the mesh."""
+        """Bounds of the smallest thickness, mm, by the deviation of the mesh."""
         error = 2.0 * max(self.chord_height or 0.0, 0.0)
         return max(0.0, self.minimum - error), self.minimum + error
 
@@ -150,22 +150,22 @@ class ThicknessMap(metaclass=Public):
 
     @property
     def least_allowed(self):
-        """min_thickness less what coordinates of single precision change of it, mm: a wall that thick meets it."""
+        """min_thickness less the rounding of coordinates to single precision, mm: a wall that thick meets it."""
         return self.min_thickness - _ROUNDING * float(np.ptp(self.mesh.vertices, axis=0).max())
 
     @property
     def deciding_deviation(self):
-        """Deviation of a mesh from the shape, mm, by which that may be told, unless the wall is as thick as min_thickness."""
+        """Deviation of a mesh, mm, that decides this, unless the wall is just as thick as min_thickness."""
         return max(_DECIDES * abs(self.minimum - self.min_thickness), _LEAST_FINER * self.chord_height)
 
     @property
     def minimum_point(self):
-        """Where that is, mm; None where there are no walls."""
+        """The point of the smallest thickness, mm; None without walls."""
         return self.points[self.minimum_triangle] if self.minimum_triangle >= 0 else None
 
     @property
     def minimum_faces(self):
-        """The names of the CAD faces on both sides there."""
+        """The names of the CAD faces on both sides of the thinnest wall."""
         return self.faces_at(self.minimum_triangle)
 
     def faces_at(self, triangle):
@@ -359,7 +359,8 @@ def _finer(core, values):
         wanted = min(wanted, first.deciding_deviation)
     if deviation <= wanted:
         return None
-    # Triangles of a curved surface are as many as their distance from it is small.
+    # The number of triangles of a curved surface is inversely proportional to their distance from
+    # it.
     least = deviation * len(first.values) / _MOST_TRIANGLES
     wanted = max(wanted, least)
     return wanted if wanted < 0.7 * deviation else None

@@ -14,7 +14,7 @@ from ..operands.operands import part_of
 from ..operands.solid_surfaces import SolidSource
 from . import tables
 
-_MESHING = 0.9  # of the progress
+_MESHING = 0.9  # share of the progress
 _LISTED = 20  # voids in a text
 
 
@@ -91,9 +91,9 @@ def voids(source, tolerance=None, progress=None):
     tolerance  mm; largest distance of the mesh from a shape; None: a thousandth of the largest dimension
     progress   callable(fraction 0..1, stage); returning False cancels
 
-    A cavity is a closed surface that faces inwards; a solid that lies in it is not taken off its volume. Those that open to
-    the outside, by a hole however narrow, are none. The solids of a shape are searched each by itself.
-    Raises InvalidInput naming the shape or mesh, the defect and the remedy; TopologyError, GeometryError; Cancelled.
+    A cavity is a closed surface that faces inwards; a solid that lies in it is not taken off its volume. A space that opens
+    to the outside, by a hole however narrow, is no cavity. The solids of a shape are searched each by itself. Raises
+    InvalidInput naming the shape or mesh, the defect and the remedy; TopologyError, GeometryError; Cancelled.
     """
     values = options.check(options.inspection.VOIDS, {"tolerance": tolerance})
     options.require_callable(progress)
@@ -122,7 +122,7 @@ def _cavity(mesh, triangles):
     a, b, c = np.moveaxis(corners - middle, 1, 0)
     volumes = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6.0
     volume = float(volumes.sum())
-    # Of the tetrahedra between the triangles and the middle.
+    # The centre of mass of the tetrahedra between the triangles and the middle.
     center = middle + (volumes[:, None] * (a + b + c) / 4.0).sum(axis=0) / volume if volume else middle
     faces = mesh.triangle_face[triangles] if len(mesh.triangle_face) else np.zeros(0, int)
     origin = mesh.origin

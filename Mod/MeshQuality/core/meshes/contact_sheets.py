@@ -15,7 +15,8 @@ def with_sheets(mesh, patches):
     """A SurfaceMesh that has the triangles between two solids once, and its Patches, in which they are
     "Solid1_and_Solid2".
 
-    They are those of the first solid: normals point into the second one. Points in the same place are one vertex.
+    The triangles of the first solid are kept: normals point into the second one. Points in the same place are one
+    vertex.
     """
     between = with_interfaces(patches, mesh, "and")
     opposite, solid = mesh.triangle_opposite, mesh.triangle_solid

@@ -16,10 +16,10 @@ from . import writing
 
 FLOWS = ("internal", "external")
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.+\-]*")
-_MOST_CELLS = 1000  # along the part
-MOST_LEVELS = 6  # of refinement: cells 64 times as short as those of the background
-_CELLS = {"internal": 20, "external": 4}  # of the background along the part
-_MARGIN = 0.05  # of the size, by which the background is larger than the part for flows inside
+_MOST_CELLS = 1000 # cells of the background along the part, at most
+MOST_LEVELS = 6  # levels of refinement: then cells are 64 times as short as in the background
+_CELLS = {"internal": 20, "external": 4}  # cells of the background along the part
+_MARGIN = 0.05  # share of the size by which the background exceeds the part for flows inside
 _FAR = (2.0, 4.0)  # sizes of the part between it and the sides of the background, before and behind it along x
 _OPEN = ("inlet", "outlet", "opening", "farfield")  # patches called so are open, all others walls
 _WALL, _PATCH = "wall", "patch"
@@ -35,7 +35,7 @@ _HEADER = """FoamFile
 
 @dataclass(frozen=True)
 class Case:
-    """What the files say, in metres (or what `scale` makes of mm).
+    """The values in the files, in metres (or in the unit that `scale` makes of mm).
 
     name      of the surface
     cell      length of the cells of the background

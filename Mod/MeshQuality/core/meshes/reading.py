@@ -14,7 +14,7 @@ from ..elements.assembly import assembled
 from ..sources import convert
 from .writing import checked_scale
 
-# What reading raises where a file is damaged, of ours and of the libraries.
+# Exceptions, our own and those of libraries, that reading a damaged file raises.
 _DAMAGE = (ValueError, LookupError, TypeError, AttributeError, ArithmeticError, AssertionError, EOFError, MemoryError,
            RuntimeError, OSError, struct.error, zlib.error, ElementTree.ParseError)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How meshes are written into files: in which format, with which patches, and so that a file that is there is lost only
-to a complete one.
+"""How meshes are written into files: in which format, with which patches, and so that only a complete file replaces an
+existing one.
 """
 
 import math
@@ -34,7 +34,7 @@ _3MF_PARTS = {
 }
 # What is written at most, and the least size of a mesh: beyond, single precision has infinities, or fewer digits.
 _LARGEST, _SMALLEST = float(np.finfo(np.float32).max), float(np.finfo(np.float32).tiny / np.finfo(np.float32).eps)
-_FASTEST = 1  # of zlib's levels: a third of the time of the usual one, for files a tenth larger
+_FASTEST = 1  # zlib's level: a third of the usual time, for files a tenth larger
 
 
 def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, format=None,  # noqa: A002
@@ -155,7 +155,7 @@ def _write_3mf(mesh, path, patches, scale):
 
 
 def arguments_of(patches):
-    """What the core's writers take of Patches."""
+    """The arguments of the core's writers for Patches."""
     return {"names": list(patches.names), "patch": patches.of_triangle, "given": patches.given,
             "colours": [colour_of(patches, i) for i in range(len(patches.names))]}
 

@@ -62,7 +62,7 @@ class Operands:
         return core
 
     def given_to(self, work):
-        """What a function of core.Operands gives; its errors name operands by their labels, too."""
+        """The result of a function of core.Operands; its errors name operands by their labels, too."""
         try:
             return work(self._core)
         except Error as error:

@@ -10,17 +10,17 @@ from ..triangulation import triangulate
 from .operands import is_arrays
 
 _RELATIVE = 1e-3  # first distance of the mesh from a shape, as a fraction of its largest dimension
-_FINEST = 1e-6  # likewise: single precision holds no finer ones
-_MOST_FOR_ANGLES = 200_000  # triangles: where a bound on angles takes more, as along a face of a millionth of the size, there is none
+_FINEST = 1e-6  # the finest distance, such a fraction too: single precision holds no finer one
+_MOST_FOR_ANGLES = 200_000  # no bound on angles where it takes more triangles, as along a face of a millionth of the size
 
 
 def is_given_mesh(source):
-    """Whether it is a mesh, and no shape is to be meshed."""
+    """Whether the source is a mesh, so that no shape need be meshed."""
     return isinstance(source, SurfaceMesh) or is_arrays(source) or convert.is_mesh(source)
 
 
 class SolidSource:
-    """A shape or a mesh, as it is now: the place for errors to name it.
+    """A shape or a mesh, as it is now, with its name for errors.
 
     shape  the Part.Shape; None of a mesh
     label  how sentences call it
@@ -38,7 +38,7 @@ class SolidSource:
             self.size = max(box.XLength, box.YLength, box.ZLength)
 
     def first_chord_height(self):
-        """Of a shape, where none is given."""
+        """The tolerance for the mesh of a shape where none is given."""
         return _RELATIVE * self.size
 
     def mesh(self, chord_height, max_edge, progress):

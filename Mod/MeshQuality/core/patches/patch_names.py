@@ -34,8 +34,8 @@ def suggested_patches(source, by, analysis=None):
 
 
 def suggested_for(members, by):
-    """The same of all sources of a mesh, members of source_faces, by the names that faces have there. By labels, each of
-    several that is no container is one.
+    """Suggested patches of all sources of a mesh, members of source_faces, by the names of faces in the mesh. By
+    labels, each of several sources that is no container is one patch.
     """
     found, refused = {}, InvalidInput(phrases.Text(phrases.NO_PATCHES[by], name=", ".join(
         convert.label_of(member.source) for member in members)))
@@ -65,7 +65,7 @@ def plain_name(label):
 
 
 def _another(name, taken):
-    """The name, with a number where another patch has it: labels of other letters look alike."""
+    """The name, with a number if another patch has it: labels may differ only in letters that names of patches cannot have."""
     number = 2
     plain = name
     while name in taken:
@@ -128,7 +128,7 @@ def _references(member, document):
     for name in ("References", "ShapeRefs"):
         for entry in getattr(member, name, None) or ():
             obj, names = entry[0], entry[1]
-            if isinstance(obj, str):  # of older CfdOF
+            if isinstance(obj, str):  # older versions of CfdOF store a name
                 obj = document.getObject(obj)
             if obj is not None:
                 yield obj, [names] if isinstance(names, str) else names

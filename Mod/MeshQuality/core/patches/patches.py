@@ -15,7 +15,7 @@ from ..sources import convert
 _FACE = re.compile(r"Face([1-9][0-9]{0,8})")
 _COLOUR = re.compile(r"#([0-9a-fA-F]{2})([0-9a-fA-F]{2})([0-9a-fA-F]{2})")
 _NO_FACE = "Surface"  # the patch of triangles that lie on no face of a shape
-_GOLDEN = 0.618034  # of the circle of hues: neighbours in the list differ most
+_GOLDEN = 0.618034  # step on the circle of hues, with which neighbours in the list differ most
 
 
 class Division(NamedTuple):
@@ -38,7 +38,7 @@ class Division(NamedTuple):
         return self.face_names[index] if index < len(self.face_names) else f"Face{index + 1}"
 
     def index_of(self, name):
-        """The index of a face, "Face3" or by its own name; None of another name."""
+        """The index of a face, "Face3" or by its own name; None for any other name."""
         if self.face_names and name in (*self.face_names, self.no_face):
             return -1 if name == self.no_face else self.face_names.index(name)
         found = _FACE.fullmatch(name)
@@ -63,8 +63,8 @@ class Patches(NamedTuple):
 def division_of(patches, rest=None, index_of=None, like=_PLAIN):
     """The Division of {"inlet": ["Face1", ...]} or {"inlet": {"faces": [...], "colour": "#ff0000"}}.
 
-    `index_of` gives the index of a face of such a name, None of others; without one `like` does, a Division whose names
-    of faces are taken. None where neither is given. Raises InvalidInput naming patch, face and remedy.
+    `index_of` returns the index of a face by its name, or None; by default that of the Division `like`, whose names of
+    faces the result keeps. None without patches and rest. Raises InvalidInput naming patch, face and remedy.
     """
     if patches is None and rest is None:
         return None
@@ -122,8 +122,8 @@ def _add_face(patch_of, names, name, face, index_of):
 
 
 def division_for(source, patches, rest=None):
-    """The same for a shape or a document object, which must have the faces. Names are those of local sizes: "Box.Face3"
-    of a container or a link.
+    """The Division for a shape or a document object, which must have the faces. Names are those of local sizes:
+    "Box.Face3" of a container or a link.
     """
     division = division_of(patches, rest, lambda name: index_in(source, name))
     if division is not None and division.patch_of:
@@ -162,7 +162,7 @@ def require_faces(division, count, what):
 
 
 def patches_of(division, triangle_face, count):
-    """The Patches of a mesh with `count` triangles on these faces; without a division each face is one."""
+    """The Patches of a mesh with `count` triangles on these faces; without a division each face is a patch."""
     given = division is not None
     division = division or _PLAIN
     face = np.asarray(triangle_face, dtype=np.int64)
@@ -208,7 +208,7 @@ def with_interfaces(patches, mesh, link="to"):
         raise InvalidInput(f"patch {taken!r} has the name of an interface: give it another name")
     of_triangle = patches.of_triangle.copy()
     of_triangle[here] = len(patches.names) + number.reshape(-1)
-    used = np.unique(of_triangle).tolist()  # a face that a contact covers leaves nothing of its patch
+    used = np.unique(of_triangle).tolist()  # the patch of a face that a contact covers is empty
     all_names, all_colours = [*patches.names, *names], [*patches.colours, *[None] * len(names)]
     return patches._replace(names=tuple(all_names[i] for i in used), colours=tuple(all_colours[i] for i in used),
                             of_triangle=np.searchsorted(used, of_triangle).astype(np.int32), given=True)
@@ -222,5 +222,5 @@ def colour_of(patches, i):
 
 
 def distinct_colour(i):
-    """The colour of a patch that has none of its own, likewise."""
+    """The colour of a patch that has none of its own, red, green, blue from 0 to 255."""
     return tuple(round(255 * part) for part in colorsys.hsv_to_rgb(i * _GOLDEN % 1.0, 0.55, 0.9))

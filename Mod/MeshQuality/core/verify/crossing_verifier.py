@@ -5,7 +5,7 @@ the core proves.
 It shares no code with the core. All sides are triangles of one degree: quadrilaterals are two of twice their order, whose control
 points follow by interpolation. All pairs whose boxes meet are cut into four by four pieces, level by level and many
 pairs at once, until a plane is found by Gilbert's iteration (1966) between two pieces, or between their directions from a
-vertex or an edge that they share. Pairs that are said to cross are shown a common point of.
+vertex or an edge that they share. For pairs that are said to cross a common point is found.
 """
 
 import functools
@@ -18,11 +18,11 @@ from ...errors import Cancelled
 from ..elements import kinds, lagrange
 
 APART, CROSSING, UNKNOWN = 1, -1, 0
-_LEVELS = 12  # of cutting
-_FEW_PIECES = 200  # of a pair that is said to cross: of two quadrilaterals, most pairs of halves do not
-_PIECES, _MANY_PIECES, _TRIED = 2000, 40_000, 50  # pieces of a pair; pieces of each of the first pairs left; pairs that get the latter
-_ROUNDS = 60  # of the search for a plane
-_ROUNDING = 1e-12  # of the largest coordinate
+_LEVELS = 12  # how often a triangle is cut at most
+_FEW_PIECES = 200  # pieces of a pair whose sides are said to cross: most pairs of halves of two quadrilaterals do not
+_PIECES, _MANY_PIECES, _TRIED = 2000, 40_000, 50  # pieces of a pair; pieces of each of the first pairs left; how many these first pairs are
+_ROUNDS = 60  # steps of the search for a plane
+_ROUNDING = 1e-12  # share of the largest coordinate
 _AT_A_TIME = 40_000  # pairs
 _BOXES_AT_A_TIME = 8_000_000
 _NUMBERS_AT_A_TIME = 1_000_000  # components of directions along vectors
@@ -33,7 +33,7 @@ _AWAY = 1e-4  # barycentric coordinate by which a common point is off what is sh
 
 @functools.lru_cache(maxsize=None)
 def _exponents(order):
-    """int (n, 3): of the control points, those of the corners first."""
+    """int (n, 3): the exponents of the control points, corners first."""
     rows = [(i, j, order - i - j) for i in range(order, -1, -1) for j in range(order - i, -1, -1)]
     return np.array(sorted(rows, key=lambda row: -max(row) if max(row) == order else 0))
 
@@ -72,7 +72,7 @@ def _parts(kind):
 
 
 class _Surface:
-    """Control points about the middle of the mesh of the triangles that the sides are divided into, and what these share.
+    """The triangles into which sides are divided: control points about the middle of the mesh, and their common corners.
 
     vertex  int (T, 3), side int (T,): the corners of each triangle, and its side, numbered from one kind to the next
     """
@@ -149,7 +149,7 @@ def near_pairs(surface):
 
 
 def _rounder(vectors):
-    """(P, 3, 3): by which vectors times it are about as long in all directions; a plane before is one after."""
+    """(P, 3, 3): linear maps after which the vectors are about as long in all directions; planes stay planes."""
     square = np.einsum("pnx,pny->pxy", vectors, vectors)
     values, axes = np.linalg.eigh(square)
     values = np.maximum(values, 1e-12 * np.maximum(values[:, 2:], 1e-300))
@@ -236,7 +236,7 @@ def _nearer(point, other):
 
 @functools.lru_cache(maxsize=None)
 def _differences(order):
-    """By corner (from, to) of the control points along which a triangle runs towards it from the edge opposite."""
+    """By corner (from, to): pairs of control points along which a triangle runs from the opposite edge to the corner."""
     index = {tuple(row): i for i, row in enumerate(_exponents(order).tolist())}
     found = []
     for corner in range(3):
@@ -304,7 +304,7 @@ def _monotone(order, control, margin):
 
 def examine(nodes, sides, listed=(), left_out=(), progress=None):
     """(pairs (P, 2), verdict (P,)) of the pairs that are not proven apart, and of those that are listed: APART, CROSSING or
-    UNKNOWN. Pairs that are left out are not looked at. sides: [(kind, order, rows)]; progress as for verify.
+    UNKNOWN. Other pairs are not examined. sides: [(kind, order, rows)]; progress as for verify.
     """
     surface = _Surface(nodes, sides)
     count = int(surface.side.max(initial=-1)) + 1
@@ -322,7 +322,7 @@ def examine(nodes, sides, listed=(), left_out=(), progress=None):
     said = _among(_of_sides(surface, left), listed, count)
     verdict = np.full(len(left), UNKNOWN)
     verdict[said] = np.where(_apart(surface, left[said], _FEW_PIECES), APART, UNKNOWN)
-    shown = set()  # of two sides one pair of triangles that cross is enough
+    shown = set()  # pairs of sides: one pair of their triangles that cross is enough
     for i, pair in enumerate(map(tuple, _of_sides(surface, left).tolist())):
         if verdict[i] == UNKNOWN and pair not in shown and _meet(surface, *left[i].tolist()):
             verdict[i] = CROSSING
@@ -380,7 +380,9 @@ def _apart_from_itself(surface, control, depth):
 
 
 def _search(surface, a, b, partner, edges, most):
-    """bool (P,): by pieces, all of one level together, so that pieces along a common edge have equal corners."""
+    """bool (P,): whether pairs are apart, shown on pieces; all pairs are cut together, so that pieces along a
+    common edge have equal corners.
+    """
     count, order = len(a), surface.order
     open_, owner = np.ones(count, dtype=bool), np.arange(count)
     whole = np.broadcast_to(np.eye(3, dtype=int), (count, 3, 3))
@@ -454,7 +456,7 @@ def _lines(steps=6):
 
 
 def _slopes(order, control, at):
-    """By place the derivatives along two sides."""
+    """The derivatives along two sides at each place."""
     step = 1e-6
     along = [np.array([-step, step, 0.0]), np.array([-step, 0.0, step])]
     return np.stack([(_bernstein(order, at + d) - _bernstein(order, at - d)) @ control / (2 * step) for d in along], axis=2)
@@ -511,7 +513,7 @@ def touch_only(nodes, sides, pairs):
 
 
 def _bodies(corners, side):
-    """By triangle a number that is the same where edges of just two triangles connect them, or one side has them."""
+    """By triangle the number of its body: edges with just two triangles connect these, and so does a common side."""
     edges = np.sort(np.concatenate([corners[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
     owner = np.tile(np.arange(len(corners)), 3)
     _, index, counts = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
@@ -546,7 +548,7 @@ def _on_both_sides(order, a, b, slack, levels):
     thick = np.maximum(*high) - np.minimum(*low) > 2 * slack
     if (thick & ((low[0] >= high[1] - slack) | (low[1] >= high[0] - slack))).any():
         return True
-    if not thick[:2].any() and normals[0] @ normals[1] < 0:  # in one plane, and looking away from each other
+    if not thick[:2].any() and normals[0] @ normals[1] < 0:  # both lie in one plane and face away from each other
         return True
     if levels == 0:
         return False

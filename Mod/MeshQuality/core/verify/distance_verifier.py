@@ -14,20 +14,20 @@ from ...compat import extension
 from ..elements import lagrange
 from . import nearest_on_mesh
 
-_STEPS = 7  # of the lattice of points of a triangle; its corners are not measured
+_STEPS = 7  # steps of the lattice of points of a triangle; its corners are not measured
 _OWN = [(i + 0.5) / 9 for i in range(9)]  # places along each parameter at which faces and edges must have been measured
 _MOST_POINTS = 1_000_000
-_EXACT, _NOTHING = 1e-6, 1e-7  # by which distances at the same points may differ, times their own and the size of the mesh
+_EXACT, _NOTHING = 1e-6, 1e-7  # allowed difference of distances at the same points: of the distance, and of the size of the mesh
 _COMPARED = 500  # triangles that are compared with their own face
 _NEARLY_FOLDED = 0.5  # cosine to the normal of the CAD face below which a triangle may be said to fold over it
-_ELSEWHERE = 1e-3  # of the size: a surface that nowhere is farther from the shape cannot be shown not to be on it
+_ELSEWHERE = 1e-3  # share of the size: a surface that is nowhere farther from the shape counts as on it
 _NAMED = 3
 _MIDDLE = (2 / 7, 2 / 7, 0.0)  # a measured point
-_AROUND = [(i / 4 + 1 / 12, j / 4 + 1 / 12, 0.0) for i in range(4) for j in range(4 - i)]  # of triangles that turn far
+_AROUND = [(i / 4 + 1 / 12, j / 4 + 1 / 12, 0.0) for i in range(4) for j in range(4 - i)]  # points of triangles that turn far
 
 
 def faults_of(shape, nodes, rows, said, proven, progress=None):
-    """Sentences: what of the distances that a certificate says does not hold."""
+    """Sentences on distances in a certificate that do not hold."""
     if len(said.get("face", ())) != len(rows) or len(said.get("deviation", ())) != len(rows):
         return [f"the certificate says max_deviation = {proven['max_deviation']!r}, but does not list the CAD face and the "
                 f"distance of each of the {len(rows):,} triangles of the surface"]
@@ -85,7 +85,7 @@ def _points(nodes, rows, at):
 
 
 def _distances(shape, nodes, rows, progress):
-    """By triangle; of large meshes at some of the points that were measured."""
+    """Distances of points of each triangle, mm; in large meshes only some of the points that were measured."""
     at = _lattice(_STEPS)
     at = at[(at.max(axis=1) < 1.0) & (at.sum(axis=1) > 0.0)]
     count = int(np.clip(_MOST_POINTS // max(len(rows), 1), 1, len(at)))
@@ -113,12 +113,14 @@ def _own_faces(shape, nodes, rows, faces, place):
 
 
 def largest(shape, nodes, rows, progress=None):
-    """(mm, mm): the largest distance of points of the triangles from the shape, and up to which they may be on it."""
+    """(mm, mm): the largest distance of points of the triangles from the shape, and the distance up to which points
+    count as on it.
+    """
     return float(_distances(shape, nodes, rows, progress).max(initial=0.0)), _ELSEWHERE * float(np.ptp(nodes[rows], axis=(0, 1)).max())
 
 
 def cad_faults(shape, nodes, rows, said, proven):
-    """Sentences: what of the distance from the CAD to the mesh that a certificate says does not hold.
+    """Sentences on distances from the CAD to the mesh in a certificate that do not hold.
 
     The grids that the certificate names are evaluated by FreeCAD: they must be all over the faces and edges, as close as it says,
     and none of their points farther from the mesh than it says.
@@ -166,7 +168,7 @@ def _points_of_face(face, u0, u1, v0, v1, columns, rows):
 
 
 def _gaps_of_faces(faces, grids):
-    """A face of which points are in none of its grids."""
+    """A list with a sentence on a face that has points in none of its grids; else empty."""
     for number, face in enumerate(faces):
         own = [grid[1:5] for grid in grids if grid[0] == number]
         u0, u1, v0, v1 = face.ParameterRange
@@ -180,7 +182,7 @@ def _gaps_of_faces(faces, grids):
 
 
 def _gaps_of_edges(faces, edges, grids):
-    """An edge of a face of which places are in none of its grids."""
+    """A list with a sentence on an edge of a face that has places in none of its grids; else empty."""
     for number, edge in enumerate(edges):
         own = [grid[1:3] for grid in grids if grid[0] == number]
         low, high = edge.ParameterRange

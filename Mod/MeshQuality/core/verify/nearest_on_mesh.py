@@ -10,17 +10,17 @@ import numpy as np
 
 from ..elements import lagrange
 
-_PARTS = 6  # of an edge of a triangle, at least: where the searches start
-_ROUNDS = 12  # of Gauss-Newton's method
+_PARTS = 6  # parts of a triangle's edge, at least: searches start from points between them
+_ROUNDS = 12  # steps of Gauss-Newton's method
 _FIRST, _MORE = 1, 16  # triangles that are searched for a point: at first, and where none of these is near enough
 _AT_A_TIME = 200_000
-_STEP = 1e-5  # of differences, in the parameters
-_SIDES = (((0.0, 0.0), (1.0, 0.0)), ((1.0, 0.0), (-1.0, 1.0)), ((0.0, 1.0), (0.0, -1.0)))  # where one begins, and its direction
+_STEP = 1e-5  # step of finite differences, in the parameters
+_SIDES = (((0.0, 0.0), (1.0, 0.0)), ((1.0, 0.0), (-1.0, 1.0)), ((0.0, 1.0), (0.0, -1.0)))  # where each side begins, and its direction
 
 
 def beyond(points, nodes, rows, allowed):
-    """float64 (N,): the distance of each point from the mesh where that is more than `allowed` mm, else one below that was found
-    first; infinite where no triangle is near enough to be searched.
+    """float64 (N,): the distance of each point from the mesh if it exceeds `allowed` mm, else the first distance found below
+    that; infinite where no triangle is near enough to be searched.
     """
     found = np.full(len(points), np.inf)
     candidates = _candidates(points, nodes, rows, allowed)
@@ -38,7 +38,7 @@ def _lattice(parts):
 
 
 def _levels(nodes, rows, parts, allowed):
-    """[(cell, owners, places, points)]: of triangles of about one size, the points that are searched from."""
+    """[(cell, owners, places, points)]: for triangles of about one size, the points from which searches start."""
     corners = nodes[rows[:, [0, 1, 2, 0]]]
     size = np.linalg.norm(np.diff(corners, axis=1), axis=2).max(axis=1)
     level = np.floor(np.log2(np.maximum(size, 1e-300))).astype(int)
@@ -110,8 +110,8 @@ def _at(corners, at):
 
 
 def _nearest(points, corners, start, allowed):
-    """float64 (N,): of each point and its triangle a distance that is at most `allowed`, else that which is found from a place of
-    it on, inside and along each side.
+    """float64 (N,): a distance of each point from its triangle that is at most `allowed`, else the smallest that searches
+    find, from a place inside and along each side.
     """
     best = np.linalg.norm(_at(corners, start) - points, axis=1)
     _search(points, corners, start, np.broadcast_to(np.eye(2), (len(points), 2, 2)), _in_triangle, best, allowed)

@@ -21,7 +21,7 @@ _AT_A_TIME = 5000  # elements between two calls of progress
 
 
 class CertificateVerification(metaclass=Public):
-    """What of a saved certificate holds.
+    """Which claims of a saved certificate hold.
 
     holds     whether all of it does
     faults    sentences: what does not hold
@@ -86,7 +86,7 @@ def verify(certificate, mesh=None, progress=None):
 
 
 def _check_cad(said, folder, found):
-    """The path of the CAD file; None where it is not there or another one."""
+    """The path of the CAD file; None if it is missing or has another content."""
     path = os.path.join(folder, said["file"])
     if not os.path.isfile(path):
         found.notes.append(f"the CAD file '{path}' is not there: it was not compared")
@@ -293,7 +293,7 @@ def _check_sums(content, found):
 
 
 def _check_conformity(mesh, blocks, proven, found):
-    """Faces counted once more, by their corners, with the way round them."""
+    """Counts the faces by their corners and orientations, again."""
     dimension, oriented = mesh.dimension, True
     conforming = not hanging.hangs(blocks, mesh.nodes)
     seen, whole = {}, set()
@@ -320,6 +320,6 @@ def _check_conformity(mesh, blocks, proven, found):
 
 
 def _way(corners):
-    """Which way round a side goes, or along an edge."""
+    """Whether a side, or an edge, is oriented one way or the other."""
     first = corners.index(min(corners))
     return corners[(first + 1) % len(corners)] < corners[first - 1] if len(corners) > 2 else corners[0] < corners[1]

@@ -19,7 +19,7 @@ from ..elements import kinds
 
 POSITIVE, TOUCHING, NEGATIVE, UNKNOWN = 1, 0, -1, -2  # J > 0 everywhere; somewhere J = 0, J < 0; not decided
 _UNIT = 128  # points of interpolation are multiples of 1 / 128, so that they are exact
-_LEVELS, _PIECES = (8, 14), (4096, 512)  # of halving, and pieces of an element, with floating point and without
+_LEVELS, _PIECES = (8, 14), (4096, 512)  # how often and into how many pieces an element is halved, with floating point and without
 _NOTHING = 44  # bits: what is 2^44 times smaller than the largest coefficient counts as zero
 _AT_A_TIME = 2_000_000  # values of J in memory
 _SIMPLEX = {2: ((1, -1, -1, 0), (0, 1, 0, 0), (0, 0, 1, 0)),
@@ -31,7 +31,7 @@ _BARYCENTRIC = {"triangle": (_SIMPLEX[2],), "tetrahedron": (_SIMPLEX[3],), "quad
 
 
 def _degrees(kind, p):
-    """Of J along the sides of the square or cube; of surfaces those of the normal."""
+    """The degrees of J, or of the normal of a surface, along the sides of the square or cube."""
     return {"triangle": (2 * p - 2,) * 2, "quadrilateral": (2 * p - 1,) * 2, "tetrahedron": (3 * p - 3,) * 3,
             "hexahedron": (3 * p - 1,) * 3, "prism": (3 * p - 2, 3 * p - 2, 3 * p - 1),
             "pyramid": (3 * p - 1, 3 * p - 1, 3 * p - 3)}[kind]
@@ -68,7 +68,7 @@ def _rounded(matrix, divisor):
 
 @functools.lru_cache(maxsize=None)
 def _to_bernstein(degree):
-    """From values to coefficients along one side: whole numbers, and the same as floating point."""
+    """The matrix from values to coefficients along one side: whole numbers, and as floating point."""
     rows = [[math.comb(degree, j) * t**j * (_UNIT - t) ** (degree - j) for j in range(degree + 1)] for t in _points(degree)]
     matrix, whole = _inverse(rows)
     return matrix, _rounded(matrix * _UNIT**degree, whole)
@@ -76,13 +76,15 @@ def _to_bernstein(degree):
 
 @functools.lru_cache(maxsize=None)
 def _halves(degree):
-    """From the coefficients of a polynomial to those of its halves, times 2^degree."""
+    """The matrices from the coefficients of a polynomial to those of its halves, times 2^degree."""
     left = [[math.comb(i, j) * 2 ** (degree - i) if j <= i else 0 for j in range(degree + 1)] for i in range(degree + 1)]
     return tuple(np.array(half, dtype=object) for half in (left, [row[::-1] for row in left[::-1]]))
 
 
 def _derivatives(kind, p):
-    """(dimension, points, nodes) of complete elements: by which nodes give the derivatives, up to a factor; whole numbers."""
+    """(dimension, points, nodes) of complete elements: weights of nodes in the derivatives, whole numbers up to a common
+    factor.
+    """
     at = np.array(list(itertools.product(*map(_points, _degrees(kind, p)))), dtype=object).T
     if kind == "pyramid":
         return _derivatives_of_pyramid(p, at)
@@ -111,7 +113,7 @@ def _derivatives(kind, p):
 
 
 def _derivatives_of_pyramid(p, at):
-    """The same in u = (x - z / 2) / (1 - z), v likewise, and z; those by u and v divided by 1 - z."""
+    """As _derivatives, in z, u = (x - z / 2) / (1 - z) and v alike; derivatives by u and v are divided by 1 - z."""
     basis = [(i, j, k) for k in range(p + 1) for i in range(p - k + 1) for j in range(p - k + 1)]
     rows = []
     for x, y, z in kinds.places("pyramid", kinds.count_of("pyramid", p)):
@@ -122,7 +124,7 @@ def _derivatives_of_pyramid(p, at):
     nodal, _ = _inverse(rows)
     u, v, z = at
 
-    def power(base, i):  # and nothing where a derivative took the last factor away
+    def power(base, i):  # zero where a derivative has removed the last factor
         return base**i if i >= 0 else 0 * base
 
     by_u, by_v, by_z = [], [], []
@@ -186,7 +188,7 @@ def _coefficients(kind, order, corners, exact):
     error = None
     if not exact:
         size = np.abs(corners).max(axis=(1, 2))
-        steps = corners.shape[1] + 2 * _LEVELS[0] * (sum(degrees) + 3) + 60  # roundings one after the other, with room to spare
+        steps = corners.shape[1] + 2 * _LEVELS[0] * (sum(degrees) + 3) + 60  # more than the number of roundings one after the other
         longest = [np.abs(part).sum(axis=1).max() * size for part in weights]
         error = 6 * steps * np.finfo(size.dtype).eps * gain * np.prod(longest, axis=0)
     if len(fields) == 3:
@@ -201,7 +203,7 @@ def _coefficients(kind, order, corners, exact):
 
 
 def _decide(coefs, error, exact):
-    """By element what J is."""
+    """By element the sign of J: POSITIVE, TOUCHING, NEGATIVE or UNKNOWN."""
     found = np.full(len(error), UNKNOWN)
     owner, degrees = np.arange(len(error)), [n - 1 for n in coefs.shape[1:]]
     open_, ends = found == UNKNOWN, (slice(None), *(slice(None, None, max(degree, 1)) for degree in degrees))
@@ -232,9 +234,10 @@ def _as_whole_numbers(corners):
 
 
 def examine(kind, order, nodes, rows, turned=None):
-    """Of elements, rows of nodes in Gmsh's order: (int (E,) what J is, float (E,) no less than min J / max |J|).
+    """(int (E,), float (E,)): the sign of J of each element, a row of nodes in Gmsh's order, and an upper bound
+    of min J / max |J|.
 
-    turned: elements whose J is to be looked at with the other sign.
+    turned: bool (E,): elements whose J is taken with the opposite sign.
     """
     sign = np.where(np.zeros(len(rows), bool) if turned is None else turned, -1, 1)
     found, distortion = np.full(len(rows), UNKNOWN), np.full(len(rows), 1.0)

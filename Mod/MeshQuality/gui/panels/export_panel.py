@@ -84,7 +84,7 @@ class ExportPanel(WritingPanel):
         return lambda _progress: export.write_ahead(make, self.source, path, **how), partial(self._land, path, how)
 
     def _options(self, path):
-        """What export_mesh takes beside object and path, where it is not the default."""
+        """The arguments of export_mesh beside object and path that are not the default."""
         how = {}
         if self.unit.currentData() != 1.0:
             how["scale"] = self.unit.currentData()
@@ -128,7 +128,7 @@ class ExportPanel(WritingPanel):
 
 
 def _first_format(source):
-    """That of the last file with such a mesh: who prints, writes for printing again."""
+    """The format of the last file that was written of such a mesh: users who print write for printing again."""
     setting, usual = _setting_of(source)
     last = preferences.stored().GetString(setting, usual)
     return last if last in export.suffixes_for(source) else usual

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a panel tells of the faults of a mesh: how many of each kind, and where."""
+"""The box of a panel on the faults of a mesh: how many of each kind, and where."""
 
 import FreeCAD
 import numpy as np
@@ -11,7 +11,7 @@ from .task_form import is_in_task_view
 
 translate = FreeCAD.Qt.translate
 
-_ROWS = 4  # in sight without scrolling
+_ROWS = 4  # rows in sight without scrolling
 AROUND = 10.0  # width of the view around a fault, in sizes of its triangles
 
 

@@ -48,7 +48,7 @@ class HistogramView(QtGui.QWidget):
         self.picked.emit(self.chosen, self.last)
 
     def words(self, bar, last=None):
-        """What a bar, or those from one to another, stand for."""
+        """The range of values of a bar, or of several bars in a row."""
         last = bar if last is None else last
         edges, count = self._histogram.edges(), int(self._histogram.counts[bar:last + 1].sum())
         low, high = self._scale.text(edges[bar]), self._scale.text(edges[last + 1])

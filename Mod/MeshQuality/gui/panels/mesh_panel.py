@@ -33,7 +33,7 @@ class MeshPanel:
     operations  one for each object, all with the same table
     editing     whether the panel was opened by a double click on its object
     afterwards  afterwards(obj), called with the first object once OK has closed the panel; or None
-    While jobs run Cancel ends them; else it closes the panel. What Apply has done stays. The panel
+    While jobs run Cancel ends them; else it closes the panel. Changes by Apply stay. The panel
     can be closed while they run, too: then the status bar shows them.
     """
 

@@ -218,7 +218,7 @@ class _Field(QtCore.QObject):
         self.set_value(option.default)
 
     def bind(self, expression):
-        """Says that an expression sets the option, None: that none does any more."""
+        """Says which expression sets the option; None: no expression does any more."""
         self._expression = expression
         for widget, hint in self._hints.items():
             widget.setToolTip(hint)
@@ -251,7 +251,7 @@ class _Field(QtCore.QObject):
         self._changed()
 
     def values(self):
-        """{option: value} of the options that it is for."""
+        """{option: value} of the options of the widget."""
         return {self.option.name: self.value()}
 
     def show(self, values):
@@ -400,7 +400,7 @@ class _Distance(_Field):
         self.set_value(tuple(values.get(name) for name in options.DISTANCE))
 
     def _chosen(self):
-        """The user has chosen: the other field begins with what means the same."""
+        """Called when the user has chosen how to give the bound: the other field begins with the same bound."""
         before, bound = self._bound, self.choice.itemData(self.choice.currentIndex())
         same = distance_bound.same_bound(
             bound, self.length.value() if before == options.ABSOLUTE else 0.0,
@@ -499,7 +499,7 @@ class _Faces(_SubElements):
         self.text.setText(", ".join(value or []))
 
     def add(self, names):
-        """Those that are not there yet."""
+        """Adds the names that the field does not have yet."""
         names = element_names.faces_of(names)
         self.write(list(dict.fromkeys([*(self.read() or []), *names])))
         return names

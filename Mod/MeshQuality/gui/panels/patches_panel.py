@@ -22,7 +22,7 @@ from .task_form import ClosesWithDocument, Form, Message, narrow_buttons
 translate = FreeCAD.Qt.translate
 
 _NAME, _FACES = 0, 1
-_ROWS = 6  # in sight without scrolling
+_ROWS = 6  # rows in sight without scrolling
 
 
 class _CellEditor(QtGui.QStyledItemDelegate):
@@ -159,7 +159,7 @@ class PatchesPanel:
             self._say("\n".join(self.obj.PatchesChanged))
 
     def patches(self):
-        """What the list says, for set_patches."""
+        """The patches of the list as set_patches takes them."""
         lines = []
         for row in range(self.table.rowCount()):
             name, faces = (self.table.item(row, column).text().strip() for column in (_NAME, _FACES))
@@ -214,7 +214,7 @@ class PatchesPanel:
         if by is None:
             return
         self._say("")
-        self._colours.end()  # which would be taken for the faces' own
+        self._colours.end()  # else they would be taken for the faces' own colours
         try:
             found = suggested_for(self.members, by)
         except Error as error:

@@ -29,13 +29,13 @@ from .task_form import Form, Message, narrow
 translate = FreeCAD.Qt.translate
 
 WORST = 50  # elements in the list
-_DIGITS = 3  # of the numbers in the table, which may be 230 pixels wide
+_DIGITS = 3  # digits of the numbers in the table, which may be 230 pixels wide
 _AROUND_INSIDE = 10.0  # width of the view around an element inside, in sizes of it
 
 
 @dataclass(frozen=True)
 class _Found:
-    """What is shown of a measure.
+    """The values and figures of a measure that the panel shows.
 
     values     float64 (E,)
     scale      Scale of them
@@ -71,10 +71,10 @@ class QualityPanel:
         self._document, self._label = self.obj.Document.Name, frames.leaf_of(source).Label
         self.data = (QualityData if convert.is_mesh(source) else FemQualityData)(source)
         self.values = self.measure = self.scale = None
-        self.lit = None  # of each element: whether it is lit up
+        self.lit = None  # by element: whether it is lit up
         self.ended = False
         self._found = {}  # values by title of the measure
-        self._own_ranges = {}  # the range that the user has chosen, likewise
+        self._own_ranges = {}  # the range that the user has chosen by title of the measure
         self._job = None
         self._make_form(measure)
         self.measures.setCurrentIndex(self.data.measures.index(measure) if measure in self.data.measures else 0)

@@ -8,7 +8,7 @@ from .task_form import narrow
 
 translate = FreeCAD.Qt.translate
 
-_NUMBER = 60  # pixels of a number, at least
+_NUMBER = 60  # least width of a number, pixels
 
 _DIGITS = 3
 
@@ -16,7 +16,7 @@ _DIGITS = 3
 class RangeBox(QtGui.QWidget):
     """The ends of a scale as fields, and a button that sets them by the measure."""
 
-    chosen = QtCore.Signal(object)  # (low, high); None: by the measure
+    chosen = QtCore.Signal(object)  # (low, high); None: the measure sets both
 
     def __init__(self):
         super().__init__()

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the forms of task panels have in common: what they tell is in sight, and they close with the
-document that they are about.
-"""
+"""The common base of forms of task panels: their messages are in sight, and they close with their document."""
 
 import FreeCAD
 from PySide import QtCore, QtGui
@@ -36,7 +34,7 @@ def narrow(widget, rules):
 
 
 def narrow_buttons(box):
-    """Likewise FreeCAD's buttons below a panel: it calls this as modifyStandardButtons."""
+    """Takes room from FreeCAD's buttons below a panel; FreeCAD calls this as modifyStandardButtons."""
     narrow(box, "QPushButton { padding: 4px 8px; margin: 4px 2px }")
 
 
@@ -103,7 +101,7 @@ class ClosesWithDocument:
         FreeCAD.addDocumentObserver(self)
 
     def end(self):
-        """Watches no longer."""
+        """Stops watching."""
         if self._active:
             self._active = False
             FreeCAD.removeDocumentObserver(self)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What panels that write files in the background have in common."""
+"""The common base of panels that write files in the background."""
 
 import os
 
@@ -77,7 +77,7 @@ class WritingPanel:
 
     @staticmethod
     def said_of_cancelling():
-        """What the panel says once the work was cancelled."""
+        """The message of the panel once the work was cancelled."""
         return translate("MeshQuality", "Cancelled; no file was written.")
 
     @staticmethod
@@ -87,7 +87,7 @@ class WritingPanel:
 
     @staticmethod
     def remember_folder(folder):
-        """The next panel begins there."""
+        """Keeps the folder with which the next panel begins."""
         preferences.stored().SetString("ExportFolder", folder)
 
     def _start(self):

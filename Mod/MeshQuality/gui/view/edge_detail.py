@@ -19,12 +19,12 @@ def thinned(lines, edges):
 
 
 def set_count(detail, edges):
-    """Another number of edges."""
+    """Sets the number of edges."""
     detail.screenArea = PIXELS * edges
 
 
 def thin_out(root, edges):
-    """The same in those display modes of FreeCAD, below the root node of a view, that draw faces and lines."""
+    """Thins out edges in FreeCAD's display modes that draw faces and lines, below the root node of a view."""
     for group in _modes(root):
         for i in range(group.getNumChildren()):
             child = group.getChild(i)
@@ -52,7 +52,7 @@ def _draws_lines(node):
 
 def _draws_faces(group):
     search = coin.SoSearchAction()
-    search.setType(coin.SoShapeHints.getClassTypeId())  # which is for faces only
+    search.setType(coin.SoShapeHints.getClassTypeId())  # shape hints are for faces only
     search.setSearchingAll(True)
     search.apply(group)
     return search.getPath() is not None

@@ -12,7 +12,7 @@ translate = FreeCAD.Qt.translate
 
 COLOURS, LABELS = 64, 5
 _FEWER, _LOW = 3, 100  # labels of a bar that is lower than this, pixels
-TOP_LEFT, TOP_RIGHT, BOTTOM_LEFT, BOTTOM_RIGHT = range(4)  # as FreeCAD numbers corners
+TOP_LEFT, TOP_RIGHT, BOTTOM_LEFT, BOTTOM_RIGHT = range(4)  # FreeCAD's numbers of the corners
 _BAR, _HEIGHT, _MARGIN, _GAP = 18, 180, 8, 6  # pixels
 _LEAST, _OF_VIEW = 50, 0.4  # pixels of a bar; of the height of a low view, so that the model is seen
 # Light enough for dark text on whatever is behind it.
@@ -23,16 +23,16 @@ _CUBE, _AROUND_CUBE = 132, 1.3  # pixels of FreeCAD's cube at first; with its ar
 def picture(scale, view_height):
     """The legend of a quality_data.Scale: uint8 (height, width, 4), the first row at the bottom.
 
-    view_height  of the 3D view in pixels, in a low one of which the legend is low
+    view_height  height of the 3D view in pixels; the legend is lower in a low view
     """
     title = translate("MeshQuality", scale.measure.title)
-    tall = min(_HEIGHT, max(_LEAST, round(_OF_VIEW * view_height)))  # of the bar
+    tall = min(_HEIGHT, max(_LEAST, round(_OF_VIEW * view_height)))  # height of the bar
     labels = [scale.text(number) for number in np.linspace(scale.low, scale.high, LABELS if tall >= _LOW else _FEWER)]
     font = QtGui.QApplication.font()
     metrics = QtGui.QFontMetrics(font)
     line = metrics.height()
     inner = max(_BAR + _GAP + max(map(metrics.horizontalAdvance, labels)), metrics.horizontalAdvance(title))
-    below = 1.5 * line if scale.unbounded else 0.0  # for what is beyond all numbers
+    below = 1.5 * line if scale.unbounded else 0.0  # room for infinite values
     width, height = inner + 2 * _MARGIN, tall + 2 * line + _GAP + 2 * _MARGIN + below
     ratio = FreeCADGui.getMainWindow().devicePixelRatioF()
     image = QtGui.QImage(round(width * ratio), round(height * ratio), QtGui.QImage.Format_RGBA8888)
@@ -46,7 +46,7 @@ def picture(scale, view_height):
     painter.drawRoundedRect(QtCore.QRectF(0, 0, width, height), 5, 5)
     painter.setPen(_INK)
     painter.drawText(QtCore.QRectF(_MARGIN, _MARGIN, inner, line), QtCore.Qt.AlignLeft, title)
-    top = _MARGIN + 1.5 * line + _GAP  # of the bar: labels are as high as a line, and beside its ends
+    top = _MARGIN + 1.5 * line + _GAP  # top of the bar: labels are as high as a line, and stand beside the bar's ends
     _paint_bar(painter, scale, top, tall)
     for i, label in enumerate(labels):
         middle = top + tall * (1.0 - i / (len(labels) - 1))

@@ -10,10 +10,10 @@ from . import legend
 from .legend_node import LegendNode
 from .mesh_nodes import MeshNodes
 
-_STEPS, _TICK = 16, 25  # of a flight; ms
+_STEPS, _TICK = 16, 25  # steps of a flight; ms between them
 _SLOW = 0.05  # seconds of drawing from which on moving is drawn coarsely
 _STILL = 250  # ms without a move after which all is drawn again
-_CLOSED = 1e-6  # of the squared size: all sides of an element look nowhere together but for rounding
+_CLOSED = 1e-6  # share of the squared size: the vector areas of an element's sides add up to zero but for rounding
 _AROUND = 25.0  # width of the view around a place, in sizes of the place, ...
 _FITS = 1.5  # ... and of one in which it is seen whole
 
@@ -107,7 +107,7 @@ class QualityScene:
         behind = (self._corners @ np.array(ahead, dtype=np.float32)).min(axis=1) >= nearest
         self.scene.show(self._corners[behind])
         self.scene.colour(self._colours[behind])
-        self.scene.light_up(corners)  # what lit up went with the surface
+        self.scene.light_up(corners)  # the lit triangles were removed with the surface
         self._opened = True
 
     def close_again(self):
@@ -122,7 +122,7 @@ def flight_to(view, corners, around=_AROUND, within=None):
     """Begins to move a view's camera to look at triangles, (n, 3, 3), from outside; the Flight.
 
     around  width of the view in sizes of the triangles
-    within  (m, 3, 3), all triangles of the mesh, unless None: the view gets no wider than they are
+    within  (m, 3, 3), all triangles of the mesh, or None: the view gets no wider than the mesh
 
     It gets no wider than it is, either, but for triangles that would not fit into it.
     """

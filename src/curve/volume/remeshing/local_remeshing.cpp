@@ -463,7 +463,7 @@ void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& su
                 done.cavities += tried.cavities;
                 continue;
             }
-        } catch (const tetrahedralise::MeshingFailed&) {  // the tetrahedra of before are as good
+        } catch (const tetrahedralise::MeshingFailed&) {  // the former tetrahedra are as good
         }
         surface = std::move(kept);
         volume.emplace(surface, tetrahedra);

@@ -70,7 +70,7 @@ bool turns_little(const Controls& controls) {
     return true;
 }
 
-/// Adds a polynomial in halves until each turns little, or as often as this.
+/// Adds a polynomial, halved until each piece turns little, at most `most` times.
 void add_halves(const Weighted& whole, int most, std::vector<Controls>& pieces) {
     Controls controls = without_weights(whole);
     if (most == 0 || turns_little(controls)) {
@@ -91,7 +91,7 @@ void add_halves(const Weighted& whole, int most, std::vector<Controls>& pieces) 
     add_halves(second, most - 1, pieces);
 }
 
-/// Adds an arc of a conic in the same way.
+/// Adds an arc of a conic, halved until each piece turns little, at most `most` times.
 void add_arcs(const Geom2d_Curve& conic, double from, double to, int most, std::vector<Controls>& arcs) {
     gp_Pnt2d start;
     gp_Vec2d along;
@@ -177,7 +177,7 @@ std::vector<BoundaryPiece::Controls> BoundaryPiece::of_spline(const Geom2d_BSpli
             continue;
         }
         Weighted poles;
-        std::vector<double> around;  // all knots but one beyond either end
+        std::vector<double> around;  // the knots on which the polynomial depends
         for (int k = i - degree; k <= i; ++k) {
             const gp_Pnt2d pole = spline.Pole(k);
             const double weight = spline.Weight(k);

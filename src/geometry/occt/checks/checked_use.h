@@ -28,11 +28,11 @@ struct CheckedSurface {
     GeomAdaptor_Surface adaptor;
 };
 
-/// A use of an edge on a face that OpenCASCADE's checks of edges and vertices find nothing against.
+/// A use of an edge on a face in which OpenCASCADE's checks of edges and vertices find no fault.
 class CheckedUse {
   public:
-    /// @return whether a proof says so: with one curve in space and one on the surface, of the same range, which lie
-    /// within the tolerances of each other and of the vertices
+    /// @return whether this is proven: there is one curve in space and one on the surface, with the same range, within
+    /// the tolerances of each other and of the vertices
     bool read(const TopoDS_Edge& edge, const CheckedSurface& on);
 
     TopoDS_Edge edge;
@@ -40,7 +40,7 @@ class CheckedUse {
     double first = 0.0;
     double last = 0.0;
     bool twice = false;                     ///< whether the surface closes there, and the edge has to be met twice
-    std::array<TopoDS_Vertex, 2> vertices;  ///< at start and end, in the direction of the wire, like all that follows
+    std::array<TopoDS_Vertex, 2> vertices;  ///< at start and end in the direction of the wire, as in all arrays below
     std::array<gp_Pnt2d, 2> uv;
     std::array<gp_Pnt, 2> points;       ///< at `uv`
     std::array<double, 2> distances{};  ///< mm, from the vertices to the ends of both curves

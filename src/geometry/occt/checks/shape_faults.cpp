@@ -246,7 +246,7 @@ class FaultList {
 };
 
 /// Solids whose faces look inward. The check of the shape takes them for holes in infinite space. A solid at several
-/// places is looked at once. Where nothing else is wrong a ray from one face may do.
+/// places is looked at once. If the shape has no other fault, a ray from one face may decide.
 void add_inverted_solids(const ShapeMap& live, const Topology& topology, std::vector<std::string>& faults,
                          const Progress* progress) {
     const bool valid = faults.empty();

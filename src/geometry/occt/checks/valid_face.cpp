@@ -273,8 +273,8 @@ bool CheckedWire::others_are_apart() const {
     return true;
 }
 
-/// Whether a line separates a piece from the one after it. With a gap between them they may meet beside it: within this
-/// room.
+/// Whether a line separates a piece from the next one. Pieces with a gap between them may meet within `room` of the
+/// gap.
 bool CheckedWire::leaves(std::size_t before, std::size_t after, double gap, double room) const {
     // Least cosine of the angle between a piece and the direction in which it is left: the boundary does not turn back.
     constexpr double kLeastCosine = 0.05;

@@ -76,7 +76,7 @@ PatchTree::PatchTree(const Handle(Geom_BSplineSurface) & surface, const Paramete
     s->IncreaseUMultiplicity(s->FirstUKnotIndex(), s->LastUKnotIndex(), s->UDegree());
     s->IncreaseVMultiplicity(s->FirstVKnotIndex(), s->LastVKnotIndex(), s->VDegree());
     degree_ = {static_cast<std::size_t>(s->UDegree()), static_cast<std::size_t>(s->VDegree())};
-    const bool rational = s->IsURational() || s->IsVRational();  // or weights can be 0 once a surface was periodic
+    const bool rational = s->IsURational() || s->IsVRational();  // else weights of a formerly periodic surface may be 0
     Net poles;
     for (int i = 1; i <= s->NbUPoles(); ++i) {
         for (int k = 1; k <= s->NbVPoles(); ++k) {
@@ -193,7 +193,7 @@ void PatchTree::fill(Node& node, const std::array<const Span*, 2>& spans, const 
     set_box(node);
 }
 
-/// The two parts of a patch, by de Casteljau's scheme.
+/// The two halves of a patch, by de Casteljau's scheme.
 std::array<PatchTree::Net, 2> PatchTree::cut(const Net& net, std::size_t along, double fraction) const {
     const std::size_t degree = degree_[along];
     const std::size_t rows = degree_[1 - along] + 1;

@@ -29,8 +29,8 @@ class PatchTree {
     PatchTree(const Handle(Geom_BSplineSurface) & surface, const ParameterBox& range);
     PatchTree(const Handle(Geom_BSplineCurve) & curve, double from, double to);
 
-    /// The smaller of `square` and of the squared distance of the nearest point at which `counts` holds. It is asked
-    /// for the nearest point of each patch only; the borders of where it holds are for the caller to measure.
+    /// The smaller of `square` and of the squared distance of the nearest point at which `counts` holds. `counts` is
+    /// called for the nearest point of each patch only: the caller measures the border of the region where it holds.
     double nearest(const Vec3& point, double square, const Counts& counts);
 
   private:
@@ -45,7 +45,7 @@ class PatchTree {
     };
     using KnotSpans = std::array<std::vector<Span>, 2>;
     using Block = std::array<std::size_t, 4>;  // the first and the end of the spans in u, in v
-    /// Where the first turn of a periodic parameter begins; without a period there is one.
+    /// Where the first turn of a periodic parameter begins; a parameter without a period has one turn.
     struct Turn {
         double low;
         double period;

@@ -107,8 +107,8 @@ Handle(Geom_BSplineCurve) spline_of(const Adaptor3d_Curve& curve) {
     }
 }
 
-/// With the surface's own parameters; none for all other surfaces. An extrusion is cut to the piece from `low` to
-/// `high`.
+/// The surface as a B-spline with the same parameters; null for other surfaces. An extrusion is cut to the piece from
+/// `low` to `high`.
 Handle(Geom_BSplineSurface) spline_of(const BRepAdaptor_Surface& surface, double low, double high) {
     switch (surface.GetType()) {
         case GeomAbs_BSplineSurface:

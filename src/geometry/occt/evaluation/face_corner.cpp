@@ -45,7 +45,7 @@ Vec3 way_into(const TopoDS_Edge& edge, const TopoDS_Face& face, bool first) {
     if (way.squaredNorm() > 0.0) {
         return way;
     }
-    constexpr double kStep = 1e-3;  // Fraction of the range: where the curve has no derivative at its end.
+    constexpr double kStep = 1e-3;  // fraction of the range, for curves without a derivative at the end
     return to_vec(curve.Value(first ? t0 + kStep * (t1 - t0) : t1 - kStep * (t1 - t0))) - to_vec(point);
 }
 

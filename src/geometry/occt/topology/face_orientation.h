@@ -9,7 +9,7 @@ namespace mq::geometry {
 
 /// Turns faces that belong to no shell so that those that share an edge show the same side. A set without free edges
 /// shows its outside; inside an odd number of other such sets it bounds a void, and shows the side that looks into the
-/// void. Of an open set most faces stay as they are. A face that shares no edge with another one stays, too.
+/// void. Most faces of an open set, and faces that share no edge with others, stay as they are.
 /// @param loose  by face: 1 for those that may be turned
 /// @return the faces that were turned
 /// @throws Cancelled

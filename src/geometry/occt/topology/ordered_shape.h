@@ -30,7 +30,7 @@ struct OrderedShape {
     bool is_cut(int face) const { return std::binary_search(cut_faces.begin(), cut_faces.end(), face); }
     /// The number of a face, an edge or a vertex from 0 on; -1: it is none of the shape's.
     int number_of(const TopoDS_Shape& entity) const;
-    /// The entity itself, unless it is in `parts_of`.
+    /// The entity of the shape to which an entity belongs (`parts_of`), or the entity itself.
     Entity of_shape(Entity entity) const;
 };
 

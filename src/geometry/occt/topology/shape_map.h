@@ -23,7 +23,8 @@ struct PCurve {
     Handle(Geom2d_Curve) curve;
     double first = 0.0;
     double last = 0.0;
-    /// The curve belongs to an edge within the tolerance that was joined with this one: t runs differently.
+    /// Whether the curve belongs to another edge that was joined with this one within the tolerance: its parameter
+    /// differs.
     bool of_neighbour = false;
 };
 

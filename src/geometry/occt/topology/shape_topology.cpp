@@ -100,7 +100,7 @@ class FaceSides {
 
 /// The width (mm) below which a face has no area; smaller for very small shapes, whose edges may be that short.
 double least_width(const std::vector<Node>& nodes) {
-    // The same width as a fraction of the size of such shapes.
+    // This width as a fraction of the size of very small shapes.
     constexpr double kPart = 1e-6;
     Box box;
     for (const Node& node : nodes) {
@@ -139,7 +139,8 @@ bool bounds_a_face(const TopoDS_Shape& edge) {
 }
 
 /// The edges of a wire as they follow each other from the first one on, where only one of them starts at each vertex;
-/// none elsewhere, and for long wires. OpenCASCADE's explorer, which also looks at places in (u, v), gives the same.
+/// none elsewhere, and for long wires. OpenCASCADE's explorer, which also compares points in (u, v), gives the same
+/// order.
 std::vector<TopoDS_Edge> chained(const std::vector<TopoDS_Edge>& edges) {
     // Most edges among which the next edge is searched one by one.
     constexpr std::size_t kMostWireEdges = 24;
@@ -247,7 +248,7 @@ void TopologyBuilder::add_edges() {
     }
 }
 
-/// Sets the range of the curve in space; of the first curve on a surface where there is none.
+/// Sets the range of the curve in space or, without such a curve, of the first curve on a surface.
 void TopologyBuilder::set_range(int index, Edge& edge) const {
     const TopoDS_Edge& shape = live_.edges[static_cast<std::size_t>(index)];
     TopLoc_Location location;

@@ -48,7 +48,7 @@ class Spikes : EdgeJoining {
         Sides sides;
         int node;       // at the far end of the shorter edge
         double t;       // parameter of the longer edge at the foot
-        double within;  // largest distance that counts, mm
+        double within;  // largest distance between the sides of the spike, mm
     };
 
     const EdgeUse& use_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)]; }
