@@ -124,11 +124,16 @@ def write(folder, files):
     tag = re.search(r"^Tag: (.*)$", files[f"{info}/WHEEL"].decode(), re.MULTILINE)[1]
     path = folder / f"{info.removesuffix('.dist-info')}-{tag}.whl"
     whole = {**files, f"{info}/RECORD": record(files, f"{info}/RECORD")}
-    moment = time.gmtime(max(epoch(), 315532800))[:6]  # a zip knows nothing before 1980
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for name in sorted(whole, key=lambda name: (name.startswith(info), name)):
-            entry = zipfile.ZipInfo(name, moment)
-            entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, (0o100755 if name.endswith(".so") else 0o100644) << 16
-            entry.create_system = 3
-            archive.writestr(entry, whole[name])
+    archive(path, whole, last=info)
     return path
+
+
+def archive(path, files, last=""):
+    """Writes a zip of {path in it: bytes}, those below the folder `last` at its end."""
+    moment = time.gmtime(max(epoch(), 315532800))[:6]  # a zip knows nothing before 1980
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as written:
+        for name in sorted(files, key=lambda name: (bool(last) and name.startswith(last), name)):
+            entry = zipfile.ZipInfo(name, moment)
+            entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, (0o100755 if name.endswith((".so", "bin/meshquality")) else 0o100644) << 16
+            entry.create_system = 3
+            written.writestr(entry, files[name])
