@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "geometry/occt/stream/shape_stream.h"
-#include "python/python_lock.h"
 
 namespace py = pybind11;
 
@@ -54,10 +53,7 @@ std::shared_ptr<const TopoDS_Shape> StreamCache::copy_of(py::handle part) {
         place->part = entry.part;
         return place->copy;
     }
-    {
-        const FreedLock free;
-        entry.copy = geometry::read_shape_stream(view);
-    }
+    entry.copy = geometry::read_shape_stream(view);
     entry.bytes = kBytesPerByte * view.size();
     keep(entry);
     return entry.copy;

@@ -34,7 +34,7 @@
 #include <vector>
 
 #include "geometry/occt/stream/byte_reader.h"
-#include "geometry/occt/stream/stream_geometry.h"
+#include "geometry/occt/stream/stream_curves.h"
 
 namespace mq::geometry {
 
