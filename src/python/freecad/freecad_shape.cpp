@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "geometry/occt/shape_model.h"
@@ -20,6 +21,7 @@ namespace {
 
 constexpr const char* kLive = "live";
 constexpr const char* kStream = "stream";
+constexpr const char* kCannotShare = "this build of FreeCAD cannot share its shapes";
 
 /// SWIG's type of TopoDS_Shape in the runtime that all SWIG modules of the process share; null when FreeCAD was built
 /// with another version of that runtime. The type needs a Python class, or the shape's destructor would never be
@@ -64,9 +66,18 @@ std::string why_not_live() {
     }
     const std::shared_ptr<const TopoDS_Shape> probe = take_live(part.attr("Vertex")(0.0, 0.0, 0.0));
     if (probe == nullptr) {
-        return "this build of FreeCAD cannot share its shapes";
+        return kCannotShare;
     }
     return geometry::is_of_this_kernel(*probe) ? "" : "the core has an OpenCASCADE of its own";
+}
+
+/// The same of this process, which stays as it is.
+const std::string& obstacle() {
+    static std::optional<std::string> why;
+    if (!why) {
+        why = why_not_live();
+    }
+    return *why;
 }
 
 /// The bridge that is asked for; empty: none is.
@@ -86,23 +97,23 @@ bool is_part_shape(py::handle object) {
     return modules.contains("Part") && py::isinstance(object, modules["Part"].attr("Shape"));
 }
 
+std::shared_ptr<const TopoDS_Shape> live_shape(py::handle object) {
+    return obstacle().empty() ? take_live(object) : nullptr;
+}
+
 FreecadShape part_shape(py::handle object) {
     if (object.attr("isNull")().cast<bool>()) {
         throw InvalidInput("the shape is null: it has no geometry");
     }
     const std::string asked = asked_bridge();
     if (asked != kStream) {
-        static std::optional<std::string> obstacle;
-        if (!obstacle) {
-            obstacle = why_not_live();
-        }
-        std::shared_ptr<const TopoDS_Shape> live = obstacle->empty() ? take_live(object) : nullptr;
+        std::shared_ptr<const TopoDS_Shape> live = live_shape(object);
         if (live != nullptr) {
             return {std::move(live), kLive};
         }
         if (asked == kLive) {
             throw InvalidInput("MESHQUALITY_BRIDGE is 'live', which does not work here: " +
-                               (obstacle->empty() ? "this build of FreeCAD cannot share its shapes" : *obstacle) +
+                               (obstacle().empty() ? kCannotShare : obstacle()) +
                                "; do not set it, and shapes are copied");
         }
     }
