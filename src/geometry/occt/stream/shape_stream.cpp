@@ -305,7 +305,7 @@ class ShapeReader {
         data.Tolerance(bytes_.get<double>());
         data.SameParameter(bytes_.flag());
         data.SameRange(bytes_.flag());
-        data.Degenerated(bytes_.flag());
+        builder_.Degenerated(edge, bytes_.flag());  // with a null curve in space, which is not written
         while (const char type = bytes_.get<char>()) {
             data.ChangeCurves().Append(curve_on(type));
         }
