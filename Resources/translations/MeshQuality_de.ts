@@ -675,6 +675,10 @@
         <source>Triangles below the requested angle, and why; hidden where there are many</source>
         <translation>Dreiecke unter dem verlangten Winkel, und warum; verborgen, wo es viele sind</translation>
     </message>
+    <message>
+        <source>How the shape came from FreeCAD: live, in place, or stream, as a copy; empty: there was none</source>
+        <translation>Wie die Form aus FreeCAD kam: live an Ort und Stelle, stream als Kopie; leer: es gab keine</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>

@@ -160,9 +160,17 @@ void bind_triangulate(py::module_& m) {
           "float64 (T,): the largest distance of each triangle's corners, edge middles and centroid from the faces of "
           "a Part.Shape, mm.");
     m.def(
-        "add_placeholder_surfaces", [](const FreecadShape& part) { geometry::add_placeholder_surfaces(*part.shape); },
+        "add_placeholder_surfaces",
+        [](const py::object& part) {
+            const auto shape = live_shape(part);
+            if (shape != nullptr) {
+                geometry::add_placeholder_surfaces(*shape);
+            }
+            return shape != nullptr;
+        },
         py::arg("shape"),
-        "Gives the faces of a Part.Shape that have triangles alone a surface, in place, so that FreeCAD can copy it.");
+        "Gives the faces of a Part.Shape that have triangles alone a surface, in place, so that FreeCAD can copy it. "
+        "False: FreeCAD's shapes cannot be changed here.");
     m.def("brep_text", &brep_text, py::arg("shape"),
           "A Part.Shape as BREP text without triangulations: the same before and after it was shown.");
     m.def("shape_identity", &shape_identity, py::arg("shape"),

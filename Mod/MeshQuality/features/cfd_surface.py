@@ -110,8 +110,7 @@ class _Observer:
     def slotBeforeChangeObject(self, obj, name):
         """Called by FreeCAD, which then copies the shape without its triangles, and would end when it shows that."""
         if name == "Shape" and _is_cfd_surface(obj) and not obj.Shape.isNull():
-            extension().add_placeholder_surfaces(obj.Shape)
-            obj.Proxy._has_surfaces = True
+            obj.Proxy._has_surfaces = extension().add_placeholder_surfaces(obj.Shape)
 
     def slotChangedObject(self, obj, name):
         """Called by FreeCAD, also where the same shape was placed elsewhere only."""

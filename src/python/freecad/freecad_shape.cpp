@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
@@ -82,6 +83,15 @@ Message why_not_live() {
 }
 #endif
 
+/// The same of this process, which stays as it is.
+const Message& obstacle() {
+    static std::optional<Message> why;
+    if (!why) {
+        why = why_not_live();
+    }
+    return *why;
+}
+
 /// The bridge that is asked for; empty: none is.
 std::string asked_bridge() {
     const char* const value = std::getenv("MESHQUALITY_BRIDGE");
@@ -101,23 +111,23 @@ bool is_part_shape(py::handle object) {
     return modules.contains("Part") && py::isinstance(object, modules["Part"].attr("Shape"));
 }
 
+std::shared_ptr<const TopoDS_Shape> live_shape(py::handle object) {
+    return obstacle().empty() ? take_live(object) : nullptr;
+}
+
 FreecadShape part_shape(py::handle object) {
     if (object.attr("isNull")().cast<bool>()) {
         throw InvalidInput(phrases::kShapeNull);
     }
     const std::string asked = asked_bridge();
     if (asked != kStream) {
-        static std::optional<Message> obstacle;
-        if (!obstacle) {
-            obstacle = why_not_live();
-        }
-        std::shared_ptr<const TopoDS_Shape> live = obstacle->empty() ? take_live(object) : nullptr;
+        std::shared_ptr<const TopoDS_Shape> live = live_shape(object);
         if (live != nullptr) {
             return {std::move(live), kLive};
         }
         if (asked == kLive) {
-            const Message why = obstacle->empty() ? Message(phrases::kNotShared) : *obstacle;
-            throw InvalidInput(phrases::kBridgeNotLive, {{"phrase", why}});
+            throw InvalidInput(phrases::kBridgeNotLive,
+                               {{"phrase", obstacle().empty() ? Message(phrases::kNotShared) : obstacle()}});
         }
     }
     return {StreamCache::shared().copy_of(object), kStream};

@@ -25,6 +25,10 @@ bool is_part_shape(pybind11::handle object);
 /// @throws InvalidInput for a null shape, an unknown bridge, or one that does not work here
 FreecadShape part_shape(pybind11::handle object);
 
+/// The shape in place, whichever bridge is forced; null where FreeCAD and the core do not use one OpenCASCADE in
+/// memory.
+std::shared_ptr<const TopoDS_Shape> live_shape(pybind11::handle object);
+
 }  // namespace mq::python
 
 namespace pybind11::detail {

@@ -12,9 +12,10 @@ class TopoDS_Shape;
 namespace mq::python {
 
 /// Copies of FreeCAD's shapes that came as binary BREP. One that was taken before is found by its bytes, as FreeCAD
-/// changes shapes in place: Booleans raise tolerances of their operands. On other threads than the main one, on which
-/// FreeCAD may be at work on it, a shape is found by its identity, as the main thread took it last. FreeCAD's shapes
-/// are kept with their copies, so that no other shape gets their identity. Call it with Python's lock held.
+/// changes shapes in place: Booleans raise tolerances of their operands. Other threads than the main one, on which
+/// FreeCAD may be at work on the shape, find what that has taken last by the identity of the shape. FreeCAD's shape is
+/// kept with the copy for that, so that no other one gets its identity.
+/// Call it with Python's lock held.
 class StreamCache {
   public:
     static constexpr std::size_t kMostBytes = std::size_t{256} << 20;
@@ -31,7 +32,7 @@ class StreamCache {
 
   private:
     struct Entry {
-        pybind11::object part;  // another Part.Shape of the same TShape, which scripts do not know, and so do not move
+        pybind11::object part;  // another Part.Shape of the same TShape, which no script moves; or None
         pybind11::bytes stream;
         std::shared_ptr<const TopoDS_Shape> copy;
         std::size_t bytes = 0;

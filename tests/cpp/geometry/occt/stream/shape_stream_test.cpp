@@ -7,6 +7,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -177,6 +178,11 @@ TEST(ShapeStream, KeepsWhatIsShared) {
     TopTools_IndexedMapOfShape edges;
     TopExp::MapShapes(first, TopAbs_EDGE, edges);
     EXPECT_EQ(edges.Extent(), 2);  // both seams
+}
+
+TEST(ShapeStream, KeepsDegenerateEdgesValid) {
+    EXPECT_TRUE(
+        BRepCheck_Analyzer(*read_shape_stream(write_shape_stream(BRepPrimAPI_MakeSphere(4.0).Shape()))).IsValid());
 }
 
 TEST(ShapeStream, LeavesTriangulationsOut) {
