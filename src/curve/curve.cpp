@@ -57,7 +57,7 @@ StageTimes joined(const StageTimes& stages) {
 }  // namespace
 
 void CurveOptions::validate() const {
-    const int most = volume ? kMaxOrder - 1 : kMaxOrder;
+    const int most = volume ? elements::kMaxOrder - 1 : elements::kMaxOrder;
     if (order < 1 || order > most) {
         throw InvalidInput(volume ? phrases::kVolumeOrder : phrases::kSurfaceOrder,
                            {{"count", order}, {"count2", most}});

@@ -15,6 +15,8 @@
 
 namespace mq::curve {
 
+using elements::Quality;
+
 namespace {
 
 /// CurvedSurface figures. `invalid` adds to the count that the report has already.
@@ -74,7 +76,7 @@ void note_gaps(SurfaceEditor& editor, const geometry::Topology& topology, CurveR
 /// The qualities of the live tetrahedra.
 std::vector<Quality> qualities_of(const TetrahedralMesh& volume, const std::vector<int>& live,
                                   const Progress& progress) {
-    const Lattice& lattice = Lattice::of(3, volume.shapes().order());
+    const elements::Lattice& lattice = elements::Lattice::of(3, volume.shapes().order());
     std::vector<Quality> qualities(live.size());
     for_chunks(static_cast<int>(live.size()), [&](int i) {
         progress.check();
@@ -82,7 +84,8 @@ std::vector<Quality> qualities_of(const TetrahedralMesh& volume, const std::vect
         const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(live[k])];
         std::vector<Vec3> control;
         volume.shapes().tetrahedron(tetrahedron.corners, control);
-        qualities[k] = quality_of(jacobian_of(lattice, control), volume.straight_jacobian(tetrahedron.corners));
+        qualities[k] = elements::quality_of(elements::jacobian_of(lattice, control),
+                                            volume.straight_jacobian(tetrahedron.corners));
     });
     return qualities;
 }

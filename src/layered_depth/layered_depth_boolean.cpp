@@ -24,7 +24,10 @@
 #include "layered_depth/samples/sample_clustering.h"
 #include "mesh/polygon_triangulation.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+using boolean::Expression;
+using boolean::Operation;
 
 namespace {
 
@@ -538,11 +541,11 @@ std::vector<UniformOperand> prepare_uniform(const std::vector<const mesh::Triang
         box.add(box_of(*operand));
     }
     const double reach =
-        box.empty() ? 0.0 : InputTuning::kCrackShare * uniform_bound(box.largest_side(), options.resolution);
+        box.empty() ? 0.0 : boolean::InputTuning::kCrackShare * uniform_bound(box.largest_side(), options.resolution);
     std::vector<UniformOperand> prepared(operands.size());
     parallel_for(static_cast<int>(operands.size()), [&](int k) {
         const auto i = static_cast<std::size_t>(k);
-        prepared[i] = UniformOperand(*operands[i], operand_name(i, operands.size()), reach, progress);
+        prepared[i] = UniformOperand(*operands[i], boolean::operand_name(i, operands.size()), reach, progress);
     });
     return prepared;
 }
@@ -581,4 +584,4 @@ int uniform_resolution(double size, double tolerance) {
     return resolution;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -14,7 +14,7 @@
 #include "layered_depth/samples/winding_samples.h"
 #include "mesh/triangle_mesh.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// Options of the uniform scheme.
 struct LayeredDepthOptions {
@@ -92,22 +92,23 @@ struct CadOperands {
 ///     whose triangles have no area, or operands with different origins
 /// @throws Cancelled
 UniformResult layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
-                                    const Expression& expression, const LayeredDepthOptions& options,
+                                    const boolean::Expression& expression, const LayeredDepthOptions& options,
                                     Progress* progress, const CadOperands& cad = {});
 
 /// Prepares the operands of layered_depth_boolean().
 /// @throws InvalidInput, OpenOperand, Cancelled as layered_depth_boolean
 std::vector<UniformOperand> prepare_uniform(const std::vector<const mesh::TriangleMesh*>& operands,
-                                            const Expression& expression, const LayeredDepthOptions& options,
+                                            const boolean::Expression& expression, const LayeredDepthOptions& options,
                                             const Progress* progress);
 
 /// layered_depth_boolean() of prepared operands.
-UniformResult layered_depth_boolean(const std::vector<UniformOperand>& prepared, const Expression& expression,
+UniformResult layered_depth_boolean(const std::vector<UniformOperand>& prepared, const boolean::Expression& expression,
                                     const LayeredDepthOptions& options, Progress* progress, const CadOperands& cad);
 
 /// layered_depth_boolean() of two operands.
-UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
-                                    const LayeredDepthOptions& options, Progress* progress);
+UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b,
+                                    boolean::Operation operation, const LayeredDepthOptions& options,
+                                    Progress* progress);
 
 /// The largest error bound of a result whose operands have a common box with this longest side, mm.
 double uniform_bound(double size, int resolution);
@@ -116,4 +117,4 @@ double uniform_bound(double size, int resolution);
 /// @throws InvalidInput naming the least tolerance if the highest resolution does not suffice.
 int uniform_resolution(double size, double tolerance);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

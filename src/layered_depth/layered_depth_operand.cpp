@@ -12,7 +12,7 @@
 #include "layered_depth/samples/winding_samples.h"
 #include "mesh/edge_table.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -35,10 +35,10 @@ void require_volume(const mesh::TriangleMesh& mesh, const mesh::SurfaceWinding& 
     LayeredDepthSet set = rasterise(alone, 0, grid, progress);
     WindingSampleCounts counts;
     sample_by_winding(set, alone, 0, grid, winding, counts, progress);
-    if (counts.guessed_area >= InputTuning::kLeastSheetShare * counts.kept_area) {
+    if (counts.guessed_area >= boolean::InputTuning::kLeastSheetShare * counts.kept_area) {
         const double whole = std::max(1.0, counts.kept_area + counts.guessed_area);
-        throw OpenOperand(phrases::kGuessedVolume,
-                          {{"name", name}, {"number", in_digits(100.0 * counts.guessed_area / whole, 2)}});
+        throw boolean::OpenOperand(phrases::kGuessedVolume,
+                                   {{"name", name}, {"number", in_digits(100.0 * counts.guessed_area / whole, 2)}});
     }
 }
 
@@ -52,12 +52,12 @@ UniformOperand::UniformOperand(const mesh::TriangleMesh& given, const std::strin
         return;
     }
     try {
-        Operand operand = prepare_operand(given, name, reach, progress);
+        boolean::Operand operand = boolean::prepare_operand(given, name, reach, progress);
         if (operand.repairs.any()) {
             adopt(std::move(operand), name);
         }
-    } catch (const OpenOperand&) {
-        adopt(prepare_open_operand(given, name, progress), name);
+    } catch (const boolean::OpenOperand&) {
+        adopt(boolean::prepare_open_operand(given, name, progress), name);
         winding_ = std::make_unique<mesh::SurfaceWinding>(made_->vertices, made_->triangles);
         require_volume(*made_, *winding_, name, progress);
     }
@@ -77,10 +77,10 @@ std::vector<std::int32_t> UniformOperand::faces(const std::vector<std::int32_t>&
     return faces;
 }
 
-void UniformOperand::adopt(Operand&& operand, const std::string& name) {
+void UniformOperand::adopt(boolean::Operand&& operand, const std::string& name) {
     source_.reserve(operand.triangles.size());
     for (std::size_t t = 0; t < operand.triangles.size(); ++t) {
-        source_.push_back(has_corners_of(operand, t, *given_) ? operand.source[t] : -1);
+        source_.push_back(boolean::has_corners_of(operand, t, *given_) ? operand.source[t] : -1);
     }
     origin_ = std::move(operand.source);
     repaired_ = operand.repairs.of_operand(name);
@@ -91,4 +91,4 @@ void UniformOperand::adopt(Operand&& operand, const std::string& name) {
     made_->triangles = std::move(operand.triangles);
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -12,7 +12,7 @@
 #include "mesh/intersection/surface_winding.h"
 #include "mesh/triangle_mesh.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// An operand of the uniform scheme that its rays can sample: unchanged if it has no faults, else repaired. If no
 /// repair closes it, its winding number determines which points are inside.
@@ -45,7 +45,7 @@ class UniformOperand {
     double largest_move() const { return largest_move_; }  ///< mm: by closing cracks
 
   private:
-    void adopt(Operand&& operand, const std::string& name);
+    void adopt(boolean::Operand&& operand, const std::string& name);
 
     const mesh::TriangleMesh* given_ = nullptr;
     std::unique_ptr<mesh::TriangleMesh> made_;
@@ -56,4 +56,4 @@ class UniformOperand {
     double largest_move_ = 0.0;
 };
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -11,7 +11,9 @@
 #include "boolean/error_measure.h"
 #include "mesh/quality/surface_verification.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+using boolean::Expression;
 
 namespace {
 
@@ -70,7 +72,7 @@ double measured_error(const std::vector<UniformOperand>& prepared, const Express
             kept[static_cast<std::size_t>(triangle)] = 1;
         }
     }
-    std::vector<EnclosedOperand> enclosed;
+    std::vector<boolean::EnclosedOperand> enclosed;
     double moved = 0.0;
     for (std::size_t k = 0; k < prepared.size(); ++k) {
         const UniformOperand& operand = prepared[k];
@@ -82,7 +84,8 @@ double measured_error(const std::vector<UniformOperand>& prepared, const Express
         }
         moved = std::max(moved, operand.largest_move());
     }
-    return measure_error(enclosed, expression, result.mesh, own, {tolerance, kEnough * tolerance, thinnest}, progress)
+    return boolean::measure_error(enclosed, expression, result.mesh, own, {tolerance, kEnough * tolerance, thinnest},
+                                  progress)
                .largest() +
            moved;
 }
@@ -97,10 +100,11 @@ void remove_crossings(UniformResult& result, double tolerance, Progress& progres
         return;
     }
     shift_faulty(result, check.faults, (result.fitted > 0 ? kShiftOnFaces : kShift) * tolerance);
-    BooleanOptions options;
+    boolean::BooleanOptions options;
     options.tolerance = tolerance;
     options.oriented = true;
-    BooleanResult sound = boolean({&result.mesh}, Expression::chain(Operation::Union, 1), options, &progress);
+    boolean::BooleanResult sound =
+        boolean::boolean({&result.mesh}, Expression::chain(boolean::Operation::Union, 1), options, &progress);
     std::vector<std::array<std::int32_t, 2>> source;
     source.reserve(sound.triangle_source.size());
     result.retained = 0;
@@ -129,4 +133,4 @@ UniformResult sound_layered_depth_boolean(const std::vector<const mesh::Triangle
     return result;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -6,7 +6,7 @@
 #include "base/progress.h"
 #include "layered_depth/layered_depth_boolean.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// Makes the result of the uniform scheme sound if its triangles cross or touch, as after the paper's reconstruction or
 /// for operands that cross themselves: by the exact arrangement of its triangles it becomes the boundary of the points
@@ -24,7 +24,7 @@ void remove_crossings(UniformResult& result, double tolerance, Progress& progres
 ///     error
 /// @throws TopologyError where the result cannot be held in single precision
 UniformResult sound_layered_depth_boolean(const std::vector<const mesh::TriangleMesh*>& operands,
-                                          const Expression& expression, const LayeredDepthOptions& options,
+                                          const boolean::Expression& expression, const LayeredDepthOptions& options,
                                           double tolerance, Progress& progress, const CadOperands& cad = {});
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

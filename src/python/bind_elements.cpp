@@ -33,19 +33,19 @@ py::tuple checked(const std::string& kind, int order, const PointArray& nodes, c
     if (connectivity.ndim() != 2) {
         throw InvalidInput(phrases::kElementRows);
     }
-    const curve::ElementKind of_kind = curve::element_kind(kind);
+    const elements::ElementKind of_kind = elements::element_kind(kind);
     const std::vector<Vec3> points = points_of(nodes);
     const std::vector<std::int32_t> rows(connectivity.data(), connectivity.data() + connectivity.size());
     const auto width = static_cast<int>(connectivity.shape(1));
-    const curve::ElementVerdicts found = watch(progress, [&](Progress& handle) {
+    const elements::ElementVerdicts found = watch(progress, [&](Progress& handle) {
         handle.stage("checking elements", 0.0, 1.0);
-        return curve::check_elements(of_kind, order, points, rows, width, &handle);
+        return elements::check_elements(of_kind, order, points, rows, width, &handle);
     });
     return py::make_tuple(array_of(found.low), array_of(found.high), array_of(found.verdict));
 }
 
 py::tuple blending(const std::string& kind, int order) {
-    const curve::Blending& found = curve::Blending::of(curve::element_kind(kind), order);
+    const given::Blending& found = given::Blending::of(elements::element_kind(kind), order);
     std::vector<double> weights;
     for (Eigen::Index i = 0; i < found.from.rows(); ++i) {
         for (Eigen::Index j = 0; j < found.from.cols(); ++j) {
@@ -72,7 +72,7 @@ std::tuple<PairList, PairList, PairList, std::size_t> crossings(const PointArray
     const std::vector<Vec3> points = points_of(nodes);
     std::vector<curve::SideBlock> blocks;
     for (const auto& [kind, order, rows] : sides) {
-        blocks.push_back({curve::element_kind(kind), order, static_cast<int>(rows.shape(1)), flat(rows)});
+        blocks.push_back({elements::element_kind(kind), order, static_cast<int>(rows.shape(1)), flat(rows)});
     }
     curve::CurvedCrossings found = watch(progress, [&](Progress& handle) {
         handle.stage("comparing curved triangles", 0.0, 1.0);
@@ -95,9 +95,9 @@ std::vector<std::tuple<std::int32_t, std::int32_t, std::array<double, 3>>> commo
     const std::vector<std::int32_t> bodies(body.data(), body.data() + body.size());
     std::vector<curve::SolidBlock> blocks;
     for (const auto& [kind, order, rows, faces] : solids) {
-        curve::SolidBlock block{curve::element_kind(kind), order, static_cast<int>(rows.shape(1)), flat(rows), {}};
+        curve::SolidBlock block{elements::element_kind(kind), order, static_cast<int>(rows.shape(1)), flat(rows), {}};
         for (const auto& [face_kind, face_order, local] : faces) {
-            block.faces.push_back({curve::element_kind(face_kind), face_order, flat(local)});
+            block.faces.push_back({elements::element_kind(face_kind), face_order, flat(local)});
         }
         blocks.push_back(std::move(block));
     }

@@ -47,7 +47,7 @@ std::vector<std::array<int, N>> rows_of(const Indices& array, const char* name) 
 CurvedPointer curve_given(const PointArray& nodes, const Indices& triangles, const Indices& tetrahedra,
                           const Indices& regions, const FreecadShape& part, const curve::CurveOptions& options,
                           bool imprint, const py::object& progress) {
-    curve::GivenMesh given;
+    given::GivenMesh given;
     given.nodes = points_of(nodes);
     given.triangles = rows_of<3>(triangles, "triangles");
     given.tetrahedra = rows_of<4>(tetrahedra, "tetrahedra");
@@ -64,10 +64,10 @@ CurvedPointer curve_given(const PointArray& nodes, const Indices& triangles, con
 /// Elements of one kind as Python has them: its name, their corners, and a number that differs between bodies for each.
 using CornerBlock = std::tuple<std::string, Indices, Indices>;
 
-void add_elements(const std::vector<CornerBlock>& blocks, std::vector<curve::MixedElement>& elements) {
+void add_elements(const std::vector<CornerBlock>& blocks, std::vector<given::MixedElement>& elements) {
     for (const auto& [name, corners, regions] : blocks) {
-        curve::MixedElement element;
-        element.kind = curve::element_kind(name);
+        given::MixedElement element;
+        element.kind = elements::element_kind(name);
         const auto width = static_cast<py::ssize_t>(element.count());
         if (corners.size() != width * regions.size()) {
             throw InvalidInput(phrases::kNumbersForEach,
@@ -84,18 +84,18 @@ void add_elements(const std::vector<CornerBlock>& blocks, std::vector<curve::Mix
 py::dict curve_mixed(const PointArray& nodes, const std::vector<CornerBlock>& elements,
                      const std::vector<CornerBlock>& listed, const FreecadShape& part,
                      const curve::CurveOptions& options, bool imprint, const py::object& progress) {
-    curve::MixedMesh given;
+    given::MixedMesh given;
     given.nodes = points_of(nodes);
     add_elements(elements, given.elements);
     add_elements(listed, given.listed);
     geometry::Engine& engine = shared_engine();
-    curve::CurvedMixedMesh mesh = watch(progress, [&](Progress& handle) {
+    given::CurvedMixedMesh mesh = watch(progress, [&](Progress& handle) {
         return workflows::curve_mixed_mesh(engine, *part.shape, given, options, imprint, handle);
     });
     mesh.report.bridge = part.bridge;
     py::list blocks;
-    for (const curve::ElementBlock& block : mesh.blocks) {
-        blocks.append(py::make_tuple(curve::name_of(block.kind), array_of(block.nodes), array_of(block.entity),
+    for (const given::ElementBlock& block : mesh.blocks) {
+        blocks.append(py::make_tuple(elements::name_of(block.kind), array_of(block.nodes), array_of(block.entity),
                                      array_of(block.quality), array_of(block.given)));
     }
     std::vector<double> coordinates;
@@ -118,7 +118,7 @@ py::tuple measure_given_surface(const PointArray& nodes, int order, const Indice
     const std::vector<Vec3> points = points_of(nodes);
     const std::vector<std::int32_t> rows(triangles.data(), triangles.data() + triangles.size());
     geometry::Engine& engine = shared_engine();
-    const curve::GivenSurfaceMeasures found = watch(progress, [&](Progress& handle) {
+    const given::GivenSurfaceMeasures found = watch(progress, [&](Progress& handle) {
         return workflows::measure_given_surface(engine, *part.shape, points, order, rows, handle);
     });
     return py::make_tuple(array_of(found.face), array_of(found.quality), array_of(found.deviation));
@@ -129,18 +129,18 @@ py::tuple cad_distances(const PointArray& nodes, int order, const Indices& trian
     const std::vector<Vec3> points = points_of(nodes);
     const std::vector<std::int32_t> rows(triangles.data(), triangles.data() + triangles.size());
     geometry::Engine& engine = shared_engine();
-    const curve::CadDistances found = watch(progress, [&](Progress& handle) {
+    const given::CadDistances found = watch(progress, [&](Progress& handle) {
         handle.stage("measuring the distance from the shape to the mesh", 0.0, 1.0);
         return workflows::cad_distances(engine, *part.shape, points, order, rows, handle);
     });
     const Vec3& p = found.farthest;
     py::list faces;
-    for (const curve::CadDistances::FaceGrid& grid : found.face_grids) {
+    for (const given::CadDistances::FaceGrid& grid : found.face_grids) {
         faces.append(
             py::make_tuple(grid.face, grid.low[0], grid.high[0], grid.low[1], grid.high[1], grid.columns, grid.rows));
     }
     py::list edges;
-    for (const curve::CadDistances::EdgeGrid& grid : found.edge_grids) {
+    for (const given::CadDistances::EdgeGrid& grid : found.edge_grids) {
         edges.append(py::make_tuple(grid.edge, grid.low, grid.high, grid.steps));
     }
     return py::make_tuple(array_of(found.of_face), std::array<double, 3>{p.x(), p.y(), p.z()}, found.spacing, faces,

@@ -24,7 +24,7 @@ using boolean::BooleanOptions;
 using boolean::BooleanResult;
 using boolean::Expression;
 using boolean::Operation;
-using boolean::UniformResult;
+using layered_depth::UniformResult;
 
 void assign(BooleanSurface& surface, BooleanResult&& result) {
     BooleanReport& figures = surface.figures;
@@ -67,7 +67,7 @@ Message guess(const UniformResult& result) {
 
 /// A sentence on the samples that the rays found on the faces of shapes.
 Message samples_of_faces(const UniformResult& result) {
-    const boolean::FaceSampleCounts& cad = result.cad;
+    const layered_depth::FaceSampleCounts& cad = result.cad;
     std::vector<Message> said{counted(phrases::kSampledOnFaces, cad.on_faces)};
     if (cad.on_mesh > 0) {
         said.push_back(counted(phrases::kSampledOnMeshes, cad.on_mesh));
@@ -113,9 +113,9 @@ void assign(BooleanSurface& surface, UniformResult&& result) {
 }
 
 /// The shapes of the operands that have one, for rays that meet their faces.
-boolean::CadOperands cad_of(const std::vector<BooleanOperand>& operands, geometry::Engine& engine,
-                            const Progress& progress) {
-    boolean::CadOperands cad;
+layered_depth::CadOperands cad_of(const std::vector<BooleanOperand>& operands, geometry::Engine& engine,
+                                  const Progress& progress) {
+    layered_depth::CadOperands cad;
     cad.engine = &engine;
     cad.shapes.resize(operands.size());
     for (std::size_t i = 0; i < cad.shapes.size(); ++i) {
@@ -133,18 +133,18 @@ boolean::CadOperands cad_of(const std::vector<BooleanOperand>& operands, geometr
 void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const std::vector<BooleanOperand>& operands,
                  geometry::Engine& engine, const Expression& expression, const BooleanOptions& options,
                  Progress& progress) {
-    boolean::LayeredDepthOptions uniform;
+    layered_depth::LayeredDepthOptions uniform;
     uniform.resolution = options.resolution;
     uniform.full = options.full;
     double tolerance = options.tolerance;
     if (tolerance > 0.0) {
-        uniform.resolution = boolean::uniform_resolution(frame.size(), tolerance);
+        uniform.resolution = layered_depth::uniform_resolution(frame.size(), tolerance);
     } else {
-        tolerance = boolean::uniform_bound(frame.size(), uniform.resolution);
+        tolerance = layered_depth::uniform_bound(frame.size(), uniform.resolution);
     }
-    const boolean::CadOperands cad = cad_of(operands, engine, progress);
+    const layered_depth::CadOperands cad = cad_of(operands, engine, progress);
     assign(surface,
-           boolean::sound_layered_depth_boolean(frame.meshes(), expression, uniform, tolerance, progress, cad));
+           layered_depth::sound_layered_depth_boolean(frame.meshes(), expression, uniform, tolerance, progress, cad));
     surface.figures.tolerance_asked = tolerance;
 }
 

@@ -28,7 +28,7 @@ struct BooleanSurface : triangulate::Result {
     std::vector<std::array<std::int32_t, 2>> triangle_source;
     /// See boolean::BooleanResult::triangle_origin; equal to triangle_source for the method Uniform.
     std::vector<std::array<std::int32_t, 2>> triangle_origin;
-    /// See boolean::OffsetOptions::corner_normals; empty if none were requested (workflows::corner_normals).
+    /// See offset::OffsetOptions::corner_normals; empty if none were requested (workflows::corner_normals).
     std::vector<Vec3> corner_normals;
 };
 
@@ -47,7 +47,7 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const Me
 /// @param engine  answers for the shapes; the method Uniform samples the faces of shapes, and uses meshes only to find
 ///     the faces that a ray meets
 /// @throws InvalidInput for the option `full` with another method than Uniform
-/// @throws as boolean::boolean and boolean::layered_depth_boolean; for the method Default the error of the exact
+/// @throws as boolean::boolean and layered_depth::layered_depth_boolean; for the method Default the error of the exact
 ///     method, and of the uniform one if that failed, too.
 BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,
                                    const boolean::Expression& expression, const boolean::BooleanOptions& options,

@@ -220,7 +220,7 @@ bool has(const geometry::Model& model, geometry::Volume::Kind kind, std::ptrdiff
 
 /// Returns work(model of the shape). A mesh may join entities that are apart in the shape. If it does not follow the
 /// model, `work` is tried again with other models: of several solids, with coincident faces of two solids as one face;
-/// of faces without a shell, with their edges joined within each distance of curve::kNear.
+/// of faces without a shell, with their edges joined within each distance of given::kNear.
 template <typename Work>
 auto on_shape_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, bool imprint, Progress& progress,
                         const Work& work) {
@@ -233,7 +233,7 @@ auto on_shape_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, boo
     std::exception_ptr refusal;
     try {
         return work(model);
-    } catch (const curve::SolidsShareNodes&) {
+    } catch (const given::SolidsShareNodes&) {
         if (!may_share) {
             throw;
         }
@@ -248,7 +248,7 @@ auto on_shape_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, boo
         }
         refusal = std::current_exception();
     }
-    for (const double near : curve::kNear) {
+    for (const double near : given::kNear) {
         if (loose) {
             try {
                 return work(read({[&](const Box& box) { return near * box.largest_side(); }, true, imprint}));
@@ -265,24 +265,24 @@ auto on_shape_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, boo
 
 }  // namespace
 
-CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
+CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const given::GivenMesh& given,
                             const curve::CurveOptions& options, bool imprint, Progress& progress) {
     const ThreadLimit threads(options.threads);
     progress.stage("reading the shape", 0.0, 0.0);
     return on_shape_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
-        CurvedMesh mesh = curve::curve_given(engine, model, given, options, &progress);
+        CurvedMesh mesh = given::curve_given(engine, model, given, options, &progress);
         measure_result(mesh, engine, shape, progress);
         return mesh;
     });
 }
 
-curve::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
-                                        const curve::MixedMesh& given, const curve::CurveOptions& options, bool imprint,
+given::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
+                                        const given::MixedMesh& given, const curve::CurveOptions& options, bool imprint,
                                         Progress& progress) {
     const ThreadLimit threads(options.threads);
     progress.stage("reading the shape", 0.0, 0.0);
     return on_shape_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
-        curve::CurvedMixedMesh mesh = curve::curve_mixed(engine, model, given, options, &progress);
+        given::CurvedMixedMesh mesh = given::curve_mixed(engine, model, given, options, &progress);
         if (given.has_volume()) {
             measure_volume(mesh, engine, shape, progress);
         }
@@ -290,18 +290,18 @@ curve::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_S
     });
 }
 
-curve::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const TopoDS_Shape& shape,
+given::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const TopoDS_Shape& shape,
                                                   const std::vector<Vec3>& nodes, int order,
                                                   const std::vector<std::int32_t>& triangles, Progress& progress) {
     return on_shape_as_meshed(engine, shape, false, progress, [&](const auto& model) {
-        return curve::measure_given_surface(engine, model, nodes, order, triangles, &progress);
+        return given::measure_given_surface(engine, model, nodes, order, triangles, &progress);
     });
 }
 
-curve::CadDistances cad_distances(geometry::Engine& engine, const TopoDS_Shape& shape, const std::vector<Vec3>& nodes,
+given::CadDistances cad_distances(geometry::Engine& engine, const TopoDS_Shape& shape, const std::vector<Vec3>& nodes,
                                   int order, const std::vector<std::int32_t>& triangles, Progress& progress) {
     const auto model = model_of(engine, shape, geometry::Creases::Keep, {{}, false, false}, progress);
-    return curve::cad_distances(engine, model, nodes, order, triangles, &progress);
+    return given::cad_distances(engine, model, nodes, order, triangles, &progress);
 }
 
 std::vector<double> distances_to_faces(geometry::Engine& engine, const TopoDS_Shape& shape,

@@ -28,26 +28,26 @@ curve::CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shap
 curve::CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, const triangulate::Result& surface,
                                 const curve::CurveOptions& options, Progress& progress);
 
-/// Curves a mesh of the shape that another program made, see curve::curve_given.
+/// Curves a mesh of the shape that another program made, see given::curve_given.
 /// @param imprint  whether coincident faces of two solids are one face, as in meshes that join the solids; tried, too,
 ///     if the mesh does not match separate solids
-/// @throws as curve::curve_given.
-curve::CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
+/// @throws as given::curve_given.
+curve::CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const given::GivenMesh& given,
                                    const curve::CurveOptions& options, bool imprint, Progress& progress);
 
-/// Curves a mesh with prisms, pyramids, hexahedra or quadrilaterals likewise, see curve::curve_mixed.
-curve::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
-                                        const curve::MixedMesh& given, const curve::CurveOptions& options, bool imprint,
+/// Curves a mesh with prisms, pyramids, hexahedra or quadrilaterals likewise, see given::curve_mixed.
+given::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
+                                        const given::MixedMesh& given, const curve::CurveOptions& options, bool imprint,
                                         Progress& progress);
 
-/// Measures the triangles of a given surface against the shape, see curve::measure_given_surface.
-curve::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const TopoDS_Shape& shape,
+/// Measures the triangles of a given surface against the shape, see given::measure_given_surface.
+given::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const TopoDS_Shape& shape,
                                                   const std::vector<Vec3>& nodes, int order,
                                                   const std::vector<std::int32_t>& triangles, Progress& progress);
 
 /// Distances of sampled points of the CAD faces from the surface of a mesh.
-/// @throws as curve::cad_distances.
-curve::CadDistances cad_distances(geometry::Engine& engine, const TopoDS_Shape& shape, const std::vector<Vec3>& nodes,
+/// @throws as given::cad_distances.
+given::CadDistances cad_distances(geometry::Engine& engine, const TopoDS_Shape& shape, const std::vector<Vec3>& nodes,
                                   int order, const std::vector<std::int32_t>& triangles, Progress& progress);
 
 /// The distance of each point from the faces of a shape, mm, independent of its mesh (geometry::distances_to_faces).

@@ -21,9 +21,8 @@ namespace {
 using boolean::Expression;
 using boolean::Operation;
 
-BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& solid,
-                        const boolean::OffsetOptions& options, const WorkBefore& before, const Stopwatch& watch,
-                        Progress& progress) {
+BooleanSurface reported(offset::OffsetResult&& found, const BooleanSurface& solid, const offset::OffsetOptions& options,
+                        const WorkBefore& before, const Stopwatch& watch, Progress& progress) {
     BooleanSurface result;
     result.mesh = std::move(found.mesh);
     if (!solid.mesh.triangle_face.empty()) {
@@ -47,7 +46,7 @@ BooleanSurface reported(boolean::OffsetResult&& found, const BooleanSurface& sol
 }
 
 /// The options with the normals of the solid's corners; triangles that were appended to the solid's own have none.
-boolean::OffsetOptions by_normals_of(const BooleanSurface& solid, boolean::OffsetOptions options) {
+offset::OffsetOptions by_normals_of(const BooleanSurface& solid, offset::OffsetOptions options) {
     options.corner_normals = solid.corner_normals;
     if (!options.corner_normals.empty()) {
         options.corner_normals.resize(3 * solid.mesh.triangles.size(), Vec3::Zero());
@@ -59,10 +58,10 @@ boolean::OffsetOptions by_normals_of(const BooleanSurface& solid, boolean::Offse
 /// longer in general, but not for features smaller than the distance. If both miss the tolerance, or the contour fails,
 /// the one with the smaller bound is taken.
 template <typename Trimmed, typename Contoured>
-boolean::OffsetResult first_within(const boolean::OffsetOptions& options, const Trimmed& trimmed,
-                                   const Contoured& contoured) {
+offset::OffsetResult first_within(const offset::OffsetOptions& options, const Trimmed& trimmed,
+                                  const Contoured& contoured) {
     const Stopwatch watch;
-    std::optional<boolean::OffsetResult> first;
+    std::optional<offset::OffsetResult> first;
     try {
         first = trimmed(options);
         if (first->error_bound <= options.tolerance) {
@@ -72,7 +71,7 @@ boolean::OffsetResult first_within(const boolean::OffsetOptions& options, const 
         // The result or error of the contour counts instead.
     }
     StageTimes seconds = first ? first->seconds : StageTimes{{"trimming the raw offset", watch.wall()}};
-    boolean::OffsetResult second;
+    offset::OffsetResult second;
     try {
         second = contoured(options);
     } catch (const Error&) {
@@ -89,36 +88,36 @@ boolean::OffsetResult first_within(const boolean::OffsetOptions& options, const 
     return second;
 }
 
-/// The offset of a solid with its report: boolean::offset, and where too many triangles of the raw offset cross for
+/// The offset of a solid with its report: offset::offset, and where too many triangles of the raw offset cross for
 /// that, or where it fails or misses the tolerance, offset::contoured_offset (its report has no crossing pairs). Each
 /// triangle is on the CAD face of the one from which it is offset, where those are known.
-BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::OffsetOptions& options,
+BooleanSurface offset_of_solid(const BooleanSurface& solid, const offset::OffsetOptions& options,
                                const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
-    boolean::OffsetResult found = first_within(
+    offset::OffsetResult found = first_within(
         by_normals_of(solid, options),
-        [&](const boolean::OffsetOptions& how) { return boolean::offset(solid.mesh, how, progress); },
-        [&](const boolean::OffsetOptions& how) { return offset::contoured_offset(solid.mesh, how, progress); });
+        [&](const offset::OffsetOptions& how) { return offset::offset(solid.mesh, how, progress); },
+        [&](const offset::OffsetOptions& how) { return offset::contoured_offset(solid.mesh, how, progress); });
     return reported(std::move(found), solid, options, before, watch, progress);
 }
 
 /// The points of a solid that are farther than a distance from its triangles that are not open
-/// (boolean::extend_openings), with report and CAD faces as in offset_of_solid. The result protrudes from the openings.
+/// (offset::extend_openings), with report and CAD faces as in offset_of_solid. The result protrudes from the openings.
 /// @return nothing where openings are not plane, or are in pockets that are too narrow
 std::optional<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid, const std::vector<char>& open,
-                                                     const boolean::OffsetOptions& options, const WorkBefore& before,
+                                                     const offset::OffsetOptions& options, const WorkBefore& before,
                                                      Progress& progress) {
     options.validate();
     constexpr double kFlat = 0.1;  // fraction of the tolerance
     BooleanSurface extended;
     std::optional<mesh::TriangleMesh> mesh =
-        boolean::extend_openings(solid.mesh, open, {options.distance, kFlat * options.tolerance});
+        offset::extend_openings(solid.mesh, open, {options.distance, kFlat * options.tolerance});
     if (!mesh) {
         return std::nullopt;
     }
     extended.mesh = std::move(*mesh);
     extended.corner_normals = solid.corner_normals;
-    boolean::OffsetOptions inward = options;
+    offset::OffsetOptions inward = options;
     inward.distance = -options.distance;
     inward.tolerance = (1.0 - kFlat) * options.tolerance;
     WorkBefore extending = before;
@@ -126,17 +125,15 @@ std::optional<BooleanSurface> hollow_beyond_openings(const BooleanSurface& solid
     return offset_of_solid(extended, inward, extending, progress);
 }
 
-/// All points within a distance of some triangles of a solid (boolean::thicken, offset::contoured_walls), with report
+/// All points within a distance of some triangles of a solid (offset::thicken, offset::contoured_walls), with report
 /// and CAD faces as in offset_of_solid.
 BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,
-                               const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
+                               const offset::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
-    boolean::OffsetResult found = first_within(
+    offset::OffsetResult found = first_within(
         by_normals_of(solid, options),
-        [&](const boolean::OffsetOptions& how) { return boolean::thicken(solid.mesh, left_out, how, progress); },
-        [&](const boolean::OffsetOptions& how) {
-            return offset::contoured_walls(solid.mesh, left_out, how, progress);
-        });
+        [&](const offset::OffsetOptions& how) { return offset::thicken(solid.mesh, left_out, how, progress); },
+        [&](const offset::OffsetOptions& how) { return offset::contoured_walls(solid.mesh, left_out, how, progress); });
     return reported(std::move(found), solid, options, before, watch, progress);
 }
 
@@ -253,7 +250,7 @@ class OffsetWork {
     }
 
     /// The options of an offset with the tolerance that meshing, union and cutting have left.
-    boolean::OffsetOptions left_for(double distance) const {
+    offset::OffsetOptions left_for(double distance) const {
         const double left = (1.0 - kUnion - kCutting) * options_.tolerance - work_.error_bound;
         if (left <= 0.0) {
             throw InvalidInput(phrases::kCoarseOperand,
@@ -267,7 +264,7 @@ class OffsetWork {
         for (const std::int32_t face : solid_.mesh.triangle_face) {
             open.push_back(std::find(openings.begin(), openings.end(), face) != openings.end() ? 1 : 0);
         }
-        const boolean::OffsetOptions options = left_for(options_.distance);
+        const offset::OffsetOptions options = left_for(options_.distance);
         if (std::find(open.begin(), open.end(), 0) == open.end()) {
             throw InvalidInput(phrases::kAllLeftOut);
         }

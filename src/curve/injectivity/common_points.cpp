@@ -19,6 +19,8 @@
 
 namespace mq::curve {
 
+using elements::GridPoint;
+
 namespace {
 
 /// A plane with a normal of length 1: points behind it have normal . p <= offset.
@@ -94,7 +96,7 @@ class Elements {
     Elements(const std::vector<Vec3>& nodes, const std::vector<SolidBlock>& blocks) : nodes_(nodes), blocks_(blocks) {
         for (std::size_t b = 0; b < blocks.size(); ++b) {
             const auto per = static_cast<std::size_t>(blocks[b].nodes_per_element);
-            if (dimension_of(blocks[b].kind) != 3 || per == 0 || blocks[b].nodes.size() % per != 0) {
+            if (elements::dimension_of(blocks[b].kind) != 3 || per == 0 || blocks[b].nodes.size() % per != 0) {
                 throw InvalidInput(phrases::kNoSolidElements, {{"count", b}, {"count2", per}});
             }
             for (std::size_t first = 0; first < blocks[b].nodes.size(); first += per) {
@@ -174,13 +176,13 @@ class Elements {
             own.push_back(node(e, i));
         }
         int order = of.order;
-        own = all_nodes(of.kind, order, own);
-        if (order == 1 && of.kind != ElementKind::Tetrahedron) {
+        own = elements::all_nodes(of.kind, order, own);
+        if (order == 1 && of.kind != elements::ElementKind::Tetrahedron) {
             order = 2;
             own = of_corners(of.kind, own);
         }
         std::vector<Cell> found;
-        for (const std::array<int, 4>& part : node_cells(of.kind, order)) {
+        for (const std::array<int, 4>& part : elements::node_cells(of.kind, order)) {
             Cell cell;
             for (std::size_t k = 0; k < 4; ++k) {
                 cell.corners[k] = own[static_cast<std::size_t>(part[k])];
@@ -193,8 +195,8 @@ class Elements {
         return found;
     }
     /// The nodes of order 2 of an element of order 1: each is the mean of the corners that lie symmetrically around it.
-    static std::vector<Vec3> of_corners(ElementKind kind, const std::vector<Vec3>& corners) {
-        const std::vector<GridPoint> places = gmsh_nodes(kind, 2);
+    static std::vector<Vec3> of_corners(elements::ElementKind kind, const std::vector<Vec3>& corners) {
+        const std::vector<GridPoint> places = elements::gmsh_nodes(kind, 2);
         const auto end = places.begin() + static_cast<std::ptrdiff_t>(corners.size());
         std::vector<Vec3> found;
         for (const GridPoint& p : places) {

@@ -16,11 +16,11 @@ namespace mq::curve {
 struct SolidBlock {
     /// A face of an element: which of the element's nodes it has, in Gmsh's order.
     struct Face {
-        ElementKind kind = ElementKind::Triangle;
+        elements::ElementKind kind = elements::ElementKind::Triangle;
         int order = 1;
         std::vector<std::int32_t> nodes;
     };
-    ElementKind kind = ElementKind::Tetrahedron;
+    elements::ElementKind kind = elements::ElementKind::Tetrahedron;
     int order = 1;
     int nodes_per_element = 4;
     std::vector<std::int32_t> nodes;

@@ -185,7 +185,7 @@ CurvedCrossings curved_crossings(const SurfacePatches& patches, Progress* progre
 }
 
 CurvedCrossings curved_crossings(const CurvedMesh& mesh, Progress* progress, const CrossingEffort& effort) {
-    const SideBlock triangles{ElementKind::Triangle, mesh.order, static_cast<int>(mesh.nodes_per_triangle()),
+    const SideBlock triangles{elements::ElementKind::Triangle, mesh.order, static_cast<int>(mesh.nodes_per_triangle()),
                               mesh.triangles};
     return curved_crossings(SurfacePatches(mesh.nodes, {triangles}), progress, effort);
 }

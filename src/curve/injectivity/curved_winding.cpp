@@ -11,6 +11,8 @@
 
 namespace mq::curve {
 
+using elements::Lattice;
+
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -25,7 +27,7 @@ double bend_of(const Lattice& lattice, const std::vector<Vec3>& control) {
     const std::array<Vec3, 3> corners = corners_of(lattice, control);
     double bend = 0.0;
     for (int i = 0; i < lattice.size(); ++i) {
-        const Barycentric at = lattice.node(i);
+        const elements::Barycentric at = lattice.node(i);
         const Vec3 flat = at[0] * corners[0] + at[1] * corners[1] + at[2] * corners[2];
         bend = std::max(bend, (control[static_cast<std::size_t>(i)] - flat).norm());
     }
@@ -102,7 +104,7 @@ std::optional<int> curved_winding(const Lattice& lattice, const std::vector<std:
             angle = solid_angle(corners, point);
         } else if (looked_at < kMostPieces) {
             const auto [a, b] = longest_edge_of(corners);
-            auto [first, second] = halve(lattice, control, a, b);
+            auto [first, second] = elements::halve(lattice, control, a, b);
             const Vec3& middle = first[static_cast<std::size_t>(lattice.corner(b))];
             const bool forward = b - a == 1;
             angle = angle_of_gap(corners[static_cast<std::size_t>(forward ? a : b)],

@@ -20,7 +20,7 @@ namespace mq::curve {
 /// @param patches  their control points
 /// @param margin   mm: least distance of the point from the surface
 /// @return nothing if the point is nearer than that, or the surface is not closed
-std::optional<int> curved_winding(const Lattice& lattice, const std::vector<std::vector<Vec3>>& patches,
+std::optional<int> curved_winding(const elements::Lattice& lattice, const std::vector<std::vector<Vec3>>& patches,
                                   const Vec3& point, double margin);
 
 }  // namespace mq::curve

@@ -15,6 +15,8 @@
 
 namespace mq::curve {
 
+using elements::Lattice;
+
 namespace {
 
 /// The corners of a piece that lie on a shared edge.
@@ -31,7 +33,7 @@ OnEdge on_edge(const PatchPiece& piece, int from, int to) {
     OnEdge found;
     const auto opposite = static_cast<std::size_t>(3 - from - to);
     for (int k = 0; k < 3; ++k) {
-        const Barycentric& place = piece.part[static_cast<std::size_t>(k)];
+        const elements::Barycentric& place = piece.part[static_cast<std::size_t>(k)];
         if (place[opposite] == 0.0 && found.count < 2) {
             found.corner[static_cast<std::size_t>(found.count)] = k;
             found.at[static_cast<std::size_t>(found.count++)] = place[static_cast<std::size_t>(to)];
@@ -355,11 +357,11 @@ PatchVerdict contact_with_itself(const PatchPiece& piece, const Lattice& lattice
         return {PatchContact::NotProven, piece.corners[0]};
     }
     PatchPieces pieces(lattice, piece.control);
-    const auto [a, b] = longest_edge(piece.part, 2);
+    const auto [a, b] = elements::longest_edge(piece.part, 2);
     const std::int32_t first = pieces.halve(0, a, b);
     for (const std::int32_t half : {first, first + 1}) {
         PatchPiece part = pieces[half];
-        part.part = half == first ? halve(piece.part, a, b).first : halve(piece.part, a, b).second;
+        part.part = half == first ? elements::halve(piece.part, a, b).first : elements::halve(piece.part, a, b).second;
         const PatchVerdict verdict = contact_with_itself(part, lattice, limits, depth - 1);
         if (verdict.contact != PatchContact::None) {
             return verdict;
@@ -382,7 +384,7 @@ PatchVerdict contact_of_patches(const Lattice& lattice, const std::vector<Vec3>&
 PatchVerdict contact_with_itself(const Lattice& lattice, const std::vector<Vec3>& control, const PatchLimits& limits) {
     // Deepest nesting of halvings: the smallest pieces have a sixteenth of the patch's length.
     constexpr int kDeepest = 8;
-    return contact_with_itself(PatchPiece(lattice, control, kWholeSimplex), lattice, limits, kDeepest);
+    return contact_with_itself(PatchPiece(lattice, control, elements::kWholeSimplex), lattice, limits, kDeepest);
 }
 
 }  // namespace mq::curve

@@ -46,10 +46,11 @@ struct PatchLimits {
 };
 
 /// How two different patches of one order meet.
-PatchVerdict contact_of_patches(const Lattice& lattice, const std::vector<Vec3>& a, const std::vector<Vec3>& b,
-                                const SharedEntities& shared, const PatchLimits& limits);
+PatchVerdict contact_of_patches(const elements::Lattice& lattice, const std::vector<Vec3>& a,
+                                const std::vector<Vec3>& b, const SharedEntities& shared, const PatchLimits& limits);
 
 /// Whether a patch meets itself. None: each of its points has only one pair of parameters.
-PatchVerdict contact_with_itself(const Lattice& lattice, const std::vector<Vec3>& control, const PatchLimits& limits);
+PatchVerdict contact_with_itself(const elements::Lattice& lattice, const std::vector<Vec3>& control,
+                                 const PatchLimits& limits);
 
 }  // namespace mq::curve

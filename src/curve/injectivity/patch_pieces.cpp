@@ -8,6 +8,9 @@
 
 namespace mq::curve {
 
+using elements::Exponents;
+using elements::Lattice;
+
 namespace {
 
 /// The control point whose exponent of `corner` is larger by one.
@@ -18,14 +21,14 @@ const Vec3& raised(const Lattice& lattice, const std::vector<Vec3>& control, Exp
 
 }  // namespace
 
-PatchPiece::PatchPiece(const Lattice& lattice, std::vector<Vec3> points, const SimplexPart& in_patch)
+PatchPiece::PatchPiece(const Lattice& lattice, std::vector<Vec3> points, const elements::SimplexPart& in_patch)
     : control(std::move(points)), part(in_patch) {
     for (std::size_t k = 0; k < 3; ++k) {
         corners[k] = control[static_cast<std::size_t>(lattice.corner(static_cast<int>(k)))];
     }
     for (int i = 0; i < lattice.size(); ++i) {
         const Vec3& p = control[static_cast<std::size_t>(i)];
-        const Barycentric at = lattice.node(i);
+        const elements::Barycentric at = lattice.node(i);
         box.add(p);
         bend = std::max(bend, (p - at[0] * corners[0] - at[1] * corners[1] - at[2] * corners[2]).norm());
     }
@@ -33,7 +36,7 @@ PatchPiece::PatchPiece(const Lattice& lattice, std::vector<Vec3> points, const S
 }
 
 PatchPieces::PatchPieces(const Lattice& lattice, const std::vector<Vec3>& control) : lattice_(&lattice) {
-    pieces_.emplace_back(lattice, control, kWholeSimplex);
+    pieces_.emplace_back(lattice, control, elements::kWholeSimplex);
 }
 
 std::int32_t PatchPieces::halve(std::int32_t piece, int a, int b) {
@@ -41,8 +44,8 @@ std::int32_t PatchPieces::halve(std::int32_t piece, int a, int b) {
     std::int32_t& first = whole.halves[static_cast<std::size_t>(3 - a - b)];
     if (first < 0) {
         first = static_cast<std::int32_t>(pieces_.size());
-        auto [keeps_a, keeps_b] = curve::halve(*lattice_, whole.control, std::min(a, b), std::max(a, b));
-        const auto [part_a, part_b] = curve::halve(whole.part, std::min(a, b), std::max(a, b));
+        auto [keeps_a, keeps_b] = elements::halve(*lattice_, whole.control, std::min(a, b), std::max(a, b));
+        const auto [part_a, part_b] = elements::halve(whole.part, std::min(a, b), std::max(a, b));
         pieces_.emplace_back(*lattice_, std::move(keeps_a), part_a);
         pieces_.emplace_back(*lattice_, std::move(keeps_b), part_b);
     }
@@ -50,7 +53,7 @@ std::int32_t PatchPieces::halve(std::int32_t piece, int a, int b) {
 }
 
 std::int32_t PatchPieces::halve(std::int32_t piece) {
-    const auto [a, b] = longest_edge(pieces_[static_cast<std::size_t>(piece)].part, 2);
+    const auto [a, b] = elements::longest_edge(pieces_[static_cast<std::size_t>(piece)].part, 2);
     return halve(piece, a, b);
 }
 

@@ -16,6 +16,10 @@
 
 namespace mq::curve {
 
+using elements::ElementKind;
+using elements::Lattice;
+using elements::raised_to;
+
 namespace {
 
 /// Bound of the error of control points and their differences, relative to the largest coordinate. The conversion from
@@ -29,13 +33,13 @@ int degree_of(const SideBlock& block) {
 }
 
 void require_sound(const std::vector<Vec3>& nodes, const SideBlock& block) {
-    const bool surface = dimension_of(block.kind) == 2;
-    const bool known = surface && block.order >= 1 && block.order <= kMaxOrder &&
-                       (block.nodes_per_side == full_node_count(block.kind, block.order) ||
-                        block.nodes_per_side == serendipity_node_count(block.kind, block.order));
+    const bool surface = elements::dimension_of(block.kind) == 2;
+    const bool known = surface && block.order >= 1 && block.order <= elements::kMaxOrder &&
+                       (block.nodes_per_side == elements::full_node_count(block.kind, block.order) ||
+                        block.nodes_per_side == elements::serendipity_node_count(block.kind, block.order));
     if (!known || block.nodes.size() % static_cast<std::size_t>(block.nodes_per_side) != 0) {
         throw InvalidInput(phrases::kNoSides,
-                           {{"count", block.nodes_per_side}, {"count2", block.order}, {"count3", kMaxOrder}});
+                           {{"count", block.nodes_per_side}, {"count2", block.order}, {"count3", elements::kMaxOrder}});
     }
     for (const std::int32_t node : block.nodes) {
         if (node < 0 || node >= static_cast<std::int32_t>(nodes.size()) ||
@@ -89,9 +93,10 @@ void SurfacePatches::add(const SideBlock& block, const std::vector<std::int32_t>
     const Lattice& own = Lattice::of(2, degree_of(block));
     if (block.kind == ElementKind::Triangle) {
         patches_.push_back(
-            {raised_to(lattice_->degree(), own, gmsh_to_bezier(own, nodes)), {row[0], row[1], row[2]}, side});
+            {raised_to(lattice_->degree(), own, elements::gmsh_to_bezier(own, nodes)), {row[0], row[1], row[2]}, side});
     } else {
-        auto [lower, upper] = halves_of_quadrilateral(block.order, tensor_control(block.order, std::move(nodes)));
+        auto [lower, upper] =
+            elements::halves_of_quadrilateral(block.order, elements::tensor_control(block.order, std::move(nodes)));
         patches_.push_back({raised_to(lattice_->degree(), own, lower), {row[0], row[1], row[2]}, side});
         patches_.push_back({raised_to(lattice_->degree(), own, upper), {row[0], row[2], row[3]}, side});
     }
@@ -182,7 +187,7 @@ bool SurfacePatches::share_edge(const Patch& a, const Patch& b, const std::array
     }
     for (int i = 1; i < lattice_->degree(); ++i) {
         const auto at = [&](const Patch& patch, std::size_t side) -> const Vec3& {
-            Exponents e{};
+            elements::Exponents e{};
             e[static_cast<std::size_t>(from[side])] = lattice_->degree() - i;
             e[static_cast<std::size_t>(to[side])] = i;
             return patch.control[static_cast<std::size_t>(lattice_->index(e))];

@@ -20,7 +20,7 @@ constexpr double kTouching = 1e-9;
 /// Sides of elements: triangles or quadrilaterals of one order, with the nodes of one side after those of another, in
 /// Gmsh's order.
 struct SideBlock {
-    ElementKind kind = ElementKind::Triangle;
+    elements::ElementKind kind = elements::ElementKind::Triangle;
     int order = 1;
     int nodes_per_side = 3;
     std::vector<std::int32_t> nodes;
@@ -39,7 +39,7 @@ class SurfacePatches {
     std::size_t size() const { return patches_.size(); }
     /// Number of sides, which are numbered from block to block.
     std::size_t sides() const { return side_nodes_.size(); }
-    const Lattice& lattice() const { return *lattice_; }
+    const elements::Lattice& lattice() const { return *lattice_; }
     const Vec3& middle() const { return middle_; }
     const std::vector<Vec3>& control(std::int32_t t) const { return patch(t).control; }
     /// The side that a patch belongs to.
@@ -64,7 +64,7 @@ class SurfacePatches {
     SharedEntities shared(std::int32_t a, std::int32_t b) const;
     bool share_edge(const Patch& a, const Patch& b, const std::array<int, 2>& from, const std::array<int, 2>& to) const;
 
-    const Lattice* lattice_;
+    const elements::Lattice* lattice_;
     Vec3 middle_ = Vec3::Zero();
     PatchLimits limits_;
     std::vector<Patch> patches_;

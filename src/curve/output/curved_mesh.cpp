@@ -12,6 +12,9 @@
 
 namespace mq::curve {
 
+using elements::Exponents;
+using elements::Lattice;
+
 namespace {
 
 class Assembler {
@@ -20,7 +23,7 @@ class Assembler {
         : surface_(surface), tetrahedra_(tetrahedra) {
         mesh_.order = surface.shapes.order();
         for (int dimension = 1; dimension <= 3; ++dimension) {
-            orders_[static_cast<std::size_t>(dimension)] = gmsh_order(Lattice::of(dimension, mesh_.order));
+            orders_[static_cast<std::size_t>(dimension)] = elements::gmsh_order(Lattice::of(dimension, mesh_.order));
         }
     }
 
@@ -68,7 +71,7 @@ class Assembler {
     }
 
     void append_edges() {
-        std::map<EdgeKey, int> ordered;
+        std::map<elements::EdgeKey, int> ordered;
         for (const auto& [key, segment] : surface_.segments) {
             const int a = static_cast<int>(key >> 32);
             const int b = static_cast<int>(key & 0xffffffffu);
@@ -111,7 +114,7 @@ class Assembler {
                 control.push_back(p);
             }
             control.push_back(surface_.shapes.vertices[static_cast<std::size_t>(high)].point);
-            const std::vector<Vec3> nodes = bezier_to_nodes(Lattice::of(1, mesh_.order), control);
+            const std::vector<Vec3> nodes = elements::bezier_to_nodes(Lattice::of(1, mesh_.order), control);
             for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
                 found->second.push_back(add_node(nodes[i], entity));
             }
@@ -133,7 +136,7 @@ class Assembler {
         if (fresh) {
             std::vector<Vec3> control;
             surface_.shapes.triangle(sorted, control);
-            const std::vector<Vec3> nodes = bezier_to_nodes(lattice, control);
+            const std::vector<Vec3> nodes = elements::bezier_to_nodes(lattice, control);
             found->second.assign(nodes.size(), -1);
             for (int i = 0; i < lattice.size(); ++i) {
                 if (lattice.carriers(i) == 3) {
@@ -173,12 +176,13 @@ class Assembler {
     }
 
     template <std::size_t N>
-    Vec3 region_point(const std::array<int, N>& corners, const Barycentric& at, std::vector<Vec3>& control) const {
+    Vec3 region_point(const std::array<int, N>& corners, const elements::Barycentric& at,
+                      std::vector<Vec3>& control) const {
         if constexpr (N == 4) {
             if (control.empty()) {
                 surface_.shapes.tetrahedron(corners, control);
             }
-            return value(Lattice::of(3, mesh_.order), control, at);
+            return elements::value(Lattice::of(3, mesh_.order), control, at);
         } else {
             return Vec3::Zero();  // a triangle has no point with four carriers
         }
@@ -189,8 +193,8 @@ class Assembler {
     CurvedMesh mesh_;
     std::vector<int> number_;
     std::array<std::vector<int>, 4> orders_;  // by dimension: Gmsh's order of the nodes
-    std::unordered_map<EdgeKey, std::vector<int>> edges_;
-    std::unordered_map<FaceKey, std::vector<int>, KeyHash> faces_;
+    std::unordered_map<elements::EdgeKey, std::vector<int>> edges_;
+    std::unordered_map<elements::FaceKey, std::vector<int>, KeyHash> faces_;
 };
 
 }  // namespace
@@ -279,8 +283,8 @@ void require_elements(const CurvedMesh& mesh, const Elements& elements) {
 }  // namespace
 
 void require_sound(const CurvedMesh& mesh) {
-    if (mesh.order < 1 || mesh.order > kMaxOrder) {
-        throw InvalidInput(phrases::kElementOrder, {{"count", kMaxOrder}, {"count2", mesh.order}});
+    if (mesh.order < 1 || mesh.order > elements::kMaxOrder) {
+        throw InvalidInput(phrases::kElementOrder, {{"count", elements::kMaxOrder}, {"count2", mesh.order}});
     }
     require_count(mesh.node_entity.size(), mesh.nodes.size(), "node_entity");
     Box box;
@@ -309,19 +313,19 @@ void require_sound(const CurvedMesh& mesh) {
 }
 
 std::vector<std::int32_t> tetrahedra_behind(const CurvedMesh& mesh) {
-    std::unordered_map<FaceKey, std::int32_t, KeyHash> faces;
+    std::unordered_map<elements::FaceKey, std::int32_t, KeyHash> faces;
     const auto width = static_cast<std::size_t>(mesh.nodes_per_tetrahedron());
     for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
         for (std::size_t k = 0; k < 4; ++k) {
             const auto corner = [&](std::size_t i) { return mesh.tetrahedra[e * width + (k + i) % 4]; };
-            faces.try_emplace(face_key(corner(1), corner(2), corner(3)), static_cast<std::int32_t>(e));
+            faces.try_emplace(elements::face_key(corner(1), corner(2), corner(3)), static_cast<std::int32_t>(e));
         }
     }
     std::vector<std::int32_t> behind;
     const auto step = static_cast<std::size_t>(mesh.nodes_per_triangle());
     for (std::size_t t = 0; t < mesh.triangle_face.size(); ++t) {
         const std::int32_t* corners = &mesh.triangles[t * step];
-        const auto found = faces.find(face_key(corners[0], corners[1], corners[2]));
+        const auto found = faces.find(elements::face_key(corners[0], corners[1], corners[2]));
         behind.push_back(found == faces.end() ? -1 : found->second);
     }
     return behind;

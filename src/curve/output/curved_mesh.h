@@ -89,9 +89,9 @@ struct CurvedMesh {
     mesh::TriangleMesh straight;  ///< the mesh that was curved; empty where that is not known
     CurveReport report;
 
-    int nodes_per_edge() const { return Lattice::of(1, order).size(); }
-    int nodes_per_triangle() const { return Lattice::of(2, order).size(); }
-    int nodes_per_tetrahedron() const { return Lattice::of(3, order).size(); }
+    int nodes_per_edge() const { return elements::Lattice::of(1, order).size(); }
+    int nodes_per_triangle() const { return elements::Lattice::of(2, order).size(); }
+    int nodes_per_tetrahedron() const { return elements::Lattice::of(3, order).size(); }
 };
 
 /// By triangle: a tetrahedron that it is a face of, the one of lowest index; -1 where there is none.

@@ -7,17 +7,19 @@
 
 namespace mq::curve {
 
+using elements::Lattice;
+
 namespace {
 
 /// By place in the order of VTK's Lagrange cells the place in Gmsh's.
 std::vector<std::size_t> lagrange_order(const Lattice& lattice) {
-    const std::vector<int> gmsh = gmsh_order(lattice);
+    const std::vector<int> gmsh = elements::gmsh_order(lattice);
     std::vector<std::size_t> place(gmsh.size());
     for (std::size_t i = 0; i < gmsh.size(); ++i) {
         place[static_cast<std::size_t>(gmsh[i])] = i;
     }
     std::vector<std::size_t> result;
-    for (const int point : vtk_order(lattice)) {
+    for (const int point : elements::vtk_order(lattice)) {
         result.push_back(place[static_cast<std::size_t>(point)]);
     }
     return result;

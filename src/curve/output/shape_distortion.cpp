@@ -17,6 +17,11 @@
 
 namespace mq::curve {
 
+using elements::halve;
+using elements::JacobianForm;
+using elements::Lattice;
+using elements::ProductTable;
+
 namespace {
 
 /// Simplices at most for each element, so that the search ends near a fold.
@@ -81,7 +86,7 @@ class ShapeSearch {
         while (high_ > 0.0 && queue_.top().low < (1.0 - kDistortionAccuracy) * high_ && serial_ < kMaxPieces) {
             const Piece piece = queue_.top();
             queue_.pop();
-            const auto [a, b] = longest_edge(piece.part, lattice_.dimension());
+            const auto [a, b] = elements::longest_edge(piece.part, lattice_.dimension());
             auto [volume_a, volume_b] = halve(lattice_, piece.volume, a, b);
             auto [stretch_a, stretch_b] = halve(lattice_, piece.stretch, a, b);
             const auto [part_a, part_b] = halve(piece.part, a, b);
@@ -97,7 +102,7 @@ class ShapeSearch {
         int serial = 0;  // ties go to the older piece, so that the order is fixed
         std::vector<TetrahedralMesh> volume;
         std::vector<double> stretch;
-        SimplexPart part = kWholeSimplex;
+        elements::SimplexPart part = elements::kWholeSimplex;
 
         bool operator<(const Piece& other) const { return low != other.low ? low > other.low : serial > other.serial; }
     };
@@ -154,7 +159,7 @@ std::vector<Vec3> control_of(const CurvedMesh& mesh, const Lattice& lattice, con
         const std::int32_t node = list[static_cast<std::size_t>(e) * width + i];
         nodes[i] = mesh.nodes[static_cast<std::size_t>(node)];
     }
-    return gmsh_to_bezier(lattice, nodes);
+    return elements::gmsh_to_bezier(lattice, nodes);
 }
 
 /// distortion(e) of all elements, in parallel.
@@ -181,16 +186,16 @@ std::vector<double> of_all(std::size_t count, Progress* progress, const Distorti
 }  // namespace
 
 double max_distortion_of_triangle(const Lattice& lattice, const std::vector<Vec3>& control) {
-    NormalForm normal = normal_of(lattice, control);
-    JacobianForm stretch = stretch_of(lattice, control);
+    elements::NormalForm normal = elements::normal_of(lattice, control);
+    JacobianForm stretch = elements::stretch_of(lattice, control);
     ShapeSearch<Vec3> search(normal.lattice->factor(0), normal.rounding);
     return search.inverse_of_least(std::move(normal.coefficients), std::move(stretch.coefficients));
 }
 
 double max_distortion_of_tetrahedron(const Lattice& lattice, const std::vector<Vec3>& control) {
-    JacobianForm jacobian = jacobian_of(lattice, control);
+    JacobianForm jacobian = elements::jacobian_of(lattice, control);
     ShapeSearch<double> search(jacobian.lattice->factor(0), jacobian.rounding);
-    std::vector<double> stretch = raised(stretch_of(lattice, control), lattice.degree() - 1);
+    std::vector<double> stretch = raised(elements::stretch_of(lattice, control), lattice.degree() - 1);
     return search.inverse_of_least(std::move(jacobian.coefficients), std::move(stretch));
 }
 

@@ -28,10 +28,10 @@ constexpr double kDistortionAccuracy = 0.01;
 
 /// Largest eta of a Bezier triangle in space. Infinite where it has no area; a fold does not show, see
 /// normal_component.
-double max_distortion_of_triangle(const Lattice& lattice, const std::vector<Vec3>& control);
+double max_distortion_of_triangle(const elements::Lattice& lattice, const std::vector<Vec3>& control);
 
 /// Largest eta of a Bezier tetrahedron. Infinite where the Jacobian is not proven to be positive everywhere.
-double max_distortion_of_tetrahedron(const Lattice& lattice, const std::vector<Vec3>& control);
+double max_distortion_of_tetrahedron(const elements::Lattice& lattice, const std::vector<Vec3>& control);
 
 /// Largest eta of each triangle of the mesh; infinite where it folds over its face.
 /// @throws InvalidInput for a mesh without a triangle_quality for each triangle.

@@ -17,6 +17,11 @@
 
 namespace mq::curve {
 
+using elements::Barycentric;
+using elements::Exponents;
+using elements::Lattice;
+using elements::value;
+
 namespace {
 
 /// Halvings of one curved edge at most: the control polygon comes four times nearer with each halving, so that single
@@ -64,7 +69,7 @@ double bend(const Lattice& lattice, const std::vector<Vec3>& control) {
     return most * (1.0 - std::pow(3.0, 1.0 - static_cast<double>(lattice.degree())));
 }
 
-using Arguments = std::array<const Barycentric*, kMaxOrder>;
+using Arguments = std::array<const Barycentric*, elements::kMaxOrder>;
 
 /// The polar form of a patch at `order` points: control points of its pieces (Farin 1993).
 Vec3 polar(const Lattice& lattice, const std::vector<Vec3>& control, const Arguments& at) {
@@ -113,7 +118,7 @@ class Tessellator {
     Tessellator(const CurvedMesh& mesh, double deviation, const Progress* progress, std::size_t max_triangles)
         : mesh_(mesh),
           lattice_(Lattice::of(2, mesh.order)),
-          order_(gmsh_order(lattice_)),
+          order_(elements::gmsh_order(lattice_)),
           grid_(box_of(mesh)),
           pace_(progress),
           max_triangles_(max_triangles) {
@@ -221,7 +226,7 @@ class Tessellator {
         for (std::size_t i = 0; i < order_.size(); ++i) {
             nodes_[static_cast<std::size_t>(order_[i])] = mesh_.nodes[node_of(i)];
         }
-        control_ = nodes_to_bezier(lattice_, nodes_);
+        control_ = elements::nodes_to_bezier(lattice_, nodes_);
     }
 
     /// Reads the control points of the triangle, and makes its corners vertices of the result.
@@ -234,7 +239,7 @@ class Tessellator {
             }
             triangle_[i] = corners_[node];
         }
-        derivatives_ = {derivative(lattice_, control_, 1), derivative(lattice_, control_, 2)};
+        derivatives_ = {elements::derivative(lattice_, control_, 1), elements::derivative(lattice_, control_, 2)};
         normals_.clear();
     }
 
@@ -268,7 +273,7 @@ class Tessellator {
             e[to] = i;
             nodes.push_back(nodes_[static_cast<std::size_t>(lattice_.index(e))]);
         }
-        return nodes_to_bezier(Lattice::of(1, mesh_.order), nodes);
+        return elements::nodes_to_bezier(Lattice::of(1, mesh_.order), nodes);
     }
 
     /// Halves a curve until its chords are near enough, and lists the vertices after the first.
@@ -277,7 +282,7 @@ class Tessellator {
             result_.edge_lines.push_back(b);
             return;
         }
-        const auto [first, second] = halve(Lattice::of(1, mesh_.order), control, 0, 1);
+        const auto [first, second] = elements::halve(Lattice::of(1, mesh_.order), control, 0, 1);
         const std::int32_t middle = add_vertex(first.back());
         side_middles_[pair_key(a, b)] = middle;
         divide(a, middle, first, depth + 1);
@@ -310,14 +315,14 @@ class Tessellator {
     /// The vertex that halves edge k of the piece, from its corner k to the next; -1: the edge is within the tolerance.
     std::int32_t middle(const Piece& piece, std::size_t k) {
         const std::size_t next = (k + 1) % 3;
-        const EdgeKey key = pair_key(piece.corners[k], piece.corners[next]);
+        const elements::EdgeKey key = pair_key(piece.corners[k], piece.corners[next]);
         if (on_side(piece.at[k], piece.at[next])) {
             const auto found = side_middles_.find(key);
             return found == side_middles_.end() ? -1 : found->second;
         }
         const auto [found, fresh] = inner_middles_.try_emplace(key, -1);
         if (fresh && piece.depth < kDeepest && bend_of(piece.at[k], piece.at[next]) > kEdgePart * result_.deviation) {
-            found.value() = add_vertex(value(lattice_, control_, middle_of(piece.at[k], piece.at[next])));
+            found.value() = add_vertex(value(lattice_, control_, elements::middle_of(piece.at[k], piece.at[next])));
         }
         return found->second;
     }
@@ -366,7 +371,7 @@ class Tessellator {
             v[i] = piece.corners[turn[i]];
             at[i] = piece.at[turn[i]];
             v[3 + i] = middles[turn[i]];
-            at[3 + i] = middle_of(at[i], piece.at[turn[(i + 1) % 3]]);
+            at[3 + i] = elements::middle_of(at[i], piece.at[turn[(i + 1) % 3]]);
         }
         const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
             add_piece(piece, {v[a], v[b], v[c]}, {at[a], at[b], at[c]});

@@ -46,7 +46,7 @@ class Snapping {
 
   private:
     struct Before {
-        std::vector<Vertex> vertices;
+        std::vector<elements::Vertex> vertices;
         std::vector<Vec2> uv;
         std::vector<std::pair<std::pair<int, int>, std::vector<Vec3>>> edges;
     };

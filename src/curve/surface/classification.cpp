@@ -86,10 +86,10 @@ class Classifier {
                 bool flipped = false;
                 // The next side may belong to the same face, of another volume or of this one: a repeated triangle
                 // belongs to it.
-                std::set<FaceKey> run;
+                std::set<elements::FaceKey> run;
                 for (; next < mesh_.triangles.size() && triangle_face_[next] == side.face; ++next) {
                     const std::array<int, 3> corners = joined(mesh_.triangles[next]);
-                    if (!run.insert(face_key(corners[0], corners[1], corners[2])).second) {
+                    if (!run.insert(elements::face_key(corners[0], corners[1], corners[2])).second) {
                         break;
                     }
                     if (!known) {

@@ -5,7 +5,7 @@
 
 namespace mq::curve {
 
-int CurvedSurface::add_vertex(const Vertex& vertex) {
+int CurvedSurface::add_vertex(const elements::Vertex& vertex) {
     shapes.vertices.push_back(vertex);
     stars_.resize(shapes.vertices.size());
     return static_cast<int>(shapes.vertices.size()) - 1;

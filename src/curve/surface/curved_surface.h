@@ -38,9 +38,9 @@ class CurvedSurface {
   public:
     explicit CurvedSurface(int order) : shapes(order) {}
 
-    CurvedShapes shapes;
+    elements::CurvedShapes shapes;
     std::vector<SurfaceTriangle> triangles;
-    std::unordered_map<EdgeKey, Segment> segments;
+    std::unordered_map<elements::EdgeKey, Segment> segments;
     /// (u, v) of a vertex on a face that it touches, on any of its branches.
     std::unordered_map<std::uint64_t, Vec2> uv;
     /// At poles and apexes: which of u and v (0, 1) is undefined there.
@@ -66,7 +66,7 @@ class CurvedSurface {
     std::vector<int> neighbours(int v) const { return stars_.link({v}, triangles); }
     /// Whether an edge may be collapsed, by the connections alone.
     bool link_condition(int a, int b) const { return stars_.link_condition(a, b, triangles); }
-    int add_vertex(const Vertex& vertex);
+    int add_vertex(const elements::Vertex& vertex);
     /// Parameters at a and b of the CAD edge under mesh edge (a, b); nullptr when it lies inside a face.
     const Segment* segment(int a, int b) const;
     void set_segment(int a, int b, int edge, double t_a, double t_b);

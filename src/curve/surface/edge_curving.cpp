@@ -25,7 +25,7 @@ double worst(const SurfaceEditor& editor, const std::vector<int>& triangles) {
 /// c), as the middle of that edge left its chord, and across (a, b) itself, which has least effect at its other end.
 /// None where the corner is open enough already.
 std::vector<Vec3> displacements(const SurfaceEditor& editor, int a, int b, int c) {
-    const CurvedShapes& shapes = editor.surface.shapes;
+    const elements::CurvedShapes& shapes = editor.surface.shapes;
     const double order = shapes.order();
     const Vec3 t1 = editor.point(c) - editor.point(a);
     const Vec3 t2 = editor.point(b) - editor.point(a);

@@ -14,7 +14,7 @@ namespace {
 /// By CAD face: the volume of the cone from `apex` to its triangles.
 std::vector<double> cones_of_faces(const CurvedSurface& surface, std::size_t faces, const Vec3& apex,
                                    const Progress& progress) {
-    const Lattice& lattice = Lattice::of(2, surface.shapes.order());
+    const elements::Lattice& lattice = elements::Lattice::of(2, surface.shapes.order());
     std::vector<double> of_triangles(surface.triangles.size(), 0.0);
     for_chunks(static_cast<int>(of_triangles.size()), [&](int t) {
         const auto k = static_cast<std::size_t>(t);
@@ -29,7 +29,7 @@ std::vector<double> cones_of_faces(const CurvedSurface& surface, std::size_t fac
         }
         // The reference triangle has area 1/2; the mean of the coefficients is that of the polynomial.
         const std::vector<double> flux =
-            normal_component(lattice, control, bezier_to_nodes(lattice, control)).coefficients;
+            elements::normal_component(lattice, control, elements::bezier_to_nodes(lattice, control)).coefficients;
         of_triangles[k] = std::accumulate(flux.begin(), flux.end(), 0.0) / (6.0 * static_cast<double>(flux.size()));
     });
     std::vector<double> cones(faces, 0.0);

@@ -11,6 +11,9 @@
 
 namespace mq::curve {
 
+using elements::Barycentric;
+using elements::Lattice;
+
 namespace {
 
 using geometry::Answer;
@@ -29,7 +32,7 @@ bool Placement::planar(int face) const {
 }
 
 void Placement::place(const std::vector<int>& triangles) {
-    std::set<EdgeKey> seen;
+    std::set<elements::EdgeKey> seen;
     std::vector<EdgeTask> segments;
     std::vector<EdgeTask> inner;
     for (const int t : triangles) {
@@ -142,7 +145,7 @@ void Placement::place_faces(const std::vector<int>& triangles, bool by_parameter
         const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
         std::vector<Vec3> control;
         surface_.shapes.triangle(triangle.corners, control);
-        all.push_back(bezier_to_nodes(lattice, control));
+        all.push_back(elements::bezier_to_nodes(lattice, control));
         for (int i = 0; i < lattice.size(); ++i) {
             if (lattice.carriers(i) < 3) {
                 continue;
@@ -168,7 +171,7 @@ void Placement::place_faces(const std::vector<int>& triangles, bool by_parameter
             continue;  // the shape of the face is blended from its edges
         }
         surface_.shapes.set_inside(surface_.triangles[static_cast<std::size_t>(tasks[k].triangle)].corners,
-                                   nodes_to_bezier(lattice, all[k]));
+                                   elements::nodes_to_bezier(lattice, all[k]));
     }
 }
 
@@ -212,7 +215,7 @@ std::vector<Vec3> Placement::normals_at(const SurfaceTriangle& triangle, const s
         const Answer answer = answerer.answer(Query::face_point(triangle.face, face.low[0], face.low[1]));
         return std::vector<Vec3>(static_cast<std::size_t>(lattice.size()), answer.normal);
     }
-    const std::vector<Vec3> nodes = bezier_to_nodes(lattice, control);
+    const std::vector<Vec3> nodes = elements::bezier_to_nodes(lattice, control);
     const std::array<Vec2, 3> uv = corner_uv(triangle);
     const auto off = [&](int v) { return surface_.off_cad.count(v) > 0; };
     const bool loose = std::any_of(triangle.corners.begin(), triangle.corners.end(), off);
@@ -253,7 +256,7 @@ double Placement::quality_of(const SurfaceTriangle& triangle, geometry::Answerer
             normal = sign * normal_inside(triangle, corner, answerer);
         }
     }
-    return certified_ratio(normal_component(lattice, control, normals));
+    return elements::certified_ratio(elements::normal_component(lattice, control, normals));
 }
 
 void Placement::measure(const std::vector<int>& triangles) {
@@ -277,8 +280,8 @@ std::vector<double> Placement::deviations(const std::vector<int>& triangles) {
         surface_.shapes.triangle(triangle.corners, control);
         const std::array<Vec2, 3> uv = corner_uv(triangle);
         const auto add = [&](const Barycentric& b) {
-            places.push_back(
-                {triangle.face, value(lattice, control, b), Vec2(b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2])});
+            places.push_back({triangle.face, elements::value(lattice, control, b),
+                              Vec2(b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2])});
         };
         for (int i = 0; i < samples.size(); ++i) {
             if (samples.carriers(i) > 1) {
@@ -365,7 +368,7 @@ Placement::Middle Placement::middle_of(int a, int b) {
         control.push_back(p);
     }
     control.push_back(surface_.shapes.vertices[static_cast<std::size_t>(high)].point);
-    const Vec3 on_curve = value(Lattice::of(1, surface_.shapes.order()), control, {0.5, 0.5, 0.0, 0.0});
+    const Vec3 on_curve = elements::value(Lattice::of(1, surface_.shapes.order()), control, {0.5, 0.5, 0.0, 0.0});
     const Answer answer = session_.ask(Query::face_nearest(face, on_curve, guess.x(), guess.y()));
     middle.found = answer.found();
     middle.vertex = {answer.point, {2, face}};

@@ -43,7 +43,7 @@ class Placement {
 
     /// The middle of a curved edge, where a new vertex is put, with its parameters on the entities.
     struct Middle {
-        Vertex vertex;
+        elements::Vertex vertex;
         double t = 0.0;                        ///< on a CAD edge
         std::vector<std::pair<int, Vec2>> uv;  ///< face, (u, v)
         bool found = false;
@@ -124,6 +124,6 @@ class Placement {
 };
 
 /// The edges of a surface as they are at order 2, whatever the order of its shapes.
-CurvedShapes edges_of_second_order(geometry::Session& session, const CurvedSurface& surface);
+elements::CurvedShapes edges_of_second_order(geometry::Session& session, const CurvedSurface& surface);
 
 }  // namespace mq::curve

@@ -11,6 +11,8 @@
 
 namespace mq::curve {
 
+using elements::Lattice;
+
 namespace {
 
 using geometry::Answer;
@@ -111,7 +113,7 @@ void Placement::set_edge_nodes(int a, int b, const std::vector<Vec3>& nodes) {
     std::vector<Vec3> all{surface_.shapes.vertices[static_cast<std::size_t>(a)].point};
     all.insert(all.end(), nodes.begin(), nodes.end());
     all.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
-    const std::vector<Vec3> control = nodes_to_bezier(Lattice::of(1, surface_.shapes.order()), all);
+    const std::vector<Vec3> control = elements::nodes_to_bezier(Lattice::of(1, surface_.shapes.order()), all);
     surface_.shapes.set_edge(a, b, {control.begin() + 1, control.end() - 1});
 }
 
@@ -345,12 +347,12 @@ void Placement::set_warped(int a, int b, double by, int degree) {
     nodes.insert(nodes.begin(), surface_.shapes.vertices[static_cast<std::size_t>(a)].point);
     nodes.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
     const Lattice& lower = Lattice::of(1, degree);
-    const std::vector<Vec3> control = nodes_to_bezier(lower, nodes);
+    const std::vector<Vec3> control = elements::nodes_to_bezier(lower, nodes);
     const int q = surface_.shapes.order();
     std::vector<Vec3> raised;
     for (int k = 1; k < q; ++k) {
         const double s = static_cast<double>(k) / q;
-        raised.push_back(value(lower, control, {1.0 - s, s, 0.0, 0.0}));
+        raised.push_back(elements::value(lower, control, {1.0 - s, s, 0.0, 0.0}));
     }
     set_edge_nodes(a, b, raised);
 }
@@ -380,7 +382,7 @@ bool Placement::bulge_on_face(int a, int b, int face, const Vec3& by) {
     std::vector<Vec3> control = surface_.shapes.edge_inner(a, b);
     control.insert(control.begin(), surface_.shapes.vertices[static_cast<std::size_t>(a)].point);
     control.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
-    std::vector<Vec3> nodes = bezier_to_nodes(Lattice::of(1, q), control);
+    std::vector<Vec3> nodes = elements::bezier_to_nodes(Lattice::of(1, q), control);
     nodes = {nodes.begin() + 1, nodes.end() - 1};
     Vec2 from = *surface_.uv_of(a, face);
     Vec2 to = unwrapped(b, face, from);
@@ -408,9 +410,9 @@ bool Placement::bulge_on_face(int a, int b, int face, const Vec3& by) {
     return true;
 }
 
-CurvedShapes edges_of_second_order(geometry::Session& session, const CurvedSurface& surface) {
+elements::CurvedShapes edges_of_second_order(geometry::Session& session, const CurvedSurface& surface) {
     CurvedSurface quadratic = surface;
-    quadratic.shapes = CurvedShapes(2);
+    quadratic.shapes = elements::CurvedShapes(2);
     quadratic.shapes.vertices = surface.shapes.vertices;
     std::vector<int> live;
     for (std::size_t t = 0; t < quadratic.triangles.size(); ++t) {

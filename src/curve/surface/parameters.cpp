@@ -37,7 +37,7 @@ class Parameters {
     void put_on_nodes_and_edges() {
         std::vector<std::vector<int>> on_edge(topology_.edges.size());
         for (std::size_t v = 0; v < surface_.shapes.vertices.size(); ++v) {
-            Vertex& vertex = surface_.shapes.vertices[v];
+            elements::Vertex& vertex = surface_.shapes.vertices[v];
             const auto index = static_cast<std::size_t>(vertex.entity[1]);
             if (vertex.entity[0] == 0) {
                 vertex.point = topology_.nodes[index].point;
@@ -202,7 +202,7 @@ class Parameters {
                 throw GeometryError(phrases::kNoPointNear, {{"name", topology_.name_of({2, face})}});
             }
             surface_.uv[CurvedSurface::key(v, face)] = Vec2(answer.u, answer.v);
-            Vertex& vertex = surface_.shapes.vertices[static_cast<std::size_t>(v)];
+            elements::Vertex& vertex = surface_.shapes.vertices[static_cast<std::size_t>(v)];
             if (vertex.entity[0] == 2) {
                 vertex.point = answer.point;
             }

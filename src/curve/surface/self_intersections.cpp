@@ -67,7 +67,7 @@ std::vector<Crossing> find_self_intersections(const CurvedSurface& surface, std:
                                               const Progress& progress) {
     const std::vector<int> around = triangles_around(surface, volume);
     std::vector<Vec3> points;
-    for (const Vertex& vertex : surface.shapes.vertices) {
+    for (const elements::Vertex& vertex : surface.shapes.vertices) {
         points.push_back(vertex.point);
     }
     std::vector<mesh::Triangle> triangles;

@@ -10,7 +10,7 @@
 namespace mq::curve {
 
 double VolumeEditor::fixed_score(const std::array<int, 4>& c) const {
-    const CurvedShapes& shapes = volume.shapes();
+    const elements::CurvedShapes& shapes = volume.shapes();
     const double order = shapes.order();
     const double straight = volume.straight_jacobian(c);
     double least = 1.0;
@@ -35,7 +35,7 @@ double VolumeEditor::fixed_score(const std::array<int, 4>& c) const {
 VolumeEditor::Score VolumeEditor::score(const std::array<int, 4>& c) const {
     Score score;
     const double shape = volume.straight_shape(c);
-    const CurvedShapes& shapes = volume.shapes();
+    const elements::CurvedShapes& shapes = volume.shapes();
     if (!volume.curved(c)) {
         score.quality = shape > 0.0 ? std::min(1.0, shape / VolumeTuning::kSliverShape) : -1.0;
         return score;
@@ -43,7 +43,7 @@ VolumeEditor::Score VolumeEditor::score(const std::array<int, 4>& c) const {
     score.fixed = fixed_score(c);
     std::vector<Vec3> control;
     shapes.tetrahedron(c, control);
-    const JacobianForm form = jacobian_by_nodes(Lattice::of(3, shapes.order()), control);
+    const elements::JacobianForm form = elements::jacobian_by_nodes(elements::Lattice::of(3, shapes.order()), control);
     const auto [low, high] = std::minmax_element(form.coefficients.begin(), form.coefficients.end());
     score.quality = *high > 0.0 ? *low / *high : -1.0;
     if (score.quality > 0.0) {

@@ -60,7 +60,7 @@ bool curve_region_edge(VolumeEditor& editor, int tetrahedron);
 /// each edge's two inner nodes and the opposite vertex (section 5.4.3); for higher orders, at the average of three
 /// points between a vertex and the line through the nodes of the edge opposite, at the same fractions as in the
 /// straight face.
-std::vector<Vec3> average_of_centroids(const CurvedShapes& shapes, const std::array<int, 3>& corners);
+std::vector<Vec3> average_of_centroids(const elements::CurvedShapes& shapes, const std::array<int, 3>& corners);
 
 /// Moves the inner nodes of face (a, b, c) inside a volume, and with them those of the two regions at it, which are
 /// blended from their faces: first to the places blended from its edges or to the average of the centroids, then from

@@ -6,6 +6,8 @@
 
 namespace mq::curve {
 
+using elements::Lattice;
+
 namespace {
 
 /// A face inside a volume, and its inner nodes while they are moved.
@@ -112,26 +114,26 @@ class Relocation {
 
 }  // namespace
 
-std::vector<Vec3> average_of_centroids(const CurvedShapes& shapes, const std::array<int, 3>& corners) {
+std::vector<Vec3> average_of_centroids(const elements::CurvedShapes& shapes, const std::array<int, 3>& corners) {
     const int q = shapes.order();
     const Lattice& lattice = Lattice::of(2, q);
     std::vector<Vec3> control;
     shapes.triangle(corners, control);
-    std::vector<Vec3> nodes = bezier_to_nodes(lattice, control);
+    std::vector<Vec3> nodes = elements::bezier_to_nodes(lattice, control);
     std::vector<int> inner;
     for (int i = 0; i < lattice.size(); ++i) {
         if (lattice.carriers(i) != 3) {
             continue;
         }
         inner.push_back(i);
-        const Exponents& e = lattice.exponents(i);
+        const elements::Exponents& e = lattice.exponents(i);
         Vec3 sum = Vec3::Zero();
         for (std::size_t a = 0; a < 3; ++a) {
             const std::size_t b = (a + 1) % 3;
             const double along = static_cast<double>(q * e[b]) / (e[a] + e[b]);
             const int below = static_cast<int>(along);
             const auto edge_node = [&](int k) -> const Vec3& {
-                Exponents at{};
+                elements::Exponents at{};
                 at[a] = q - k;
                 at[b] = k;
                 return nodes[static_cast<std::size_t>(lattice.index(at))];
@@ -144,7 +146,7 @@ std::vector<Vec3> average_of_centroids(const CurvedShapes& shapes, const std::ar
         }
         nodes[static_cast<std::size_t>(i)] = sum / 3.0;
     }
-    control = nodes_to_bezier(lattice, nodes);
+    control = elements::nodes_to_bezier(lattice, nodes);
     std::vector<Vec3> result;
     for (const int i : inner) {
         result.push_back(control[static_cast<std::size_t>(i)]);

@@ -5,6 +5,9 @@
 
 namespace mq::curve {
 
+using elements::Lattice;
+using elements::ProductTable;
+
 namespace {
 
 std::size_t at(int i) {
@@ -28,8 +31,8 @@ JacobianBatch::JacobianBatch(const Lattice& lattice)
     const Lattice& lower = Lattice::of(3, degree_ - 1);
     for (std::size_t k = 0; k < 3; ++k) {
         for (int i = 0; i < lower.size(); ++i) {
-            Exponents to = lower.exponents(i);
-            Exponents from = to;
+            elements::Exponents to = lower.exponents(i);
+            elements::Exponents from = to;
             ++to[k + 1];
             ++from[0];
             ends_[k].emplace_back(at(lattice.index(to)), at(lattice.index(from)));

@@ -38,7 +38,7 @@ struct LaneVector {
 /// on buffers that are used again.
 class JacobianBatch {
   public:
-    explicit JacobianBatch(const Lattice& lattice);
+    explicit JacobianBatch(const elements::Lattice& lattice);
 
     /// The control points, to be set before `evaluate`.
     std::vector<LaneVector> control;

@@ -294,7 +294,8 @@ class Repair {
         // The edges found by the locality rules come first.
         std::vector<Vec3> control;
         volume_.shapes().tetrahedron(v, control);
-        const CandidateEdges blamed = candidate_edges(Lattice::of(3, volume_.shapes().order()), control);
+        const elements::CandidateEdges blamed =
+            elements::candidate_edges(elements::Lattice::of(3, volume_.shapes().order()), control);
         for (const bool first : {true, false}) {
             std::size_t edge = 0;
             for (std::size_t i = 0; i < 4; ++i) {

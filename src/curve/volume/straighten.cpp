@@ -8,7 +8,7 @@ namespace mq::curve {
 namespace {
 
 template <std::size_t N>
-void make_straight(CurvedShapes& shapes, const std::array<int, N>& v) {
+void make_straight(elements::CurvedShapes& shapes, const std::array<int, N>& v) {
     for (std::size_t i = 0; i < N; ++i) {
         for (std::size_t k = i + 1; k < N; ++k) {
             shapes.forget_edge(v[i], v[k]);

@@ -15,6 +15,9 @@
 
 namespace mq::curve {
 
+using elements::CurvedShapes;
+using elements::face_key;
+
 TetrahedralMesh::TetrahedralMesh(CurvedSurface& given) : surface(given) {
     for (const SurfaceTriangle& t : surface.triangles) {
         if (!t.alive) {
@@ -105,7 +108,7 @@ double TetrahedralMesh::measure(const std::array<int, 4>& corners) const {
     }
     std::vector<Vec3> control;
     shapes().tetrahedron(corners, control);
-    return certified_ratio(jacobian_by_nodes(Lattice::of(3, shapes().order()), control));
+    return elements::certified_ratio(elements::jacobian_by_nodes(elements::Lattice::of(3, shapes().order()), control));
 }
 
 void TetrahedralMesh::measure(const std::vector<int>& list, const Progress* progress) {

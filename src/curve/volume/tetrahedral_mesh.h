@@ -27,8 +27,8 @@ class TetrahedralMesh {
     CurvedSurface& surface;
     std::vector<Tetrahedron> tetrahedra;
 
-    CurvedShapes& shapes() { return surface.shapes; }
-    const CurvedShapes& shapes() const { return surface.shapes; }
+    elements::CurvedShapes& shapes() { return surface.shapes; }
+    const elements::CurvedShapes& shapes() const { return surface.shapes; }
     const Vec3& point(int v) const { return surface.shapes.vertices[static_cast<std::size_t>(v)].point; }
 
     int add(const std::array<int, 4>& corners, int volume);
@@ -42,7 +42,7 @@ class TetrahedralMesh {
     /// Whether an edge may be collapsed, by the connections alone.
     bool link_condition(int a, int b) const { return stars_.link_condition(a, b, tetrahedra); }
     bool fixed_edge(int a, int b) const { return fixed_edges_.count(pair_key(a, b)) > 0; }
-    bool fixed_face(int a, int b, int c) const { return fixed_faces_.count(face_key(a, b, c)) > 0; }
+    bool fixed_face(int a, int b, int c) const { return fixed_faces_.count(elements::face_key(a, b, c)) > 0; }
     /// Six times the volume of the straight tetrahedron.
     double straight_jacobian(const std::array<int, 4>& corners) const;
     /// 1 for the regular tetrahedron, 0 for a flat one, negative for an inverted one.
@@ -66,8 +66,8 @@ class TetrahedralMesh {
     double squared_edges(const std::array<int, 4>& corners) const;
 
     mesh::SimplexStars stars_;
-    std::unordered_set<EdgeKey> fixed_edges_;
-    std::unordered_set<FaceKey, KeyHash> fixed_faces_;
+    std::unordered_set<elements::EdgeKey> fixed_edges_;
+    std::unordered_set<elements::FaceKey, KeyHash> fixed_faces_;
 };
 
 /// The four faces of a tetrahedron, seen from outside where its volume is positive.
@@ -82,14 +82,14 @@ class FoldedTriangles {
     bool has_face_of(const std::array<int, 4>& corners) const;
 
   private:
-    std::unordered_set<FaceKey, KeyHash> folded_;
+    std::unordered_set<elements::FaceKey, KeyHash> folded_;
 };
 
 /// Fills every closed solid of the model. Volumes that are not solids have no inside and are left out.
 /// @param edges  curved edges of the surface, whose tangents the tetrahedra respect: those of `surface.shapes`, or of
 /// another order
 /// @throws tetrahedralise::MeshingFailed naming the solid.
-TetrahedralMesh tetrahedralise_solids(CurvedSurface& surface, const CurvedShapes& edges,
+TetrahedralMesh tetrahedralise_solids(CurvedSurface& surface, const elements::CurvedShapes& edges,
                                       const geometry::Topology& topology, const Progress& progress);
 
 }  // namespace mq::curve

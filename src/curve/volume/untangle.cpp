@@ -13,6 +13,8 @@
 
 namespace mq::curve {
 
+using elements::Lattice;
+
 namespace {
 
 /// The objective where it is not defined.
@@ -192,7 +194,7 @@ class Objective {
             for (std::size_t p = 0; p < by_control.size(); ++p) {
                 by_control[p] = {work.by_lanes[p].x[l], work.by_lanes[p].y[l], work.by_lanes[p].z[l]};
             }
-            spread_inner_gradient(patch_.lattice(), by_control);
+            elements::spread_inner_gradient(patch_.lattice(), by_control);
         }
     }
 
@@ -248,7 +250,7 @@ class Objective {
     }
 
     /// Whether coefficient `l` has a factor that is a derivative with point `e`.
-    static bool depends(const Exponents& l, const Exponents& e) {
+    static bool depends(const elements::Exponents& l, const elements::Exponents& e) {
         for (std::size_t k = 0; k < 4; ++k) {
             if (e[k] == 0) {
                 continue;

@@ -7,6 +7,10 @@
 
 namespace mq::curve {
 
+using elements::EdgeKey;
+using elements::Exponents;
+using elements::Lattice;
+
 namespace {
 
 /// The edges of a tetrahedron by its corners.
@@ -39,7 +43,7 @@ std::vector<Vec3> UntanglingPatch::edge_points(int a, int b) const {
     const Vec3 ends = 0.5 * (volume_.point(a) + volume_.point(b));
     inner.insert(inner.begin(), volume_.point(a));
     inner.push_back(volume_.point(b));
-    return {2.0 * value(lattice, inner, {0.5, 0.5, 0.0, 0.0}) - ends};
+    return {2.0 * elements::value(lattice, inner, {0.5, 0.5, 0.0, 0.0}) - ends};
 }
 
 /// The inner control points of a free edge, of the mesh's order.
@@ -187,7 +191,7 @@ void UntanglingPatch::gather(std::size_t i, std::vector<Vec3>& control) const {
         }
     }
     if (blended) {
-        blend_tetrahedron(lattice_, control);
+        elements::blend_tetrahedron(lattice_, control);
     }
 }
 
@@ -208,7 +212,7 @@ void UntanglingPatch::propagate_curvature(int sweeps) {
     }
     // The bulge of an edge: its middle less the mean of its ends.
     std::unordered_map<EdgeKey, Vec3> bulge;
-    const std::vector<double> middle = bernstein_values(Lattice::of(1, q), {0.5, 0.5, 0.0, 0.0});
+    const std::vector<double> middle = elements::bernstein_values(Lattice::of(1, q), {0.5, 0.5, 0.0, 0.0});
     for (const auto& [key, points] : points_of_edge_) {
         const Vec3& a = volume_.point(static_cast<int>(key >> 32));
         const Vec3& b = volume_.point(static_cast<int>(key & 0xffffffffu));
@@ -268,7 +272,7 @@ void UntanglingPatch::reblend_faces() {
                     points_[static_cast<std::size_t>(points[static_cast<std::size_t>(m - 1)])];
             }
         }
-        blend_triangle(lattice, control);
+        elements::blend_triangle(lattice, control);
         std::size_t next = 0;
         for (int i = 0; i < lattice.size(); ++i) {
             if (lattice.carriers(i) == 3) {

@@ -19,7 +19,7 @@ class UntanglingPatch {
     UntanglingPatch(TetrahedralMesh& volume, const std::vector<int>& tetrahedra, const std::unordered_set<int>& loose,
                     int degree, const Progress& progress);
 
-    const Lattice& lattice() const { return lattice_; }
+    const elements::Lattice& lattice() const { return lattice_; }
     std::size_t elements() const { return members_.size(); }
     const std::vector<int>& members() const { return members_; }
     std::size_t free_count() const { return free_.size(); }
@@ -64,7 +64,7 @@ class UntanglingPatch {
     bool inside_face(int a, int b, int c) const;
 
     TetrahedralMesh& volume_;
-    const Lattice& lattice_;
+    const elements::Lattice& lattice_;
     std::vector<int> members_;
     std::unordered_set<int> loose_;
     std::unordered_set<int> is_member_;
@@ -75,8 +75,9 @@ class UntanglingPatch {
     std::vector<int> free_;
     std::vector<FreeEdge> edges_;
     std::vector<FreeFace> faces_;
-    std::unordered_map<EdgeKey, std::vector<int>> points_of_edge_;  // points from the lower vertex to the higher
-    std::unordered_map<FaceKey, std::vector<int>, KeyHash> points_of_face_;
+    std::unordered_map<elements::EdgeKey, std::vector<int>>
+        points_of_edge_;  // points from the lower vertex to the higher
+    std::unordered_map<elements::FaceKey, std::vector<int>, KeyHash> points_of_face_;
     std::unordered_map<int, int> points_of_vertex_;
 };
 

@@ -9,7 +9,7 @@
 #include "base/memory/never_destroyed.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -257,4 +257,4 @@ std::vector<Vec3> raised_to(int degree, const Lattice& lattice, const std::vecto
     return raised_to(degree, higher, found);
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

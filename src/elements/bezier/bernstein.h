@@ -10,7 +10,7 @@
 
 /// Polynomials on simplices in Bernstein form (Farin 1993): products, values, halving, and conversion from and to
 /// nodes.
-namespace mq::curve {
+namespace mq::elements {
 
 /// Coefficients of the product of two Bernstein polynomials of degrees m and n: pair (i, j) adds weight * a_i * b_j to
 /// coefficient `target`.
@@ -59,4 +59,4 @@ std::pair<std::vector<double>, std::vector<double>> halve(const Lattice& lattice
                                                           int b);
 std::pair<std::vector<Vec3>, std::vector<Vec3>> halve(const Lattice& lattice, const std::vector<Vec3>& c, int a, int b);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

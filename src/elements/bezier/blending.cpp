@@ -5,7 +5,7 @@
 
 #include "base/memory/never_destroyed.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -169,4 +169,4 @@ void spread_inner_gradient(const Lattice& lattice, std::vector<Vec3>& by_control
     }
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

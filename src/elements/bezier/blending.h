@@ -7,7 +7,7 @@
 
 /// Inner control points of faces and regions from those of their boundary, for entities that are not on the CAD. The
 /// centroid rule of Dey, O'Bara, Shephard 1999, section 5.4.3 (volume_editor.h), does not reproduce quadratics.
-namespace mq::curve {
+namespace mq::elements {
 
 /// Sets the inner control points of a Bezier triangle by blending its edges: the linear map plus, for every edge, its
 /// offset from straight carried inwards (Szabo and Babuska). Reproduces quadratics; straight edges give a straight
@@ -23,4 +23,4 @@ void blend_tetrahedron(const Lattice& lattice, std::vector<Vec3>& control);
 /// the inner derivatives to those of the others, and sets them zero.
 void spread_inner_gradient(const Lattice& lattice, std::vector<Vec3>& by_control);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -3,7 +3,7 @@
 
 #include "elements/bezier/jacobian.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -44,4 +44,4 @@ CandidateEdges candidate_edges(const Lattice& lattice, const std::vector<Vec3>& 
     return marks;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

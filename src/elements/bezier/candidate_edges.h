@@ -7,7 +7,7 @@
 #include "elements/bezier/bernstein.h"
 
 /// The locality rules of Dey, O'Bara, Shephard 1999, section 5.2: which edges make an element invalid.
-namespace mq::curve {
+namespace mq::elements {
 
 /// The edges of a tetrahedron in the order (0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3).
 using CandidateEdges = std::array<bool, 6>;
@@ -18,4 +18,4 @@ using CandidateEdges = std::array<bool, 6>;
 /// corner depends on the first control points of the edges there, and on an edge only on the control points next to it.
 CandidateEdges candidate_edges(const Lattice& lattice, const std::vector<Vec3>& control);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

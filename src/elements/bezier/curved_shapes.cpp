@@ -5,7 +5,7 @@
 
 #include "elements/bezier/blending.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -174,4 +174,4 @@ void CurvedShapes::tetrahedron(const std::array<int, 4>& corners, std::vector<Ve
     }
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -10,7 +10,7 @@
 #include "elements/bezier/bernstein.h"
 #include "mesh/triangle_mesh.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 using EdgeKey = std::uint64_t;  ///< pair_key of the vertices
 using FaceKey = std::array<std::int32_t, 3>;
@@ -63,4 +63,4 @@ class CurvedShapes {
     std::vector<int> inner_;  // indices of the inner points of the triangle lattice
 };
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -135,4 +135,4 @@ JacobianForm stretch_of(const Lattice& lattice, const std::vector<Vec3>& control
     return form;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

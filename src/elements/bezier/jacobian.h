@@ -7,7 +7,7 @@
 #include "elements/bezier/product_lattice.h"
 
 /// Bezier elements: the maps x(xi) of Dey, O'Bara, Shephard 1999, section 2, and their Jacobians.
-namespace mq::curve {
+namespace mq::elements {
 
 /// A Bernstein polynomial on a simplex or a product of simplices, with a bound on the rounding error of its
 /// coefficients.
@@ -45,4 +45,4 @@ NormalForm normal_of(const Lattice& lattice, const std::vector<Vec3>& control);
 /// degree 2 (q - 1). The sum of the squared edges where the element is straight.
 JacobianForm stretch_of(const Lattice& lattice, const std::vector<Vec3>& control);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

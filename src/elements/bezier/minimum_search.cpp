@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace mq::curve {
+namespace mq::elements {
 
 double largest_magnitude(const std::vector<double>& coefficients) {
     double most = 0.0;
@@ -73,4 +73,4 @@ void MinimumSearch::push(Piece piece) {
     std::push_heap(heap_.begin(), heap_.end());
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -6,7 +6,7 @@
 
 #include "elements/bezier/product_lattice.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 double largest_magnitude(const std::vector<double>& coefficients);
 
@@ -51,4 +51,4 @@ class MinimumSearch {
     std::vector<Piece> heap_;  // the piece with the lowest bound is in front
 };
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -6,7 +6,7 @@
 #include "base/memory/never_destroyed.h"
 #include "elements/bezier/bernstein.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -129,4 +129,4 @@ std::pair<std::vector<double>, std::vector<double>> ProductLattice::halve(const 
     return halves;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

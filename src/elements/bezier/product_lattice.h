@@ -8,7 +8,7 @@
 #include "elements/bezier/simplex_lattice.h"
 #include "elements/bezier/sub_simplex.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 /// Polynomials on a product of simplices, of a degree of its own on each: two lines make a square, a triangle and a
 /// line a prism. Their Bernstein polynomials are the products of those of the factors, so that the hull of the
@@ -64,4 +64,4 @@ using ProductPart = std::array<SimplexPart, 3>;
 /// A point of a product of simplices.
 using ProductPoint = std::array<Barycentric, 3>;
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -5,7 +5,7 @@
 #include "base/memory/never_destroyed.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -79,4 +79,4 @@ int Lattice::carriers(int i) const {
     return count;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -5,7 +5,7 @@
 #include <vector>
 
 /// Curvilinear meshes after Dey, O'Bara, Shephard 1999.
-namespace mq::curve {
+namespace mq::elements {
 
 /// Barycentric exponents or coordinates; entries past the simplex' dimension are zero.
 using Exponents = std::array<int, 4>;
@@ -49,4 +49,4 @@ class Lattice {
     std::vector<double> multinomials_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::elements

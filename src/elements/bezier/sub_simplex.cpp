@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -56,4 +56,4 @@ std::pair<SimplexPart, SimplexPart> halve(const SimplexPart& part, int a, int b)
     return halves;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -6,7 +6,7 @@
 
 #include "elements/bezier/simplex_lattice.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 /// A sub-simplex of the reference simplex by its corners; entries beyond its dimension are unused.
 using SimplexPart = std::array<Barycentric, 4>;
@@ -26,4 +26,4 @@ std::pair<int, int> longest_edge(const SimplexPart& part, int dimension);
 /// The two halves that the middle of edge (a, b) makes: first the one that keeps corner a.
 std::pair<SimplexPart, SimplexPart> halve(const SimplexPart& part, int a, int b);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -7,7 +7,7 @@
 
 #include "elements/bezier/minimum_search.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -105,4 +105,4 @@ Quality quality_of(const JacobianForm& form, double straight) {
     return quality;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

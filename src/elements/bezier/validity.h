@@ -5,7 +5,7 @@
 
 /// The certified test: bounds of a Jacobian by the convex hull of its Bernstein coefficients, narrowed by halving the
 /// element where the bound is worst (Dey, O'Bara, Shephard 1999, section 5.2.1; Johnen, Remacle, Geuzaine 2013).
-namespace mq::curve {
+namespace mq::elements {
 
 /// Proven bounds of the minimum of a polynomial on a simplex: low <= min <= high, and `high` is attained at `at`.
 struct Minimum {
@@ -47,4 +47,4 @@ constexpr double kQualityAccuracy = 0.01;
 /// @param straight J of the straight element.
 Quality quality_of(const JacobianForm& form, double straight);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -12,7 +12,7 @@
 #include "elements/bezier/minimum_search.h"
 #include "elements/bezier/validity.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -149,4 +149,4 @@ ElementVerdicts check_elements(ElementKind kind, int order, const std::vector<Ve
     return result;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

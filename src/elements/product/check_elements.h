@@ -10,7 +10,7 @@
 #include "elements/product/element_kind.h"
 
 /// Validity of curved elements of any kind, without a CAD model.
-namespace mq::curve {
+namespace mq::elements {
 
 enum class Verdict : std::uint8_t {
     Valid = 0,     ///< proven: J is positive everywhere
@@ -54,4 +54,4 @@ ElementVerdicts check_elements(ElementKind kind, int order, const std::vector<Ve
                                const std::vector<std::int32_t>& connectivity, int nodes_per_element,
                                Progress* progress = nullptr);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -10,7 +10,7 @@
 #include "elements/bezier/bernstein.h"
 #include "elements/product/reference_nodes.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -276,4 +276,4 @@ std::vector<Vec3> all_nodes(ElementKind kind, int order, const std::vector<Vec3>
     return all;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -8,7 +8,7 @@
 #include "elements/bezier/product_lattice.h"
 #include "elements/product/element_kind.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 using ExtendedMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
@@ -38,4 +38,4 @@ std::vector<NodalPolynomial> derivatives_of(ElementKind kind, int order, int nod
 /// @throws InvalidInput where elements of this kind and order have another number of nodes
 std::vector<Vec3> all_nodes(ElementKind kind, int order, const std::vector<Vec3>& nodes);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

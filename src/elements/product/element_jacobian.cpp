@@ -7,7 +7,7 @@
 
 #include "elements/product/element_derivatives.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -220,4 +220,4 @@ double ElementJacobian::volume(const std::vector<Vec3>& nodes) const {
     return std::ldexp(domain * sum, form.exponent);
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

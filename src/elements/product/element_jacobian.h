@@ -8,7 +8,7 @@
 #include "elements/bezier/jacobian.h"
 #include "elements/product/element_kind.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 /// Computes Jacobians from the nodes of elements of one kind and order.
 class ElementJacobian {
@@ -60,4 +60,4 @@ class ElementJacobian {
     std::vector<double> multinomials_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -71,4 +71,4 @@ int serendipity_node_count(ElementKind kind, int order) {
     return 0;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

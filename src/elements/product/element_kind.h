@@ -4,7 +4,7 @@
 #include <string>
 
 /// Elements that come from elsewhere: of any kind, with their nodes in Gmsh's order.
-namespace mq::curve {
+namespace mq::elements {
 
 enum class ElementKind { Triangle, Quadrilateral, Tetrahedron, Pyramid, Prism, Hexahedron };
 
@@ -21,4 +21,4 @@ int full_node_count(ElementKind kind, int order);
 /// which are the quadrilateral of 8 nodes, the hexahedron of 20, the prism of 15 and the pyramid of 13.
 int serendipity_node_count(ElementKind kind, int order);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

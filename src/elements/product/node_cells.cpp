@@ -11,7 +11,7 @@
 #include "elements/bezier/simplex_lattice.h"
 #include "elements/product/reference_nodes.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -80,4 +80,4 @@ const Cells& node_cells(ElementKind kind, int order) {
     return all[static_cast<std::size_t>(solid * kMaxOrder + order - 1)];
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -6,7 +6,7 @@
 
 #include "elements/product/element_kind.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 /// The tetrahedra that the nodes of a solid element divide it into, by nodes in Gmsh's order, seen from either side.
 ///
@@ -17,4 +17,4 @@ namespace mq::curve {
 /// @throws InvalidInput for surface elements and orders out of 1 to kMaxOrder
 const std::vector<std::array<int, 4>>& node_cells(ElementKind kind, int order);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

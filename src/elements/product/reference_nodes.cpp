@@ -6,7 +6,7 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/bezier/bernstein.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -211,4 +211,4 @@ std::vector<Vec3> reference_nodes(ElementKind kind, int order) {
     return places;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

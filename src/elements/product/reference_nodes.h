@@ -8,7 +8,7 @@
 #include "elements/bezier/simplex_lattice.h"
 #include "elements/product/element_kind.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 /// A node by whole numbers, which are its coordinates on the reference element times the order: from 0 to the order,
 /// but on pyramids x and y go from z - order to order - z in steps of two.
@@ -38,4 +38,4 @@ std::vector<int> vtk_order(const Lattice& lattice);
 /// The nodes of serendipity elements are the first of them. @throws InvalidInput for orders that are not supported.
 std::vector<Vec3> reference_nodes(ElementKind kind, int order);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

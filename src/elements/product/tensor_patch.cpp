@@ -7,7 +7,7 @@
 #include "elements/product/element_derivatives.h"
 #include "elements/product/reference_nodes.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::array<std::vector<Vec3>, 2> halves_of_quadrilateral(int order, const std::v
     return {half(order, control, false), half(order, control, true)};
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

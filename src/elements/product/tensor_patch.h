@@ -8,7 +8,7 @@
 #include "elements/bezier/bernstein.h"
 
 /// Curved quadrilaterals as Bezier triangles.
-namespace mq::curve {
+namespace mq::elements {
 
 /// The tensor-product control points of a quadrilateral: those of row i along its first side are entries i (order + 1)
 /// and on.
@@ -20,4 +20,4 @@ std::vector<Vec3> tensor_control(int order, const std::vector<Vec3>& given);
 /// weights.
 std::array<std::vector<Vec3>, 2> halves_of_quadrilateral(int order, const std::vector<Vec3>& control);
 
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -5,7 +5,7 @@
 
 #include "geometry/closed_edge.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::vector<char> artefact_vertices(geometry::Session& session) {
     return result;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

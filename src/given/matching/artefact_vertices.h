@@ -5,7 +5,7 @@
 
 #include "geometry/session.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// Whether an edge joins two sides of one face: the seam at which the parameters of a closed surface begin and end.
 bool is_seam(const geometry::Topology& topology, const geometry::Edge& edge);
@@ -14,4 +14,4 @@ bool is_seam(const geometry::Topology& topology, const geometry::Edge& edge);
 /// begins and ends with the same tangent. A mesh needs no vertex there.
 std::vector<char> artefact_vertices(geometry::Session& session);
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -13,7 +13,7 @@
 #include "given/matching/artefact_vertices.h"
 #include "mesh/intersection/nearest_tree.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 namespace {
 
@@ -442,4 +442,4 @@ EdgePaths find_edge_discretisation(geometry::Session& session, const SurfaceGrap
     return Finder(session, graph).run();
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -7,7 +7,7 @@
 
 #include "geometry/session.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// A surface mesh as a graph: its vertices, and the mesh edges at each of them.
 struct SurfaceGraph {
@@ -45,4 +45,4 @@ struct EdgePaths {
 /// itself.
 EdgePaths find_edge_discretisation(geometry::Session& session, const SurfaceGraph& graph);
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -15,7 +15,7 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/edge_table.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 namespace {
 
@@ -268,4 +268,4 @@ std::vector<int> match_faces(geometry::Session& session, const SurfaceGraph& gra
     return Matcher(session, graph, edges).run();
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

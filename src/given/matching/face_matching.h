@@ -5,7 +5,7 @@
 
 #include "given/matching/edge_paths.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// The CAD face of each triangle.
 ///
@@ -16,4 +16,4 @@ namespace mq::curve {
 /// GeometryError naming the place where triangles are on none.
 std::vector<int> match_faces(geometry::Session& session, const SurfaceGraph& graph, const EdgePaths& edges);
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -11,7 +11,7 @@
 #include "curve/volume/tetrahedral_mesh.h"
 #include "elements/bezier/curved_shapes.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 namespace {
 
@@ -36,7 +36,7 @@ void require_nodes(const std::vector<std::array<int, N>>& elements, const GivenM
 
 /// A face of two tetrahedra, with the corners in the order in which it is seen from outside of the first one.
 struct SharedFace {
-    FaceKey key;
+    elements::FaceKey key;
     std::size_t tetrahedron;
     std::array<int, 3> outward;
 };
@@ -45,8 +45,8 @@ std::vector<SharedFace> sorted_faces(const GivenMesh& mesh) {
     std::vector<SharedFace> faces;
     faces.reserve(4 * mesh.tetrahedra.size());
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
-        for (const auto& outward : outward_faces(mesh.tetrahedra[t])) {
-            faces.push_back({face_key(outward[0], outward[1], outward[2]), t, outward});
+        for (const auto& outward : curve::outward_faces(mesh.tetrahedra[t])) {
+            faces.push_back({elements::face_key(outward[0], outward[1], outward[2]), t, outward});
         }
     }
     std::sort(faces.begin(), faces.end(), [](const SharedFace& a, const SharedFace& b) {
@@ -127,9 +127,9 @@ std::vector<std::array<int, 3>> surface_of(const GivenMesh& mesh) {
         return mesh.triangles;
     }
     const std::vector<SharedFace> faces = sorted_faces(mesh);
-    std::set<FaceKey> listed;
+    std::set<elements::FaceKey> listed;
     for (const auto& t : mesh.triangles) {
-        listed.insert(face_key(t[0], t[1], t[2]));
+        listed.insert(elements::face_key(t[0], t[1], t[2]));
     }
     const auto region = [&](const SharedFace& face) {
         return mesh.regions.empty() ? 0 : mesh.regions[face.tetrahedron];
@@ -152,4 +152,4 @@ std::vector<std::array<int, 3>> surface_of(const GivenMesh& mesh) {
     return result;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

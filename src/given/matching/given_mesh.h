@@ -8,7 +8,7 @@
 #include "base/vec.h"
 
 /// Meshes of other programs: found on the CAD, curved, and repaired without a change of sound elements.
-namespace mq::curve {
+namespace mq::given {
 
 /// The corners of a mesh of triangles and tetrahedra that another program made.
 struct GivenMesh {
@@ -37,4 +37,4 @@ bool same_turn(const std::array<int, 3>& a, const std::array<int, 3>& b);
 /// seen from outside of the tetrahedron with the lower index.
 std::vector<std::array<int, 3>> surface_of(const GivenMesh& mesh);
 
-}  // namespace mq::curve
+}  // namespace mq::given

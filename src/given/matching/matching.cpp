@@ -18,7 +18,10 @@
 #include "given/matching/face_matching.h"
 #include "given/matching/touching_bodies.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using curve::SurfaceTriangle;
+using elements::face_key;
 
 namespace {
 
@@ -108,7 +111,7 @@ void require_same_place(const Box& mesh, const Box& edges, const Box& model) {
 class Matcher {
   public:
     Matcher(geometry::Session& session, const GivenMesh& mesh, int order)
-        : session_(session), topology_(session.topology()), mesh_(mesh), result_{CurvedSurface(order),
+        : session_(session), topology_(session.topology()), mesh_(mesh), result_{curve::CurvedSurface(order),
                                                                                  {},
                                                                                  {},
                                                                                  {},
@@ -126,7 +129,7 @@ class Matcher {
         add_vertices(graph, edges, face);
         add_triangles(graph, face);
         turn_alike();
-        find_parameters(session_, result_.surface, at_node_);
+        curve::find_parameters(session_, result_.surface, at_node_);
         turn_outward();
         keep_places();
         find_volumes();
@@ -134,7 +137,7 @@ class Matcher {
     }
 
   private:
-    CurvedSurface& surface() { return result_.surface; }
+    curve::CurvedSurface& surface() { return result_.surface; }
     int& vertex_of(int node) { return result_.vertex_of_node[static_cast<std::size_t>(node)]; }
 
     /// Adds vertices in the order of the given nodes, each on the entity of lowest dimension that contains it.
@@ -254,7 +257,7 @@ class Matcher {
 
     /// Given nodes within rounding of the CAD keep their coordinates exactly.
     void keep_places() {
-        const double rounding = kOnCurve * topology_.box.largest_side();
+        const double rounding = curve::kOnCurve * topology_.box.largest_side();
         for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
             const int v = result_.vertex_of_node[n];
             if (v < 0) {
@@ -287,7 +290,7 @@ class Matcher {
         if (mesh_.tetrahedra.empty()) {
             return;
         }
-        std::map<FaceKey, int> on_surface;
+        std::map<elements::FaceKey, int> on_surface;
         for (std::size_t t = 0; t < surface().triangles.size(); ++t) {
             const auto& v = surface().triangles[t].corners;
             on_surface.emplace(face_key(v[0], v[1], v[2]), static_cast<int>(t));
@@ -295,10 +298,10 @@ class Matcher {
         DisjointSets<std::size_t> joined(mesh_.tetrahedra.size());
         std::map<std::size_t, std::map<std::pair<int, bool>, std::size_t>>
             sides;  // by connected tetrahedra: number of triangles by face and side
-        std::map<FaceKey, std::size_t> inner;
+        std::map<elements::FaceKey, std::size_t> inner;
         std::vector<std::pair<std::size_t, std::pair<int, bool>>> touching;
         for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
-            for (const auto& face : outward_faces(mesh_.tetrahedra[t])) {
+            for (const auto& face : curve::outward_faces(mesh_.tetrahedra[t])) {
                 const std::array<int, 3> v{vertex_of(face[0]), vertex_of(face[1]), vertex_of(face[2])};
                 const auto met =
                     std::min({v[0], v[1], v[2]}) < 0 ? on_surface.end() : on_surface.find(face_key(v[0], v[1], v[2]));
@@ -438,4 +441,4 @@ MatchedMesh match_bodies(geometry::Session& session, GivenMesh& mesh, int order)
     return matched;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -7,7 +7,7 @@
 #include "curve/surface/curved_surface.h"
 #include "given/matching/given_mesh.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// A node of the given mesh that is off its CAD entity by more than rounding.
 struct MovedNode {
@@ -23,7 +23,7 @@ class SolidsShareNodes : public InvalidInput {
 /// A given mesh on the model: every vertex, edge and triangle of its surface is classified on a CAD vertex, edge or
 /// face, and every tetrahedron in a volume.
 struct MatchedMesh {
-    CurvedSurface surface;
+    curve::CurvedSurface surface;
     std::vector<int> vertex_of_node;  ///< by given node: the vertex of the surface, or -1
     std::vector<int> volume;          ///< by tetrahedron: the volume of the model; -1: not connected to the surface
     std::vector<MovedNode> moved;     ///< nodes off the CAD by more than rounding: these are put on it, all others stay
@@ -47,4 +47,4 @@ MatchedMesh match(geometry::Session& session, const GivenMesh& mesh, int order);
 /// @param mesh  gets the copies of nodes, see separate_touching_bodies()
 MatchedMesh match_bodies(geometry::Session& session, GivenMesh& mesh, int order);
 
-}  // namespace mq::curve
+}  // namespace mq::given

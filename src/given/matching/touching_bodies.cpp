@@ -13,7 +13,7 @@
 #include "base/disjoint_sets.h"
 #include "mesh/edge_table.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 namespace {
 
@@ -136,4 +136,4 @@ std::vector<int> separate_touching_bodies(GivenMesh& mesh) {
     return original;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -6,7 +6,7 @@
 
 #include "given/matching/given_mesh.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// Gives each body of a mesh of triangles its own nodes if bodies touch in nodes and edges.
 ///
@@ -17,4 +17,4 @@ namespace mq::curve {
 /// @return by node: the node that it is a copy of, or itself. The copies come after all given nodes.
 std::vector<int> separate_touching_bodies(GivenMesh& mesh);
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -13,7 +13,11 @@
 #include "given/mixed/layers.h"
 #include "given/mixed/transfinite_blending.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
+using elements::FaceKey;
+using elements::Lattice;
 
 namespace {
 
@@ -39,7 +43,7 @@ std::vector<double> lagrange(int order, double t) {
 
 /// Weights of points between all nodes of a quadrilateral, one in each cell of its grid: (points, nodes).
 Eigen::MatrixXd between_nodes(int order) {
-    const std::vector<GridPoint> grid = gmsh_nodes(ElementKind::Quadrilateral, order);
+    const std::vector<elements::GridPoint> grid = elements::gmsh_nodes(ElementKind::Quadrilateral, order);
     const int cells = order + 1;
     Eigen::MatrixXd weights(cells * cells, static_cast<Eigen::Index>(grid.size()));
     for (int i = 0; i < cells; ++i) {
@@ -65,7 +69,7 @@ std::map<FaceKey, int> triangles_by_nodes(const MatchedMesh& matched) {
     std::map<FaceKey, int> result;
     for (std::size_t t = 0; t < matched.surface.triangles.size(); ++t) {
         const auto& v = matched.surface.triangles[t].corners;
-        result.emplace(face_key(node_of_vertex[at(v[0])], node_of_vertex[at(v[1])], node_of_vertex[at(v[2])]),
+        result.emplace(elements::face_key(node_of_vertex[at(v[0])], node_of_vertex[at(v[1])], node_of_vertex[at(v[2])]),
                        static_cast<int>(t));
     }
     return result;
@@ -93,13 +97,13 @@ MatchedFaces match_faces_of(geometry::Session& session, const MixedMesh& mesh, i
     const std::map<FaceKey, int> triangles = triangles_by_nodes(result.matched);
     std::set<std::vector<std::int32_t>> met;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        for (std::size_t f = 0; f < sides_of(mesh.elements[e].kind).faces.size(); ++f) {
+        for (std::size_t f = 0; f < elements::sides_of(mesh.elements[e].kind).faces.size(); ++f) {
             CadFace face;
             face.corners = face_corners(mesh.elements[e], f);
             face.kind = face.corners.size() == 3 ? ElementKind::Triangle : ElementKind::Quadrilateral;
             face.element = static_cast<std::int64_t>(e);
             for (const auto& t : triangles_of(face.corners)) {
-                const auto found = triangles.find(face_key(t[0], t[1], t[2]));
+                const auto found = triangles.find(elements::face_key(t[0], t[1], t[2]));
                 if (found != triangles.end()) {
                     face.triangles.push_back(found->second);
                 }
@@ -146,7 +150,7 @@ bool CadNodes::on_cad_edge(std::int32_t a, std::int32_t b) const {
 }
 
 void CadNodes::place(std::vector<Vec3>& nodes) {
-    placement_.place(live_triangles(found_.matched.surface));
+    placement_.place(curve::live_triangles(found_.matched.surface));
     write_edges_to(nodes);
     write_triangles_to(nodes);
     place_quadrilaterals(nodes);
@@ -160,7 +164,7 @@ void CadNodes::write_edges_to(std::vector<Vec3>& nodes) {
         std::vector<Vec3> control{nodes[at(numbers.front())]};
         control.insert(control.end(), inner.begin(), inner.end());
         control.push_back(nodes[at(numbers.back())]);
-        const std::vector<Vec3> places = bezier_to_nodes(line, control);
+        const std::vector<Vec3> places = elements::bezier_to_nodes(line, control);
         for (std::size_t i = 1; i < inner.size() + 1; ++i) {
             nodes[at(numbers[i])] = places[i];
         }
@@ -172,7 +176,7 @@ void CadNodes::put_edge(std::int32_t a, std::int32_t b, const std::vector<Vec3>&
     for (const std::int32_t n : table_.edge(a, b)) {
         places.push_back(nodes[at(n)]);
     }
-    const std::vector<Vec3> control = nodes_to_bezier(Lattice::of(1, table_.order()), places);
+    const std::vector<Vec3> control = elements::nodes_to_bezier(Lattice::of(1, table_.order()), places);
     found_.matched.surface.shapes.set_edge(vertex(a), vertex(b), {control.begin() + 1, control.end() - 1});
 }
 
@@ -186,7 +190,7 @@ void CadNodes::write_triangles_to(std::vector<Vec3>& nodes) {
         }
         found_.matched.surface.shapes.triangle(
             {vertex(face.corners[0]), vertex(face.corners[1]), vertex(face.corners[2])}, control);
-        const std::vector<Vec3> places = bezier_to_gmsh(lattice, control);
+        const std::vector<Vec3> places = elements::bezier_to_gmsh(lattice, control);
         const std::vector<std::int32_t> numbers = table_.nodes_of(face.kind, face.corners.data());
         for (const int i : blending.inner) {
             nodes[at(numbers[at(i)])] = places[at(i)];
@@ -211,7 +215,7 @@ void CadNodes::read_from(const std::vector<Vec3>& nodes) {
         }
         found_.matched.surface.shapes.set_inside(
             {vertex(face.corners[0]), vertex(face.corners[1]), vertex(face.corners[2])},
-            gmsh_to_bezier(lattice, places));
+            elements::gmsh_to_bezier(lattice, places));
         triangles.push_back(face.triangles.front());
     }
     placement_.measure(triangles);
@@ -298,7 +302,7 @@ std::size_t CadNodes::follow_edges(std::vector<Vec3>& nodes) {
         any = follow_edges_of(face, nodes, changed) || any;
     }
     if (any) {
-        placement_.place(live_triangles(found_.matched.surface));
+        placement_.place(curve::live_triangles(found_.matched.surface));
         write_triangles_to(nodes);
         place_quadrilaterals(nodes);
     }
@@ -430,4 +434,4 @@ std::vector<double> CadNodes::triangle_qualities() {
     return result;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

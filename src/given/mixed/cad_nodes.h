@@ -11,11 +11,11 @@
 #include "given/mixed/node_table.h"
 #include "given/mixed/side_rows.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// A face of the given mesh that lies on a CAD face.
 struct CadFace {
-    ElementKind kind = ElementKind::Triangle;
+    elements::ElementKind kind = elements::ElementKind::Triangle;
     std::vector<std::int32_t>
         corners;    ///< outward from the element behind the face; in the given order if there are no solids
     int face = -1;  ///< the CAD face
@@ -78,9 +78,9 @@ class CadNodes {
     geometry::Session& session_;
     MatchedFaces& found_;
     NodeTable& table_;
-    Placement placement_;
+    curve::Placement placement_;
     std::set<std::vector<std::int32_t>> sides_;
     std::set<std::array<std::int32_t, 2>> edges_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::given

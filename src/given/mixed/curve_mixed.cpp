@@ -21,7 +21,11 @@
 #include "given/mixed/transfinite_blending.h"
 #include "given/mixed/unhelpful_moves.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using curve::CurveOptions;
+using elements::ElementKind;
+using elements::sides_of;
 
 namespace {
 
@@ -407,7 +411,7 @@ class MixedCurving {
     std::string name_of_element(std::size_t e) const {
         const auto before = std::count_if(elements_.begin(), elements_.begin() + static_cast<std::ptrdiff_t>(e),
                                           [&](const ElementNodes& other) { return other.kind == elements_[e].kind; });
-        const std::string name = std::string(name_of(elements_[e].kind)) + " " + std::to_string(before);
+        const std::string name = std::string(elements::name_of(elements_[e].kind)) + " " + std::to_string(before);
         if (!given_.has_volume()) {
             return name + " on " + session_.topology().name_of({2, found_.faces[e].face});
         }
@@ -452,12 +456,12 @@ class MixedCurving {
 
     void add_edges(CurvedMixedMesh& mesh) {
         std::set<std::array<std::int32_t, 2>> met;
-        const CurvedSurface& surface = found_.matched.surface;
+        const curve::CurvedSurface& surface = found_.matched.surface;
         for (const CadFace& face : found_.faces) {
             for (std::size_t k = 0; k < face.corners.size(); ++k) {
                 const std::int32_t a = std::min(face.corners[k], face.corners[(k + 1) % face.corners.size()]);
                 const std::int32_t b = std::max(face.corners[k], face.corners[(k + 1) % face.corners.size()]);
-                const Segment* segment =
+                const curve::Segment* segment =
                     surface.segment(found_.matched.vertex_of_node[at(a)], found_.matched.vertex_of_node[at(b)]);
                 const int entity = segment == nullptr ? -1 : session_.topology().of_shape({1, segment->edge}).index;
                 if (entity >= 0 && met.insert({a, b}).second) {
@@ -555,7 +559,7 @@ class MixedCurving {
     const MixedMesh& given_;
     const CurveOptions& options_;
     Progress& progress_;
-    CurveReport report_;
+    curve::CurveReport report_;
     StageTimer clock_;
     MatchedFaces found_;
     MixedMesh mesh_;
@@ -592,4 +596,4 @@ CurvedMixedMesh curve_mixed(geometry::Engine& engine, const std::shared_ptr<geom
     return mesh;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -7,11 +7,11 @@
 #include "curve/curve.h"
 #include "given/mixed/mixed_mesh.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// Elements of one kind.
 struct ElementBlock {
-    ElementKind kind = ElementKind::Triangle;
+    elements::ElementKind kind = elements::ElementKind::Triangle;
     std::vector<std::int32_t> nodes;   ///< the nodes of one element after those of another, in Gmsh's order
     std::vector<std::int32_t> entity;  ///< by element: its volume, or its CAD face; -1: none
     std::vector<double> quality;       ///< by element: lower bound of min J / max |J|; not positive: not proven valid
@@ -27,7 +27,7 @@ struct CurvedMixedMesh {
     std::vector<std::int32_t> edge_entity;
     std::vector<std::int32_t> given_node;   ///< by corner: the given node
     std::vector<std::int32_t> moved_nodes;  ///< given nodes that were moved
-    CurveReport report;
+    curve::CurveReport report;
 };
 
 /// Curves a mesh of any kinds of elements to the geometry of the model; elements and corners stay.
@@ -37,6 +37,6 @@ struct CurvedMixedMesh {
 /// set.
 /// @throws as match_faces_of(); InvalidInput.
 CurvedMixedMesh curve_mixed(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
-                            const MixedMesh& given, const CurveOptions& options, Progress* progress = nullptr);
+                            const MixedMesh& given, const curve::CurveOptions& options, Progress* progress = nullptr);
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -6,7 +6,9 @@
 
 #include "given/mixed/transfinite_blending.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
 
 namespace {
 
@@ -115,4 +117,4 @@ std::vector<std::pair<std::int32_t, Vec3>> Layers::result() const {
     return all;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

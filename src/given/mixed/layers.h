@@ -6,7 +6,7 @@
 #include "given/mixed/node_table.h"
 #include "given/mixed/side_rows.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// Bends the sides of rows with the displacements at the ends of the rows: the isoparametric method of Moxey, Green,
 /// Sherwin and Peiro (2015), for layers of any thickness.
@@ -45,4 +45,4 @@ class Layers {
     std::unordered_map<std::int32_t, Sum> sums_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::given

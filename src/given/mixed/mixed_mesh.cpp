@@ -11,13 +11,15 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "elements/product/reference_nodes.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
 
 namespace {
 
 void require_nodes(const MixedMesh& mesh, const std::vector<MixedElement>& elements) {
     for (std::size_t i = 0; i < elements.size(); ++i) {
-        const std::string kind(name_of(elements[i].kind));
+        const std::string kind(elements::name_of(elements[i].kind));
         std::vector<std::int32_t> corners(
             elements[i].corners.begin(),
             elements[i].corners.begin() + static_cast<std::ptrdiff_t>(elements[i].count()));
@@ -48,7 +50,7 @@ void require_sound(const MixedMesh& mesh) {
 
 std::vector<std::int32_t> face_corners(const MixedElement& element, std::size_t face) {
     std::vector<std::int32_t> corners;
-    for (const std::size_t k : sides_of(element.kind).faces[face]) {
+    for (const std::size_t k : elements::sides_of(element.kind).faces[face]) {
         corners.push_back(element.corners[k]);
     }
     return corners;
@@ -71,7 +73,7 @@ Simplices divided_into_simplices(const MixedMesh& mesh) {
         const MixedElement& element = mesh.elements[i];
         const std::int32_t* corners = element.corners.data();
         const std::int32_t low = *std::min_element(corners, corners + element.count());
-        for (std::size_t f = 0; f < sides_of(element.kind).faces.size(); ++f) {
+        for (std::size_t f = 0; f < elements::sides_of(element.kind).faces.size(); ++f) {
             const std::vector<std::int32_t> face = face_corners(element, f);
             if (volume && std::count(face.begin(), face.end(), low) > 0) {
                 continue;
@@ -119,4 +121,4 @@ std::size_t orient_elements(MixedMesh& mesh) {
     return turned.size();
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

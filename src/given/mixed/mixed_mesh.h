@@ -11,15 +11,15 @@
 
 /// Meshes of prisms, pyramids, hexahedra and quadrilaterals together with simplices. They are curved without a change
 /// of their connectivity.
-namespace mq::curve {
+namespace mq::given {
 
 /// An element by its corners in Gmsh's order; unused entries are -1.
 struct MixedElement {
-    ElementKind kind = ElementKind::Tetrahedron;
+    elements::ElementKind kind = elements::ElementKind::Tetrahedron;
     std::array<std::int32_t, 8> corners{-1, -1, -1, -1, -1, -1, -1, -1};
     int region = 0;  ///< a number that differs between bodies
 
-    std::size_t count() const { return static_cast<std::size_t>(full_node_count(kind, 1)); }
+    std::size_t count() const { return static_cast<std::size_t>(elements::full_node_count(kind, 1)); }
 };
 
 /// The corners of a mesh of elements of any kind that another program made.
@@ -28,7 +28,7 @@ struct MixedMesh {
     std::vector<MixedElement> elements;  ///< the solids; if there are none, the surface
     std::vector<MixedElement> listed;    ///< triangles and quadrilaterals of a mesh with solids: they mark interfaces
 
-    bool has_volume() const { return !elements.empty() && dimension_of(elements.front().kind) == 3; }
+    bool has_volume() const { return !elements.empty() && elements::dimension_of(elements.front().kind) == 3; }
 };
 
 /// @throws InvalidInput naming the first element with a node that does not exist, is not finite or is named twice; also
@@ -55,4 +55,4 @@ std::size_t orient_elements(MixedMesh& mesh);
 /// The two triangles of a quadrilateral, or the triangle itself.
 std::vector<std::array<int, 3>> triangles_of(const std::vector<std::int32_t>& corners);
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -7,11 +7,11 @@
 #include "elements/product/check_elements.h"
 #include "elements/product/element_jacobian.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 void prove_mixed(const std::vector<ElementNodes>& elements, int order, const std::vector<Vec3>& nodes,
                  const std::vector<std::size_t>& only, std::vector<double>& bounds, Progress& progress) {
-    std::map<ElementKind, std::vector<std::size_t>> by_kind;
+    std::map<elements::ElementKind, std::vector<std::size_t>> by_kind;
     for (const std::size_t e : only) {
         by_kind[elements[e].kind].push_back(e);
     }
@@ -20,17 +20,17 @@ void prove_mixed(const std::vector<ElementNodes>& elements, int order, const std
         for (const std::size_t e : members) {
             connectivity.insert(connectivity.end(), elements[e].nodes.begin(), elements[e].nodes.end());
         }
-        const ElementVerdicts found =
-            check_elements(kind, order, nodes, connectivity, full_node_count(kind, order), &progress);
+        const elements::ElementVerdicts found = elements::check_elements(
+            kind, order, nodes, connectivity, elements::full_node_count(kind, order), &progress);
         for (std::size_t i = 0; i < members.size(); ++i) {
-            const bool valid = found.verdict[i] == static_cast<std::uint8_t>(Verdict::Valid);
+            const bool valid = found.verdict[i] == static_cast<std::uint8_t>(elements::Verdict::Valid);
             bounds[members[i]] = valid ? found.low[i] : std::min(found.low[i], 0.0);
         }
     }
 }
 
 double volume_of(const std::vector<ElementNodes>& elements, int order, const std::vector<Vec3>& nodes) {
-    std::map<ElementKind, ElementJacobian> jacobians;
+    std::map<elements::ElementKind, elements::ElementJacobian> jacobians;
     double sum = 0.0;
     std::vector<Vec3> own;
     for (const ElementNodes& element : elements) {
@@ -39,10 +39,11 @@ double volume_of(const std::vector<ElementNodes>& elements, int order, const std
             own.push_back(nodes[static_cast<std::size_t>(n)]);
         }
         const auto of_kind =
-            jacobians.try_emplace(element.kind, element.kind, order, full_node_count(element.kind, order)).first;
+            jacobians.try_emplace(element.kind, element.kind, order, elements::full_node_count(element.kind, order))
+                .first;
         sum += of_kind->second.volume(own);
     }
     return sum;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

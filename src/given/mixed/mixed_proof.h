@@ -7,7 +7,7 @@
 #include "base/vec.h"
 #include "given/mixed/node_relaxation.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// Sets by element the proven lower bound of min J / max |J|; not positive: not proven valid.
 /// @param only  the elements to examine; all others keep their entries in `bounds`
@@ -17,4 +17,4 @@ void prove_mixed(const std::vector<ElementNodes>& elements, int order, const std
 /// The volume of solid elements, mm^3.
 double volume_of(const std::vector<ElementNodes>& elements, int order, const std::vector<Vec3>& nodes);
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -10,7 +10,7 @@
 #include "base/disjoint_sets.h"
 #include "given/mixed/sampled_jacobian.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 namespace {
 
@@ -292,4 +292,4 @@ std::size_t relax_nodes(const std::vector<ElementNodes>& elements, int order, co
     return worked_on;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

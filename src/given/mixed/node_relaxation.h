@@ -9,11 +9,11 @@
 #include "base/vec.h"
 #include "elements/product/element_kind.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// Solid elements of one order by their nodes in Gmsh's order.
 struct ElementNodes {
-    ElementKind kind = ElementKind::Tetrahedron;
+    elements::ElementKind kind = elements::ElementKind::Tetrahedron;
     std::vector<std::int32_t> nodes;
 };
 
@@ -30,4 +30,4 @@ std::size_t relax_nodes(const std::vector<ElementNodes>& elements, int order, co
                         const std::vector<char>& fixed, const std::vector<std::size_t>& bad, int layers,
                         std::vector<Vec3>& nodes, const Progress& progress);
 
-}  // namespace mq::curve
+}  // namespace mq::given

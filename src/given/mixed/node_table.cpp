@@ -10,7 +10,9 @@
 #include "base/memory/never_destroyed.h"
 #include "elements/product/reference_nodes.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
 
 namespace {
 
@@ -29,8 +31,9 @@ void put_triangle(Eigen::MatrixXd& weights, Eigen::Index row, Eigen::Index first
 }
 
 Eigen::MatrixXd weights_of(ElementKind kind, int order) {
-    const std::vector<GridPoint> points = gmsh_nodes(kind, order);
-    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()), full_node_count(kind, 1));
+    const std::vector<elements::GridPoint> points = elements::gmsh_nodes(kind, order);
+    Eigen::MatrixXd weights =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()), elements::full_node_count(kind, 1));
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         const double x = static_cast<double>(points[i][0]) / order;
@@ -118,7 +121,8 @@ std::vector<std::int32_t> NodeTable::nodes_of(ElementKind kind, const std::int32
             }
         }
         std::sort(carriers.begin(), carriers.end());
-        const bool inside = dimension_of(kind) == 3 && static_cast<Eigen::Index>(carriers.size()) == weights.cols();
+        const bool inside =
+            elements::dimension_of(kind) == 3 && static_cast<Eigen::Index>(carriers.size()) == weights.cols();
         const std::size_t before = straight_.size();
         nodes.push_back(node(carriers, !inside));
         if (straight_.size() > before) {
@@ -146,4 +150,4 @@ std::vector<std::int32_t> NodeTable::edge(std::int32_t a, std::int32_t b) {
     return nodes;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

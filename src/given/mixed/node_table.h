@@ -12,11 +12,11 @@
 #include "base/vec.h"
 #include "given/mixed/mixed_mesh.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// Weights of the corners of an element at its nodes in Gmsh's order: (nodes, corners). Applied to the corners they
 /// give the nodes of the straight element.
-const Eigen::MatrixXd& corner_weights(ElementKind kind, int order);
+const Eigen::MatrixXd& corner_weights(elements::ElementKind kind, int order);
 
 /// Numbers the nodes of elements of one order. Each node has one number, also if several elements have it. Corners come
 /// first: corner v is node v.
@@ -27,7 +27,7 @@ class NodeTable {
 
     int order() const { return order_; }
     /// All nodes of an element, or of a face of it, in Gmsh's order. Every call creates new nodes inside of a solid.
-    std::vector<std::int32_t> nodes_of(ElementKind kind, const std::int32_t* corners);
+    std::vector<std::int32_t> nodes_of(elements::ElementKind kind, const std::int32_t* corners);
     /// The nodes of an edge from a to b, both included.
     std::vector<std::int32_t> edge(std::int32_t a, std::int32_t b);
 
@@ -47,4 +47,4 @@ class NodeTable {
     std::unordered_map<Key, std::int32_t, KeyHash> known_;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -11,7 +11,11 @@
 #include "elements/bezier/bernstein.h"
 #include "elements/product/element_derivatives.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
+using elements::ProductLattice;
+using elements::ProductPoint;
 
 namespace {
 
@@ -22,7 +26,7 @@ constexpr int kMoreSteps = 2;
 std::vector<ProductPoint> points_of(const ProductLattice& lattice, int steps) {
     std::vector<ProductPoint> points(1);
     for (int f = 0; f < lattice.factors(); ++f) {
-        const Lattice& places = Lattice::of(lattice.factor(f).dimension(), steps);
+        const elements::Lattice& places = elements::Lattice::of(lattice.factor(f).dimension(), steps);
         std::vector<ProductPoint> longer;
         for (const ProductPoint& before : points) {
             for (int i = 0; i < places.size(); ++i) {
@@ -41,7 +45,7 @@ Eigen::MatrixXd values_of(const ProductLattice& lattice, const std::vector<Produ
     for (std::size_t q = 0; q < points.size(); ++q) {
         std::vector<std::vector<double>> of_factor;
         for (int f = 0; f < lattice.factors(); ++f) {
-            of_factor.push_back(bernstein_values(lattice.factor(f), points[q][static_cast<std::size_t>(f)]));
+            of_factor.push_back(elements::bernstein_values(lattice.factor(f), points[q][static_cast<std::size_t>(f)]));
         }
         for (int i = 0; i < lattice.size(); ++i) {
             const ProductLattice::Indices at = lattice.indices(i);
@@ -58,7 +62,8 @@ Eigen::MatrixXd values_of(const ProductLattice& lattice, const std::vector<Produ
 }  // namespace
 
 SampledJacobian::SampledJacobian(ElementKind kind, int order) {
-    const std::vector<NodalPolynomial> derivatives = derivatives_of(kind, order, full_node_count(kind, order));
+    const std::vector<elements::NodalPolynomial> derivatives =
+        elements::derivatives_of(kind, order, elements::full_node_count(kind, order));
     const std::vector<ProductPoint> points = points_of(derivatives[0].lattice, order + kMoreSteps);
     for (std::size_t k = 0; k < 3; ++k) {
         gradients_[k] = values_of(derivatives[k].lattice, points) * derivatives[k].from_nodes.cast<double>();
@@ -119,4 +124,4 @@ void SampledJacobian::differentiate(const std::vector<Vec3>& nodes, const std::v
     }
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

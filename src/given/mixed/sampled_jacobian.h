@@ -7,13 +7,13 @@
 #include "base/vec.h"
 #include "elements/product/element_kind.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// J of solid elements at points spread evenly over the element and its boundary, and its derivatives by the nodes.
 /// Fast, but no proof.
 class SampledJacobian {
   public:
-    static const SampledJacobian& of(ElementKind kind, int order);
+    static const SampledJacobian& of(elements::ElementKind kind, int order);
 
     Eigen::Index samples() const { return gradients_[0].rows(); }
     void evaluate(const std::vector<Vec3>& nodes, std::vector<double>& jacobians) const;
@@ -22,7 +22,7 @@ class SampledJacobian {
                        std::vector<Vec3>& by_nodes) const;
 
   private:
-    SampledJacobian(ElementKind kind, int order);
+    SampledJacobian(elements::ElementKind kind, int order);
 
     using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, 3>;
     std::array<Coordinates, 3> derivatives(const std::vector<Vec3>& nodes) const;
@@ -30,4 +30,4 @@ class SampledJacobian {
     std::array<Eigen::MatrixXd, 3> gradients_;  ///< (samples, nodes)
 };
 
-}  // namespace mq::curve
+}  // namespace mq::given

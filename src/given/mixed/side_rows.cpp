@@ -12,7 +12,9 @@
 #include "base/memory/never_destroyed.h"
 #include "elements/product/reference_nodes.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
 
 namespace {
 
@@ -173,7 +175,7 @@ std::vector<SideRow> rows_of_faces(const MixedMesh& mesh, const OnCad& on_cad) {
     std::map<Corners, std::vector<std::size_t>> elements;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const ElementKind kind = mesh.elements[e].kind;
-        for (std::size_t f = 0; f < sides_of(kind).faces.size(); ++f) {
+        for (std::size_t f = 0; f < elements::sides_of(kind).faces.size(); ++f) {
             if (kind == ElementKind::Prism || kind == ElementKind::Hexahedron) {
                 elements[sorted(face_corners(mesh.elements[e], f))].push_back(e);
             }
@@ -181,7 +183,7 @@ std::vector<SideRow> rows_of_faces(const MixedMesh& mesh, const OnCad& on_cad) {
     }
     std::vector<SideRow> rows;
     for (std::size_t start = 0; start < mesh.elements.size(); ++start) {
-        for (std::size_t f = 0; f < sides_of(mesh.elements[start].kind).faces.size(); ++f) {
+        for (std::size_t f = 0; f < elements::sides_of(mesh.elements[start].kind).faces.size(); ++f) {
             const Corners wall = face_corners(mesh.elements[start], f);
             Corners next = opposite_face(mesh.elements[start], wall);
             if (next.empty() || !on_cad(wall)) {
@@ -210,4 +212,4 @@ std::vector<SideRow> rows_of_faces(const MixedMesh& mesh, const OnCad& on_cad) {
     return rows;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -8,7 +8,7 @@
 
 #include "given/mixed/mixed_mesh.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// Sides that lie behind one another: edges across quadrilaterals, or faces across prisms and hexahedra. The first side
 /// is on the CAD.
@@ -39,4 +39,4 @@ std::vector<SideRow> rows_of_edges(const std::vector<RowQuadrilateral>& quadrila
 /// Rows of triangles across prisms and of quadrilaterals across hexahedra.
 std::vector<SideRow> rows_of_faces(const MixedMesh& mesh, const OnCad& on_cad);
 
-}  // namespace mq::curve
+}  // namespace mq::given

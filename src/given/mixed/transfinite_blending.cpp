@@ -11,7 +11,10 @@
 #include "elements/product/reference_nodes.h"
 #include "given/mixed/node_table.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
+using elements::GridPoint;
 
 namespace {
 
@@ -21,14 +24,14 @@ std::size_t at(int i) {
 
 /// Sets the nodes inside of triangles and tetrahedra by their control points.
 void blend_simplex(int dimension, int order, std::vector<Vec3>& nodes) {
-    const Lattice& lattice = Lattice::of(dimension, order);
-    std::vector<Vec3> control = gmsh_to_bezier(lattice, nodes);
+    const elements::Lattice& lattice = elements::Lattice::of(dimension, order);
+    std::vector<Vec3> control = elements::gmsh_to_bezier(lattice, nodes);
     if (dimension == 2) {
-        blend_triangle(lattice, control);
+        elements::blend_triangle(lattice, control);
     } else {
-        blend_tetrahedron(lattice, control);
+        elements::blend_tetrahedron(lattice, control);
     }
-    nodes = bezier_to_gmsh(lattice, control);
+    nodes = elements::bezier_to_gmsh(lattice, control);
 }
 
 /// A square of (n + 1)^2 values whose inner values are blended from those on its sides (Coons 1967).
@@ -57,7 +60,7 @@ class Square {
 /// By point of the grid: the node in Gmsh's order.
 std::map<GridPoint, std::size_t> grid_of(ElementKind kind, int order) {
     std::map<GridPoint, std::size_t> grid;
-    const std::vector<GridPoint> points = gmsh_nodes(kind, order);
+    const std::vector<GridPoint> points = elements::gmsh_nodes(kind, order);
     for (std::size_t i = 0; i < points.size(); ++i) {
         grid.emplace(points[i], i);
     }
@@ -80,7 +83,7 @@ void blend_quadrilateral(int order, std::vector<Vec3>& nodes) {
 void blend_levels(ElementKind kind, int order, std::vector<Vec3>& nodes) {
     const auto grid = grid_of(kind, order);
     const ElementKind flat = kind == ElementKind::Prism ? ElementKind::Triangle : ElementKind::Quadrilateral;
-    const std::vector<GridPoint> level = gmsh_nodes(flat, order);
+    const std::vector<GridPoint> level = elements::gmsh_nodes(flat, order);
     for (int k = 1; k < order; ++k) {
         const double z = static_cast<double>(k) / order;
         std::vector<Vec3> linear;
@@ -165,7 +168,7 @@ const Blending& Blending::of(ElementKind kind, int order) {
     if (fresh) {
         Blending& made = found->second;
         made.inner = inner_of(kind, order);
-        const int count = full_node_count(kind, order);
+        const int count = elements::full_node_count(kind, order);
         made.from = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(made.inner.size()), count);
         for (int j = 0; j < count && !made.inner.empty(); ++j) {
             std::vector<Vec3> unit(at(count), Vec3::Zero());
@@ -195,4 +198,4 @@ void Blending::apply(std::vector<Vec3>& nodes) const {
     }
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

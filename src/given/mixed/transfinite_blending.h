@@ -7,7 +7,7 @@
 #include "base/vec.h"
 #include "elements/product/element_kind.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// The nodes inside of an element as weighted sums of those on its boundary: on the edges of a triangle or
 /// quadrilateral, on the faces of a solid.
@@ -20,9 +20,9 @@ struct Blending {
     std::vector<int> inner;  ///< nodes in Gmsh's order
     Eigen::MatrixXd from;    ///< weights: (inner nodes, all nodes), zero for inner nodes
 
-    static const Blending& of(ElementKind kind, int order);
+    static const Blending& of(elements::ElementKind kind, int order);
     /// Sets the inner nodes from the others.
     void apply(std::vector<Vec3>& nodes) const;
 };
 
-}  // namespace mq::curve
+}  // namespace mq::given

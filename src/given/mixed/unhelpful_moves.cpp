@@ -5,7 +5,7 @@
 
 #include "base/disjoint_sets.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 std::set<std::size_t> revert_unhelpful_moves(const std::vector<ElementNodes>& elements, const std::vector<Vec3>& before,
                                              const std::vector<double>& quality_before,
@@ -44,4 +44,4 @@ std::set<std::size_t> revert_unhelpful_moves(const std::vector<ElementNodes>& el
     return kept;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

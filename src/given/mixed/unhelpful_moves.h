@@ -8,7 +8,7 @@
 #include "base/vec.h"
 #include "given/mixed/node_relaxation.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// Undoes changes of nodes that made no fewer elements invalid. Elements with changed nodes form groups that are
 /// connected by these nodes: if a group has no fewer invalid elements than before, all of its nodes go back.
@@ -19,4 +19,4 @@ std::set<std::size_t> revert_unhelpful_moves(const std::vector<ElementNodes>& el
                                              const std::vector<double>& quality_before,
                                              const std::vector<double>& quality, std::vector<Vec3>& nodes);
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -17,7 +17,10 @@
 #include "mesh/intersection/nearest_tree.h"
 #include "mesh/intersection/triangle_distance.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::Lattice;
+using elements::value;
 
 namespace {
 
@@ -37,7 +40,7 @@ class CurvedTriangles {
             for (std::size_t i = 0; i < width; ++i) {
                 own[i] = nodes[static_cast<std::size_t>(triangles[t * width + i])];
             }
-            control_[t] = gmsh_to_bezier(lattice_, own);
+            control_[t] = elements::gmsh_to_bezier(lattice_, own);
             cut(t);
         }
         tree_.emplace(points_, flat_);
@@ -93,7 +96,7 @@ class CurvedTriangles {
     }
 
     Vec3 point(const std::vector<Vec3>& control, const std::array<double, 2>& at) const {
-        return value(lattice_, control, Barycentric{1.0 - at[0] - at[1], at[0], at[1], 0.0});
+        return value(lattice_, control, elements::Barycentric{1.0 - at[0] - at[1], at[0], at[1], 0.0});
     }
 
     void cut(std::size_t t) {
@@ -150,9 +153,9 @@ class CurvedTriangles {
     std::array<double, 2> improved(const std::vector<Vec3>& control, const std::array<double, 2>& at,
                                    const Vec3& p) const {
         const Lattice& lower = Lattice::of(2, lattice_.degree() - 1);
-        const Barycentric place{1.0 - at[0] - at[1], at[0], at[1], 0.0};
-        const Vec3 u = value(lower, derivative(lattice_, control, 1), place);
-        const Vec3 v = value(lower, derivative(lattice_, control, 2), place);
+        const elements::Barycentric place{1.0 - at[0] - at[1], at[0], at[1], 0.0};
+        const Vec3 u = value(lower, elements::derivative(lattice_, control, 1), place);
+        const Vec3 v = value(lower, elements::derivative(lattice_, control, 2), place);
         const Vec3 off = p - point(control, at);
         const double uu = u.squaredNorm();
         const double uv = u.dot(v);
@@ -339,8 +342,8 @@ double spacing_for(const std::vector<std::array<double, 2>>& extents, double tri
 CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
                            const std::vector<Vec3>& nodes, int order, const std::vector<std::int32_t>& triangles,
                            Progress* progress) {
-    if (order < 1 || order > kMaxOrder || triangles.empty()) {
-        throw InvalidInput(phrases::kNothingToMeasure, {{"count", kMaxOrder}});
+    if (order < 1 || order > elements::kMaxOrder || triangles.empty()) {
+        throw InvalidInput(phrases::kNothingToMeasure, {{"count", elements::kMaxOrder}});
     }
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
@@ -396,4 +399,4 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
     return result;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "geometry/engine.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// How far sampled points of the CAD faces and edges are from a surface mesh: distances in this direction show missing
 /// regions of the mesh.
@@ -49,4 +49,4 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
 constexpr double kSamplesOfTriangle = 2.0;
 constexpr double kLeastSamples = 4000.0;
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -19,7 +19,14 @@
 #include "given/simplices/degree_raising.h"
 #include "tetrahedralise/cells/tetrahedra.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using curve::CurvedMesh;
+using curve::CurveOptions;
+using curve::CurveReport;
+using curve::RepairScope;
+using curve::TetrahedraInside;
+using curve::TetrahedralMesh;
 
 namespace {
 
@@ -117,18 +124,18 @@ void name_given_nodes(const std::vector<int>& given_node, CurvedMesh& mesh) {
 /// Puts the given tetrahedra into the repaired surface. If the cavities around changed triangles cannot be filled, the
 /// surface goes back to its state after placing.
 void adopt_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMesh& given, MatchedMesh& matched,
-                      const MatchedMesh& placed, LocalRemeshing& done, Progress& progress, CurveReport& report) {
+                      const MatchedMesh& placed, curve::LocalRemeshing& done, Progress& progress, CurveReport& report) {
     const std::size_t triangles_before = placed.surface.triangles.size();
     const std::vector<int> vertex_of_node = matched.vertex_of_node;
     try {
         const TetrahedraInside inside = tetrahedra_of(given, matched);
-        volume.emplace(remesh_locally(matched.surface, triangles_before, inside, done, progress));
+        volume.emplace(curve::remesh_locally(matched.surface, triangles_before, inside, done, progress));
     } catch (const tetrahedralise::MeshingFailed& error) {
         matched.surface = placed.surface;
         matched.vertex_of_node = vertex_of_node;
         const TetrahedraInside inside = tetrahedra_of(given, matched);
         done = {};
-        volume.emplace(remesh_locally(matched.surface, triangles_before, inside, done, progress));
+        volume.emplace(curve::remesh_locally(matched.surface, triangles_before, inside, done, progress));
         report.notes.push_back({phrases::kNotRepaired, {{"phrase", error.message()}}});
     }
 }
@@ -154,11 +161,11 @@ struct Curving {
     Curving(geometry::Session& session, GivenMesh mesh, int order)
         : given(std::move(mesh)),
           matched(match_bodies(session, given, order)),
-          editor(std::make_unique<SurfaceEditor>(session, matched.surface)) {}
+          editor(std::make_unique<curve::SurfaceEditor>(session, matched.surface)) {}
 
     GivenMesh given;
     MatchedMesh matched;
-    std::unique_ptr<SurfaceEditor> editor;
+    std::unique_ptr<curve::SurfaceEditor> editor;
     std::optional<TetrahedralMesh> volume;
     std::set<int> straight_triangles;
     CurveReport report;
@@ -178,27 +185,27 @@ std::unique_ptr<Curving> curved_at(geometry::Session& session, const GivenMesh& 
     CurveReport& report = curving->report;
     clock.end("classifying");
     progress.stage("curving the surface", 0.2, 0.4);
-    curving->editor->placement.place(live_triangles(matched.surface));
+    curving->editor->placement.place(curve::live_triangles(matched.surface));
     const MatchedMesh placed = matched;
     clock.end("curving the surface");
     progress.stage("repairing the surface", 0.4, 0.5);
     if (options.repair) {
-        add_counts(repair_surface(*curving->editor, progress, RepairScope::Invalid), report);
+        curve::add_counts(curve::repair_surface(*curving->editor, progress, RepairScope::Invalid), report);
     }
     if (options.straighten) {
-        curving->straight_triangles = straighten_triangles(*curving->editor);
+        curving->straight_triangles = curve::straighten_triangles(*curving->editor);
     }
     clock.end("repairing the surface");
     if (!given.tetrahedra.empty()) {
         progress.stage("filling", 0.5, 0.6);
-        LocalRemeshing remeshing;
+        curve::LocalRemeshing remeshing;
         adopt_tetrahedra(curving->volume, curving->given, matched, placed, remeshing, progress, report);
         clock.end("filling");
         progress.stage("repairing the volume", 0.6, 0.95);
-        VolumeRepairs repairs = repair_volume(*curving->volume, progress, RepairScope::Invalid);
-        remesh_and_repair(curving->volume, matched.surface, RepairScope::Invalid, remeshing, progress);
+        curve::VolumeRepairs repairs = curve::repair_volume(*curving->volume, progress, RepairScope::Invalid);
+        curve::remesh_and_repair(curving->volume, matched.surface, RepairScope::Invalid, remeshing, progress);
         repairs.cavities = static_cast<int>(remeshing.cavities);
-        add_counts(repairs, report);
+        curve::add_counts(repairs, report);
         clock.end("repairing the volume");
     }
     report.seconds = std::move(seconds);
@@ -220,7 +227,7 @@ void use_lower_degree_where_needed(std::unique_ptr<Curving>& curving, geometry::
         return;
     }
     StageTimer clock(lower->report.seconds);
-    std::vector<Tetrahedron> tetrahedra;
+    std::vector<curve::Tetrahedron> tetrahedra;
     if (lower->volume) {
         tetrahedra = std::move(lower->volume->tetrahedra);
     }
@@ -255,8 +262,8 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
     CurveReport report = std::move(curving->report);
     StageTimer clock(report.seconds);
     std::vector<int> number;
-    CurvedMesh result = measured_mesh(*curving->editor, curving->straight_triangles, curving->tetrahedra(),
-                                      session.topology(), options.straighten, report, watched, &number);
+    CurvedMesh result = curve::measured_mesh(*curving->editor, curving->straight_triangles, curving->tetrahedra(),
+                                             session.topology(), options.straighten, report, watched, &number);
     result.given_node = given_nodes(curving->matched.vertex_of_node, number, result.vertices);
     compare(curving->given, result, report);
     name_given_nodes(curving->matched.given_node, result);
@@ -267,4 +274,4 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
     return result;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -9,7 +9,14 @@
 #include "curve/measuring.h"
 #include "given/matching/given_mesh.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using curve::CurvedSurface;
+using curve::SurfaceEditor;
+using curve::TetrahedralMesh;
+using curve::Tetrahedron;
+using elements::CurvedShapes;
+using elements::Lattice;
 
 namespace {
 
@@ -17,12 +24,12 @@ using Corners = std::array<int, 3>;
 
 std::vector<Corners> faces_of(const CurvedSurface& surface, const std::vector<Tetrahedron>& tetrahedra) {
     std::vector<Corners> faces;
-    for (const int t : live_triangles(surface)) {
+    for (const int t : curve::live_triangles(surface)) {
         faces.push_back(surface.triangles[static_cast<std::size_t>(t)].corners);
     }
     for (const Tetrahedron& t : tetrahedra) {
         if (t.alive) {
-            const auto four = outward_faces(t.corners);
+            const auto four = curve::outward_faces(t.corners);
             faces.insert(faces.end(), four.begin(), four.end());
         }
     }
@@ -39,7 +46,7 @@ class Placing {
     }
 
     std::size_t run(const Progress& progress) {
-        const std::vector<int> all = live_triangles(editor_.surface);
+        const std::vector<int> all = curve::live_triangles(editor_.surface);
         for (const int t : all) {
             if (editor_.triangle(t).quality > 0.0) {
                 valid_triangles_.insert(t);
@@ -105,10 +112,10 @@ class Placing {
     }
 
     void mark_faces(const std::array<int, 4>& corners, std::set<int>& touched) {
-        for (const Corners& face : outward_faces(corners)) {
+        for (const Corners& face : curve::outward_faces(corners)) {
             for (const int t : editor_.surface.triangles_of_edge(face[0], face[1])) {
                 const Corners& own = editor_.triangle(t).corners;
-                if (face_key(own[0], own[1], own[2]) == face_key(face[0], face[1], face[2]) &&
+                if (elements::face_key(own[0], own[1], own[2]) == elements::face_key(face[0], face[1], face[2]) &&
                     faces_.insert(t).second) {
                     touched.insert(t);
                 }
@@ -183,7 +190,7 @@ CurvedSurface with_degree_raised(const CurvedSurface& surface, const std::vector
             if (shapes.has_edge(turned[0], turned[1])) {
                 bent = true;
                 shapes.triangle(turned, control);
-                const std::vector<Vec3> all = raised_to(high.degree(), low, control);
+                const std::vector<Vec3> all = elements::raised_to(high.degree(), low, control);
                 std::vector<Vec3> edge;
                 for (int m = 1; m < high.degree(); ++m) {
                     edge.push_back(all[static_cast<std::size_t>(high.index({high.degree() - m, m, 0, 0}))]);
@@ -194,7 +201,7 @@ CurvedSurface with_degree_raised(const CurvedSurface& surface, const std::vector
         // Blending a triangle from its edges reproduces quadratic triangles.
         if (bent && (shapes.order() > 2 || shapes.has_face(v))) {
             shapes.triangle(v, control);
-            result.shapes.set_inside(v, raised_to(high.degree(), low, control));
+            result.shapes.set_inside(v, elements::raised_to(high.degree(), low, control));
         }
     }
     return result;
@@ -204,4 +211,4 @@ std::size_t place_where_valid(SurfaceEditor& editor, TetrahedralMesh* volume, co
     return Placing(editor, volume).run(progress);
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

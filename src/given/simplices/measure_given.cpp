@@ -9,7 +9,9 @@
 #include "elements/product/reference_nodes.h"
 #include "given/matching/matching.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::Lattice;
 
 namespace {
 
@@ -25,14 +27,14 @@ GivenMesh corners_of(const std::vector<Vec3>& nodes, const std::vector<std::int3
 
 /// Gives the edges and the inside of a mesh triangle the shapes that the nodes of one given triangle define.
 /// @param corners  vertices of the surface
-void set_shapes(CurvedShapes& shapes, const std::array<int, 3>& corners, const std::vector<Vec3>& given) {
+void set_shapes(elements::CurvedShapes& shapes, const std::array<int, 3>& corners, const std::vector<Vec3>& given) {
     const Lattice& lattice = Lattice::of(2, shapes.order());
-    const std::vector<Vec3> control = gmsh_to_bezier(lattice, given);
+    const std::vector<Vec3> control = elements::gmsh_to_bezier(lattice, given);
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         std::vector<Vec3> inner;
         for (int i = 1; i < shapes.order(); ++i) {
-            Exponents e{};
+            elements::Exponents e{};
             e[k] = shapes.order() - i;
             e[next] = i;
             inner.push_back(control[static_cast<std::size_t>(lattice.index(e))]);
@@ -47,8 +49,8 @@ void set_shapes(CurvedShapes& shapes, const std::array<int, 3>& corners, const s
 GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
                                            const std::vector<Vec3>& nodes, int order,
                                            const std::vector<std::int32_t>& triangles, Progress* progress) {
-    if (order < 1 || order > kMaxOrder) {
-        throw InvalidInput(phrases::kElementOrder, {{"count", kMaxOrder}, {"count2", order}});
+    if (order < 1 || order > elements::kMaxOrder) {
+        throw InvalidInput(phrases::kElementOrder, {{"count", elements::kMaxOrder}, {"count2", order}});
     }
     const auto width = static_cast<std::size_t>(Lattice::of(2, order).size());
     GivenMesh mesh = corners_of(nodes, triangles, width);
@@ -58,7 +60,7 @@ GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const std::
     geometry::Session session(engine, model, &watched);
     watched.stage("classifying", 0.0, 0.3);
     MatchedMesh matched = match_bodies(session, mesh, order);
-    CurvedSurface& surface = matched.surface;
+    curve::CurvedSurface& surface = matched.surface;
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         if (matched.vertex_of_node[n] >= 0) {
             surface.shapes.vertices[static_cast<std::size_t>(matched.vertex_of_node[n])].point =
@@ -77,7 +79,7 @@ GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const std::
         set_shapes(surface.shapes, corners, own);
     }
     watched.stage("measuring the distance", 0.3, 1.0);
-    Placement placement(session, surface);
+    curve::Placement placement(session, surface);
     GivenSurfaceMeasures result;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         watched.check();
@@ -91,4 +93,4 @@ GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const std::
     return result;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -8,7 +8,7 @@
 #include "base/progress.h"
 #include "geometry/engine.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// The triangles of a given surface, as they are, compared with the CAD; by triangle.
 struct GivenSurfaceMeasures {
@@ -26,4 +26,4 @@ GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const std::
                                            const std::vector<Vec3>& nodes, int order,
                                            const std::vector<std::int32_t>& triangles, Progress* progress = nullptr);
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -6,7 +6,7 @@
 
 #include "base/predicates.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -356,4 +356,4 @@ std::vector<std::int32_t> stitch(const Octree& tree, const SampleGrid& grid, Ret
     return Stitcher(tree, grid, surface, counts).run();
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

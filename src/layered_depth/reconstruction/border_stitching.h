@@ -3,7 +3,7 @@
 
 #include "layered_depth/reconstruction/octree.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The counts of the changes that the filters made to the border.
 struct StitchCounts {
@@ -27,4 +27,4 @@ struct StitchCounts {
 std::vector<std::int32_t> stitch(const Octree& tree, const SampleGrid& grid, RetainedSurface& surface,
                                  StitchCounts& counts);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

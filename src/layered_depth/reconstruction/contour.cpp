@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "layered_depth/reconstruction/border_stitching.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -237,4 +237,4 @@ ContouredSurface contour(const OperandSet& pair, const Octree& tree, const Sampl
     return Contourer(pair, tree, grid, combined, fate, vertices, surface).run(progress);
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -4,7 +4,7 @@
 #include "layered_depth/reconstruction/directed_edge_set.h"
 #include "layered_depth/reconstruction/octree.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The surface under construction: points, and triangles with their source (-1: reconstructed).
 struct ContouredSurface {
@@ -26,4 +26,4 @@ ContouredSurface contour(const OperandSet& pair, const Octree& tree, const Sampl
                          const CombinedSet& combined, const std::vector<Retention>& fate,
                          std::vector<std::int32_t> vertices, RetainedSurface& surface, const Progress* progress);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -6,7 +6,7 @@
 #include "base/key_set.h"
 #include "mesh/triangle_mesh.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The directed edges of a surface. Each may be used by one triangle only, so that no edge gets a third triangle and
 /// two neighbours always run their edge in opposite directions.
@@ -28,4 +28,4 @@ class EdgeSet {
     KeySet keys_;
 };
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

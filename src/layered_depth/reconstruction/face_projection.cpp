@@ -8,11 +8,13 @@
 #include "boolean/points_on_faces.h"
 #include "mesh/quality/surface_verification.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+using boolean::MovedVertex;
 
 namespace {
 
-using FaceConstraint = SurfaceConstraint;
+using FaceConstraint = boolean::SurfaceConstraint;
 
 /// A vertex counts as on its faces up to this distance, as a fraction of the grid's side: the resolution of single
 /// precision.
@@ -71,7 +73,7 @@ class FaceProjector {
     double spacing_, farthest_, on_faces_;
     double from_mesh_ = 0.0;           ///< mm: largest distance of the meshes from the faces
     std::vector<std::uint8_t> stays_;  // by point: whether an unchanged triangle of an operand has it
-    FaceIntersections intersections_;
+    boolean::FaceIntersections intersections_;
     std::vector<MovedVertex> moved_;
     std::vector<std::int32_t> moved_of_;  // by point: its index in moved_; -1: it stays
 };
@@ -275,4 +277,4 @@ FaceProjection project_onto_faces(RetainedSurface& surface, const std::vector<me
     return projector.apply(reconstructed);
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -6,7 +6,7 @@
 #include "layered_depth/reconstruction/octree.h"
 #include "layered_depth/samples/face_samples.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The counts of projecting reconstructed vertices onto the faces of shapes.
 struct FaceProjection {
@@ -33,4 +33,4 @@ FaceProjection project_onto_faces(RetainedSurface& surface, const std::vector<me
                                   const SampleGrid& grid, const Vec3& origin, const std::vector<CadShape>& shapes,
                                   geometry::Engine& engine, const Progress* progress);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

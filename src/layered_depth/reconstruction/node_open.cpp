@@ -9,7 +9,7 @@
 #include "layered_depth/reconstruction/directed_edge_set.h"
 #include "mesh/corner_table.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 std::vector<std::int32_t> open_nodes(std::vector<Vec3>& points, std::vector<mesh::Triangle>& triangles,
                                      const std::vector<std::uint8_t>& candidate) {
@@ -154,4 +154,4 @@ std::vector<std::size_t> drop_opposite_duplicates(std::vector<mesh::Triangle>& t
     return dropped;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

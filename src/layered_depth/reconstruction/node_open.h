@@ -5,7 +5,7 @@
 
 #include "mesh/triangle_mesh.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The Node-Open operator (Wang 2010, Fig. 12). A point whose triangles form more than one fan is duplicated, one copy
 /// for each fan, so that each border point has two border edges and each inner point one closed fan. No directed edge
@@ -41,4 +41,4 @@ std::vector<std::size_t> drop_opposite_duplicates(std::vector<mesh::Triangle>& t
                                                   std::vector<std::int32_t>& source,
                                                   const std::vector<std::uint8_t>& candidate);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

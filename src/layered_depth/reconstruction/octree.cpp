@@ -9,7 +9,7 @@
 #include "layered_depth/reconstruction/tuning.h"
 #include "layered_depth/samples/cell_samples.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -509,4 +509,4 @@ Octree build_octree(const OperandSet& pair, const SampleGrid& grid, const Combin
     return OctreeBuilder(pair, grid, combined, fate, retained).build(most_at_a_time, progress);
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -4,7 +4,7 @@
 #include "layered_depth/reconstruction/retained_surface.h"
 #include "layered_depth/samples/combine_samples.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The kinds of leaves with IR-samples (Wang 2010, section III-A). IR-samples are samples of the result whose triangle
 /// is not retained.
@@ -79,4 +79,4 @@ Octree build_octree(const OperandSet& pair, const SampleGrid& grid, const Combin
                     const std::vector<Retention>& fate, const RetainedSurface& retained, Progress* progress,
                     std::size_t most_at_a_time = std::size_t{1} << 24);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

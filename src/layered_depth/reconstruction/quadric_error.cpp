@@ -5,7 +5,7 @@
 
 #include "layered_depth/reconstruction/tuning.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 void Quadric::add(const Vec3& point, const Vec3& normal) {
     normal_.noalias() += normal * normal.transpose();
@@ -37,4 +37,4 @@ Vec3 Quadric::minimiser(const Vec3& low, const Vec3& high) const {
     return mean.cwiseMax(low).cwiseMin(high);
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

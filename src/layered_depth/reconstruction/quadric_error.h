@@ -3,7 +3,7 @@
 
 #include "base/vec.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The quadratic error function of Hermite data (Wang 2010, section III-A; Ju et al. 2002): the sum over all planes of
 /// the squared distance.
@@ -24,4 +24,4 @@ class Quadric {
     int count_ = 0;
 };
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -83,4 +83,4 @@ RetainedSurface retained_surface(const OperandSet& pair, const std::vector<Reten
     return surface;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -3,7 +3,7 @@
 
 #include "layered_depth/reconstruction/triangle_retention.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The retained triangles, M_D, and their border, beyond which triangles were removed.
 struct RetainedSurface {
@@ -23,4 +23,4 @@ struct RetainedSurface {
 
 RetainedSurface retained_surface(const OperandSet& pair, const std::vector<Retention>& fate);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

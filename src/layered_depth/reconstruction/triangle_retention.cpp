@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "layered_depth/reconstruction/triangle_retention.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::vector<Retention> classify(const OperandSet& pair, const std::vector<std::u
     return fate;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

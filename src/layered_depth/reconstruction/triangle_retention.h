@@ -3,7 +3,7 @@
 
 #include "layered_depth/samples/combine_samples.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// Whether a triangle of the operands is retained.
 enum class Retention : std::uint8_t { Removed, Kept, KeptReversed };
@@ -16,4 +16,4 @@ enum class Retention : std::uint8_t { Removed, Kept, KeptReversed };
 std::vector<Retention> classify(const OperandSet& pair, const std::vector<std::uint32_t>& samples,
                                 const std::vector<std::int32_t>& region, const CombinedSet& combined);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

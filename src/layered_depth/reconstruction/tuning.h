@@ -3,7 +3,7 @@
 
 #include "base/tuning.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The constants that tune the surface of layered-depth samples. docs/measurements/tuning.md says what each does at
 /// half and at double its value.
@@ -22,4 +22,4 @@ struct ReconstructionTuning {
     MESHQUALITY_TUNED(double, kParting, 0.02);
 };
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -150,4 +150,4 @@ bool simple_topology(std::uint8_t nodes, const CellCensus& samples) {
     return true;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// A sample of the result as the octree stores it. On the sample's own axis `at` is the unit interval that contains it,
 /// on the other two axes the coordinates of its ray.
@@ -73,4 +73,4 @@ CellCensus census(const CellBox& box, const CellSample* first, const CellSample*
 /// census (Wang 2010, Fig. 4 and 5).
 bool simple_topology(std::uint8_t nodes, const CellCensus& samples);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

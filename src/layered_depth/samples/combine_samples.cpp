@@ -10,7 +10,9 @@
 #include "boolean/input/operand_repair.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+using boolean::Pairing;
 
 namespace {
 
@@ -78,7 +80,7 @@ class RayMerger {
     const OperandSet& operands_;
     std::vector<const LayeredDepthImage*> along_;
     bool with_normals_;
-    Membership membership_;
+    boolean::Membership membership_;
     std::vector<int> index_;
     std::vector<char> parity_;
     std::vector<Stop> stops_;            // all samples on the ray
@@ -167,9 +169,10 @@ void RayMerger::merge(std::size_t ray, Piece& out) {
     Vec3 at = Vec3::Zero();
     at[(axis + 1) % 3] = static_cast<double>(ray % grid.rays());
     at[(axis + 2) % 3] = static_cast<double>(ray / grid.rays());
-    throw InvalidInput(phrases::kNotOriented, {{"name", operand_name(static_cast<std::size_t>(operand), operands)},
-                                               {"value", std::string(1, "xyz"[axis])},
-                                               {"point", in_mm(grid.to_space(at), 6)}});
+    throw InvalidInput(phrases::kNotOriented,
+                       {{"name", boolean::operand_name(static_cast<std::size_t>(operand), operands)},
+                        {"value", std::string(1, "xyz"[axis])},
+                        {"point", in_mm(grid.to_space(at), 6)}});
 }
 
 /// Combines consecutive rays.
@@ -295,4 +298,4 @@ CombinedSet combine_meshes(const OperandSet& set, const SampleGrid& grid, const 
     return result;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

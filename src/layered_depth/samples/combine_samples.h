@@ -6,7 +6,7 @@
 #include "layered_depth/samples/layered_depth_image.h"
 #include "layered_depth/samples/rasterise.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// Samples of the result along the rays of one direction. On each ray they alternate between entry and exit.
 struct CombinedDepth {
@@ -32,7 +32,7 @@ struct CombinedDepth {
 using CombinedSet = std::array<CombinedDepth, 3>;
 
 struct CombineOptions {
-    Expression expression = Expression::chain(Operation::Union, 2);
+    boolean::Expression expression = boolean::Expression::chain(boolean::Operation::Union, 2);
     /// Grid units: samples of two operands that are no farther apart than this are in contact.
     double thinnest = 0.0;
     /// Whether points with a normal index of 1 or more are inside (Wang 2010, section IV-C), so that only the outer
@@ -58,4 +58,4 @@ CombinedSet combine(const OperandSet& set, std::vector<LayeredDepthSet> operands
 CombinedSet combine_meshes(const OperandSet& set, const SampleGrid& grid, const CombineOptions& options,
                            SampleCounts& counts, const Progress* progress, int rows_per_band = kRowsPerBand);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

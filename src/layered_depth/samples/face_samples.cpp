@@ -11,7 +11,7 @@
 #include "geometry/elementary/surface_line.h"
 #include "geometry/session.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -446,4 +446,4 @@ void sample_faces(LayeredDepthSet& set, const OperandSet& pair, const SampleGrid
     FaceSampler(set, pair, grid, origin, shape, engine, progress).run(counts);
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -8,7 +8,7 @@
 #include "layered_depth/samples/layered_depth_image.h"
 #include "layered_depth/samples/node_consistency.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The CAD shape from which an operand was meshed.
 struct CadShape {
@@ -42,4 +42,4 @@ struct FaceSampleCounts {
 void sample_faces(LayeredDepthSet& set, const OperandSet& pair, const SampleGrid& grid, const Vec3& origin,
                   const CadShape& shape, geometry::Engine& engine, FaceSampleCounts& counts, const Progress* progress);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -6,7 +6,7 @@
 
 #include "base/parallel.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -112,4 +112,4 @@ Vec3 OperandSet::unit_normal(std::int32_t triangle) const {
     return length > 0.0 ? Vec3(n / length) : n;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -10,7 +10,7 @@
 #include "base/vec.h"
 #include "mesh/triangle_mesh.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The uniform grid whose lines are the rays (Wang 2010, section II): 2^n cells along each side, so that the edges of
 /// an octree's cells lie on rays. One unit of grid coordinates is the distance r between two rays.
@@ -92,4 +92,4 @@ LayeredDepthImage joined(std::vector<LayeredDepthImage>& bands);
 /// The x-, y- and z-LDI of one solid.
 using LayeredDepthSet = std::array<LayeredDepthImage, 3>;
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -10,7 +10,7 @@
 
 #include "base/parallel.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -463,4 +463,4 @@ std::vector<SampleRef> make_consistent(LayeredDepthSet& set, const SampleGrid& g
     return NodeConsistency(set, grid, counts, progress).run();
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

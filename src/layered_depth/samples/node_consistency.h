@@ -4,7 +4,7 @@
 #include "base/progress.h"
 #include "layered_depth/samples/layered_depth_image.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// A sample by its position in a LayeredDepthSet.
 struct SampleRef {
@@ -38,4 +38,4 @@ std::size_t restore_order(LayeredDepthImage& image);
 std::vector<SampleRef> make_consistent(LayeredDepthSet& set, const SampleGrid& grid, ConsistencyCounts& counts,
                                        const Progress* progress);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

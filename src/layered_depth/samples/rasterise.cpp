@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -264,4 +264,4 @@ LayeredDepthSet rasterise(const OperandSet& pair, int operand, const SampleGrid&
     return result;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

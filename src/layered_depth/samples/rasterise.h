@@ -6,7 +6,7 @@
 #include "base/progress.h"
 #include "layered_depth/samples/layered_depth_image.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// The highest resolution of rasterise(): 2^12 cells a side.
 constexpr int kMaxLevels = 12;
@@ -86,4 +86,4 @@ class Rasteriser {
 /// @throws Cancelled
 LayeredDepthSet rasterise(const OperandSet& pair, int operand, const SampleGrid& grid, const Progress* progress);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

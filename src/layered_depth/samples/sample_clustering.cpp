@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 std::vector<std::uint32_t> count_samples(const OperandSet& pair, const std::vector<LayeredDepthSet>& operands) {
     std::vector<std::uint32_t> samples(pair.triangles.size(), 0);
@@ -76,4 +76,4 @@ std::vector<std::int32_t> cluster(const OperandSet& pair, const std::vector<std:
     return region;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -3,7 +3,7 @@
 
 #include "layered_depth/samples/layered_depth_image.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// Number of samples of each triangle of the operands.
 std::vector<std::uint32_t> count_samples(const OperandSet& pair, const std::vector<LayeredDepthSet>& operands);
@@ -19,4 +19,4 @@ std::vector<std::uint8_t> triangles_beyond(const OperandSet& pair, const SampleG
 std::vector<std::int32_t> cluster(const OperandSet& pair, const std::vector<std::uint32_t>& samples,
                                   const std::vector<std::uint8_t>& beyond);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

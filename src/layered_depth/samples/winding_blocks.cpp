@@ -6,7 +6,7 @@
 
 #include "base/parallel.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -87,4 +87,4 @@ const WindingBlocks::Block& WindingBlocks::at(const Vec3& g) const {
     return *block;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -10,7 +10,7 @@
 #include "layered_depth/samples/layered_depth_image.h"
 #include "mesh/intersection/surface_winding.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 /// Points whose winding number is at least this are inside.
 constexpr double kInsideWinding = 0.5;
@@ -49,4 +49,4 @@ class WindingBlocks {
     std::vector<Block> blocks_;
 };
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "layered_depth/samples/winding_blocks.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 namespace {
 
@@ -311,4 +311,4 @@ void sample_by_winding(LayeredDepthSet& set, const OperandSet& operands, int ope
     make_consistent(set, grid, counts.nodes, progress);
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -6,7 +6,7 @@
 #include "layered_depth/samples/node_consistency.h"
 #include "mesh/intersection/surface_winding.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 
 struct WindingSampleCounts {
     std::size_t kept = 0;     ///< samples on triangles at which the ray changes between inside and outside
@@ -33,4 +33,4 @@ struct WindingSampleCounts {
 void sample_by_winding(LayeredDepthSet& set, const OperandSet& operands, int operand, const SampleGrid& grid,
                        const mesh::SurfaceWinding& winding, WindingSampleCounts& counts, const Progress* progress);
 
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

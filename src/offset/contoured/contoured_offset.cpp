@@ -38,8 +38,8 @@ class ContouredOffset {
   public:
     /// @param chosen  indices in the mesh of the triangles of the surface
     /// @param inward  whether the result is the solid without the points near its surface
-    ContouredOffset(OffsetSurface surface, std::vector<std::int32_t> chosen, bool inward,
-                    const boolean::OffsetOptions& options, Progress& progress)
+    ContouredOffset(OffsetSurface surface, std::vector<std::int32_t> chosen, bool inward, const OffsetOptions& options,
+                    Progress& progress)
         : surface_(std::move(surface)),
           chosen_(std::move(chosen)),
           inward_(inward),
@@ -48,7 +48,7 @@ class ContouredOffset {
           level_set_(surface_, distance_, ContouredOffsetTuning::kResolution * tolerance_),
           progress_(progress) {}
 
-    boolean::OffsetResult run(const Vec3& origin) {
+    OffsetResult run(const Vec3& origin) {
         stages_.start("dividing cells", 0.0, 0.6);
         const RefinedCells cells = refine(level_set_, box(), ContouredOffsetTuning::kSlack * tolerance_,
                                           ContouredOffsetTuning::kFinest * tolerance_, progress_);
@@ -128,8 +128,8 @@ class ContouredOffset {
         }
         return holds;
     }
-    std::vector<boolean::Corners> triangles_found() const {
-        std::vector<boolean::Corners> triangles;
+    std::vector<Corners> triangles_found() const {
+        std::vector<Corners> triangles;
         for (const mesh::Triangle& t : contour_.triangles) {
             const auto& v = contour_.points;
             triangles.push_back({v[static_cast<std::size_t>(t[0])], v[static_cast<std::size_t>(t[1])],
@@ -139,9 +139,7 @@ class ContouredOffset {
     }
     double deviation() const {
         const double fineness = ContouredOffsetTuning::kFineness * tolerance_;
-        return boolean::deviation_from_distance(triangles_found(), level_set_.searched(), distance_, fineness,
-                                                progress_)
-            .bound;
+        return deviation_from_distance(triangles_found(), level_set_.searched(), distance_, fineness, progress_).bound;
     }
     /// By node: how far from the offset it is if it lies on the wrong side of the contour; 0 if it lies on the right
     /// side.
@@ -163,7 +161,7 @@ class ContouredOffset {
     /// @param wrong  the result of misclassified()
     std::vector<Box> faults_of(const std::vector<LatticeNode>& nodes, const std::vector<double>& wrong) const {
         std::vector<Box> result;
-        const std::vector<boolean::Corners> triangles = triangles_found();
+        const std::vector<Corners> triangles = triangles_found();
         const double fineness = ContouredOffsetTuning::kFineness * tolerance_;
         const auto add = [&](const Box& box) {
             result.push_back(box);
@@ -225,17 +223,16 @@ class ContouredOffset {
     Progress& progress_;
     std::vector<Box> kept_;  ///< regions in which the contour is not simplified
     contour::Contour contour_;
-    boolean::OffsetResult result_;
+    OffsetResult result_;
     WatchedStageTimer stages_{progress_, result_.seconds};
 };
 
 }  // namespace
 
-boolean::OffsetResult contoured_offset(const mesh::TriangleMesh& solid, const boolean::OffsetOptions& options,
-                                       Progress& progress) {
+OffsetResult contoured_offset(const mesh::TriangleMesh& solid, const OffsetOptions& options, Progress& progress) {
     options.validate();
     if (solid.triangles.empty()) {
-        boolean::OffsetResult nothing;
+        OffsetResult nothing;
         nothing.mesh.origin = solid.origin;
         return nothing;
     }
@@ -252,8 +249,8 @@ boolean::OffsetResult contoured_offset(const mesh::TriangleMesh& solid, const bo
     return ContouredOffset(std::move(surface), std::move(all), inward, options, progress).run(solid.origin);
 }
 
-boolean::OffsetResult contoured_walls(const mesh::TriangleMesh& surface, const std::vector<char>& left_out,
-                                      const boolean::OffsetOptions& options, Progress& progress) {
+OffsetResult contoured_walls(const mesh::TriangleMesh& surface, const std::vector<char>& left_out,
+                             const OffsetOptions& options, Progress& progress) {
     options.validate();
     if (options.distance < 0.0) {
         throw InvalidInput(phrases::kLengthNotAllowed,

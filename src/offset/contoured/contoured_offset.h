@@ -21,13 +21,12 @@ namespace mq::offset {
 /// @throws InvalidInput for an option out of range, or if the cells would not fit into memory
 /// @throws TopologyError if the result cannot be held in single precision
 /// @throws Cancelled
-boolean::OffsetResult contoured_offset(const mesh::TriangleMesh& solid, const boolean::OffsetOptions& options,
-                                       Progress& progress);
+OffsetResult contoured_offset(const mesh::TriangleMesh& solid, const OffsetOptions& options, Progress& progress);
 
 /// The boundary of all points within a distance of some triangles of a surface, on both of their sides.
 /// @param left_out  for each triangle whether it is left out; the surface may be open along these triangles
 /// @throws as contoured_offset(); InvalidInput if all triangles are left out or the distance is below 0
-boolean::OffsetResult contoured_walls(const mesh::TriangleMesh& surface, const std::vector<char>& left_out,
-                                      const boolean::OffsetOptions& options, Progress& progress);
+OffsetResult contoured_walls(const mesh::TriangleMesh& surface, const std::vector<char>& left_out,
+                             const OffsetOptions& options, Progress& progress);
 
 }  // namespace mq::offset

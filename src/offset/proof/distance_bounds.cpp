@@ -13,7 +13,7 @@
 #include "base/parallel.h"
 #include "mesh/intersection/triangle_distance.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
 namespace {
 
@@ -255,4 +255,4 @@ ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, cons
     });
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -9,7 +9,7 @@
 #include "mesh/intersection/triangle_distance.h"
 #include "mesh/triangle_mesh.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
 /// A surface with the tree of its triangles, for queries of distances. Both must outlive this object.
 struct SearchedSurface {
@@ -52,4 +52,4 @@ ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, cons
                                      double least, double gap, const SearchedSurface& result, double enough,
                                      const Progress& progress);
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -7,10 +7,10 @@
 
 #include "base/parallel.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
-void assign_dilation(const Arrangement& arrangement, const mesh::NearestTree& tree, const DilationOptions& options,
-                     Cells& cells, const Progress& progress) {
+void assign_dilation(const boolean::Arrangement& arrangement, const mesh::NearestTree& tree,
+                     const DilationOptions& options, boolean::Cells& cells, const Progress& progress) {
     const double deep = options.distance - options.tolerance;
     std::vector<char> within(arrangement.faces.size(), 0);
     for_chunks(static_cast<int>(within.size()), [&](int f) {
@@ -37,8 +37,8 @@ void assign_dilation(const Arrangement& arrangement, const mesh::NearestTree& tr
     }
     for (std::size_t c = 0; c < inside.size(); ++c) {
         const bool in_solid = (inside[c] != 0) != options.inward;
-        cells.windings[c] = in_solid ? Windings{{0, 1}} : Windings{};
+        cells.windings[c] = in_solid ? boolean::Windings{{0, 1}} : boolean::Windings{};
     }
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

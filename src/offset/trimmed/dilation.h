@@ -6,7 +6,7 @@
 #include "boolean/arrangement/cells.h"
 #include "mesh/intersection/nearest_tree.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
 /// How assign_dilation() tells the cells of an arrangement that lie within a distance of a surface.
 struct DilationOptions {
@@ -25,7 +25,7 @@ struct DilationOptions {
 /// nearer by more than the tolerance, the cells on both sides of it are within the offset. All other cells are bounded
 /// by points at the distance; for these the winding number decides.
 /// @param tree  the triangles of the surface
-void assign_dilation(const Arrangement& arrangement, const mesh::NearestTree& tree, const DilationOptions& options,
-                     Cells& cells, const Progress& progress);
+void assign_dilation(const boolean::Arrangement& arrangement, const mesh::NearestTree& tree,
+                     const DilationOptions& options, boolean::Cells& cells, const Progress& progress);
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -12,7 +12,7 @@
 #include "base/tuning.h"
 #include "mesh/corner_table.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
 namespace {
 
@@ -230,4 +230,4 @@ DirectionCap cap_over(const std::vector<Vec3>& loop, const Vec3& mean, double cu
     return cap;
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -7,7 +7,7 @@
 #include "base/vec.h"
 #include "mesh/triangle_mesh.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
 /// The direction at a fraction of the shortest arc between two directions; between opposite ones, on one of their arcs.
 Vec3 on_arc(const Vec3& from, const Vec3& to, double fraction);
@@ -28,4 +28,4 @@ struct DirectionCap {
 DirectionCap cap_over(const std::vector<Vec3>& loop, const Vec3& mean, double curvature, double step,
                       const Progress* progress = nullptr);
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

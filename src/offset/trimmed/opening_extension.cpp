@@ -14,7 +14,7 @@
 #include "base/vec.h"
 #include "mesh/corner_table.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
 namespace {
 
@@ -515,4 +515,4 @@ std::optional<mesh::TriangleMesh> extend_openings(const mesh::TriangleMesh& soli
     return OpeningExtension(solid, open, options).run();
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -6,7 +6,7 @@
 
 #include "mesh/triangle_mesh.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
 struct ExtensionOptions {
     double thickness = 0.0;  ///< mm: thickness of the wall; the ends of the prisms are farther from the solid
@@ -29,4 +29,4 @@ struct ExtensionOptions {
 std::optional<mesh::TriangleMesh> extend_openings(const mesh::TriangleMesh& solid, const std::vector<char>& open,
                                                   const ExtensionOptions& options);
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -13,7 +13,7 @@
 #include "offset/trimmed/direction_cap.h"
 #include "offset/trimmed/tuning.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
 namespace {
 
@@ -433,4 +433,4 @@ RawOffset raw_offset(const ClosedSurface& surface, const RawOffsetOptions& optio
     return RawOffsetBuilder(surface, options).run();
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -9,7 +9,7 @@
 #include "mesh/triangle_mesh.h"
 #include "offset/proof/distance_bounds.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
 /// A surface without border, given by half-edges. The two sides of a sheet may share their vertices: only `twins` tells
 /// which triangles are neighbours.
@@ -55,4 +55,4 @@ struct RawOffset {
 /// @throws Cancelled
 RawOffset raw_offset(const ClosedSurface& surface, const RawOffsetOptions& options);
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -26,7 +26,9 @@
 #include "offset/trimmed/raw_offset.h"
 #include "offset/trimmed/tuning.h"
 
-namespace mq::boolean {
+namespace mq::offset {
+
+using boolean::CoincidentTriangle;
 
 namespace {
 
@@ -139,20 +141,21 @@ class OffsetPipeline {
   private:
     void attempt(double share, double extension, bool inward) {
         result_.triangle_source.clear();
-        soup_ = Soup();
+        soup_ = boolean::Soup();
         stage("offsetting", 0.0, 0.1);
         make_soup(share * tolerance_, extension);
         stage("finding crossings", 0.1, 0.3);
         const auto [crossing, twins] = contacts();
         result_.crossing_pairs = crossing.size();
         stage("dividing", 0.3, 0.6);
-        const Arrangement arrangement = arrange(soup_, twins, crossing, progress_);
+        const boolean::Arrangement arrangement = boolean::arrange(soup_, twins, crossing, progress_);
         stage("classifying", 0.6, 0.75);
-        Cells cells = find_cells(soup_, arrangement, progress_);
+        boolean::Cells cells = boolean::find_cells(soup_, arrangement, progress_);
         assign_dilation(arrangement, searched_.tree, {distance_, OffsetTuning::kDeepShare * tolerance_, inward}, cells,
                         progress_);
         stage("extracting", 0.75, 0.8);
-        Extraction extraction = extract(soup_, arrangement, cells, Expression::chain(Operation::Union, 1), progress_);
+        boolean::Extraction extraction = boolean::extract(
+            soup_, arrangement, cells, boolean::Expression::chain(boolean::Operation::Union, 1), progress_);
         stage("rounding", 0.8, 0.9);
         finish(extraction);
         stage("measuring distances", 0.9, 1.0);
@@ -181,7 +184,7 @@ class OffsetPipeline {
         for (const std::int32_t source : raw.source) {
             soup_.source.push_back({0, source});
         }
-        merge_all_vertices(soup_);
+        boolean::merge_all_vertices(soup_);
         remove_collapsed_triangles();
         spread_flat_triangles();
     }
@@ -207,7 +210,7 @@ class OffsetPipeline {
         bool again = true;
         for (int round = 0; again && round < kRounds; ++round) {
             again = false;
-            for (const Triangle& c : soup_.triangles) {
+            for (const mesh::Triangle& c : soup_.triangles) {
                 if (collinear(vertex(c[0]), vertex(c[1]), vertex(c[2]))) {
                     again = true;
                     for (const std::int32_t v : c) {
@@ -235,7 +238,7 @@ class OffsetPipeline {
         for (std::size_t t = 0; t < all.size(); ++t) {
             all[t] = static_cast<std::int32_t>(t);
         }
-        std::vector<CoincidentTriangle> twins = find_twins(soup_, all);
+        std::vector<CoincidentTriangle> twins = boolean::find_twins(soup_, all);
         std::vector<char> twin(all.size(), 0);
         for (const CoincidentTriangle& t : twins) {
             twin[static_cast<std::size_t>(t.triangle)] = 1;
@@ -269,14 +272,14 @@ class OffsetPipeline {
         return std::inner_product(counts.begin(), counts.end(), counts.begin(), 0.0);
     }
 
-    void finish(Extraction& extraction) {
-        ResultMesh& draft = extraction.draft;
+    void finish(boolean::Extraction& extraction) {
+        boolean::ResultMesh& draft = extraction.draft;
         Box box;
         for (const Vec3& p : soup_.vertices) {
             box.add(p);
         }
         // Rounding uses half of the tolerance that it is given.
-        const RoundingCount rounded = snap_round(
+        const boolean::RoundingCount rounded = boolean::snap_round(
             extraction, {box.largest_side(), 2.0 * OffsetTuning::kRoundingShare * tolerance_, true}, progress_);
         if (!rounded.faulty.empty()) {
             throw TopologyError(phrases::kOffsetNotHeld, {{"count", rounded.faulty.size()}});
@@ -288,11 +291,11 @@ class OffsetPipeline {
         result_.mesh.triangles = std::move(draft.triangles);
     }
 
-    void measure(const Arrangement& arrangement, const Cells& cells, double raw_error) {
+    void measure(const boolean::Arrangement& arrangement, const boolean::Cells& cells, double raw_error) {
         const double fineness = OffsetTuning::kFineness * tolerance_;
         const SearchedSurface result(result_.mesh.vertices, result_.mesh.triangles);
         std::vector<Corners> triangles;
-        for (const Triangle& t : result_.mesh.triangles) {
+        for (const mesh::Triangle& t : result_.mesh.triangles) {
             const auto& v = result_.mesh.vertices;
             triangles.push_back({v[static_cast<std::size_t>(t[0])], v[static_cast<std::size_t>(t[1])],
                                  v[static_cast<std::size_t>(t[2])]});
@@ -323,7 +326,7 @@ class OffsetPipeline {
     const double tolerance_;
     Progress& progress_;
     OffsetResult result_;
-    Soup soup_;
+    boolean::Soup soup_;
     int round_ = 0;
     WatchedStageTimer stages_{progress_, result_.seconds};
 };
@@ -365,4 +368,4 @@ OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>&
         .run(OffsetTuning::kExtension * options.tolerance, false);
 }
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -9,7 +9,7 @@
 #include "base/stopwatch.h"
 #include "mesh/triangle_mesh.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
 struct OffsetOptions {
     double distance = 0.0;   ///< mm; for a solid: outward if positive, inward if negative
@@ -54,4 +54,4 @@ OffsetResult offset(const mesh::TriangleMesh& solid, const OffsetOptions& option
 OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>& left_out, const OffsetOptions& options,
                      Progress& progress);
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -3,7 +3,7 @@
 
 #include "base/tuning.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 
 /// The constants that divide the tolerance of an offset. Their sensitivity was not measured.
 struct OffsetTuning {
@@ -39,4 +39,4 @@ struct OffsetTuning {
     MESHQUALITY_TUNED(double, kFineness, 0.02);
 };
 
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -34,8 +34,8 @@ inline CurveOptions of_order(int order, bool volume = false) {
 }
 
 inline std::vector<Vec3> nodes_of(const CurvedMesh& mesh, const std::vector<std::int32_t>& list, std::size_t element,
-                                  const Lattice& lattice) {
-    const std::vector<int> order = gmsh_order(lattice);
+                                  const elements::Lattice& lattice) {
+    const std::vector<int> order = elements::gmsh_order(lattice);
     std::vector<Vec3> nodes(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto node = static_cast<std::size_t>(list[element * order.size() + i]);
@@ -46,11 +46,11 @@ inline std::vector<Vec3> nodes_of(const CurvedMesh& mesh, const std::vector<std:
 
 /// The integral of the Jacobian over all tetrahedra: the volume that the mesh covers, overlaps counted twice.
 inline double volume_of(const CurvedMesh& mesh) {
-    const Lattice& lattice = Lattice::of(3, mesh.order);
+    const elements::Lattice& lattice = elements::Lattice::of(3, mesh.order);
     double sum = 0.0;
     for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
-        const JacobianForm form =
-            jacobian_of(lattice, nodes_to_bezier(lattice, nodes_of(mesh, mesh.tetrahedra, e, lattice)));
+        const elements::JacobianForm form = elements::jacobian_of(
+            lattice, elements::nodes_to_bezier(lattice, nodes_of(mesh, mesh.tetrahedra, e, lattice)));
         double mean = 0.0;
         for (const double c : form.coefficients) {
             mean += c / static_cast<double>(form.coefficients.size());
@@ -61,19 +61,19 @@ inline double volume_of(const CurvedMesh& mesh) {
 }
 
 inline std::size_t invalid_tetrahedra(const CurvedMesh& mesh) {
-    const Lattice& lattice = Lattice::of(3, mesh.order);
+    const elements::Lattice& lattice = elements::Lattice::of(3, mesh.order);
     std::size_t invalid = 0;
     for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
-        const auto control = nodes_to_bezier(lattice, nodes_of(mesh, mesh.tetrahedra, e, lattice));
-        invalid += check_positive(jacobian_of(lattice, control)).valid ? 0 : 1;
+        const auto control = elements::nodes_to_bezier(lattice, nodes_of(mesh, mesh.tetrahedra, e, lattice));
+        invalid += elements::check_positive(elements::jacobian_of(lattice, control)).valid ? 0 : 1;
     }
     return invalid;
 }
 
 /// Tetrahedra by the nodes of their faces.
 inline std::map<std::set<int>, std::vector<std::size_t>> tetrahedra_of_faces(const CurvedMesh& mesh) {
-    const Lattice& lattice = Lattice::of(3, mesh.order);
-    const std::vector<int> order = gmsh_order(lattice);
+    const elements::Lattice& lattice = elements::Lattice::of(3, mesh.order);
+    const std::vector<int> order = elements::gmsh_order(lattice);
     std::map<std::set<int>, std::vector<std::size_t>> faces;
     for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
         for (std::size_t opposite = 0; opposite < 4; ++opposite) {

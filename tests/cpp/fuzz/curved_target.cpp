@@ -45,12 +45,12 @@ void add_qualities(fuzz::Bytes& bytes, std::size_t count, std::vector<double>& q
 CurvedMesh curved_mesh(fuzz::Bytes& bytes) {
     constexpr int kMostNodes = 40;
     CurvedMesh mesh;
-    mesh.order = bytes.number(0, 31) == 0 ? bytes.take<std::int32_t>() : bytes.number(1, curve::kMaxOrder);
+    mesh.order = bytes.number(0, 31) == 0 ? bytes.take<std::int32_t>() : bytes.number(1, elements::kMaxOrder);
     for (int i = bytes.number(0, kMostNodes); i > 0; --i) {
         mesh.nodes.push_back(bytes.point());
         mesh.node_entity.push_back({index(bytes, 4), index(bytes, 4)});
     }
-    if (mesh.order >= 1 && mesh.order <= curve::kMaxOrder) {
+    if (mesh.order >= 1 && mesh.order <= elements::kMaxOrder) {
         add_elements(bytes, mesh, mesh.nodes_per_edge(), mesh.edges, mesh.edge_entity);
         add_elements(bytes, mesh, mesh.nodes_per_triangle(), mesh.triangles, mesh.triangle_face);
         add_elements(bytes, mesh, mesh.nodes_per_tetrahedron(), mesh.tetrahedra, mesh.tetrahedron_volume);

@@ -15,7 +15,14 @@
 #include "mesh/intersection/surface_winding.h"
 #include "mesh/quality/mesh_report.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+namespace fuzz = boolean::fuzz;
+namespace solids = boolean::solids;
+
+using boolean::name;
+using boolean::Operation;
+
 namespace {
 
 const Operation kOperations[] = {Operation::Union, Operation::Intersection, Operation::Difference,
@@ -378,7 +385,7 @@ TEST(Uniform, ManyOperandsAreThoseTwoAtATime) {
     for (const Operation operation : kOperations) {
         SCOPED_TRACE(name(operation));
         const UniformResult all =
-            layered_depth_boolean(operands, Expression::chain(operation, 5), at_resolution(129), nullptr);
+            layered_depth_boolean(operands, boolean::Expression::chain(operation, 5), at_resolution(129), nullptr);
         mesh::TriangleMesh folded = balls[0];
         for (std::size_t k = 1; k < balls.size(); ++k) {
             folded = layered_depth_boolean(folded, balls[k], operation, at_resolution(129), nullptr).mesh;
@@ -408,7 +415,7 @@ TEST(Uniform, ManyOperandsAreThoseTwoAtATime) {
                 continue;
             }
             ++compared;
-            const bool wanted = Expression::chain(operation, 5).contains(winding.data());
+            const bool wanted = boolean::Expression::chain(operation, 5).contains(winding.data());
             inside += wanted ? 1 : 0;
             EXPECT_EQ(by_all.at(p) > 0.5, wanted) << p.transpose();
             EXPECT_EQ(by_two.at(p) > 0.5, wanted) << p.transpose();
@@ -435,7 +442,7 @@ TEST(Uniform, SheetsAreRefused) {
         try {
             layered_depth_boolean(ball, sheet, Operation::Difference, at_resolution(65), nullptr);
             ADD_FAILURE();
-        } catch (const OpenOperand& error) {
+        } catch (const boolean::OpenOperand& error) {
             EXPECT_EQ(std::string(error.what()).rfind("operand B bounds no volume: ", 0), 0U) << error.what();
         }
     }
@@ -478,4 +485,4 @@ TEST(Uniform, EmptyOperands) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -12,7 +12,13 @@
 #include "mesh/intersection/surface_winding.h"
 #include "mesh/quality/surface_verification.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+namespace fuzz = boolean::fuzz;
+namespace solids = boolean::solids;
+
+using boolean::Operation;
+
 namespace {
 
 using mesh::TriangleMesh;
@@ -27,7 +33,7 @@ UniformResult sound(const TriangleMesh& a, const TriangleMesh& b, Operation oper
     LayeredDepthOptions options;
     options.resolution = resolution;
     Progress progress;
-    return sound_layered_depth_boolean({&a, &b}, Expression::chain(operation, 2), options,
+    return sound_layered_depth_boolean({&a, &b}, boolean::Expression::chain(operation, 2), options,
                                        uniform_bound(box.largest_side(), resolution), progress);
 }
 
@@ -119,7 +125,7 @@ TEST(SoundLayeredDepth, RandomPairsAreSoundAndEncloseTheRightPoints) {
         for (const bool dirty : {false, true}) {
             const fuzz::Pair pair = dirty ? fuzz::dirty_pair(seed) : fuzz::random_pair(seed);
             for (const Operation operation : {Operation::Union, Operation::Difference}) {
-                SCOPED_TRACE(pair.description + ", " + name(operation));
+                SCOPED_TRACE(pair.description + ", " + boolean::name(operation));
                 const UniformResult result = sound(pair.a, pair.b, operation, 33);
                 const mesh::Verification check = mesh::verify(result.mesh.vertices, result.mesh.triangles);
                 EXPECT_TRUE(check.passed()) << check.summary();
@@ -134,4 +140,4 @@ TEST(SoundLayeredDepth, RandomPairsAreSoundAndEncloseTheRightPoints) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

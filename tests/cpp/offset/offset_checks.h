@@ -10,17 +10,17 @@
 #include "offset/trimmed/trimmed_offset.h"
 
 /// What the tests of trimmed and of contoured offsets share.
-namespace mq::boolean::offsets {
+namespace mq::offset::checks {
 
 inline double volume(const mesh::TriangleMesh& mesh) {
     return mesh::verify(mesh.vertices, mesh.triangles).volume;
 }
 
 inline mesh::TriangleMesh united(const std::vector<const mesh::TriangleMesh*>& bodies,
-                                 Operation operation = Operation::Union) {
-    BooleanOptions options;
+                                 boolean::Operation operation = boolean::Operation::Union) {
+    boolean::BooleanOptions options;
     options.tolerance = 1e-3;
-    return boolean(bodies, operation, options).mesh;
+    return boolean::boolean(bodies, operation, options).mesh;
 }
 
 /// Checks what is promised of every offset that keeps its tolerance, and returns it.
@@ -31,4 +31,4 @@ inline OffsetResult sound(OffsetResult result, double tolerance) {
     return result;
 }
 
-}  // namespace mq::boolean::offsets
+}  // namespace mq::offset::checks

@@ -22,11 +22,11 @@
 namespace mq::workflows {
 namespace {
 
-using boolean::FaceSampleCounts;
-using boolean::LayeredDepthImage;
-using boolean::LayeredDepthSet;
-using boolean::OperandSet;
-using boolean::SampleGrid;
+using layered_depth::FaceSampleCounts;
+using layered_depth::LayeredDepthImage;
+using layered_depth::LayeredDepthSet;
+using layered_depth::OperandSet;
+using layered_depth::SampleGrid;
 
 Box box_of(const mesh::TriangleMesh& mesh) {
     Box box;

@@ -17,6 +17,9 @@
 
 namespace mq::curve {
 
+using elements::face_key;
+using elements::FaceKey;
+
 namespace {
 
 /// Most layers by which cavities grow before their whole volume is filled anew.
@@ -258,7 +261,7 @@ class Remesher {
             list.push_back(face);
         }
         DisjointSets<std::size_t> joined(list.size());
-        std::unordered_map<EdgeKey, std::size_t> first;
+        std::unordered_map<elements::EdgeKey, std::size_t> first;
         for (std::size_t i = 0; i < list.size(); ++i) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto [known, fresh] = first.emplace(pair_key(list[i][k], list[i][(k + 1) % 3]), i);
@@ -398,7 +401,7 @@ class Remesher {
     std::map<FaceKey, int> alive_;  // triangles of the surface
     std::set<FaceKey> was_;         // triangles before the repair
     std::vector<int> new_triangles_;
-    std::unordered_set<EdgeKey> gone_edges_;
+    std::unordered_set<elements::EdgeKey> gone_edges_;
     std::unordered_set<int> gone_vertices_;
 };
 

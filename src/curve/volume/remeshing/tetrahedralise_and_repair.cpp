@@ -12,7 +12,7 @@ namespace mq::curve {
 RepairedTetrahedralMesh tetrahedralise_and_repair(geometry::Session& session, CurvedSurface& surface,
                                                   Progress& progress, StageTimer& clock) {
     progress.stage("filling", 0.5, 0.6);
-    std::optional<CurvedShapes> quadratic;
+    std::optional<elements::CurvedShapes> quadratic;
     if (surface.shapes.order() != 2) {
         quadratic = edges_of_second_order(session, surface);
     }

@@ -10,6 +10,11 @@
 #include "curve/injectivity/solid_blocks.h"
 
 namespace mq::curve {
+
+using elements::ElementKind;
+using elements::gmsh_nodes;
+using elements::GridPoint;
+
 namespace {
 
 std::vector<CommonPoint> of_two(ElementKind first, ElementKind second, const Vec3& shift) {
@@ -23,7 +28,7 @@ TEST(CommonPoints, OfEachTwoKinds) {
     for (const ElementKind first : kSolidKinds) {
         for (const ElementKind second : kSolidKinds) {
             const std::vector<CommonPoint> found = of_two(first, second, {0.1, 0.05, 0.1});
-            ASSERT_EQ(found.size(), 1U) << name_of(first) << ' ' << name_of(second);
+            ASSERT_EQ(found.size(), 1U) << elements::name_of(first) << ' ' << elements::name_of(second);
             EXPECT_EQ(found[0].elements, (std::array<std::int32_t, 2>{0, 1}));
             EXPECT_GT((found[0].point - Vec3(0.1, 0.05, 0.1)).minCoeff(), -1.0);
             EXPECT_TRUE(of_two(first, second, {2.1, 0.05, 0.1}).empty());
@@ -67,7 +72,7 @@ TEST(CommonPoints, FindABulgeIntoANeighbourOfTheSameRim) {
         second.nodes_per_element = 27;
         second.faces.clear();
         const std::vector<GridPoint> all = gmsh_nodes(ElementKind::Hexahedron, 2);
-        for (const std::vector<std::size_t>& corners : sides_of(ElementKind::Hexahedron).faces) {
+        for (const std::vector<std::size_t>& corners : elements::sides_of(ElementKind::Hexahedron).faces) {
             SolidBlock::Face face{ElementKind::Quadrilateral, 2, {}};
             for (const GridPoint& p : gmsh_nodes(ElementKind::Quadrilateral, 2)) {
                 GridPoint wanted{};

@@ -6,6 +6,10 @@
 #include "curve/injectivity/solid_blocks.h"
 
 namespace mq::curve {
+
+using elements::ElementKind;
+using elements::name_of;
+
 namespace {
 
 std::optional<int> turns_about(const Vec3& point, const std::vector<Vec3>& nodes, const std::vector<SideBlock>& sides) {

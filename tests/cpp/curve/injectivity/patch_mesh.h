@@ -22,9 +22,9 @@ class PatchMesh {
     /// The triangle between three points, mapped.
     void add(
         const std::array<Vec3, 3>& corners, const Map& map = [](const Vec3& p) { return p; }) {
-        const Lattice& lattice = Lattice::of(2, mesh.order);
-        for (const int i : gmsh_order(lattice)) {
-            const Barycentric b = lattice.node(i);
+        const elements::Lattice& lattice = elements::Lattice::of(2, mesh.order);
+        for (const int i : elements::gmsh_order(lattice)) {
+            const elements::Barycentric b = lattice.node(i);
             mesh.triangles.push_back(static_cast<std::int32_t>(mesh.nodes.size()));
             mesh.nodes.push_back(rounded(map(b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2])));
         }

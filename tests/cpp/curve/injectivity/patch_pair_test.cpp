@@ -12,6 +12,12 @@
 #include "curve/injectivity/straight_piercing.h"
 
 namespace mq::curve {
+
+using elements::Barycentric;
+using elements::Lattice;
+using elements::nodes_to_bezier;
+using elements::value;
+
 namespace {
 
 constexpr PatchLimits kLimits{1e-13, 1e-6, 1e-9};
@@ -128,7 +134,7 @@ Counts compare_random_pairs(int order, Shared shared, int rounds) {
         Control b = perturbed(nodes_of(lattice, map), 0.15, random);
         SharedEntities entities;
         for (int i = 0; i < lattice.size(); ++i) {
-            const Exponents& e = lattice.exponents(i);
+            const elements::Exponents& e = lattice.exponents(i);
             const bool same = shared == Shared::Vertex ? e[0] == order : shared == Shared::Edge && e[2] == 0;
             if (same) {
                 b[static_cast<std::size_t>(i)] = a[static_cast<std::size_t>(i)];

@@ -14,16 +14,17 @@ struct LooseSolids {
     std::vector<SolidBlock> blocks;
 
     /// The reference element of a kind, between 0 and 1 (pyramids: -1 and 1), times `size` and moved.
-    void add(ElementKind kind, const Vec3& shift, double size = 1.0) {
+    void add(elements::ElementKind kind, const Vec3& shift, double size = 1.0) {
         SolidBlock block;
         block.kind = kind;
-        block.nodes_per_element = full_node_count(kind, 1);
-        for (const GridPoint& p : gmsh_nodes(kind, 1)) {
+        block.nodes_per_element = elements::full_node_count(kind, 1);
+        for (const elements::GridPoint& p : elements::gmsh_nodes(kind, 1)) {
             block.nodes.push_back(static_cast<std::int32_t>(nodes.size()));
             nodes.push_back(size * Vec3(p[0], p[1], p[2]) + shift);
         }
-        for (const std::vector<std::size_t>& corners : sides_of(kind).faces) {
-            const ElementKind face = corners.size() == 3 ? ElementKind::Triangle : ElementKind::Quadrilateral;
+        for (const std::vector<std::size_t>& corners : elements::sides_of(kind).faces) {
+            const elements::ElementKind face =
+                corners.size() == 3 ? elements::ElementKind::Triangle : elements::ElementKind::Quadrilateral;
             block.faces.push_back({face, 1, {corners.begin(), corners.end()}});
         }
         blocks.push_back(block);
@@ -52,7 +53,7 @@ struct LooseSolids {
     }
 };
 
-constexpr ElementKind kSolidKinds[] = {ElementKind::Tetrahedron, ElementKind::Pyramid, ElementKind::Prism,
-                                       ElementKind::Hexahedron};
+constexpr elements::ElementKind kSolidKinds[] = {elements::ElementKind::Tetrahedron, elements::ElementKind::Pyramid,
+                                                 elements::ElementKind::Prism, elements::ElementKind::Hexahedron};
 
 }  // namespace mq::curve

@@ -9,14 +9,18 @@
 #include "elements/product/reference_nodes.h"
 
 namespace mq::curve {
+
+using elements::ElementKind;
+using elements::name_of;
+
 namespace {
 
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 /// A quadrilateral over the unit square moved by `shift`, of any order, by a formula.
 void add_sheet(int order, const Vec3& shift, double bulge, std::vector<Vec3>& nodes, std::vector<SideBlock>& sides) {
-    SideBlock side{ElementKind::Quadrilateral, order, full_node_count(ElementKind::Quadrilateral, order), {}};
-    for (const GridPoint& p : gmsh_nodes(ElementKind::Quadrilateral, order)) {
+    SideBlock side{ElementKind::Quadrilateral, order, elements::full_node_count(ElementKind::Quadrilateral, order), {}};
+    for (const elements::GridPoint& p : elements::gmsh_nodes(ElementKind::Quadrilateral, order)) {
         const double x = static_cast<double>(p[0]) / order + shift.x();
         const double y = static_cast<double>(p[1]) / order + shift.y();
         side.nodes.push_back(static_cast<std::int32_t>(nodes.size()));
@@ -34,7 +38,7 @@ Pairs crossing(const CurvedCrossings& found) {
 }
 
 TEST(SurfacePatches, SheetsOfQuadrilateralsSideBySideAreApart) {
-    for (int order = 1; order <= kMaxOrder; ++order) {
+    for (int order = 1; order <= elements::kMaxOrder; ++order) {
         std::vector<Vec3> nodes;
         std::vector<SideBlock> sides;
         for (const double height : {0.0, 0.01}) {
@@ -51,7 +55,7 @@ TEST(SurfacePatches, SheetsOfQuadrilateralsSideBySideAreApart) {
 }
 
 TEST(SurfacePatches, APairOfQuadrilateralsThatCrossIsOne) {
-    for (int order = 1; order <= kMaxOrder; ++order) {
+    for (int order = 1; order <= elements::kMaxOrder; ++order) {
         std::vector<Vec3> nodes;
         std::vector<SideBlock> sides;
         add_sheet(order, Vec3::Zero(), 0.0, nodes, sides);

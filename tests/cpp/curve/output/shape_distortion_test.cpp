@@ -13,6 +13,11 @@
 #include "mesh/quality/triangle_quality.h"
 
 namespace mq::curve {
+
+using elements::Barycentric;
+using elements::Lattice;
+using elements::nodes_to_bezier;
+
 namespace {
 
 /// Largest factor between the bound and the value, with a margin for the samples.
@@ -36,7 +41,7 @@ double eta_at(const Lattice& lattice, const std::vector<Vec3>& control, const Ba
     const int d = lattice.dimension();
     Eigen::MatrixXd map(3, d), ideal(3, d);
     for (int k = 0; k < d; ++k) {
-        map.col(k) = value(lower, derivative(lattice, control, k + 1), at);
+        map.col(k) = elements::value(lower, elements::derivative(lattice, control, k + 1), at);
         ideal.col(k) = regular(Vec3::Unit(k));
     }
     // S = map * ideal^-1; for a triangle in a plane of its own.
@@ -48,7 +53,7 @@ double eta_at(const Lattice& lattice, const std::vector<Vec3>& control, const Ba
 /// The largest value at the points of a lattice that contains corners, edges and sides.
 double sampled(const Lattice& lattice, const std::vector<Vec3>& nodes) {
     const std::vector<Vec3> control = nodes_to_bezier(lattice, nodes);
-    const Lattice& points = Lattice::of(lattice.dimension(), kMaxDegree);
+    const Lattice& points = Lattice::of(lattice.dimension(), elements::kMaxDegree);
     double most = 0.0;
     for (int i = 0; i < points.size(); ++i) {
         most = std::max(most, eta_at(lattice, control, points.node(i)));
@@ -58,7 +63,7 @@ double sampled(const Lattice& lattice, const std::vector<Vec3>& nodes) {
 
 /// Whether a triangle turns back anywhere: near such a line the normal changes abruptly, and bounds stay wide.
 bool turns_back(const Lattice& lattice, const std::vector<Vec3>& nodes) {
-    const NormalForm normal = normal_of(lattice, nodes_to_bezier(lattice, nodes));
+    const elements::NormalForm normal = elements::normal_of(lattice, nodes_to_bezier(lattice, nodes));
     return std::any_of(normal.coefficients.begin(), normal.coefficients.end(),
                        [](const Vec3& c) { return c.z() <= 0.0; });
 }
@@ -148,7 +153,7 @@ TEST(Distortion, OfAMeshByElement) {
     CurvedMesh mesh;
     mesh.order = 2;
     const Lattice& lattice = Lattice::of(3, 2);
-    for (const int point : gmsh_order(lattice)) {
+    for (const int point : elements::gmsh_order(lattice)) {
         const Barycentric b = lattice.node(point);
         mesh.tetrahedra.push_back(static_cast<std::int32_t>(mesh.nodes.size()));
         mesh.nodes.push_back(regular(Vec3(b[1], b[2], b[3])));
@@ -159,7 +164,7 @@ TEST(Distortion, OfAMeshByElement) {
     EXPECT_NEAR(found[0], 1.0, 1e-9);
 
     const Lattice& flat = Lattice::of(2, 2);
-    for (const int point : gmsh_order(flat)) {
+    for (const int point : elements::gmsh_order(flat)) {
         const Barycentric b = flat.node(point);
         mesh.triangles.push_back(static_cast<std::int32_t>(mesh.nodes.size()));
         mesh.nodes.push_back(regular(Vec3(b[1], b[2], 0.0)));

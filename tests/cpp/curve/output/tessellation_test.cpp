@@ -15,6 +15,10 @@
 #include "mesh/quality/mesh_report.h"
 
 namespace mq::curve {
+
+using elements::Barycentric;
+using elements::Lattice;
+
 namespace {
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -58,9 +62,9 @@ double measured_deviation(const CurvedMesh& mesh, const Tessellation& flat) {
     };
     double most = 0.0;
     for (std::size_t t = 0; t < parts.size(); ++t) {
-        const auto control = nodes_to_bezier(lattice, nodes_of(mesh, mesh.triangles, t, lattice));
+        const auto control = elements::nodes_to_bezier(lattice, nodes_of(mesh, mesh.triangles, t, lattice));
         for (const Barycentric& at : samples(9)) {
-            const Vec3 p = value(lattice, control, at);
+            const Vec3 p = elements::value(lattice, control, at);
             double nearest = 1e300;
             for (const std::size_t i : parts[t]) {
                 nearest = std::min(nearest, distance_to_triangle(p, point(i, 0), point(i, 1), point(i, 2)));
@@ -73,13 +77,13 @@ double measured_deviation(const CurvedMesh& mesh, const Tessellation& flat) {
 
 /// Each run of vertices follows edges of the triangles, and they are as many as the curved triangles have edges.
 void expect_edge_lines(const CurvedMesh& mesh, const Tessellation& flat) {
-    std::set<EdgeKey> edges;
+    std::set<elements::EdgeKey> edges;
     for (const mesh::Triangle& t : flat.mesh.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             edges.insert(pair_key(t[k], t[(k + 1) % 3]));
         }
     }
-    std::set<EdgeKey> sides;
+    std::set<elements::EdgeKey> sides;
     const auto width = static_cast<std::size_t>(mesh.nodes_per_triangle());
     for (std::size_t t = 0; t < mesh.triangle_face.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -181,11 +185,11 @@ CurvedMesh pair_of(int order, double size, std::mt19937& random) {
     const Lattice& lattice = Lattice::of(2, order);
     CurvedMesh mesh;
     mesh.order = order;
-    const std::vector<int> gmsh = gmsh_order(lattice);
+    const std::vector<int> gmsh = elements::gmsh_order(lattice);
     std::map<std::array<int, 2>, int> known;  // by place in a square
     for (int half = 0; half < 2; ++half) {
         for (const int i : gmsh) {
-            const Exponents& e = lattice.exponents(i);
+            const elements::Exponents& e = lattice.exponents(i);
             const std::array<int, 2> place =
                 half == 0 ? std::array<int, 2>{e[1], e[2]} : std::array<int, 2>{order - e[1], order - e[2]};
             const auto [found, fresh] = known.try_emplace(place, static_cast<int>(mesh.nodes.size()));

@@ -28,11 +28,11 @@ Folded fold_an_edge(PlacedCurvedSurface& placed, const char* type) {
 }
 
 void expect_nodes_on_cylinder(const PlacedCurvedSurface& placed, int a, int b) {
-    const CurvedShapes& shapes = placed.surface.shapes;
+    const elements::CurvedShapes& shapes = placed.surface.shapes;
     std::vector<Vec3> control = shapes.edge_inner(a, b);
     control.insert(control.begin(), placed.editor.point(a));
     control.push_back(placed.editor.point(b));
-    for (const Vec3& node : bezier_to_nodes(Lattice::of(1, shapes.order()), control)) {
+    for (const Vec3& node : elements::bezier_to_nodes(elements::Lattice::of(1, shapes.order()), control)) {
         EXPECT_NEAR(node.head<2>().norm(), 1.0, 1e-9);
     }
 }

@@ -133,16 +133,16 @@ TEST(RegionOperations, FaceNodesGiveWayToACurvedEdge) {
 }
 
 TEST(RegionOperations, TheAverageOfTheCentroids) {
-    CurvedShapes shapes(3);
+    elements::CurvedShapes shapes(3);
     shapes.vertices = {{Vec3(0.0, 0.0, 0.0), {3, 0}}, {Vec3(1.0, 0.0, 0.0), {3, 0}}, {Vec3(0.0, 1.0, 0.0), {3, 0}}};
     const std::array<int, 3> face{0, 1, 2};
     EXPECT_LT((average_of_centroids(shapes, face)[0] - Vec3(1.0 / 3.0, 1.0 / 3.0, 0.0)).norm(), 1e-12);
     shapes.set_edge(0, 1, {Vec3(0.3, 0.5, 0.7), Vec3(0.9, 0.4, 0.2)});
-    const Lattice& lattice = Lattice::of(2, 3);
+    const elements::Lattice& lattice = elements::Lattice::of(2, 3);
     shapes.set_face(face, average_of_centroids(shapes, face));
     std::vector<Vec3> control;
     shapes.triangle(face, control);
-    const std::vector<Vec3> nodes = bezier_to_nodes(lattice, control);
+    const std::vector<Vec3> nodes = elements::bezier_to_nodes(lattice, control);
     Vec3 average = Vec3::Zero();
     for (int i = 0; i < lattice.size(); ++i) {
         average += (lattice.carriers(i) == 3 ? 0.0 : 1.0 / 9.0) * nodes[static_cast<std::size_t>(i)];
@@ -152,7 +152,7 @@ TEST(RegionOperations, TheAverageOfTheCentroids) {
 
 TEST(RegionOperations, TheAverageOfTheCentroidsKeepsStraightFacesStraight) {
     for (const int order : {3, 4}) {
-        CurvedShapes shapes(order);
+        elements::CurvedShapes shapes(order);
         shapes.vertices = {{Vec3(0.0, 0.1, 0.0), {3, 0}}, {Vec3(1.0, 0.0, 0.5), {3, 0}}, {Vec3(0.0, 1.0, 0.2), {3, 0}}};
         const std::array<int, 3> face{0, 1, 2};
         std::vector<Vec3> blended;

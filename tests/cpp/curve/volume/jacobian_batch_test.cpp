@@ -8,6 +8,9 @@
 #include "elements/bezier/jacobian.h"
 
 namespace mq::curve {
+
+using elements::Lattice;
+
 namespace {
 
 using Elements = std::array<std::vector<Vec3>, kLanes>;
@@ -18,7 +21,7 @@ Elements random_elements(const Lattice& lattice) {
     Elements elements;
     for (std::vector<Vec3>& control : elements) {
         for (int i = 0; i < lattice.size(); ++i) {
-            const Barycentric b = lattice.node(i);
+            const elements::Barycentric b = lattice.node(i);
             control.emplace_back(b[1] + uniform(random), b[2] + uniform(random), b[3] + uniform(random));
         }
     }
@@ -45,7 +48,7 @@ TEST(JacobianBatch, IsTheJacobianOfEachElement) {
         JacobianBatch batch(lattice);
         put(elements, batch);
         for (std::size_t lane = 0; lane < elements.size(); ++lane) {
-            const std::vector<double> expected = jacobian_of(lattice, elements[lane]).coefficients;
+            const std::vector<double> expected = elements::jacobian_of(lattice, elements[lane]).coefficients;
             ASSERT_EQ(batch.coefficients.size(), expected.size());
             for (std::size_t k = 0; k < expected.size(); ++k) {
                 EXPECT_NEAR(batch.coefficients[k][static_cast<Eigen::Index>(lane)], expected[k], 1e-12);

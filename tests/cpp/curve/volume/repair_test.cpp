@@ -131,7 +131,7 @@ TEST(TetrahedraliseSolids, TheFirstSolidThatCannotBeFilledIsNamed) {
 
 TEST(TetrahedralMesh, AFlatElementIsToHaveTheJacobianOfOneThatIsNot) {
     Filled filled(geometry::make_shape_model(BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape()), 2);
-    std::vector<Vertex>& vertices = filled.volume.shapes().vertices;
+    std::vector<elements::Vertex>& vertices = filled.volume.shapes().vertices;
     const std::array<int, 4> corners = filled.volume.tetrahedra.front().corners;
     const auto place = [&](std::size_t k) -> Vec3& { return vertices[static_cast<std::size_t>(corners[k])].point; };
     place(0) = Vec3::Zero();

@@ -61,7 +61,7 @@ TEST(Straighten, TrianglesThatStayInvalidBecomeStraightAndNoOthers) {
     const std::set<int> done = straighten_triangles(filled.surface_editor);
     EXPECT_TRUE(invalid_triangles(surface).empty());
     EXPECT_LT(done.size(), surface.alive() / 4);
-    std::set<EdgeKey> straight;
+    std::set<elements::EdgeKey> straight;
     for (const int t : done) {
         const auto& c = surface.triangles[static_cast<std::size_t>(t)].corners;
         straight.insert({pair_key(c[0], c[1]), pair_key(c[1], c[2]), pair_key(c[2], c[0])});

@@ -5,7 +5,12 @@
 
 #include "curve/elements.h"
 
-namespace mq::curve {
+namespace mq::elements {
+
+using curve::nodes_of;
+using curve::perturbed;
+using curve::random_point;
+
 namespace {
 
 TEST(Bernstein, NodesAndControlPointsAreTheSamePolynomial) {
@@ -104,4 +109,4 @@ TEST(Bernstein, HalvesAreTheSamePolynomial) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -7,7 +7,7 @@
 
 #include "curve/elements.h"
 
-namespace mq::curve {
+namespace mq::elements {
 namespace {
 
 /// A polynomial map of the degree with random coefficients that grow smaller with the degree.
@@ -32,7 +32,7 @@ std::function<Vec3(const Vec3&)> random_map(int degree, std::mt19937& random) {
 /// The control points of the map, with the inner ones blended from the others; and how far that moved them.
 double moved_by_blending(int dimension, int order, const std::function<Vec3(const Vec3&)>& map) {
     const Lattice& lattice = Lattice::of(dimension, order);
-    const std::vector<Vec3> exact = nodes_to_bezier(lattice, nodes_of(lattice, map));
+    const std::vector<Vec3> exact = nodes_to_bezier(lattice, curve::nodes_of(lattice, map));
     std::vector<Vec3> control = exact;
     for (int i = 0; i < lattice.size(); ++i) {
         if (lattice.carriers(i) == dimension + 1) {
@@ -71,9 +71,9 @@ TEST(Blending, TheGradientFollowsTheInnerControlPoints) {
         blend_tetrahedron(lattice, control);
         return control;
     };
-    const std::vector<Vec3> control = perturbed(nodes_of(lattice, identity), 0.3, random);
+    const std::vector<Vec3> control = curve::perturbed(curve::nodes_of(lattice, identity), 0.3, random);
     // The function is the sum of all products of the control points with fixed weights.
-    const std::vector<Vec3> weights = perturbed(std::vector<Vec3>(control.size(), Vec3::Zero()), 1.0, random);
+    const std::vector<Vec3> weights = curve::perturbed(std::vector<Vec3>(control.size(), Vec3::Zero()), 1.0, random);
     const auto value_of = [&](const std::vector<Vec3>& c) {
         double sum = 0.0;
         for (std::size_t i = 0; i < c.size(); ++i) {
@@ -96,4 +96,4 @@ TEST(Blending, TheGradientFollowsTheInnerControlPoints) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -6,7 +6,7 @@
 #include "curve/elements.h"
 #include "elements/bezier/jacobian.h"
 
-namespace mq::curve {
+namespace mq::elements {
 namespace {
 
 /// The edges of a tetrahedron by their corners.
@@ -14,7 +14,7 @@ constexpr std::array<std::array<std::size_t, 2>, 6> kEdges{{{0, 1}, {0, 2}, {0, 
 
 std::vector<Vec3> with_edge_moved(std::size_t edge, const Vec3& by) {
     const Lattice& lattice = Lattice::of(3, 2);
-    std::vector<Vec3> nodes = nodes_of(lattice, identity);
+    std::vector<Vec3> nodes = curve::nodes_of(lattice, identity);
     Exponents e{};
     e[kEdges[edge][0]] = 1;
     e[kEdges[edge][1]] = 1;
@@ -51,7 +51,7 @@ TEST(Locality, AValidElementHasNoCandidates) {
 TEST(Locality, ABadCornerBlamesItsThreeEdges) {
     // The tangent of edge (0, 1) at corner 0 turns backwards; everywhere else J stays positive.
     const Lattice& lattice = Lattice::of(3, 3);
-    std::vector<Vec3> control = nodes_to_bezier(lattice, nodes_of(lattice, identity));
+    std::vector<Vec3> control = nodes_to_bezier(lattice, curve::nodes_of(lattice, identity));
     control[static_cast<std::size_t>(lattice.index({2, 1, 0, 0}))] = Vec3(-0.01, 0.0, 0.0);
     const CandidateEdges marks = candidate_edges(lattice, control);
     const CandidateEdges expected{true, true, true, false, false, false};
@@ -64,4 +64,4 @@ TEST(Locality, ABadInsideBlamesAll) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -5,10 +5,10 @@
 
 #include "elements/bezier/jacobian.h"
 
-namespace mq::curve {
+namespace mq::elements {
 
 inline JacobianForm form_of(const Lattice& lattice, const std::vector<Vec3>& nodes) {
     return jacobian_of(lattice, nodes_to_bezier(lattice, nodes));
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

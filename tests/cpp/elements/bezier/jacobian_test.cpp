@@ -11,7 +11,10 @@
 #include "elements/bezier/jacobian_of_nodes.h"
 #include "elements/bezier/validity.h"
 
-namespace mq::curve {
+namespace mq::elements {
+
+using curve::nodes_of;
+
 namespace {
 
 TEST(Jacobian, OfAnAffineMapIsItsDeterminant) {
@@ -60,10 +63,10 @@ TEST(Jacobian, PolynomialIsTheDeterminantEverywhere) {
     for (int order = 2; order <= 4; ++order) {
         const Lattice& lattice = Lattice::of(3, order);
         const std::vector<Vec3> control =
-            nodes_to_bezier(lattice, perturbed(nodes_of(lattice, identity), 0.2 / order, random));
+            nodes_to_bezier(lattice, curve::perturbed(nodes_of(lattice, identity), 0.2 / order, random));
         const JacobianForm form = jacobian_of(lattice, control);
         for (int i = 0; i < 50; ++i) {
-            const Barycentric at = random_point(3, random);
+            const Barycentric at = curve::random_point(3, random);
             EXPECT_NEAR(value(form.lattice->factor(0), form.coefficients, at), jacobian_at(lattice, control, at),
                         1e-12);
         }
@@ -71,4 +74,4 @@ TEST(Jacobian, PolynomialIsTheDeterminantEverywhere) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -8,7 +8,7 @@
 #include "curve/elements.h"
 #include "elements/product/polynomial_map.h"
 
-namespace mq::curve {
+namespace mq::elements {
 namespace {
 
 TEST(ProductLattice, HalvesAreTheSamePolynomial) {
@@ -22,7 +22,7 @@ TEST(ProductLattice, HalvesAreTheSamePolynomial) {
     for (const auto& [f, a, b] : {std::array<int, 3>{0, 0, 2}, {0, 2, 1}, {1, 0, 1}}) {
         const auto [first, second] = prism.halve(c, f, a, b);
         for (int i = 0; i < 20; ++i) {
-            ProductPoint inside{random_point(2, random), random_point(1, random), Barycentric{}};
+            ProductPoint inside{curve::random_point(2, random), curve::random_point(1, random), Barycentric{}};
             // A point of the first half keeps corner a: half of the weight of b goes there.
             ProductPoint whole = inside;
             auto& moved = whole[static_cast<std::size_t>(f)];
@@ -52,4 +52,4 @@ TEST(ProductLattice, IndicesAndCorners) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

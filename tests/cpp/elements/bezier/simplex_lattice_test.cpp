@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 
-namespace mq::curve {
+namespace mq::elements {
 namespace {
 
 TEST(Lattice, HoldsEveryPointOnce) {
@@ -27,4 +27,4 @@ TEST(Lattice, HoldsEveryPointOnce) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

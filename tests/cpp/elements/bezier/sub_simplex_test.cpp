@@ -5,7 +5,7 @@
 
 #include <Eigen/LU>
 
-namespace mq::curve {
+namespace mq::elements {
 namespace {
 
 double volume(const SimplexPart& part) {
@@ -51,4 +51,4 @@ TEST(SubSimplex, RepeatedHalvingMakesPartsSmallInAllDirections) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -6,7 +6,10 @@
 #include "curve/elements.h"
 #include "elements/bezier/jacobian_of_nodes.h"
 
-namespace mq::curve {
+namespace mq::elements {
+
+using curve::nodes_of;
+
 namespace {
 
 /// The unit tetrahedron pressed against x = c: J = (x - c)^2 + h.
@@ -49,7 +52,7 @@ TEST(Validity, AgreesWithDenseSampling) {
         const int order = 2 + i % 3;
         const Lattice& lattice = Lattice::of(3, order);
         const std::vector<Vec3> control =
-            nodes_to_bezier(lattice, perturbed(nodes_of(lattice, identity), 0.35 / order, random));
+            nodes_to_bezier(lattice, curve::perturbed(nodes_of(lattice, identity), 0.35 / order, random));
         const Validity verdict = check_positive(jacobian_of(lattice, control));
         double least = 1e300;
         const Lattice& samples = Lattice::of(3, 10);
@@ -95,4 +98,4 @@ TEST(Validity, NotANumberIsInvalid) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

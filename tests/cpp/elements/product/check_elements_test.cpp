@@ -13,7 +13,7 @@
 #include "curve/elements.h"
 #include "elements/product/polynomial_map.h"
 
-namespace mq::curve {
+namespace mq::elements {
 namespace {
 
 std::vector<std::int32_t> counted(std::size_t n) {
@@ -174,7 +174,7 @@ TEST(CheckElements, Pyramids) {
 
 /// A point of a simplex, often on its boundary, with a chance of one in three for each side.
 Barycentric often_on_boundary(int dimension, std::mt19937& random) {
-    Barycentric b = random_point(dimension, random);
+    Barycentric b = curve::random_point(dimension, random);
     for (std::size_t k = 0; k <= static_cast<std::size_t>(dimension); ++k) {
         if (random() % 3 == 0 && b[k] < 0.9) {
             const double rest = 1.0 - b[k];
@@ -196,7 +196,7 @@ ProductPoint sample(ElementKind kind, std::mt19937& random) {
     place[0] = often_on_boundary(kind == ElementKind::Prism ? 2 : 1, random);
     place[1] = often_on_boundary(1, random);
     // The formula of pyramids has no value at the apex.
-    place[2] = kind == ElementKind::Pyramid ? random_point(1, random) : often_on_boundary(1, random);
+    place[2] = kind == ElementKind::Pyramid ? curve::random_point(1, random) : often_on_boundary(1, random);
     return place;
 }
 
@@ -325,4 +325,4 @@ TEST(CheckElements, CanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

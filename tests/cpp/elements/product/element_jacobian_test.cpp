@@ -10,13 +10,13 @@
 #include "curve/elements.h"
 #include "elements/product/polynomial_map.h"
 
-namespace mq::curve {
+namespace mq::elements {
 namespace {
 
 ProductPoint random_place(const ProductLattice& lattice, std::mt19937& random) {
     ProductPoint p{};
     for (int f = 0; f < lattice.factors(); ++f) {
-        p[static_cast<std::size_t>(f)] = random_point(lattice.factor(f).dimension(), random);
+        p[static_cast<std::size_t>(f)] = curve::random_point(lattice.factor(f).dimension(), random);
     }
     return p;
 }
@@ -95,4 +95,4 @@ TEST(ElementJacobian, RefusesOtherNumbersOfNodes) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "elements/product/polynomial_map.h"
 
-namespace mq::curve {
+namespace mq::elements {
 namespace {
 
 TEST(ElementKind, NamesGoBothWays) {
@@ -28,4 +28,4 @@ TEST(ElementKind, NodeCounts) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -10,7 +10,7 @@
 #include "elements/product/element_derivatives.h"
 #include "elements/product/reference_nodes.h"
 
-namespace mq::curve {
+namespace mq::elements {
 namespace {
 
 TEST(NodeCells, FillTheElement) {
@@ -48,4 +48,4 @@ TEST(AllNodes, OfSerendipityElementsAreThoseOfTheStraightOne) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

@@ -10,7 +10,7 @@
 #include "elements/product/reference_nodes.h"
 
 /// Elements that are images of the reference element under a known map, and their Jacobians by formula.
-namespace mq::curve {
+namespace mq::elements {
 
 constexpr std::array<ElementKind, 6> kAllKinds{ElementKind::Triangle,    ElementKind::Quadrilateral,
                                                ElementKind::Tetrahedron, ElementKind::Pyramid,
@@ -134,4 +134,4 @@ inline double value_at(const ProductLattice& lattice, const std::vector<double>&
     return sum;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::elements

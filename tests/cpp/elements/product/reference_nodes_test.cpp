@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "elements/product/polynomial_map.h"
 
-namespace mq::curve {
+namespace mq::elements {
 namespace {
 
 /// The nodes from `first` on, each by its three whole numbers.
@@ -120,4 +120,4 @@ TEST(VtkOrder, HasEveryNodeOnceAndItsOwnEdges) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

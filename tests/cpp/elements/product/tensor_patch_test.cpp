@@ -8,7 +8,7 @@
 #include "elements/bezier/bernstein.h"
 #include "elements/product/reference_nodes.h"
 
-namespace mq::curve {
+namespace mq::elements {
 namespace {
 
 /// A polynomial map of degree `order` along u and v each.
@@ -81,4 +81,4 @@ TEST(TensorPatch, TheNinthNodeFollowsFromEight) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::elements

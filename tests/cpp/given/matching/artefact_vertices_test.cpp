@@ -7,7 +7,7 @@
 
 #include "geometry/analytic/analytic_model.h"
 
-namespace mq::curve {
+namespace mq::given {
 namespace {
 
 /// The numbers of artefacts and of all CAD vertices.
@@ -30,4 +30,4 @@ TEST(ArtefactVertices, AreNoCornersPolesOrApexes) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

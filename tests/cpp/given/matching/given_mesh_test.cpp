@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace mq::curve {
+namespace mq::given {
 namespace {
 
 /// Two tetrahedra on either side of the triangle (1, 2, 3).
@@ -99,4 +99,4 @@ TEST(GivenMesh, FaultsAreNamed) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

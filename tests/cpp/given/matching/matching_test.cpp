@@ -20,7 +20,11 @@
 #include "geometry/parts.h"
 #include "given/simplices/given.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using curve::curved;
+using curve::of_order;
+
 namespace {
 
 MatchedMesh matched(const std::shared_ptr<geometry::Model>& model, const GivenMesh& mesh) {
@@ -40,7 +44,7 @@ std::string refusal(const std::shared_ptr<geometry::Model>& model, const GivenMe
 
 TEST(Matching, FindsTheEntitiesThatTheMeshWasMadeOn) {
     for (const geometry::Part& part : geometry::shape_parts()) {
-        const CurvedMesh mesh = curved(part.model, of_order(1));
+        const curve::CurvedMesh mesh = curved(part.model, of_order(1));
         const MatchedMesh found = matched(part.model, given_of(mesh));
         ASSERT_EQ(found.surface.triangles.size(), mesh.triangle_face.size()) << part.name;
         for (std::size_t t = 0; t < mesh.triangle_face.size(); ++t) {
@@ -87,7 +91,7 @@ TEST(Matching, BodiesThatTouchAreToldApart) {
     builder.Add(both, BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape());
     builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 0), 1.0, 1.0, 1.0).Shape());
     const auto model = geometry::make_shape_model(both);
-    const CurvedMesh mesh = curved(model, of_order(1));
+    const curve::CurvedMesh mesh = curved(model, of_order(1));
     const MatchedMesh found = matched(model, given_of(mesh));
     for (std::size_t t = 0; t < mesh.triangle_face.size(); ++t) {
         EXPECT_EQ(found.surface.triangles[t].face, mesh.triangle_face[t]);
@@ -142,4 +146,4 @@ TEST(Matching, AMeshOfAFilletedPartIsRefusedOnThePlainOne) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -7,7 +7,7 @@
 
 #include "curve/volume/tetrahedral_mesh.h"
 
-namespace mq::curve {
+namespace mq::given {
 namespace {
 
 /// The surface of tetrahedra that share nodes.
@@ -15,7 +15,7 @@ GivenMesh surfaces_of(std::vector<Vec3> nodes, const std::vector<std::array<int,
     GivenMesh mesh;
     mesh.nodes = std::move(nodes);
     for (const auto& corners : tetrahedra) {
-        for (const auto& face : outward_faces(corners)) {
+        for (const auto& face : curve::outward_faces(corners)) {
             mesh.triangles.push_back(face);
         }
     }
@@ -92,4 +92,4 @@ TEST(TouchingBodies, TetrahedraStayTogether) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -14,12 +14,12 @@
 #include "geometry/occt/shape_model.h"
 #include "given/mixed/blocks.h"
 
-namespace mq::curve {
+namespace mq::given {
 namespace {
 
 CurvedMixedMesh curved(const TopoDS_Shape& shape, const MixedMesh& given, int order) {
     geometry::Engine engine(geometry::Engine::Mode::Direct);
-    CurveOptions options;
+    curve::CurveOptions options;
     options.order = order;
     return curve_mixed(engine, geometry::make_shape_model(shape), given, options);
 }
@@ -46,10 +46,11 @@ TEST(CurveMixed, ThinLayersFollowTheirWall) {
         EXPECT_TRUE(mesh.moved_nodes.empty()) << order;
         EXPECT_NEAR(mesh.report.volume, 1.5 * M_PI, 0.02 * std::pow(0.2, order - 2)) << order;
         for (const ElementBlock& block : mesh.blocks) {
-            const ElementVerdicts found =
-                check_elements(block.kind, order, mesh.nodes, block.nodes, full_node_count(block.kind, order));
+            const elements::ElementVerdicts found = elements::check_elements(
+                block.kind, order, mesh.nodes, block.nodes, elements::full_node_count(block.kind, order));
             for (const std::uint8_t verdict : found.verdict) {
-                EXPECT_EQ(verdict, static_cast<std::uint8_t>(Verdict::Valid)) << name_of(block.kind) << " " << order;
+                EXPECT_EQ(verdict, static_cast<std::uint8_t>(elements::Verdict::Valid))
+                    << elements::name_of(block.kind) << " " << order;
             }
         }
         for (std::size_t v = 0; v < mesh.given_node.size(); ++v) {
@@ -68,7 +69,7 @@ TEST(CurveMixed, StraighteningLeavesWhatItDoesNotHelp) {
     inner->y() = 1.8;
     const auto run = [&](bool straighten) {
         geometry::Engine engine(geometry::Engine::Mode::Direct);
-        CurveOptions options;
+        curve::CurveOptions options;
         options.order = 2;
         options.straighten = straighten;
         return curve_mixed(engine, geometry::make_shape_model(half_pipe()), given, options);
@@ -110,4 +111,4 @@ TEST(CurveMixed, OrdersAndMeshesThatAreNotPossibleAreRefused) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -11,7 +11,10 @@
 #include "elements/product/reference_nodes.h"
 #include "given/mixed/blocks.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
+
 namespace {
 
 double volume_of(const GivenMesh& mesh) {
@@ -31,7 +34,7 @@ TEST(MixedMesh, EveryKindIsDividedIntoPositiveTetrahedraWhateverItsNumbers) {
                                                 {ElementKind::Hexahedron, 8.0}};
     for (const auto& [kind, volume] : volumes) {
         for (int round = 0; round < 20; ++round) {
-            const std::vector<Vec3> places = reference_nodes(kind, 1);
+            const std::vector<Vec3> places = elements::reference_nodes(kind, 1);
             std::vector<std::int32_t> number(places.size());
             for (std::size_t i = 0; i < number.size(); ++i) {
                 number[i] = static_cast<std::int32_t>(i);
@@ -47,7 +50,7 @@ TEST(MixedMesh, EveryKindIsDividedIntoPositiveTetrahedraWhateverItsNumbers) {
             }
             mesh.elements.push_back(element);
             const Simplices simplices = divided_into_simplices(mesh);
-            EXPECT_NEAR(volume_of(simplices.mesh), volume, 1e-12) << name_of(kind);
+            EXPECT_NEAR(volume_of(simplices.mesh), volume, 1e-12) << elements::name_of(kind);
         }
     }
 }
@@ -95,4 +98,4 @@ TEST(MixedMesh, FaultsAreNamed) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

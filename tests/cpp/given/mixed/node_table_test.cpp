@@ -8,13 +8,16 @@
 #include "elements/product/reference_nodes.h"
 #include "given/mixed/blocks.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
+
 namespace {
 
 TEST(NodeTable, NodesOfStraightElementsAreThoseOfTheReferenceElement) {
     for (const ElementKind kind : {ElementKind::Triangle, ElementKind::Quadrilateral, ElementKind::Tetrahedron,
                                    ElementKind::Pyramid, ElementKind::Prism, ElementKind::Hexahedron}) {
-        const std::vector<Vec3> corners = reference_nodes(kind, 1);
+        const std::vector<Vec3> corners = elements::reference_nodes(kind, 1);
         std::vector<std::int32_t> numbers;
         for (std::size_t i = 0; i < corners.size(); ++i) {
             numbers.push_back(static_cast<std::int32_t>(i));
@@ -22,11 +25,11 @@ TEST(NodeTable, NodesOfStraightElementsAreThoseOfTheReferenceElement) {
         for (int order = 1; order <= 4; ++order) {
             NodeTable table(order, corners);
             const std::vector<std::int32_t> nodes = table.nodes_of(kind, numbers.data());
-            const std::vector<Vec3> places = reference_nodes(kind, order);
+            const std::vector<Vec3> places = elements::reference_nodes(kind, order);
             ASSERT_EQ(nodes.size(), places.size());
             for (std::size_t i = 0; i < nodes.size(); ++i) {
                 EXPECT_NEAR((table.straight()[static_cast<std::size_t>(nodes[i])] - places[i]).norm(), 0.0, 1e-12)
-                    << name_of(kind) << " " << order << " " << i;
+                    << elements::name_of(kind) << " " << order << " " << i;
             }
         }
     }
@@ -52,4 +55,4 @@ TEST(NodeTable, NeighboursShareTheNodesOfTheirFace) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

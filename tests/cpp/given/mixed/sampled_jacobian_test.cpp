@@ -8,7 +8,11 @@
 #include "elements/product/element_jacobian.h"
 #include "elements/product/reference_nodes.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
+using elements::name_of;
+
 namespace {
 
 constexpr std::array<ElementKind, 4> kSolids{ElementKind::Tetrahedron, ElementKind::Pyramid, ElementKind::Prism,
@@ -19,7 +23,7 @@ TEST(SampledJacobian, DerivativesAreThoseOfDifferences) {
     std::uniform_real_distribution<double> any(-0.1, 0.1);
     for (const ElementKind kind : kSolids) {
         for (int order = 1; order <= 3; ++order) {
-            std::vector<Vec3> nodes = reference_nodes(kind, order);
+            std::vector<Vec3> nodes = elements::reference_nodes(kind, order);
             for (Vec3& p : nodes) {
                 p += Vec3(any(random), any(random), any(random));
             }
@@ -55,8 +59,8 @@ TEST(ElementVolume, IsThatOfTheReferenceElementAndScales) {
     const std::array<double, 4> volumes{1.0 / 6.0, 4.0 / 3.0, 1.0, 8.0};
     for (std::size_t k = 0; k < kSolids.size(); ++k) {
         for (int order = 1; order <= 3; ++order) {
-            std::vector<Vec3> nodes = reference_nodes(kSolids[k], order);
-            const ElementJacobian jacobian(kSolids[k], order, static_cast<int>(nodes.size()));
+            std::vector<Vec3> nodes = elements::reference_nodes(kSolids[k], order);
+            const elements::ElementJacobian jacobian(kSolids[k], order, static_cast<int>(nodes.size()));
             EXPECT_NEAR(jacobian.volume(nodes), volumes[k], 1e-12) << name_of(kSolids[k]) << " " << order;
             for (Vec3& p : nodes) {
                 p = Vec3(7.0 * p.x(), 11.0 * p.y(), 13.0 * p.z() + 2.0 * p.x());
@@ -67,4 +71,4 @@ TEST(ElementVolume, IsThatOfTheReferenceElementAndScales) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -7,7 +7,7 @@
 
 #include "given/mixed/blocks.h"
 
-namespace mq::curve {
+namespace mq::given {
 namespace {
 
 TEST(SideRows, FacesFollowOneAnotherFromWallToWallOrToTheTop) {
@@ -51,4 +51,4 @@ TEST(SideRows, EdgesEndWhereQuadrilateralsDo) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

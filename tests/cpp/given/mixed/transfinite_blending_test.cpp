@@ -5,14 +5,17 @@
 
 #include "elements/product/reference_nodes.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
+
 namespace {
 
 /// Sets the nodes by a map, and expects the inner ones from the others.
 template <typename Map>
 void expect_reproduced(ElementKind kind, int order, const Map& map) {
     std::vector<Vec3> nodes;
-    for (const Vec3& p : reference_nodes(kind, order)) {
+    for (const Vec3& p : elements::reference_nodes(kind, order)) {
         nodes.push_back(map(p));
     }
     const std::vector<Vec3> wanted = nodes;
@@ -21,7 +24,7 @@ void expect_reproduced(ElementKind kind, int order, const Map& map) {
     }
     Blending::of(kind, order).apply(nodes);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        EXPECT_NEAR((nodes[i] - wanted[i]).norm(), 0.0, 1e-9) << name_of(kind) << " " << order << " " << i;
+        EXPECT_NEAR((nodes[i] - wanted[i]).norm(), 0.0, 1e-9) << elements::name_of(kind) << " " << order << " " << i;
     }
 }
 
@@ -46,4 +49,4 @@ TEST(InnerNodes, WhatIsLinearFromBottomToTopStaysSo) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
-namespace mq::curve {
+namespace mq::given {
+
+using elements::ElementKind;
+
 namespace {
 
 /// Lines of elements: 0 and 1 share node 1, element 2 stands alone.
@@ -33,4 +36,4 @@ TEST(KeptChanges, GroupsThatGainStayWhole) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -7,14 +7,14 @@
 #include "curve/checks.h"
 #include "geometry/analytic/analytic_model.h"
 
-namespace mq::curve {
+namespace mq::given {
 namespace {
 
 TEST(CadDistance, OfAWholeMeshIsThatOfItsTriangles) {
     geometry::Engine engine;
     for (int order = 1; order <= 4; ++order) {
         const auto model = geometry::make_sphere(1.0);
-        const CurvedMesh mesh = curved(model, of_order(order));
+        const curve::CurvedMesh mesh = curve::curved(model, curve::of_order(order));
         const CadDistances found = cad_distances(engine, model, mesh.nodes, order, mesh.triangles);
         ASSERT_EQ(found.of_face.size(), 1u);
         EXPECT_LT(found.of_face[0], 1.2 * mesh.report.max_deviation + 1e-12) << order;
@@ -27,7 +27,7 @@ TEST(CadDistance, OfAWholeMeshIsThatOfItsTriangles) {
 TEST(CadDistance, OfAHoleIsItsDepth) {
     geometry::Engine engine;
     const auto model = geometry::make_sphere(1.0);
-    CurvedMesh mesh = curved(model, of_order(2));
+    curve::CurvedMesh mesh = curve::curved(model, curve::of_order(2));
     std::vector<std::int32_t> kept;
     for (std::size_t t = 0; t < mesh.triangles.size(); t += 6) {
         const Vec3& corner = mesh.nodes[static_cast<std::size_t>(mesh.triangles[t])];
@@ -47,4 +47,4 @@ TEST(CadDistance, OfNoTrianglesIsRefused) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -20,7 +20,13 @@
 #include "given/simplices/given.h"
 #include "given/simplices/measure_given.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using curve::curved;
+using curve::CurvedMesh;
+using curve::of_order;
+using curve::to_text;
+
 namespace {
 
 CurvedMesh curved_anew(const std::shared_ptr<geometry::Model>& model, const GivenMesh& given, int order) {
@@ -48,7 +54,7 @@ TEST(CurveGiven, TetrahedraAreValidConformingAndMostlyTheGivenOnes) {
             const CurvedMesh mesh = curved_anew(model, given, order);
             EXPECT_EQ(mesh.report.invalid, 0u) << name << " " << order << "\n" << to_text(mesh.report);
             if (given.triangles.size() == surface_of(single_body(given)).size()) {
-                expect_conforming(mesh);  // what it knows is for one body
+                curve::expect_conforming(mesh);  // what it knows is for one body
             }
             EXPECT_NEAR(volume_of(mesh), mesh.report.volume, 1e-9) << name << " " << order;
             const auto kept = std::count_if(mesh.given_element.begin(), mesh.given_element.end(),
@@ -75,7 +81,7 @@ TEST(CurveGiven, ElementsThatTheGivenProgramLeftInvertedAreReplaced) {
     given.nodes[inner] += Vec3(0.5, 0.3, 0.2);  // through the elements beside
     const CurvedMesh mesh = curved_anew(model, given, 2);
     EXPECT_EQ(mesh.report.invalid, 0u) << to_text(mesh.report);
-    expect_conforming(mesh);
+    curve::expect_conforming(mesh);
     EXPECT_NEAR(volume_of(mesh), mesh.report.volume, 1e-9);
 }
 
@@ -147,4 +153,4 @@ TEST(MeasureGiven, KnowsWhatTheMeshIsLike) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

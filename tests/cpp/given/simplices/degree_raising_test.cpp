@@ -10,18 +10,23 @@
 #include "curve/measuring.h"
 #include "curve/volume/filled_solid.h"
 
-namespace mq::curve {
+namespace mq::given {
+
+using curve::Filled;
+using elements::Barycentric;
+
 namespace {
 
 template <std::size_t N>
-Vec3 point_of(const CurvedShapes& shapes, const std::array<int, N>& corners, const Barycentric& at) {
+Vec3 point_of(const elements::CurvedShapes& shapes, const std::array<int, N>& corners, const Barycentric& at) {
     std::vector<Vec3> control;
     if constexpr (N == 3) {
         shapes.triangle(corners, control);
     } else {
         shapes.tetrahedron(corners, control);
     }
-    const std::vector<double> weights = bernstein_values(Lattice::of(static_cast<int>(N) - 1, shapes.order()), at);
+    const std::vector<double> weights =
+        elements::bernstein_values(elements::Lattice::of(static_cast<int>(N) - 1, shapes.order()), at);
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < control.size(); ++i) {
         sum += weights[i] * control[i];
@@ -33,9 +38,9 @@ TEST(DegreeRaising, KeepsEveryPoint) {
     const auto model = geometry::make_shape_model(BRepPrimAPI_MakeTorus(1.0, 0.4).Shape());
     for (int order = 1; order <= 3; ++order) {
         const Filled solid(model, order);
-        const CurvedSurface high = with_degree_raised(solid.surface, solid.volume.tetrahedra);
+        const curve::CurvedSurface high = with_degree_raised(solid.surface, solid.volume.tetrahedra);
         ASSERT_EQ(high.shapes.order(), order + 1);
-        for (const SurfaceTriangle& t : solid.surface.triangles) {
+        for (const curve::SurfaceTriangle& t : solid.surface.triangles) {
             for (const Barycentric& at : {Barycentric{0.2, 0.3, 0.5, 0.0}, Barycentric{0.0, 0.6, 0.4, 0.0}}) {
                 EXPECT_LT((point_of(high.shapes, t.corners, at) - point_of(solid.surface.shapes, t.corners, at)).norm(),
                           1e-12);
@@ -57,7 +62,7 @@ std::ptrdiff_t invalid_of(const Filled& solid) {
 }
 
 double deviation_of(Filled& solid) {
-    const std::vector<double> all = solid.surface_editor.placement.deviations(live_triangles(solid.surface));
+    const std::vector<double> all = solid.surface_editor.placement.deviations(curve::live_triangles(solid.surface));
     return *std::max_element(all.begin(), all.end());
 }
 
@@ -79,9 +84,9 @@ TEST(DegreeRaising, WhatIsValidIsPlacedOnTheCad) {
 }
 
 TEST(DegreeRaising, ElementsThatWouldFoldKeepTheirShapes) {
-    Filled wall(thin_wall(0.04, 2.0), 1);
+    Filled wall(curve::thin_wall(0.04, 2.0), 1);
     raise(wall);
-    std::vector<int> all = live_triangles(wall.surface);
+    std::vector<int> all = curve::live_triangles(wall.surface);
     const std::size_t kept = place_where_valid(wall.surface_editor, &wall.volume, wall.progress);
     EXPECT_GT(kept, 0u);
     EXPECT_LT(kept, all.size());
@@ -92,4 +97,4 @@ TEST(DegreeRaising, ElementsThatWouldFoldKeepTheirShapes) {
 }
 
 }  // namespace
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -6,10 +6,10 @@
 #include "curve/checks.h"
 #include "given/matching/given_mesh.h"
 
-namespace mq::curve {
+namespace mq::given {
 
 /// The corners of a mesh of ours, as if another program had made it: nothing says on which CAD entities they lie.
-inline GivenMesh given_of(const CurvedMesh& mesh) {
+inline GivenMesh given_of(const curve::CurvedMesh& mesh) {
     GivenMesh given;
     given.nodes.assign(mesh.nodes.begin(), mesh.nodes.begin() + static_cast<std::ptrdiff_t>(mesh.vertices));
     const auto add = [](const std::vector<std::int32_t>& nodes, int width, auto& elements) {
@@ -25,4 +25,4 @@ inline GivenMesh given_of(const CurvedMesh& mesh) {
     return given;
 }
 
-}  // namespace mq::curve
+}  // namespace mq::given

@@ -10,7 +10,9 @@
 #include "mesh/intersection/self_intersection.h"
 #include "mesh/quality/mesh_report.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+namespace solids = boolean::solids;
 namespace {
 
 /// Two boxes that share one vertex.
@@ -106,4 +108,4 @@ TEST(OppositeDuplicates, AreTakenOutAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -7,7 +7,9 @@
 #include "boolean/closed_solids.h"
 #include "layered_depth/samples/sample_clustering.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+namespace solids = boolean::solids;
 namespace {
 
 /// What an octree is made of.
@@ -22,7 +24,7 @@ struct Input {
 
     Input() : grid(box(), 65) {
         CombineOptions options;
-        options.expression = Expression::chain(Operation::Difference, 2);
+        options.expression = boolean::Expression::chain(boolean::Operation::Difference, 2);
         SampleCounts counts(pair.triangles.size());
         combined = combine_meshes(pair, grid, options, counts, nullptr);
         const std::vector<std::uint32_t> samples(counts.begin(), counts.end());
@@ -91,4 +93,4 @@ TEST(Octree, TheSameWhetherItIsBuiltAtOnceOrInLayers) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 namespace {
 
 const Vec3 kLow(0, 0, 0), kHigh(1, 1, 1);
@@ -44,4 +44,4 @@ TEST(Quadric, APointJustOutsideIsPutOnTheWall) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

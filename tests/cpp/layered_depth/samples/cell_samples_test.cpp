@@ -5,7 +5,7 @@
 
 #include "layered_depth/reconstruction/quadric_error.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 namespace {
 
 CellSample on_ray(int axis, int x, int y, int z, bool reconstructed = true) {
@@ -123,4 +123,4 @@ TEST(Quadric, NearlyFlatDataStaysNear) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

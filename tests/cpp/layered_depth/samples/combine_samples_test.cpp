@@ -8,7 +8,13 @@
 #include "boolean/closed_solids.h"
 #include "layered_depth/samples/sample_clustering.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+namespace solids = boolean::solids;
+
+using boolean::Expression;
+using boolean::Operation;
+
 namespace {
 
 using Ray = std::vector<std::pair<double, std::int32_t>>;
@@ -192,4 +198,4 @@ TEST(Combine, ANodeOnASampleLiesBehindIt) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -12,7 +12,7 @@
 #include "geometry/analytic/analytic_model.h"
 #include "layered_depth/samples/rasterise.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
 namespace {
 
 using geometry::Query;
@@ -268,4 +268,4 @@ TEST(FaceSamples, StopWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

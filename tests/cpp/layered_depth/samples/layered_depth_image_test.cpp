@@ -11,7 +11,9 @@
 #include "boolean/closed_solids.h"
 #include "layered_depth/samples/rasterise.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+namespace solids = boolean::solids;
 namespace {
 
 Box box_of(const OperandSet& pair) {
@@ -193,4 +195,4 @@ TEST(Rasterise, StopsWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

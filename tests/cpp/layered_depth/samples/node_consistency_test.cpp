@@ -6,7 +6,9 @@
 #include "boolean/closed_solids.h"
 #include "layered_depth/samples/rasterise.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+namespace solids = boolean::solids;
 namespace {
 
 LayeredDepthImage one_ray(const std::vector<std::pair<double, std::int32_t>>& samples) {
@@ -115,4 +117,4 @@ TEST_F(Ball, RaysGetWhatTheyMissedAndLoseWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

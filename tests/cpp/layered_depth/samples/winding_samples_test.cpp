@@ -8,7 +8,9 @@
 #include "boolean/closed_solids.h"
 #include "layered_depth/samples/rasterise.h"
 
-namespace mq::boolean {
+namespace mq::layered_depth {
+
+namespace solids = boolean::solids;
 namespace {
 
 /// An operand that is sampled by its winding number, and how its rays compare with that number at all nodes.
@@ -137,4 +139,4 @@ TEST(WindingSamples, CanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::layered_depth

@@ -12,18 +12,18 @@
 #include "offset/offset_checks.h"
 
 namespace mq::offset {
+
 namespace {
 
-using boolean::OffsetResult;
 using boolean::Operation;
-using boolean::offsets::united;
-using boolean::offsets::volume;
+using checks::united;
+using checks::volume;
 using mesh::Triangle;
 using mesh::TriangleMesh;
 
 OffsetResult sound_offset(const TriangleMesh& solid, double distance, double tolerance) {
     Progress progress;
-    return boolean::offsets::sound(contoured_offset(solid, {distance, tolerance, 0}, progress), tolerance);
+    return checks::sound(contoured_offset(solid, {distance, tolerance, 0}, progress), tolerance);
 }
 
 TEST(ContouredOffset, ABoxGrowsRoundEdgesAndShrinksToABox) {

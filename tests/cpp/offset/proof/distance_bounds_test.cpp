@@ -7,7 +7,9 @@
 
 #include "boolean/closed_solids.h"
 
-namespace mq::boolean {
+namespace mq::offset {
+
+namespace solids = boolean::solids;
 namespace {
 
 const Progress kUnwatched;
@@ -73,4 +75,4 @@ TEST(OffsetError, ATriangleThatCrossesTheSurfaceIsAtNoDistance) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -8,7 +8,7 @@
 
 #include "mesh/corner_table.h"
 
-namespace mq::boolean {
+namespace mq::offset {
 namespace {
 
 double area(const DirectionCap& cap) {
@@ -80,4 +80,4 @@ TEST(DirectionCap, AnArcBetweenOppositeDirectionsHasUnitLength) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::offset

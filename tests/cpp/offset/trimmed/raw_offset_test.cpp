@@ -6,7 +6,9 @@
 #include "boolean/closed_solids.h"
 #include "mesh/corner_table.h"
 
-namespace mq::boolean {
+namespace mq::offset {
+
+namespace solids = boolean::solids;
 namespace {
 
 ClosedSurface surface_of(const mesh::TriangleMesh& mesh) {
@@ -105,4 +107,4 @@ TEST(RawOffset, WhatIsOffsetFromANarrowSlotStaysOnTheSurface) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::offset

@@ -13,17 +13,22 @@
 #include "mesh/quality/surface_verification.h"
 #include "offset/offset_checks.h"
 
-namespace mq::boolean {
+namespace mq::offset {
+
+namespace solids = boolean::solids;
+
+using boolean::Operation;
+
 namespace {
 
+using checks::united;
+using checks::volume;
 using mesh::Triangle;
 using mesh::TriangleMesh;
-using offsets::united;
-using offsets::volume;
 
 OffsetResult sound_offset(const TriangleMesh& solid, double distance, double tolerance) {
     Progress progress;
-    return offsets::sound(offset(solid, {distance, tolerance, 0}, progress), tolerance);
+    return checks::sound(offset(solid, {distance, tolerance, 0}, progress), tolerance);
 }
 
 TEST(Offset, ABoxGrowsRoundEdgesAndShrinksToABox) {
@@ -157,4 +162,4 @@ TEST(Offset, OptionsAreChecked) {
 }
 
 }  // namespace
-}  // namespace mq::boolean
+}  // namespace mq::offset
