@@ -42,12 +42,15 @@ inline double tuning_factor(const std::string& file, const std::string& name) {
 
 namespace mq {
 
-/// Bounds of iterations that ended by themselves in all measurements (docs/measurements/tuning.md). They hold where the
-/// same states come again, for instance by rounding: of rounds through a whole model ...
+/// Bounds of work that ended by itself in all measurements (docs/measurements/tuning.md). They hold where the same
+/// states come again, for instance by rounding: of rounds through a whole model, and of places around one that are
+/// looked at ...
 constexpr int kMostRounds = 16;
 /// ... of steps that take little time ...
 constexpr int kMostSteps = 100;
 /// ... and of Newton steps of a projection; each about squares the distance.
 constexpr int kNewtonSteps = 8;
+/// Least gain in a quality of at most 1, so that changes do not cycle by rounding.
+constexpr double kLeastGain = 1e-3;
 
 }  // namespace mq
