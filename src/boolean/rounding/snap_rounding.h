@@ -12,7 +12,7 @@ namespace mq::boolean {
 
 struct RoundingOptions {
     double size = 0.0;       ///< longest side of the operands' box, mm
-    double tolerance = 0.0;  ///< mm; about half of it may be used
+    double tolerance = 0.0;  ///< mm; vertices are moved apart by at most a twentieth of it in a round
     bool in_single = true;   ///< coordinates become single-precision numbers; else they stay double-precision ones
 };
 
@@ -21,8 +21,8 @@ struct RoundingCount {
     std::size_t separated = 0;  ///< copies of points that were moved off others in the same place
     double unit = 0.0;          ///< spacing of single-precision numbers at the farthest vertex, mm
     double error_bound = 0.0;   ///< bound for the distance of the surfaces before and after, both ways, mm
-    /// Triangles of the soup (ResultMesh::from) that keep contacts, when the distance or the rounds allowed are used
-    /// up, of a tangle (EmbeddingFaults::is_tangle) those that were found; empty: the surface is embedded.
+    /// Triangles of the soup (ResultMesh::from) that keep contacts, when the rounds allowed are used up, of a tangle
+    /// (EmbeddingFaults::is_tangle) those that were found; empty: the surface is embedded.
     std::vector<std::int32_t> faulty;
 };
 

@@ -279,9 +279,8 @@ class OffsetPipeline {
         for (const Vec3& p : soup_.vertices) {
             box.add(p);
         }
-        // Rounding uses half of the tolerance that it is given.
-        const RoundingCount rounded = snap_round(
-            extraction, {box.largest_side(), 2.0 * OffsetTuning::kRoundingShare * tolerance_, true}, progress_);
+        const RoundingCount rounded =
+            snap_round(extraction, {box.largest_side(), OffsetTuning::kRoundingShare * tolerance_, true}, progress_);
         if (!rounded.faulty.empty()) {
             throw TopologyError(
                 "the offset cannot be held in single precision without triangles that touch or cross: at least " +
