@@ -55,8 +55,6 @@ struct SurfaceTuning {
     MESHQUALITY_TUNED(double, kInsideCorner, 0.05);
     /// Newton steps towards even arc lengths; each about squares the error.
     MESHQUALITY_TUNED(int, kArcRounds, 3);
-    /// Nodes whose parameters are nearer than this, as a fraction of the segment's, count as at even arc lengths.
-    MESHQUALITY_TUNED(double, kEvenEnough, 1e-3);
     /// Newton steps towards even distances inside faces; the nodes need not be exact.
     MESHQUALITY_TUNED(int, kEvenRounds, 2);
     /// The largest distance of a vertex from the CAD edge, as a fraction of the edge's distance from the mesh edge
