@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/system/system.h"
 #include "mesh/io/io_formats.h"
 
 namespace mq::mesh {
@@ -74,7 +75,7 @@ void save(const std::string& path, const std::function<void(Output&)>& append) {
     const auto fail = [&](const char* what) {
         throw IoError(std::string("cannot ") + what + " '" + path + "': " + std::strerror(errno));
     };
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), &std::fclose);
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(open_for_writing(path), &std::fclose);
     if (!file) {
         fail("open");
     }
