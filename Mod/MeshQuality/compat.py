@@ -8,24 +8,41 @@ import platform
 import sys
 
 from .errors import MissingBinary
+from .version import __version__
 
 # The folder of the addon.
 HOME = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
 def extension():
-    """The extension module MeshQuality._core.
+    """The extension module MeshQuality._core: beside the sources, or else of the Python package meshquality-core.
 
     Raises MissingBinary with the remedy where it is missing or belongs to another FreeCAD.
     """
+    other = _search_wheel()
     try:
         return importlib.import_module("MeshQuality._core")
     except ImportError as error:
         absent = getattr(error, "name", None) == "MeshQuality._core" \
             and isinstance(error, ModuleNotFoundError)
-        why = "it is not there" if absent else str(error)
+        why = (other or "it is not there") if absent else str(error)
         raise MissingBinary(f"MeshQuality's binary for {versions()} cannot be used: {why}. "
                             f"To get it, {remedy()}") from error
+
+
+@functools.lru_cache(maxsize=None)
+def _search_wheel():
+    """Has the package find the binary in the Python package meshquality-core, too. Returns why not where that is of
+    another version; else nothing.
+    """
+    try:
+        wheel = importlib.import_module("meshquality_core")
+    except ModuleNotFoundError:
+        return ""
+    if wheel.__version__ != __version__:
+        return f"the Python package meshquality-core is of version {wheel.__version__}, not {__version__}"
+    sys.modules[__package__].__path__.extend(wheel.__path__)
+    return ""
 
 
 def without_traceback(function):
@@ -59,8 +76,8 @@ def remedy():
     build = os.path.join(HOME, "tools", "build")
     if os.path.exists(build):
         return f"run 'bash {build}' and start FreeCAD again"
-    return ("install a package of MeshQuality made for these versions, or MeshQuality's sources and "
-            "run 'bash tools/build' there")
+    return (f"install the Python package meshquality-core {__version__} or a package of "
+            "MeshQuality made for these versions, or MeshQuality's sources and run 'bash tools/build' there")
 
 
 # The property of a view that has the colour of its faces: before FreeCAD 1.0, and since.

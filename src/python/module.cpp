@@ -19,6 +19,7 @@ std::string major_minor(const std::string& version) {
     return version.substr(0, version.find('.', version.find('.') + 1));
 }
 
+#ifndef MESHQUALITY_OWN_OPENCASCADE
 /// CurvedShapes are shared in memory, so both sides must agree on their layout. Outside FreeCAD no shapes are shared.
 void require_same_kernel() {
     py::str theirs;
@@ -36,12 +37,15 @@ void require_same_kernel() {
                                std::string(theirs) + ": rebuild it with the OpenCASCADE of this FreeCAD");
     }
 }
+#endif
 
 }  // namespace
 
 PYBIND11_MODULE(_core, m) {
     m.doc() = "The C++ core of MeshQuality. Scripts use the package MeshQuality.";
+#ifndef MESHQUALITY_OWN_OPENCASCADE
     require_same_kernel();
+#endif
     m.attr("occt_version") = mq::geometry::occt_version();
     m.attr("MOST_CROSSINGS") = mq::mesh::kMostCounted;
     mq::python::bind_errors(m);

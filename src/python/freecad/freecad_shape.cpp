@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "python/freecad/freecad_shape.h"
 
+#ifndef MESHQUALITY_OWN_OPENCASCADE
 #include <swigpyrun.h>
+#endif
 
 #include <string>
 
@@ -14,6 +16,10 @@ namespace mq::python {
 
 namespace {
 
+#ifdef MESHQUALITY_OWN_OPENCASCADE
+/// FreeCAD's shapes are of another OpenCASCADE.
+void take_live(py::handle, FreecadShape&) {}
+#else
 /// SWIG's type of TopoDS_Shape in the runtime that all SWIG modules of the process share; null when FreeCAD was built
 /// with another version of that runtime. The type needs a Python class, or the shape's destructor would never be
 /// called.
@@ -48,6 +54,7 @@ void take_live(py::handle object, FreecadShape& result) {
         result.shape = static_cast<const TopoDS_Shape*>(pointer);
     }
 }
+#endif
 
 }  // namespace
 
