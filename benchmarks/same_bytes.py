@@ -27,9 +27,9 @@ import inside_freecad
 import mesh_files
 
 CAD_SUFFIXES = {".step", ".stp", ".iges", ".igs", ".brep", ".brp"}
-# What a report says of time and of work done is no result: faces that are meshed side by side share the counts. The reasons
-# are digested as texts.
-NO_RESULT = {"seconds", "cpu_seconds", "queries", "predicates", "exact_predicates", "exempt_reasons"}
+# What a report says of time, of work done and of the way to the shape is no result: faces that are meshed side by side share
+# the counts. The reasons are digested as texts.
+NO_RESULT = {"seconds", "cpu_seconds", "queries", "predicates", "exact_predicates", "exempt_reasons", "bridge"}
 UNFINISHED = "unfinished"
 
 

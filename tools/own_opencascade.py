@@ -79,9 +79,6 @@ def install(source, build, into):
                     *(f"-D{name}={value}" for name, value in settings.items())], check=True)
     subprocess.run(["cmake", "--build", build], check=True)
     subprocess.run(["cmake", "--install", build], check=True, stdout=subprocess.DEVNULL)
-    # Its CMake file looks for targets of modules only, not for those of single toolkits.
-    places = list(into.rglob("OpenCASCADETargets.cmake"))
-    places[0].rename(places[0].with_name("OpenCASCADEModelingAlgorithmsTargets.cmake"))
     (into / "licences").mkdir()
     for name, kept in LICENCES.items():
         shutil.copyfile(source / name, into / "licences" / kept)

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "geometry/occt/sub_shapes.h"
 #include "mesh/quality/surface_distance.h"
 #include "mesh/quality/surface_verification.h"
 #include "python/array_view.h"
@@ -49,7 +48,11 @@ void add_operand(Operands& operands, const std::string& name, const SurfacePoint
     if (surface == nullptr && shape.is_none()) {
         throw InvalidInput(name + " has neither a surface nor a shape");
     }
-    operands.add({name, surface, round, shape.is_none() ? nullptr : geometry::kept(*part_shape(shape).shape)});
+    FreecadShape part;
+    if (!shape.is_none()) {
+        part = part_shape(shape);
+    }
+    operands.add({name, surface, round, std::move(part.shape), std::move(part.bridge)});
 }
 
 BooleanMethod method_from(const std::string& name) {
@@ -63,6 +66,14 @@ BooleanMethod method_from(const std::string& name) {
         return BooleanMethod::Uniform;
     }
     throw InvalidInput("method is '" + name + "': it must be 'default', 'exact' or 'uniform'");
+}
+
+/// The result of work on operands, which says how their shapes came.
+template <typename Work>
+auto watch_operands(const Operands& operands, const py::object& progress, Work&& work) {
+    auto result = watch(progress, std::forward<Work>(work));
+    result->figures.bridge = result->report.bridge = operands.bridge();
+    return result;
 }
 
 /// An operation by its name, or an expression in postfix order (boolean::Expression::from).
@@ -81,7 +92,7 @@ std::shared_ptr<BooleanSurface> run_boolean(const Operands& operands, const Pyth
                                             const py::object& progress) {
     const boolean::Expression wanted = expression_from(operation, operands.given().size());
     const BooleanMethod by = method_from(method);
-    return watch(progress, [&](Progress& handle) {
+    return watch_operands(operands, progress, [&](Progress& handle) {
         return std::make_shared<BooleanSurface>(workflows::boolean_of_operands(operands, wanted, options, by, handle));
     });
 }
@@ -153,7 +164,7 @@ void bind_boolean_report(py::module_& m) {
 
 std::shared_ptr<BooleanSurface> offset_shape(const Operands& solid, double distance, double tolerance, int threads,
                                              const py::object& progress) {
-    return watch(progress, [&](Progress& handle) {
+    return watch_operands(solid, progress, [&](Progress& handle) {
         return std::make_shared<BooleanSurface>(workflows::offset_shape(solid, {distance, tolerance, threads}, handle));
     });
 }
@@ -161,7 +172,7 @@ std::shared_ptr<BooleanSurface> offset_shape(const Operands& solid, double dista
 std::shared_ptr<BooleanSurface> hollow_shape(const Operands& solid, double thickness,
                                              const std::optional<std::vector<std::int32_t>>& openings, double tolerance,
                                              int threads, const py::object& progress) {
-    return watch(progress, [&](Progress& handle) {
+    return watch_operands(solid, progress, [&](Progress& handle) {
         return std::make_shared<BooleanSurface>(
             workflows::hollow_shape(solid, openings, {thickness, tolerance, threads}, handle));
     });
@@ -190,7 +201,7 @@ std::shared_ptr<WrapSurface> wrap_objects(const Operands& objects, double gap, d
     for (const std::array<double, 3>& place : dry) {
         options.dry.emplace_back(place[0], place[1], place[2]);
     }
-    return watch(progress, [&](Progress& handle) {
+    return watch_operands(objects, progress, [&](Progress& handle) {
         return std::make_shared<WrapSurface>(workflows::wrap_objects(objects, options, handle));
     });
 }

@@ -29,7 +29,10 @@ CurvedPointer curve_shape(const FreecadShape& part, const curve::CurveOptions& o
                           const triangulate::TriangulateOptions& straight, const py::object& progress) {
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
-        return std::make_shared<CurvedMesh>(workflows::curve_shape(engine, *part.shape, options, straight, handle));
+        auto mesh =
+            std::make_shared<CurvedMesh>(workflows::curve_shape(engine, *part.shape, options, straight, handle));
+        mesh->report.bridge = part.bridge;
+        return mesh;
     });
 }
 
@@ -37,7 +40,10 @@ CurvedPointer curve_surface(const triangulate::Result& surface, const FreecadSha
                             const curve::CurveOptions& options, const py::object& progress) {
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
-        return std::make_shared<CurvedMesh>(workflows::curve_surface(engine, *part.shape, surface, options, handle));
+        auto mesh =
+            std::make_shared<CurvedMesh>(workflows::curve_surface(engine, *part.shape, surface, options, handle));
+        mesh->report.bridge = part.bridge;
+        return mesh;
     });
 }
 

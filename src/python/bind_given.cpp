@@ -54,8 +54,10 @@ CurvedPointer curve_given(const PointArray& nodes, const Indices& triangles, con
     given.regions.assign(regions.data(), regions.data() + regions.size());
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
-        return std::make_shared<curve::CurvedMesh>(
+        auto mesh = std::make_shared<curve::CurvedMesh>(
             workflows::curve_given_mesh(engine, *part.shape, given, options, imprint, handle));
+        mesh->report.bridge = part.bridge;
+        return mesh;
     });
 }
 
@@ -87,9 +89,10 @@ py::dict curve_mixed(const PointArray& nodes, const std::vector<CornerBlock>& el
     add_elements(elements, given.elements);
     add_elements(listed, given.listed);
     geometry::Engine& engine = shared_engine();
-    const curve::CurvedMixedMesh mesh = watch(progress, [&](Progress& handle) {
+    curve::CurvedMixedMesh mesh = watch(progress, [&](Progress& handle) {
         return workflows::curve_mixed_mesh(engine, *part.shape, given, options, imprint, handle);
     });
+    mesh.report.bridge = part.bridge;
     py::list blocks;
     for (const curve::ElementBlock& block : mesh.blocks) {
         blocks.append(py::make_tuple(curve::name_of(block.kind), array_of(block.nodes), array_of(block.entity),

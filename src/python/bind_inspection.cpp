@@ -111,7 +111,7 @@ std::shared_ptr<DraftSurface> measure_draft(const Surface& given, const py::obje
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
         return std::make_shared<DraftSurface>(
-            workflows::measure_draft(engine, given, shape.is_none() ? nullptr : part.shape, options, handle));
+            workflows::measure_draft(engine, given, part.shape.get(), options, handle));
     });
 }
 

@@ -11,9 +11,11 @@
 #include "base/error.h"
 #include "geometry/occt/brep_text.h"
 #include "geometry/occt/placeholder_surfaces.h"
+#include "geometry/occt/stream/shape_stream.h"
 #include "python/bindings.h"
 #include "python/bound_fields.h"
 #include "python/freecad/freecad_shape.h"
+#include "python/freecad/stream_cache.h"
 #include "python/progress_watch.h"
 #include "python/python_lock.h"
 #include "python/shared_engine.h"
@@ -29,19 +31,13 @@ namespace {
 using triangulate::Result;
 using triangulate::TriangulateOptions;
 
-/// The note about a shape that could not be shared in memory.
-constexpr const char* kCopied =
-    "this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text";
-
 std::shared_ptr<Result> triangulate_shape(const FreecadShape& part, const TriangulateOptions& options,
                                           const py::object& progress, triangulate::MeshCache* cache) {
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
         auto result =
             std::make_shared<Result>(workflows::triangulate_shape(engine, *part.shape, options, handle, cache));
-        if (!part.live) {
-            result->report.notes.push_back(kCopied);
-        }
+        result->report.bridge = part.bridge;
         return result;
     });
 }
@@ -51,8 +47,11 @@ mesh::MeshReport report_with_crossings(const Result& surface, const py::object& 
 }
 
 mesh::MeshReport measure_against(const Result& surface, const FreecadShape& part, const py::object& progress) {
-    return watch(progress,
-                 [&](Progress& handle) { return workflows::measure_against_shape(surface, *part.shape, handle); });
+    return watch(progress, [&](Progress& handle) {
+        mesh::MeshReport report = workflows::measure_against_shape(surface, *part.shape, handle);
+        report.bridge = part.bridge;
+        return report;
+    });
 }
 
 py::array_t<double> triangle_deviations(const Result& surface, const FreecadShape& part, const py::object& progress) {
@@ -110,8 +109,8 @@ void set_local_sizes(TriangulateOptions& options, const std::vector<std::tuple<i
     }
 }
 
-py::tuple shape_identity(const py::object& shape, bool copy) {
-    const geometry::ShapeIdentity identity = geometry::identity_of(*part_shape(shape, copy).shape);
+py::tuple shape_identity(const FreecadShape& part) {
+    const geometry::ShapeIdentity identity = geometry::identity_of(*part.shape);
     return py::make_tuple(identity.tshape, identity.hash);
 }
 
@@ -163,8 +162,21 @@ void bind_triangulate(py::module_& m) {
         "Gives the faces of a Part.Shape that have triangles alone a surface, in place, so that FreeCAD can copy it.");
     m.def("brep_text", &brep_text, py::arg("shape"),
           "A Part.Shape as BREP text without triangulations: the same before and after it was shown.");
-    m.def("shape_identity", &shape_identity, py::arg("shape"), py::arg("copy") = false,
-          "(address of the TShape, hash) of a Part.Shape as the core sees it; copy=True: of its copy by BREP text.");
+    m.def("shape_identity", &shape_identity, py::arg("shape"),
+          "(address of the TShape, hash) of a Part.Shape as the core sees it.");
+    m.def(
+        "take", [](const FreecadShape& part) { return part.bridge; }, py::arg("shape"),
+        "Takes a Part.Shape as it is now, for calls on other threads; \"live\" or \"stream\": how.");
+    m.def(
+        "shape_stream", [](const FreecadShape& part) { return py::bytes(geometry::write_shape_stream(*part.shape)); },
+        py::arg("shape"), "A Part.Shape, as the core sees it, as Part.Shape.exportBinary writes it.");
+    m.def(
+        "copied_shapes",
+        [] {
+            return py::make_tuple(StreamCache::shared().count(), StreamCache::shared().bytes(),
+                                  StreamCache::kMostBytes);
+        },
+        "(how many shapes that came as streams are kept, about how many bytes they take, how many they may)");
 }
 
 }  // namespace mq::python

@@ -15,12 +15,13 @@ namespace py = pybind11;
 
 namespace {
 
+#ifndef MESHQUALITY_OWN_OPENCASCADE
 std::string major_minor(const std::string& version) {
     return version.substr(0, version.find('.', version.find('.') + 1));
 }
 
-#ifndef MESHQUALITY_OWN_OPENCASCADE
-/// CurvedShapes are shared in memory, so both sides must agree on their layout. Outside FreeCAD no shapes are shared.
+/// A core that is linked with OpenCASCADE's shared libraries uses those of FreeCAD, so both sides must agree on their
+/// layout.
 void require_same_kernel() {
     py::str theirs;
     try {

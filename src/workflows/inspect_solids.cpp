@@ -48,6 +48,7 @@ SolidSurface solid_surface(const triangulate::Result& given, Progress& progress)
     found.surface.report = mesh::measure(mesh, &progress);
     found.surface.report.max_chord_height = given.report.max_chord_height;
     found.surface.report.notes = given.report.notes;
+    found.surface.report.bridge = given.report.bridge;
     if (operand.repairs.any()) {
         found.surface.report.notes.push_back("repaired before it was measured: " + operand.repairs.summary());
     }

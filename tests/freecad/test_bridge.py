@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shapes go to C++ without a copy, and come back unchanged."""
+"""Shapes go to C++ in place, or as a copy with all their bits, and come back unchanged."""
 
+import contextlib
+import os
 import resource
+import tempfile
+import threading
 import unittest
 from unittest import mock
 
@@ -11,9 +15,66 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality import _core
+from MeshQuality.core.sources import shape_stream
 
 
-class SharedShape(helpers.DocumentTest):
+def bridge(name):
+    """Forces a bridge within a `with`."""
+    return mock.patch.dict(os.environ, MESHQUALITY_BRIDGE=name)
+
+
+def peak_memory():
+    """Bytes of this process, at most so far."""
+    return 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+
+def own_choice():
+    """Lets the bridge choose itself within a `with`."""
+    without = {name: value for name, value in os.environ.items() if name != "MESHQUALITY_BRIDGE"}
+    return mock.patch.dict(os.environ, without, clear=True)
+
+
+def turned(shape, angle=37.0):
+    """A copy that is moved and turned about no axis of coordinates."""
+    moved = shape.copy()
+    moved.rotate(FreeCAD.Vector(1, 2, 3), FreeCAD.Vector(0.3, -0.5, 0.7), angle)
+    moved.translate(FreeCAD.Vector(0.1, 0.2, 0.3))
+    return moved
+
+
+def nested():
+    """Compounds in one another, each moved."""
+    inner = turned(Part.makeCompound([Part.makeTorus(10, 3), turned(Part.makeBox(1, 2, 3), 11.0)]))
+    return turned(Part.makeCompound([inner, turned(inner, 71.0), Part.makeCone(3, 0, 4)]), 23.0)
+
+
+def stretched(shape):
+    """A copy with splines in place of its surfaces, scaled along one axis."""
+    matrix = FreeCAD.Matrix()
+    matrix.scale(FreeCAD.Vector(1.3, 1.0, 0.7))
+    return shape.transformGeometry(matrix)
+
+
+def mirrored(shape):
+    """A copy on the other side of a plane."""
+    return shape.mirror(FreeCAD.Vector(1, 1, 0), FreeCAD.Vector(1.0, 0.3, 0.2))
+
+
+def all_parts():
+    """{name: shape} with seams, degenerate edges, locations in one another, and other orientations."""
+    parts = helpers.simple_parts()
+    return {**parts, "nested": nested(), "turned": turned(parts["cut"]), "mirrored": mirrored(turned(parts["cone"])),
+            "stretched": stretched(parts["cut"]), "reversed": parts["cut"].reversed(),
+            "face": parts["cut"].Faces[3], "shell": parts["fused"].Shells[0]}
+
+
+class Live(helpers.DocumentTest):
+    def setUp(self):
+        super().setUp()
+        forced = bridge("live")
+        forced.start()
+        self.addCleanup(forced.stop)
+
     def test_the_core_sees_the_very_same_tshape(self):
         obj = self.box()
         shape = obj.Shape
@@ -23,11 +84,6 @@ class SharedShape(helpers.DocumentTest):
         self.assertEqual(shape_hash, shape.hashCode() & 0x7FFFFFFF)
         moved = shape.copy()
         self.assertNotEqual(address, _core.shape_identity(moved)[0])
-
-    def test_the_fallback_by_text_gives_another_tshape(self):
-        shape = self.box().Shape
-        self.assertNotEqual(_core.shape_identity(shape)[0],
-                            _core.shape_identity(shape, copy=True)[0])
 
     def test_handing_over_does_not_leak(self):
         shape = Part.makeSphere(1)
@@ -39,19 +95,173 @@ class SharedShape(helpers.DocumentTest):
         self.assertLess(after - before, 4096, "kB grown by 20000 shapes")
 
     def test_the_kernels_agree(self):
-        self.assertEqual(Part.OCC_VERSION.split(".")[:2], _core.occt_version.split(".")[:2])
+        self.assertEqual(Part.OCC_VERSION, _core.occt_version)
 
 
-class Fallback(unittest.TestCase):
+class Choice(unittest.TestCase):
+    def test_shapes_are_live_where_they_can_be(self):
+        with own_choice():
+            self.assertEqual(_core.take(Part.makeBox(1, 1, 1)), "live")
+
     def test_a_build_that_cannot_share_gets_the_same_mesh_and_says_so(self):
         shape = helpers.simple_parts()["cut"]
-        live = mq.triangulate(shape, chord_height=0.2)
-        with mock.patch.object(Part, "__toPythonOCC__", side_effect=RuntimeError("no SWIG")):
-            copied = mq.triangulate(shape, chord_height=0.2)
+        with own_choice():
+            live = mq.triangulate(shape, chord_height=0.2)
+            with mock.patch.object(Part, "__toPythonOCC__", side_effect=RuntimeError("no SWIG")):
+                copied = mq.triangulate(shape, chord_height=0.2)
+        self.assertEqual((live.report.bridge, copied.report.bridge), ("live", "stream"))
         self.assertEqual(live.triangles.tobytes(), copied.triangles.tobytes())
         self.assertEqual(live.triangle_face.tobytes(), copied.triangle_face.tobytes())
-        self.assertIn("BREP text", " ".join(copied.report.notes))
-        self.assertNotIn("BREP text", " ".join(live.report.notes))
+
+    def test_a_forced_bridge_that_does_not_work_is_an_error(self):
+        with bridge("live"), mock.patch.object(Part, "__toPythonOCC__", side_effect=RuntimeError("no SWIG")), \
+                self.assertRaisesRegex(mq.InvalidInput, "MESHQUALITY_BRIDGE is 'live'.*cannot share.*do not set it"):
+            mq.triangulate(Part.makeBox(1, 1, 1))
+
+    def test_unknown_bridges_are_named(self):
+        with bridge("ferry"), self.assertRaisesRegex(mq.InvalidInput, "MESHQUALITY_BRIDGE is 'ferry'.*'live' or 'stream'"):
+            mq.triangulate(Part.makeBox(1, 1, 1))
+
+    def test_all_reports_name_it(self):
+        box, tall = Part.makeBox(10, 10, 10), Part.makeBox(5, 5, 20)
+        for name in ("live", "stream"):
+            with bridge(name):
+                mesh = mq.triangulate(box, chord_height=0.5)
+                made = {
+                    "triangulate": mesh.report, "curve": mq.curve(box, chord_height=0.5).report,
+                    "curve of a surface": mq.curve(mesh, shape=box).report, "quality": mq.quality(mesh, shape=box),
+                    "boolean": mq.boolean(box, tall, "union").report, "offset": mq.offset(box, 0.5).report,
+                    "hollow": mq.hollow(box, 1.0).report, "wrap": mq.wrap([box, tall], 1.0).report,
+                    "thickness": mq.thickness(box), "draft": mq.draft(box, "z"), "voids": mq.voids(box),
+                    "clearance": mq.clearance([box, Part.makeBox(1, 1, 1, FreeCAD.Vector(20, 0, 0))]),
+                }
+                self.assertEqual({what: report.bridge for what, report in made.items()}, dict.fromkeys(made, name))
+        self.assertEqual(mq.quality(mesh).bridge, "")
+
+
+class Stream(helpers.DocumentTest):
+    def setUp(self):
+        super().setUp()
+        forced = bridge("stream")
+        forced.start()
+        self.addCleanup(forced.stop)
+
+    def test_copies_have_all_bits(self):
+        for name, shape in all_parts().items():
+            with self.subTest(name):
+                self.assertEqual(_core.shape_stream(shape), shape_stream.bytes_of(shape))
+
+    def test_meshes_are_those_of_live_shapes(self):
+        for name, shape in all_parts().items():
+            with self.subTest(name):
+                copied = mq.triangulate(shape, chord_height=0.3)
+                with bridge("live"):
+                    live = mq.triangulate(shape, chord_height=0.3)
+                for array in ("vertices", "triangles", "triangle_face", "vertex_entity"):
+                    self.assertEqual(getattr(live, array).tobytes(), getattr(copied, array).tobytes(), array)
+
+    def test_sub_elements_have_their_names(self):
+        shape = nested()
+        mesh = mq.triangulate(shape, chord_height=0.1)
+        self.assertLess(max(helpers.distances_to_faces(shape, mesh)), 0.1)
+        sized = mq.triangulate(shape, chord_height=0.1, local_sizes={"Face3": 0.4, "Edge5": 0.2, "Vertex2": 0.1})
+        with bridge("live"):
+            live = mq.triangulate(shape, chord_height=0.1, local_sizes={"Face3": 0.4, "Edge5": 0.2, "Vertex2": 0.1})
+        self.assertGreater(len(sized.triangles), len(mesh.triangles))
+        self.assertEqual(sized.vertices.tobytes(), live.vertices.tobytes())
+
+    def test_solids_share_their_faces(self):
+        shape = Part.makeBox(1, 1, 1).generalFuse([Part.makeBox(1, 1, 1, FreeCAD.Vector(1, 0, 0))])[0]
+        self.assertEqual(len(shape.Faces), 11)
+        mesh = mq.triangulate(shape, chord_height=0.1)
+        self.assertEqual(len(set(mesh.triangle_face.tolist())), 11)
+
+    def test_a_shape_that_was_changed_in_place_is_taken_anew(self):
+        shape = Part.makeBox(1, 1, 1)
+        first = _core.shape_identity(shape)[0]
+        self.assertEqual(first, _core.shape_identity(shape)[0])
+        shape.fixTolerance(0.01)  # of the same TShape
+        self.assertNotEqual(first, _core.shape_identity(shape)[0])
+        self.assertEqual(_core.shape_stream(shape), shape_stream.bytes_of(shape))
+
+    def test_a_moved_shape_is_taken_anew(self):
+        shape = Part.makeBox(1, 1, 1)
+        first = mq.triangulate(shape)
+        shape.translate(FreeCAD.Vector(5, 0, 0))
+        self.assertEqual((first.vertices[:, 0].max(), mq.triangulate(shape).vertices[:, 0].min()), (1.0, 5.0))
+
+    def test_one_change_of_a_document_is_one_copy(self):
+        box = self.box()
+        read = {_core.shape_identity(box.Shape)[0] for _ in range(5)}
+        box.Length = 7
+        self.document.recompute()
+        read |= {_core.shape_identity(box.Shape)[0] for _ in range(5)}
+        self.assertEqual(len(read), 2)
+
+    def test_other_threads_find_what_the_main_thread_took(self):
+        shape, found = Part.makeTorus(10, 3), []
+        taken = _core.shape_identity(shape)
+        with mock.patch.object(shape_stream, "bytes_of", side_effect=AssertionError("FreeCAD was asked")):
+            thread = threading.Thread(target=lambda: found.append(_core.shape_identity(shape)))
+            thread.start()
+            thread.join()
+        self.assertEqual(found, [taken])
+
+    def test_shapes_take_no_more_memory_than_the_cache_counts(self):
+        def take(count):
+            for i in range(count):
+                _core.take(stretched(Part.makeTorus(10 + 0.01 * i, 3)))
+
+        take(20)
+        counted, used = _core.copied_shapes()[1], peak_memory()
+        take(200)
+        self.assertLess(peak_memory() - used, _core.copied_shapes()[1] - counted + 2**24)
+
+    def test_the_cache_is_bounded(self):
+        torus = stretched(Part.makeTorus(10, 3))
+        large = Part.makeCompound([turned(torus, i) for i in range(1500)])
+        peaks = []
+        for i in range(16):
+            _core.take(turned(large, i))
+            count, used, most = _core.copied_shapes()
+            self.assertLessEqual(used, most)
+            peaks.append(peak_memory())
+        self.assertLess(count, 12)
+        self.assertLess(peaks[-1] - peaks[11], most / 8)
+
+    def test_null_and_faceless_shapes_are_named(self):
+        with self.assertRaisesRegex(mq.InvalidInput, "null"):
+            mq.triangulate(Part.Shape())
+        with self.assertRaisesRegex(mq.InvalidInput, "no faces"):
+            mq.triangulate(Part.makeLine(FreeCAD.Vector(), FreeCAD.Vector(1, 0, 0)))
+
+
+@contextlib.contextmanager
+def temporary_folder(path):
+    """No files in memory, and others in a folder."""
+    with mock.patch.object(os, "memfd_create", side_effect=OSError(38, "not there")), \
+            mock.patch.object(tempfile, "tempdir", str(path)):
+        yield
+
+
+class FilesOfStreams(helpers.DocumentTest):
+    def test_a_file_gives_the_same_bytes(self):
+        shape = nested()
+        expected = shape_stream.bytes_of(shape)
+        folder = os.path.join(self.folder, "Körper 部品")
+        os.mkdir(folder)
+        with temporary_folder(folder):
+            self.assertEqual(shape_stream.bytes_of(shape), expected)
+        self.assertEqual(os.listdir(folder), [])
+
+    def test_a_folder_that_cannot_be_written_is_named(self):
+        folder = os.path.join(self.folder, "absent")
+        with temporary_folder(folder), self.assertRaisesRegex(mq.IoError, "absent.*TMPDIR"):
+            shape_stream.bytes_of(Part.makeBox(1, 1, 1))
+
+    def test_nothing_needs_a_temporary_folder_where_files_can_be_in_memory(self):
+        with mock.patch.object(tempfile, "tempdir", os.path.join(self.folder, "absent")), bridge("stream"):
+            self.assertEqual(mq.triangulate(Part.makeBox(1, 1, 1)).report.bridge, "stream")
 
 
 class UntouchedDocument(helpers.DocumentTest):

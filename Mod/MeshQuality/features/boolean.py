@@ -27,6 +27,7 @@ class MeshBoolean(mesh_object.MeshObject):
         ("Retained", "App::PropertyInteger", "Triangles taken unchanged from an operand", "retained"),
         ("Reconstructed", "App::PropertyInteger", "Triangles that were created or changed", "reconstructed"),
         ("Repaired", "App::PropertyStringList", "Repairs of the operands", "repaired"),
+        properties.BRIDGE,
         properties.NOTES,
     )
     PROMISES = (

@@ -51,6 +51,7 @@ MEASURED = (
      "Elements that were straightened, as they stayed invalid", "straightened"),
     ("MovedVertices", "App::PropertyInteger", "Number of corners that repairs moved", "moved_vertices"),
     ("Repairs", "App::PropertyStringList", "Kinds of repairs, and the number of each", "repairs"),
+    properties.BRIDGE,
     properties.NOTES,
 )
 # The same, beside mesh_object.PROMISES.

@@ -48,7 +48,7 @@ class Inspection(offset.SolidMesh):
     SOURCE, NEEDS = "The object that is measured", "a shape or a mesh"
     OPTIONS = options.inspection.INSPECTION_OBJECT
     MEASURED = (*properties.TOPOLOGY, *(row[1:] for row in RESULTS),
-                properties.NOTES)
+                properties.BRIDGE, properties.NOTES)
     PROMISES = ()
 
     @classmethod

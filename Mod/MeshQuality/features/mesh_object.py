@@ -326,8 +326,8 @@ class ShapeMesh(OfOneSource):
         """To mesh the source with these options."""
         require_source(sources, obj)
         values = options.check(cls.OPTIONS, values)
-        own = convert.own_shape_of(sources[0])
-        shape = own if cls.LEAVES_CONTAINERS else convert.shape_of(sources[0])
+        own = convert.taken(convert.own_shape_of(sources[0]))
+        shape = own if cls.LEAVES_CONTAINERS else convert.taken(convert.shape_of(sources[0]))
         # Names of sub-elements of a container are found here, where documents may be asked.
         found = convert.with_resolved_sizes(sources[0], values)
         return Work(sources, values, partial(fingerprint_of, own, found),

@@ -27,6 +27,7 @@ class SolidMesh(mesh_object.SegmentedMesh, mesh_object.OfOneSource):
         *properties.TOPOLOGY,
         properties.VOLUME,
         ("Repaired", "App::PropertyStringList", "Repairs of the source's mesh", "repaired"),
+        properties.BRIDGE,
         properties.NOTES,
     )
     PROMISES = (

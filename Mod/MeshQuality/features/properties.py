@@ -16,6 +16,8 @@ TOPOLOGY = (
     ("Oriented", "App::PropertyBool", "Neighbouring triangles agree on outside", "oriented"),
 )
 VOLUME = ("Volume", "App::PropertyVolume", "Enclosed volume", "volume")
+BRIDGE = ("Bridge", "App::PropertyString", "How the shape came from FreeCAD: live, in place, or stream, as a copy; empty: there was none",
+          "bridge")
 NOTES = ("Notes", "App::PropertyStringList", "Other remarks about the computation", "notes")
 # The same, of those that promise a smallest angle.
 ANGLES = (

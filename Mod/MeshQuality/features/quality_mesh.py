@@ -24,6 +24,7 @@ class QualityMesh(mesh_object.SourceMesh):
         *properties.ANGLES,
         ("ReusedFaces", "App::PropertyInteger", "Faces of the shape whose triangles were reused after the last edit",
          "reused_faces"),
+        properties.BRIDGE,
         properties.NOTES,
     )
     PROMISES = (

@@ -25,6 +25,7 @@ class WrapObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
          "distance_to_input"),
         ("DistanceFromInput", "App::PropertyLength", "Largest distance from the wrap of what sticks out of it",
          "distance_from_input"),
+        properties.BRIDGE,
         properties.NOTES,
     )
     PROMISES = (

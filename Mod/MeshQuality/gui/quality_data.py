@@ -400,7 +400,7 @@ def _shape_behind(source, obj):
     shape = convert.shape_of(made_of)
     if obj != source:
         shape.transformShape(frames.relative_motion(frames.placement_of(obj), frames.placement_of(source)).toMatrix(), False)
-    return shape
+    return convert.taken(shape)
 
 
 def runs_of_edges(triangles):

@@ -51,7 +51,9 @@ struct CurveReport {
     StageTimes seconds;               ///< {stage: wall-clock seconds}
     double cpu_seconds = 0.0;         ///< processor time of all threads of the operation
     double chord_height_asked = 0.0;  ///< largest deviation that was requested, mm; 0: none
-    mesh::MeshReport straight;        ///< MeshReport of the mesh that was curved
+    /// how the shape came from FreeCAD: "live", in place, or "stream", as a copy; "": there was none
+    std::string bridge;
+    mesh::MeshReport straight;  ///< MeshReport of the mesh that was curved
 
     /// |volume - cad_volume| / cad_volume; -1: unknown.
     double volume_error() const;

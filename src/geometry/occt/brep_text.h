@@ -9,7 +9,7 @@ class TopoDS_Shape;
 
 namespace mq::geometry {
 
-/// Reads a shape from OpenCASCADE's BREP text, where a live one cannot be shared. Sub-shapes keep their numbers.
+/// Reads a shape from OpenCASCADE's BREP text. Sub-shapes keep their numbers.
 /// @throws InvalidInput when the text holds no shape.
 std::shared_ptr<const TopoDS_Shape> read_brep_text(const std::string& text);
 

@@ -108,7 +108,9 @@ struct MeshReport {
     std::vector<SolidContact> contacts;
     /// [(face, why its samples were joined in (u, v) instead of in space), ...]
     std::vector<std::pair<std::int32_t, std::string>> fallback;
-    std::vector<std::string> notes;      ///< sentences about the shape and the mesh that a user should know
+    std::vector<std::string> notes;  ///< sentences about the shape and the mesh that a user should know
+    /// how the shape came from FreeCAD: "live", in place, or "stream", as a copy; "": there was none
+    std::string bridge;
     bool complete = true;                ///< False when a limit ended the work early
     StageTimes seconds;                  ///< {stage: wall-clock seconds}
     double cpu_seconds = 0.0;            ///< processor time of all threads of the operation

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "python/freecad/freecad_shape.h"
 
-#ifndef MESHQUALITY_OWN_OPENCASCADE
 #include <swigpyrun.h>
-#endif
 
-#include <string>
+#include <cstdlib>
+#include <optional>
 
 #include "base/error.h"
-#include "geometry/occt/brep_text.h"
+#include "geometry/occt/shape_model.h"
+#include "geometry/occt/stream/shape_stream.h"
+#include "geometry/occt/sub_shapes.h"
+#include "python/freecad/stream_cache.h"
 
 namespace py = pybind11;
 
@@ -16,10 +18,9 @@ namespace mq::python {
 
 namespace {
 
-#ifdef MESHQUALITY_OWN_OPENCASCADE
-/// FreeCAD's shapes are of another OpenCASCADE.
-void take_live(py::handle, FreecadShape&) {}
-#else
+constexpr const char* kLive = "live";
+constexpr const char* kStream = "stream";
+
 /// SWIG's type of TopoDS_Shape in the runtime that all SWIG modules of the process share; null when FreeCAD was built
 /// with another version of that runtime. The type needs a Python class, or the shape's destructor would never be
 /// called.
@@ -38,23 +39,49 @@ swig_type_info* shape_type() {
     return type;
 }
 
-/// Leaves `shape` null when the interoperability call does not work in this build of FreeCAD.
-void take_live(py::handle object, FreecadShape& result) {
-    swig_type_info* type = shape_type();
-    if (type == nullptr) {
-        return;
-    }
+/// The live shape; null when the interoperability call does not work in this build of FreeCAD.
+std::shared_ptr<const TopoDS_Shape> take_live(py::handle object) {
     try {
-        result.proxy = py::module_::import("Part").attr("__toPythonOCC__")(object);
+        swig_type_info* type = shape_type();
+        const py::object proxy = py::module_::import("Part").attr("__toPythonOCC__")(object);
+        void* pointer = nullptr;
+        if (type != nullptr && SWIG_IsOK(SWIG_ConvertPtr(proxy.ptr(), &pointer, type, 0))) {
+            return geometry::kept(*static_cast<const TopoDS_Shape*>(pointer));
+        }
     } catch (const py::error_already_set&) {
-        return;
+        // The call, or the module for it, is missing.
     }
-    void* pointer = nullptr;
-    if (SWIG_IsOK(SWIG_ConvertPtr(result.proxy.ptr(), &pointer, type, 0))) {
-        result.shape = static_cast<const TopoDS_Shape*>(pointer);
-    }
+    return nullptr;
 }
+
+/// Why shapes cannot be taken live; empty where they can. Versions are compared first: the layout of another one may
+/// differ.
+std::string why_not_live() {
+#ifdef MESHQUALITY_OWN_OPENCASCADE
+    return "the core has an OpenCASCADE of its own";
+#else
+    const py::module_ part = py::module_::import("Part");
+    const std::string theirs = py::str(part.attr("OCC_VERSION"));
+    if (theirs != geometry::occt_version()) {
+        return "FreeCAD has OpenCASCADE " + theirs + ", the core " + geometry::occt_version();
+    }
+    const std::shared_ptr<const TopoDS_Shape> probe = take_live(part.attr("Vertex")(0.0, 0.0, 0.0));
+    if (probe == nullptr) {
+        return "this build of FreeCAD cannot share its shapes";
+    }
+    return geometry::is_of_this_kernel(*probe) ? "" : "the core has an OpenCASCADE of its own";
 #endif
+}
+
+/// The bridge that is asked for; empty: none is.
+std::string asked_bridge() {
+    const char* const value = std::getenv("MESHQUALITY_BRIDGE");
+    const std::string asked = value == nullptr ? "" : value;
+    if (!asked.empty() && asked != kLive && asked != kStream) {
+        throw InvalidInput("MESHQUALITY_BRIDGE is '" + asked + "': it must be 'live' or 'stream', or not be set");
+    }
+    return asked;
+}
 
 }  // namespace
 
@@ -63,20 +90,27 @@ bool is_part_shape(py::handle object) {
     return modules.contains("Part") && py::isinstance(object, modules["Part"].attr("Shape"));
 }
 
-FreecadShape part_shape(py::handle object, bool force_copy) {
+FreecadShape part_shape(py::handle object) {
     if (object.attr("isNull")().cast<bool>()) {
         throw InvalidInput("the shape is null: it has no geometry");
     }
-    FreecadShape result;
-    if (!force_copy) {
-        take_live(object, result);
+    const std::string asked = asked_bridge();
+    if (asked != kStream) {
+        static std::optional<std::string> obstacle;
+        if (!obstacle) {
+            obstacle = why_not_live();
+        }
+        std::shared_ptr<const TopoDS_Shape> live = obstacle->empty() ? take_live(object) : nullptr;
+        if (live != nullptr) {
+            return {std::move(live), kLive};
+        }
+        if (asked == kLive) {
+            throw InvalidInput("MESHQUALITY_BRIDGE is 'live', which does not work here: " +
+                               (obstacle->empty() ? "this build of FreeCAD cannot share its shapes" : *obstacle) +
+                               "; do not set it, and shapes are copied");
+        }
     }
-    if (result.shape == nullptr) {
-        result.live = false;
-        result.copy = geometry::read_brep_text(object.attr("exportBrepToString")().cast<std::string>());
-        result.shape = result.copy.get();
-    }
-    return result;
+    return {StreamCache::shared().copy_of(object), kStream};
 }
 
 }  // namespace mq::python

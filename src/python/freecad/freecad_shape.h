@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <string>
 
 class TopoDS_Shape;
 
@@ -11,18 +12,18 @@ namespace mq::python {
 
 /// A Part.Shape in the form that the core uses.
 struct FreecadShape {
-    const TopoDS_Shape* shape = nullptr;       ///< shares its TShape with the document's shape when `live`
-    bool live = true;                          ///< false: a copy that came as BREP text
-    pybind11::object proxy;                    ///< keeps a live shape alive
-    std::shared_ptr<const TopoDS_Shape> copy;  ///< keeps a copy alive
+    std::shared_ptr<const TopoDS_Shape> shape;
+    /// "live": it shares its TShape with the document's shape; "stream": a copy that came as binary BREP
+    std::string bridge;
 };
 
 /// True when `object` is a Part.Shape (or of a class derived from it).
 bool is_part_shape(pybind11::handle object);
 
-/// Takes the live shape through FreeCAD's interoperability call, or a copy where this build of FreeCAD cannot give it.
-/// @throws InvalidInput for a null shape.
-FreecadShape part_shape(pybind11::handle object, bool force_copy = false);
+/// Takes a shape by the bridge that the environment variable MESHQUALITY_BRIDGE names; without it live where FreeCAD
+/// and the core use one OpenCASCADE in memory, else as a stream.
+/// @throws InvalidInput for a null shape, an unknown bridge, or one that does not work here
+FreecadShape part_shape(pybind11::handle object);
 
 }  // namespace mq::python
 

@@ -189,6 +189,11 @@ bool Operands::any_shapes() const {
     return std::any_of(given_.begin(), given_.end(), [](const GivenOperand& o) { return o.shape != nullptr; });
 }
 
+std::string Operands::bridge() const {
+    const auto shape = std::find_if(given_.begin(), given_.end(), [](const auto& one) { return !one.bridge.empty(); });
+    return shape == given_.end() ? "" : shape->bridge;
+}
+
 const Box& Operands::box_of_shape(std::size_t operand) const {
     std::optional<Box>& box = boxes_[operand];
     if (!box) {

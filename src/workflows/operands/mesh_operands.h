@@ -22,6 +22,7 @@ struct GivenOperand {
     std::shared_ptr<const triangulate::Result> surface;  ///< null: a shape alone
     bool round = false;                         ///< whether coordinates of the mesh may be rounded to single precision
     std::shared_ptr<const TopoDS_Shape> shape;  ///< null: a mesh alone
+    std::string bridge{};                       ///< how the shape came from FreeCAD, see MeshReport
 
     bool is_shape() const { return shape != nullptr && surface == nullptr; }
 };
@@ -74,6 +75,8 @@ class Operands {
 
     const std::vector<GivenOperand>& given() const { return given_; }
     bool any_shapes() const;
+    /// How the shapes came from FreeCAD; empty where there are none.
+    std::string bridge() const;
     /// Longest side of the box of all operands, mm; shapes are read for it, once.
     /// @throws GeometryError
     double size() const;

@@ -64,14 +64,15 @@ class ClearanceReport(metaclass=Public):
     pairs          [BodyPair, ...], nearest first
     min_clearance  mm, the limit that was given, or None
     within         mm; pairs farther apart were left out; None: none was
+    bridge         "live" or "stream": how the shapes came from FreeCAD; empty without any
     notes          sentences that a user should know
     """
 
     __slots__ = {"bodies": "names", "pairs": "[BodyPair, ...]", "min_clearance": "mm, or None", "within": "mm, or None",
-                 "notes": "sentences"}
+                 "bridge": '"live", "stream" or ""', "notes": "sentences"}
 
-    def __init__(self, bodies, pairs, values, notes):
-        self.bodies, self.notes = tuple(bodies), notes
+    def __init__(self, bodies, pairs, values, bridge, notes):
+        self.bodies, self.bridge, self.notes = tuple(bodies), bridge, notes
         rank = {OVERLAPPING: 0, EQUAL: 0, TOUCHING: 1}
         self.pairs = sorted(pairs, key=lambda pair: (rank.get(pair.relation, 2), pair.distance))
         self.min_clearance, self.within = values["min_clearance"], values["within"]
@@ -90,7 +91,7 @@ class ClearanceReport(metaclass=Public):
     def to_dict(self):
         """All of it, for JSON."""
         return {"bodies": list(self.bodies), "minimum": self.minimum if self.pairs else None,
-                "min_clearance": self.min_clearance, "within": self.within,
+                "min_clearance": self.min_clearance, "within": self.within, "bridge": self.bridge,
                 "pairs": [{"bodies": list(pair.bodies), "relation": pair.relation, "distance": pair.distance,
                            "lower": pair.lower, "upper": pair.upper, "method": pair.method,
                            "points": [point.tolist() for point in pair.points], "faces": list(pair.faces),
@@ -140,7 +141,8 @@ def clearance(bodies, min_clearance=None, within=None, tolerance=None, progress=
         float("inf") if values["within"] is None else values["within"], part_of(progress, _MESHING, 1.0))
     pairs = [_pair_of(one, *(made[i] for i in one.bodies)) for one in core]
     notes = [note for body in named for note in body.notes]
-    return ClearanceReport([body.name for body in made], pairs, values, notes)
+    bridge = next((body.bridge for body in named if body.bridge), "")
+    return ClearanceReport([body.name for body in made], pairs, values, bridge, notes)
 
 
 @dataclass
@@ -160,7 +162,7 @@ class _Given:
     def __init__(self, source, name, divided):
         self._source, self._name, self._divided = SolidSource(source), name, divided
         self._source.label = name
-        self.notes = []
+        self.bridge, self.notes = "", []
 
     def surfaces(self, tolerance, progress):
         """[_Body, ...]"""
@@ -171,6 +173,7 @@ class _Given:
                 self.notes.append(f"{self._name} is not closed: whether others lie in it is not known")
             return [_body(self._name, surface, None, 0.0)]
         surface = source.mesh(tolerance or source.first_chord_height(), None, progress)
+        self.bridge = surface.report.bridge
         deviation = max(surface.report.max_chord_height, 0.0)
         if not self._divided:
             return [_body(self._name, surface, source.shape, deviation)]

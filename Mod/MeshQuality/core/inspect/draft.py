@@ -54,6 +54,7 @@ class DraftMap(metaclass=Public):
     low_area, undercut_area
                     mm^2 with less draft than min_draft, and of undercuts
     exact_normals   share of the triangles whose normal is that of the CAD face; the others have that of the triangle
+    bridge          "live" or "stream": how the shape came from FreeCAD; empty without one
     notes           sentences that a user should know
     """
 
@@ -73,6 +74,7 @@ class DraftMap(metaclass=Public):
     low_area = property(lambda self: float(self.areas[self.is_low].sum()), doc="mm^2")
     undercut_area = property(lambda self: float(self.areas[self.is_undercut].sum()), doc="mm^2")
     exact_normals = property(lambda self: self._core.exact_normals / max(1, len(self.areas)), doc="share of the triangles")
+    bridge = property(lambda self: self.mesh.report.bridge, doc='"live", "stream" or ""')
 
     def _by_face(self):
         faces = self.mesh.triangle_face
@@ -97,7 +99,7 @@ class DraftMap(metaclass=Public):
         """All but the arrays, for JSON."""
         return {"pull_direction": self.pull_direction.tolist(), "min_draft": self.min_draft, "triangles": len(self.areas),
                 "area": float(self.areas.sum()), "low_area": self.low_area, "undercut_area": self.undercut_area,
-                "exact_normals": self.exact_normals,
+                "exact_normals": self.exact_normals, "bridge": self.bridge,
                 "faces": [{"face": face.face, "area": face.area, "min_draft": face.min_draft, "low_area": face.low_area,
                            "undercut_area": face.undercut_area} for face in self.faces], "notes": [*self.notes]}
 

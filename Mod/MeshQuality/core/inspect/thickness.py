@@ -71,6 +71,7 @@ class ThicknessMap(metaclass=Public):
     corner_angle degrees
     chord_height mm, largest distance of the mesh from the shape; None without one. Two sides of a wall deviate by twice
                  that at most
+    bridge       "live" or "stream": how the shape came from FreeCAD; empty without one
     seconds      {stage: wall-clock seconds}; cpu_seconds of all threads
     notes        sentences that a user should know
 
@@ -109,6 +110,7 @@ class ThicknessMap(metaclass=Public):
     points = property(lambda self: self._arrays[1] + self.mesh.origin, doc="float64 (T, 3), mm")
     opposite = property(lambda self: self._arrays[2], doc="int32 (T,)")
     is_wall = property(lambda self: self._arrays[3], doc="bool (T,)")
+    bridge = property(lambda self: self.mesh.report.bridge, doc='"live", "stream" or ""')
 
     @property
     def _arrays(self):
@@ -243,7 +245,7 @@ class ThicknessMap(metaclass=Public):
             "thin_places": [{"thickness": place.thickness, "point": place.point.tolist(), "area": place.area,
                              "faces": list(place.faces)} for place in places],
             "wall_area": float(self.areas[self.is_wall].sum()), "corner_angle": self.corner_angle,
-            "chord_height": self.chord_height, "notes": [*self.notes], "seconds": dict(self.seconds),
+            "chord_height": self.chord_height, "bridge": self.bridge, "notes": [*self.notes], "seconds": dict(self.seconds),
             "cpu_seconds": self.cpu_seconds,
         }
 

@@ -47,6 +47,7 @@ class VoidReport(metaclass=Public):
     void_volume   mm^3, of all of them
     solid_volume  mm^3, of the material
     chord_height  mm, largest distance of the mesh from the shape; None without one
+    bridge        "live" or "stream": how the shape came from FreeCAD; empty without one
     notes         sentences that a user should know
     """
 
@@ -58,11 +59,12 @@ class VoidReport(metaclass=Public):
         self.notes = [*mesh.report.notes]
 
     void_volume = property(lambda self: sum(void.volume for void in self.voids), doc="mm^3")
+    bridge = property(lambda self: self.mesh.report.bridge, doc='"live", "stream" or ""')
 
     def to_dict(self):
         """All but the arrays, for JSON."""
         return {"void_volume": self.void_volume, "solid_volume": self.solid_volume, "chord_height": self.chord_height,
-                "voids": [{"volume": void.volume, "area": void.area, "center": void.center.tolist(),
+                "bridge": self.bridge, "voids": [{"volume": void.volume, "area": void.area, "center": void.center.tolist(),
                            "low": void.low.tolist(), "high": void.high.tolist(), "faces": list(void.faces)}
                           for void in self.voids], "notes": [*self.notes]}
 

@@ -39,7 +39,7 @@ class Operands:
         of_document = all(isinstance(frames.object_of(source), FreeCAD.DocumentObject) for source in sources)
         self._arrangement = frames.arrangement_of(sources) if of_document else ""
         self._own_shapes = [None if isinstance(taken, convert.MeshCopy) or not of_document
-                            else convert.own_shape_of(source) for taken, source in zip(self._taken, sources)]
+                            else convert.taken(convert.own_shape_of(source)) for taken, source in zip(self._taken, sources)]
 
     def is_shape(self, i):
         """Whether an operand is a shape, with no meshes in it."""
@@ -94,9 +94,9 @@ class Operands:
                 return convert.MeshCopy(source)
             of_document = isinstance(frames.object_of(source), FreeCAD.DocumentObject)
             if not (of_document and convert.meshes_in(source)):
-                return convert.shape_of(source)
+                return convert.taken(convert.shape_of(source))
             meshes = convert.MeshCopy(source)
-            return _Mixed(meshes, convert.shape_of(source)) if convert.has_faces(source) else meshes
+            return _Mixed(meshes, convert.taken(convert.shape_of(source))) if convert.has_faces(source) else meshes
 
     def _read(self, i):
         """(core.Surface or None, whether it may be rounded to single precision, Part.Shape or None)"""

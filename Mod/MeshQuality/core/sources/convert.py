@@ -67,6 +67,12 @@ def shape_of(source):
     return shape
 
 
+def taken(shape):
+    """The same Part.Shape, which the core takes as it is now: on FreeCAD's thread, before work on another one."""
+    extension().take(shape)
+    return shape
+
+
 def own_shape_of(source):
     """The same with the placement of the object alone, not that of its containers."""
     import Part
