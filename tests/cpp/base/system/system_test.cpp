@@ -29,7 +29,7 @@ TEST(System, FilesAreWrittenByteByByteUnderAnyName) {
     const auto path = std::filesystem::temp_directory_path() / std::filesystem::u8path("meshquality größe 測試");
     std::FILE* file = open_for_writing(path.u8string());
     ASSERT_NE(file, nullptr);
-    EXPECT_EQ(std::fputs("a\nb\r\n", file), 0);
+    EXPECT_GE(std::fputs("a\nb\r\n", file), 0);
     EXPECT_EQ(std::fclose(file), 0);
     EXPECT_EQ(std::filesystem::file_size(path), 5U);
     std::filesystem::remove(path);
