@@ -2,6 +2,7 @@
 """Without what Windows lacks of Python, every module is still imported, and a part is meshed, written and read again."""
 
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -48,11 +49,12 @@ limits.limit_memory(2**40)
 limits.end_itself_after(1)
 scratch.remove_left()
 with signals.signals_held(), signals.EndedBySignals(), scratch.Folder() as folder:
-    path = os.path.join(folder.path, "ball.stl")
+    path = os.path.join(folder.path, "ball.msh")
     ball = mq.triangulate(Part.makeSphere(5))
     ball.write(path)
-    print("triangles", len(ball.triangles), "of", len(mq.read_mesh(path).triangles), "by", cluster.cores() > 0)
-print("left", os.path.exists(folder.path))
+    print("triangles", len(ball.triangles), "of", len(mq.read_mesh(path).boundary()[0]))
+assert cluster.cores() > 0
+print("removed", not os.path.exists(folder.path))
 sys.stdout.flush()
 """
 
@@ -66,4 +68,9 @@ class Windows(unittest.TestCase):
                 stream.write(SCRIPT.format(paths=paths, modules=MODULES, os=OS, signal=SIGNAL))
             done = subprocess.run(["freecadcmd", script], stdin=subprocess.DEVNULL, capture_output=True, text=True,
                                   timeout=120, check=False)
-        print(done.stdout, done.stderr)
+        said = done.stdout + done.stderr
+        found = re.search(r"^imported (\d+)$", said, re.M)
+        self.assertIsNotNone(found, said)
+        self.assertGreater(int(found[1]), 100, said)
+        self.assertRegex(said, r"(?m)^triangles (\d+) of \1$")
+        self.assertIn("removed True\n", said)

@@ -43,8 +43,8 @@ def main():
     MeshQuality.__path__.append(sys.argv[2])
     from MeshQuality import _core
 
-    surfaces = []
-    for path in sorted(glob.glob(os.path.join(sys.argv[3], "*.bin"))):
+    paths, surfaces = sorted(glob.glob(os.path.join(sys.argv[3], "*.bin"))), []
+    for path in paths:
         surfaces.append(_core.triangulate(Shape(path), _core.TriangulateOptions()))
         print(os.path.basename(path), len(surfaces[-1].triangles), digest(surfaces[-1].vertices, surfaces[-1].triangles))
     options = _core.BooleanOptions()
@@ -54,6 +54,10 @@ def main():
             operands.add(str(number), surface, True, None)
         found = _core.boolean(operands, operation, options, "exact")
         print(operation, len(found.triangles), digest(found.vertices, found.triangles))
+    curved_options = _core.CurveOptions()
+    curved_options.order = 3
+    curved = _core.curve_surface(surfaces[1], Shape(paths[1]), curved_options)
+    print("curved", len(curved.nodes), digest(curved.nodes))
     better = _core.improve(surfaces[0], _core.ImproveOptions())
     print("improved", len(better.triangles), digest(better.vertices, better.triangles))
 
