@@ -139,8 +139,8 @@ std::set<int> joined_nodes(const geometry::Topology& topology) {
     return nodes;
 }
 
-// Sets the radius around nodes that were joined or contracted to the distance at which their edges enclose kLeastAngle, if
-// they do: nearer to the node the mesh would have a corner that the shape does not have.
+// Sets the radius around nodes that were joined or contracted to the distance at which their edges enclose kLeastAngle,
+// if they do: nearer to the node the mesh would have a corner that the shape does not have.
 void keep_open(geometry::Session& session, std::vector<FaceCorner> corners, std::vector<std::array<double, 2>>& radii) {
     using geometry::DetailCorners;
     const geometry::Topology& topology = session.topology();
