@@ -60,7 +60,7 @@ void end_work() {
     if (end_all()) {
         stop_shared_engine();
     } else {
-        skip_destructors();  // of objects that the work still uses
+        skip_destructors();  // as the work still uses objects that these would end
     }
 }
 
