@@ -176,23 +176,23 @@ void Placement::place_faces(const std::vector<int>& triangles, bool by_parameter
     }
 }
 
-/// Places the inner nodes of poor triangles in the other of the two ways, and keeps this if the quality is better.
+/// Places the inner nodes of invalid triangles in the other of the two ways, and keeps this if the quality is better.
 void Placement::improve_faces(const std::vector<int>& triangles) {
-    std::vector<int> poor;
+    std::vector<int> invalid;
     std::vector<double> before;
     for (const int t : triangles) {
         const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
-        if (triangle.quality < SurfaceTuning::kWorthComparing && !planar(triangle.face)) {
-            poor.push_back(t);
+        if (!(triangle.quality > 0.0) && !planar(triangle.face)) {
+            invalid.push_back(t);
             before.push_back(triangle.quality);
         }
     }
-    place_faces(poor, true);
-    measure(poor);
+    place_faces(invalid, true);
+    measure(invalid);
     std::vector<int> worse;
-    for (std::size_t i = 0; i < poor.size(); ++i) {
-        if (surface_.triangles[static_cast<std::size_t>(poor[i])].quality < before[i]) {
-            worse.push_back(poor[i]);
+    for (std::size_t i = 0; i < invalid.size(); ++i) {
+        if (surface_.triangles[static_cast<std::size_t>(invalid[i])].quality < before[i]) {
+            worse.push_back(invalid[i]);
         }
     }
     place_faces(worse, false);

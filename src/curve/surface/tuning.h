@@ -48,8 +48,6 @@ struct SurfaceTuning {
     /// The distance of an end from the CAD, as a fraction of the mesh edge, from which it is a gap: nodes on the
     /// CAD would change the direction of a cubic by a tenth.
     MESHQUALITY_TUNED(double, kGapShare, 0.02);
-    /// Quality below which both ways to place the nodes of a triangle are compared.
-    MESHQUALITY_TUNED(double, kWorthComparing, 0.3);
     /// Distance of the point inside a triangle where the CAD normal of a corner is taken from the corner, as a fraction
     /// of the way to the centroid.
     MESHQUALITY_TUNED(double, kInsideCorner, 0.05);
