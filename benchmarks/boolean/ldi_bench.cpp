@@ -117,7 +117,8 @@ int main(int argc, char** argv) {
             options.resolution = resolution;
             const auto start = std::chrono::steady_clock::now();
             const double cpu = cpu_seconds();
-            const layered_depth::UniformResult r = layered_depth::layered_depth_boolean(a, b, operation, options, nullptr);
+            const layered_depth::UniformResult r =
+                layered_depth::layered_depth_boolean(a, b, operation, options, nullptr);
             const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
             print(r, resolution, wall.count(), cpu_seconds() - cpu);
             check(r);

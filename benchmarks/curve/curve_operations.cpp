@@ -329,7 +329,8 @@ void curving_in_regions() {
                 return false;
             }
             const Progress progress;
-            UntanglingPatch patch(*scene->volume, scene->volume->live_tetrahedra(), {}, scene->surface.shapes.order(), progress);
+            UntanglingPatch patch(*scene->volume, scene->volume->live_tetrahedra(), {}, scene->surface.shapes.order(),
+                                  progress);
             patch.propagate_curvature(VolumeTuning::kInwardSweeps);
             untangle(patch, VolumeTuning::kTargetJacobian, progress);
             patch.store(progress);
