@@ -54,8 +54,8 @@ def source_line():
     return f"deb-src [signed-by={KEYS}] {told[0] if told else 'http://deb.debian.org/debian'} {RELEASE} main\n"
 
 
-def download(into):
-    """Unpacks the source package, with Debian's patches, into `into`/source. apt checks the .dsc by the signed index of
+def download(into, package="opencascade", version=PACKAGE_VERSION):
+    """Unpacks a source package, with Debian's patches, into `into`/source. apt checks the .dsc by the signed index of
     the release, and dpkg-source the other files by the .dsc. Nothing of the machine's apt is changed.
     """
     for name in ("lists/partial", "archives/partial"):
@@ -66,15 +66,16 @@ def download(into):
                "APT::Sandbox::User": "root"}
     apt = ["apt-get", "-q", *(f"-o{name}={value}" for name, value in options.items())]
     subprocess.run([*apt, "update"], check=True, cwd=into)
-    subprocess.run([*apt, "source", "--download-only", f"opencascade={PACKAGE_VERSION}"], check=True, cwd=into)
-    subprocess.run(["dpkg-source", "--require-strong-checksums", "-x", f"opencascade_{PACKAGE_VERSION}.dsc", "source"],
+    subprocess.run([*apt, "source", "--download-only", f"{package}={version}"], check=True, cwd=into)
+    subprocess.run(["dpkg-source", "--require-strong-checksums", "-x", f"{package}_{version.split(':')[-1]}.dsc", "source"],
                    check=True, cwd=into)
 
 
-def install(source, build, into):
-    """Builds it there and installs headers, libraries, CMake's files and licences."""
+def install(source, build, into, changes=None):
+    """Builds it there and installs headers, libraries, CMake's files and licences. `changes` of SETTINGS are for other systems."""
     prefix_map = f"-ffile-prefix-map={source}=opencascade -ffile-prefix-map={build}=opencascade"
-    settings = {**SETTINGS, "CMAKE_CXX_FLAGS": prefix_map, "CMAKE_C_FLAGS": prefix_map, "CMAKE_INSTALL_PREFIX": into}
+    settings = {**SETTINGS, "CMAKE_CXX_FLAGS": prefix_map, "CMAKE_C_FLAGS": prefix_map, "CMAKE_INSTALL_PREFIX": into,
+                **(changes or {})}
     subprocess.run(["cmake", "-S", source, "-B", build, "-G", "Ninja", "-Wno-dev",
                     *(f"-D{name}={value}" for name, value in settings.items())], check=True)
     subprocess.run(["cmake", "--build", build], check=True)

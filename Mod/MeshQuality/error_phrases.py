@@ -67,9 +67,6 @@ ERRORS = {
     "no_solid_elements": "block {count} has no solid elements of {count2} nodes: give tetrahedra, pyramids, prisms or hexahedra",
     "no_sides": "the surface has no sides of {count} nodes of order {count2}: give triangles or quadrilaterals of orders 1 to {count3}",
     "entity_number": "{kind} lies on entity {count} of dimension {count2}: dimensions are 0 to 3, and entities are numbered from 0",
-    "legend_rows": "a legend is given as (height, width, 4) numbers and a corner from 0 to 3",
-    "legend_numbers": "a legend of {count} x {count2} pixels was given {count3} numbers, not four a pixel",
-    "no_view": "there is no 3D view: the quality of meshes is drawn in FreeCAD's window only",
     "no_such_patch": "a triangle is in patch {count}, but there are {count2}, numbered from 0",
     # Meshes.
     "body_empty": "body {count} has no triangles",

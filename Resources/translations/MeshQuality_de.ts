@@ -3471,14 +3471,6 @@
         <translation>Ein Loch hat mindestens drei Eckpunkte, dieses {count}</translation>
     </message>
     <message>
-        <source>a legend is given as (height, width, 4) numbers and a corner from 0 to 3</source>
-        <translation>Eine Legende wird als (Höhe, Breite, 4) Zahlen und eine Ecke von 0 bis 3 gegeben</translation>
-    </message>
-    <message>
-        <source>a legend of {count} x {count2} pixels was given {count3} numbers, not four a pixel</source>
-        <translation>Eine Legende von {count} x {count2} Pixeln hat {count3} Zahlen statt vier je Pixel</translation>
-    </message>
-    <message>
         <source>a point lies outside of the frame of its triangulation</source>
         <translation>Ein Punkt liegt außerhalb des Rahmens seiner Triangulierung</translation>
     </message>
@@ -3879,10 +3871,6 @@
         <translation>Es gibt keine Elemente der Art „{value}“: triangle, quadrilateral, tetrahedron, pyramid, prism oder hexahedron angeben</translation>
     </message>
     <message>
-        <source>there is no 3D view: the quality of meshes is drawn in FreeCAD&apos;s window only</source>
-        <translation>Es gibt keine 3D-Ansicht: die Qualität von Netzen wird nur im Fenster von FreeCAD gezeichnet</translation>
-    </message>
-    <message>
         <source>there is nothing to wrap: no triangle is given</source>
         <translation>Es gibt nichts einzuhüllen: kein Dreieck ist gegeben</translation>
     </message>
@@ -4175,10 +4163,6 @@
         <translation>Es gibt keine Höhlung: der Körper ist nirgends dicker als zwei Wände</translation>
     </message>
     <message>
-        <source>this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text</source>
-        <translation>Dieses FreeCAD kann seine Formen nicht teilen: das Netz entstand aus einer Kopie, die als BREP-Text übergeben wurde</translation>
-    </message>
-    <message>
         <source>triangles of the surface were not repaired, as tetrahedra would not fit: {phrase}</source>
         <translation>Dreiecke der Oberfläche wurden nicht repariert, da Tetraeder nicht passen würden: {phrase}</translation>
     </message>
@@ -4313,6 +4297,30 @@
     <message>
         <source>too many triangles meet: not all pairs were compared</source>
         <translation>Zu viele Dreiecke treffen sich: nicht alle Paare wurden verglichen</translation>
+    </message>
+    <message>
+        <source>FreeCAD has OpenCASCADE {value}, the core {value2}</source>
+        <translation>FreeCAD hat OpenCASCADE {value}, der Kern {value2}</translation>
+    </message>
+    <message>
+        <source>MESHQUALITY_BRIDGE is &apos;live&apos;, which does not work here: {phrase}; do not set it, and shapes are copied</source>
+        <translation>MESHQUALITY_BRIDGE ist 'live', was hier nicht geht: {phrase}; ohne diese Variable werden Formen kopiert</translation>
+    </message>
+    <message>
+        <source>the binary BREP of the shape cannot be read: {text}</source>
+        <translation>das binäre BREP der Form kann nicht gelesen werden: {text}</translation>
+    </message>
+    <message>
+        <source>the core has an OpenCASCADE of its own</source>
+        <translation>der Kern hat ein eigenes OpenCASCADE</translation>
+    </message>
+    <message>
+        <source>the shape cannot be written as binary BREP: {text}</source>
+        <translation>die Form kann nicht als binäres BREP geschrieben werden: {text}</translation>
+    </message>
+    <message>
+        <source>this build of FreeCAD cannot share its shapes</source>
+        <translation>dieser Bau von FreeCAD kann seine Formen nicht teilen</translation>
     </message>
 </context>
 <context>

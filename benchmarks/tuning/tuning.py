@@ -99,7 +99,8 @@ def work(arguments):
 
     if not any(VARIABLE.encode() in module.read_bytes() for module in MODULES.glob("_core.*.so")):
         raise RuntimeError(f"the module in {MODULES} was built without MESHQUALITY_TUNABLE")
-    cases = tuning_cases.cases(arguments.stage, arguments)
+    cases = {name: case for name, case in tuning_cases.cases(arguments.stage, arguments).items()
+             if not arguments.cases or name in arguments.cases}
     base = run_all(cases, "")
     if base is None:
         raise RuntimeError(f"the defaults took more than {SECONDS_OF_SETTING} s: take fewer cases (--first)")
@@ -113,7 +114,7 @@ def work(arguments):
         if arguments.only and name not in arguments.only:
             continue
         for factor in FACTORS:
-            run = run_all(cases, f"{name}={factor}")
+            run = run_all(cases, f"{arguments.stage}/{name}={factor}")
             if run is None:
                 print(f"{name:28} {value:>10} x{factor}: did not end", flush=True)
                 continue
@@ -129,6 +130,7 @@ def parser():
     result.add_argument("--stage", required=True, help="folder of src, such as triangulate/refine")
     result.add_argument("--parts", help="folder of parts named by their digests, to triangulate")
     result.add_argument("--only", action="append", help="a constant")
+    result.add_argument("--cases", nargs="*", help="names of cases; default: all")
     result.add_argument("--names", help="file with the digests of the parts to take")
     result.add_argument("--method", default="refine", help="refine, star or sprinkle")
     result.add_argument("--keep-edges", help="all or feature")

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What benchmarks/tuning/tuning.py runs to measure the constants of a folder: name -> a function that returns figures.
 
-Parts of others are triangulated; Booleans take pairs of pair_meshes.py, curving the models of curve_models.py, and
-improving some of the meshes.
+Parts of others are triangulated; Booleans take pairs of pair_meshes.py and of tests/parts/contact_pairs.py and meshes that
+are not closed; curving, filling, offsets and wraps the models of curve_models.py; improving some of the meshes.
 """
 
+import csv
 import hashlib
 import itertools
 import sys
@@ -12,18 +13,27 @@ from pathlib import Path
 
 sys.path += map(str, Path(__file__).resolve().parents[1].iterdir())
 import inside_freecad
+import numpy as np
 from parts_report import angle, far_distances
 
 BOUND = 25.0  # degrees
 DISTANCE = 0.002  # fraction of the largest side
 PAIR_CLASSES = ("random", "near", "offset", "files")
+OFFSETS = (0.03, -0.03)  # fractions of the diagonal
+GAP = 0.1  # of wraps, a fraction of the diagonal
 
 
 def cases(stage, arguments):
     """The cases of a folder of src by name."""
-    if stage.startswith("curve/"):
-        return curves(volume=stage == "curve/volume")
-    return {"boolean": booleans, "improve": improvements}.get(stage.split("/")[0], triangulations)(arguments)
+    made = {
+        "boolean": contacts, "boolean/near_coincidence": contacts, "boolean/input": dirty_operands,
+        "boolean/rounding": booleans, "layered_depth": uniform_booleans, "improve": improvements,
+        "curve/surface": lambda _: curves((2, 3), volume=False), "curve/volume": lambda _: curves((2,), volume=True),
+        "tetrahedralise": lambda _: curves((1, 2), volume=True), "offset": offsets, "contour": offsets_and_wraps,
+        "wrap": wraps,
+    }
+    known = [folder for folder in made if f"{stage}/".startswith(f"{folder}/")]
+    return (made[max(known, key=len)] if known else triangulations)(arguments)
 
 
 def digest(*arrays):
@@ -99,28 +109,115 @@ def booleans(arguments):
     return found
 
 
-def joined(a, b, operation):
+def contacts(arguments):
+    """All operations of solids with common faces, half of them given as meshes."""
+    from parts.contact_pairs import KINDS, OPERATIONS
+
+    return {f"{kind}-{seed} {operation}": lambda kind=kind, seed=seed, operation=operation: in_contact(
+        kind, seed, operation) for kind, seed, operation in itertools.product(KINDS, range(arguments.first), OPERATIONS)}
+
+
+def in_contact(kind, seed, operation):
+    """Figures of one of them."""
+    import MeshQuality as mq
+
+    from parts.contact_pairs import contact_pair
+
+    pair = contact_pair(kind, seed)
+    operands = [mq.triangulate(shape, chord_height=0.5 * pair.tolerance).to_mesh() if seed % 2 else shape
+                for shape in (pair.first, pair.displaced)]
+    return joined(*operands, operation, tolerance=pair.tolerance, method="exact")
+
+
+def dirty_operands(arguments):
+    """Boxes with the smallest meshes that are not closed taken out of them."""
+    import mesh_files
+    import Part
+    from FreeCAD import Vector
+
+    data = inside_freecad.data_folder()
+    with open(data / "index.csv", encoding="utf-8") as rows:
+        names = [row["file"] for row in csv.DictReader(rows) if row["kind"] == "mesh" and "open" in row["flags"]]
+    found = {}
+    for name in sorted(names, key=lambda name: (data / name).stat().st_size)[:arguments.first]:
+        vertices, triangles = mesh_files.read(data / name)
+        low, size = vertices.min(axis=0), np.ptp(vertices, axis=0)
+        box = Part.makeBox(*(0.6 * size).tolist(), Vector(*low.tolist()))
+        for options in ({}, {"method": "uniform", "resolution": 65}):
+            found[f"{Path(name).name} {options}"] = lambda given=(vertices, triangles), box=box, options=options: joined(
+                box, given, "difference", **options)
+    return found
+
+
+def uniform_booleans(_arguments):
+    """Unions of models with themselves, turned, from samples."""
+    import FreeCAD
+
+    found = {}
+    for name, shape in models().items():
+        turned = shape.rotated(FreeCAD.Vector(), FreeCAD.Vector(1, 2, 3), 40)
+        for operation in ("union", "difference"):
+            found[f"{name} {operation}"] = lambda a=shape, b=turned, operation=operation: joined(
+                a, b, operation, method="uniform", resolution=65, full=True)
+    return found
+
+
+def joined(a, b, operation, **options):
     """Figures of a Boolean; an error is one of them."""
+    return figures(lambda mq: mq.boolean(a, b, operation, **options))
+
+
+def figures(work):
+    """Figures of the surface that `work` makes of the module; an error is one of them."""
     import MeshQuality as mq
 
     from MeshQuality.compat import extension
 
     try:
-        mesh = mq.boolean(a, b, operation)
+        mesh = work(mq)
     except mq.Error as error:
         return {"triangles": 0, "errors": 1, "faults": 0, "message": str(error)}
     return {"triangles": mesh.report.triangles, "errors": 0, "error_bound": mesh.report.error_bound,
             "faults": sum(extension().verify(mesh._surface).values()), "digest": digest(mesh.vertices, mesh.triangles)}
 
 
-def curves(volume):
-    """The models of the curving benchmark, as surfaces of the second and the third order or as volumes of the second."""
+def models():
+    """Those models of the curving benchmark that are made, by name."""
+    import curve_models
+
+    return {name: made() for name, made in curve_models.MODELS.items() if callable(made)}
+
+
+def offsets(_arguments):
+    """Offsets of models both ways, and of some of the meshes to improve."""
+    return {f"{name} {share}": lambda solid=solid, share=share: figures(
+        lambda mq: mq.offset(solid, share * solid.BoundBox.DiagonalLength))
+        for name, solid in {**models(), **meshes()}.items() for share in OFFSETS}
+
+
+def wraps(_arguments):
+    """Wraps of models, and of two boxes with a gap between them."""
+    import FreeCAD
+    import Part
+
+    boxes = Part.Compound([Part.makeBox(1, 1, 1), Part.makeBox(1, 1, 1, FreeCAD.Vector(1.1, 0.3, 0.2))])
+    return {f"wrap {name}": lambda shape=shape: figures(
+        lambda mq: mq.wrap([shape], GAP * shape.BoundBox.DiagonalLength))
+        for name, shape in {**models(), "gap": boxes}.items()}
+
+
+def offsets_and_wraps(arguments):
+    """Both."""
+    return {**offsets(arguments), **wraps(arguments)}
+
+
+def curves(orders, volume):
+    """The models of the curving benchmark as surfaces or volumes of these orders."""
     import curve_models
 
     data = inside_freecad.data_folder()
-    return {f"{name} {order}":
-            lambda name=name, order=order: curved(curve_models.load(name, data), order, volume)
-            for name in curve_models.MODELS for order in ((2,) if volume else (2, 3))}
+    return {f"{name} {order}": lambda name=name, order=order: curved(curve_models.load(name, data), order, volume)
+            for name in curve_models.MODELS for order in orders}
 
 
 def curved(shape, order, volume):
@@ -131,24 +228,28 @@ def curved(shape, order, volume):
         mesh = mq.curve(shape, order=order, volume=volume)
     except mq.Error as error:
         return {"triangles": 0, "errors": 1, "invalid": 0, "message": str(error)}
+    cells = [mesh.tetrahedra] if volume else []
     return {"triangles": len(mesh.triangles), "errors": 0, "invalid": mesh.report.invalid,
-            "digest": digest(mesh.nodes, mesh.triangles)}
+            "digest": digest(mesh.nodes, mesh.triangles, *cells)}
+
+
+def meshes():
+    """The meshes that same_bytes.py improves, by name."""
+    import Mesh
+    import mesh_files
+
+    return {name: Mesh.Mesh(str(inside_freecad.data_folder() / "mesh" / name)) for name in mesh_files.IMPROVED}
 
 
 def improvements(_arguments):
-    """The meshes that same_bytes.py improves, too."""
-    import mesh_files
-
-    folder = inside_freecad.data_folder() / "mesh"
-    return {name: lambda path=folder / name: improved(path) for name in mesh_files.IMPROVED}
+    """Those, improved."""
+    return {name: lambda mesh=mesh: improved(mesh) for name, mesh in meshes().items()}
 
 
-def improved(path):
+def improved(mesh):
     """Figures of an improved mesh."""
-    import Mesh
-
     import MeshQuality as mq
 
-    mesh = mq.improve(Mesh.Mesh(str(path)))
-    return {"triangles": mesh.report.triangles, "below": len(mesh.report.exempt),
-            "digest": digest(mesh.vertices, mesh.triangles)}
+    better = mq.improve(mesh)
+    return {"triangles": better.report.triangles, "below": len(better.report.exempt),
+            "digest": digest(better.vertices, better.triangles)}

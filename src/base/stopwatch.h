@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/system/system.h"
 #include "base/threads/schedule_hooks.h"
 
 namespace mq {
-
-/// Processor seconds of this process, all threads, and of the programs it has waited for.
-double cpu_seconds();
 
 /// Wall-clock and processor seconds since its construction.
 class Stopwatch {

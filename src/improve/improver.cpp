@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/angle.h"
+#include "base/tuning.h"
 #include "improve/tuning.h"
 #include "mesh/intersection/triangle_distance.h"
 #include "mesh/quality/triangle_quality.h"
@@ -54,7 +55,7 @@ void Improver::run() {
     bool splits = false;
     int since = 0;
     const double at_first = std::max(1.0, static_cast<double>(bad_triangles().size()));
-    for (int round = 0; since <= ImproveTuning::kImprovePatience; ++round) {
+    for (int round = 0; since <= kMostRounds; ++round) {
         const std::vector<int> bad_ones = bad_triangles();
         since = keep_if_best(bad_ones.size()) ? 0 : since + 1;
         progress_.advance(1.0 - std::min(1.0, static_cast<double>(fewest_bad_) / at_first));

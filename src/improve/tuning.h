@@ -14,8 +14,6 @@ struct ImproveTuning {
     /// Least gain of a move in degrees. Vertices that keep moving by small steps would delay more effective
     /// changes.
     MESHQUALITY_TUNED(double, kLeastAngleGain, 1.0);
-    /// The work ends after this many rounds without fewer bad triangles.
-    MESHQUALITY_TUNED(int, kImprovePatience, 12);
     /// Times that a mesh with more faults than the given one is improved again, with the places of these left alone;
     /// then it is given back as it was.
     MESHQUALITY_TUNED(int, kRepeats, 8);

@@ -126,6 +126,38 @@ py::bytes brep_text(const FreecadShape& part) {
     return py::bytes(text);
 }
 
+void bind_shapes(py::module_& m) {
+    m.def(
+        "add_placeholder_surfaces",
+        [](const py::object& part) {
+            const auto shape = live_shape(part);
+            if (shape != nullptr) {
+                geometry::add_placeholder_surfaces(*shape);
+            }
+            return shape != nullptr;
+        },
+        py::arg("shape"),
+        "Gives the faces of a Part.Shape that have triangles alone a surface, in place, so that FreeCAD can copy it. "
+        "False: FreeCAD's shapes cannot be changed here.");
+    m.def("brep_text", &brep_text, py::arg("shape"),
+          "A Part.Shape as BREP text without triangulations: the same before and after it was shown.");
+    m.def("shape_identity", &shape_identity, py::arg("shape"),
+          "(address of the TShape, hash) of a Part.Shape as the core sees it.");
+    m.def(
+        "take", [](const FreecadShape& part) { return part.bridge; }, py::arg("shape"),
+        "Takes a Part.Shape as it is now, for calls on other threads; \"live\" or \"stream\": how.");
+    m.def(
+        "shape_stream", [](const FreecadShape& part) { return py::bytes(geometry::write_shape_stream(*part.shape)); },
+        py::arg("shape"), "A Part.Shape, as the core sees it, as Part.Shape.exportBinary writes it.");
+    m.def(
+        "copied_shapes",
+        [] {
+            return py::make_tuple(StreamCache::shared().count(), StreamCache::shared().bytes(),
+                                  StreamCache::kMostBytes);
+        },
+        "(how many shapes that came as streams are kept, about how many bytes they take, how many they may)");
+}
+
 }  // namespace
 
 void bind_triangulate(py::module_& m) {
@@ -159,35 +191,7 @@ void bind_triangulate(py::module_& m) {
           py::arg("progress") = py::none(),
           "float64 (T,): the largest distance of each triangle's corners, edge middles and centroid from the faces of "
           "a Part.Shape, mm.");
-    m.def(
-        "add_placeholder_surfaces",
-        [](const py::object& part) {
-            const auto shape = live_shape(part);
-            if (shape != nullptr) {
-                geometry::add_placeholder_surfaces(*shape);
-            }
-            return shape != nullptr;
-        },
-        py::arg("shape"),
-        "Gives the faces of a Part.Shape that have triangles alone a surface, in place, so that FreeCAD can copy it. "
-        "False: FreeCAD's shapes cannot be changed here.");
-    m.def("brep_text", &brep_text, py::arg("shape"),
-          "A Part.Shape as BREP text without triangulations: the same before and after it was shown.");
-    m.def("shape_identity", &shape_identity, py::arg("shape"),
-          "(address of the TShape, hash) of a Part.Shape as the core sees it.");
-    m.def(
-        "take", [](const FreecadShape& part) { return part.bridge; }, py::arg("shape"),
-        "Takes a Part.Shape as it is now, for calls on other threads; \"live\" or \"stream\": how.");
-    m.def(
-        "shape_stream", [](const FreecadShape& part) { return py::bytes(geometry::write_shape_stream(*part.shape)); },
-        py::arg("shape"), "A Part.Shape, as the core sees it, as Part.Shape.exportBinary writes it.");
-    m.def(
-        "copied_shapes",
-        [] {
-            return py::make_tuple(StreamCache::shared().count(), StreamCache::shared().bytes(),
-                                  StreamCache::kMostBytes);
-        },
-        "(how many shapes that came as streams are kept, about how many bytes they take, how many they may)");
+    bind_shapes(m);
 }
 
 }  // namespace mq::python

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "python/running_work.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <condition_variable>
-#include <cstdio>
-#include <cstdlib>
 #include <mutex>
 #include <set>
 
+#include "base/system/system.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "python/python_lock.h"
 #include "python/shared_engine.h"
@@ -22,24 +19,24 @@ namespace {
 constexpr std::chrono::seconds kGrace(5);
 
 void end_work();
+struct Running;
+Running& running();
 
 struct Running {
     /// sys.exit() in a script of FreeCAD's console ends the process without ending Python.
-    Running() { std::atexit(&end_work); }
+    Running() {
+        at_exit(&end_work);
+        at_fork([] { running().mutex.lock(); }, [] { running().mutex.unlock(); },
+                [] {
+                    running().works.clear();  // Their threads exist in the parent process only.
+                    running().mutex.unlock();
+                });
+    }
 
     std::mutex mutex;
     std::condition_variable changed;
     std::set<RunningWork*> works;
     bool closed = false;
-    pid_t owner = getpid();
-
-    /// Threads do not survive a fork: the child has no work yet. Call it with the mutex held.
-    void forget_parent() {
-        if (owner != getpid()) {
-            works.clear();
-            owner = getpid();
-        }
-    }
 };
 
 Running& running() {
@@ -52,7 +49,6 @@ Running& running() {
 bool end_all() {
     Running& all = running();
     std::unique_lock<std::mutex> lock(all.mutex);
-    all.forget_parent();
     all.closed = true;
     for (RunningWork* work : all.works) {
         work->cancel();
@@ -60,23 +56,11 @@ bool end_all() {
     return all.changed.wait_for(lock, kGrace, [&] { return all.works.empty(); });
 }
 
-/// Makes the process end with its status, but without the destructors of objects that the work still uses.
-void skip_destructors() {
-#ifdef __GLIBC__
-    on_exit(
-        [](int status, void* /*argument*/) {
-            std::fflush(nullptr);
-            _exit(status);
-        },
-        nullptr);
-#endif
-}
-
 void end_work() {
     if (end_all()) {
         stop_shared_engine();
     } else {
-        skip_destructors();
+        skip_destructors();  // as the work still uses objects that these would end
     }
 }
 
@@ -85,7 +69,6 @@ void end_work() {
 RunningWork::RunningWork(Progress& progress) : progress_(progress) {
     Running& all = running();
     const std::lock_guard<std::mutex> lock(all.mutex);
-    all.forget_parent();
     if (all.closed) {
         throw Cancelled(phrases::kPythonEnds);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/tuning.h"
 #include "tetrahedralise/tuning.h"
 
 namespace mq::tetrahedralise {
@@ -39,7 +40,7 @@ bool ChangePlanner::remove_one_edge(int cell, Change& change) {
             for (const int c : ring) {
                 rule.floor = std::min(rule.floor, quality(c));
             }
-            rule.floor += TetrahedralisationTuning::kLeastGain * std::abs(rule.floor);
+            rule.floor += kLeastGain * std::abs(rule.floor);
             if (flipper_.plan_ring(v[i], v[k], rule)) {
                 return true;
             }
@@ -56,7 +57,7 @@ bool ChangePlanner::flip_one_face(int cell) {
         if (other < 0) {
             continue;
         }
-        rule.floor = std::min(quality(cell), quality(other)) * (1.0 + TetrahedralisationTuning::kLeastGain);
+        rule.floor = std::min(quality(cell), quality(other)) * (1.0 + kLeastGain);
         if (flipper_.plan_face(cell, face, rule)) {
             return true;
         }

@@ -40,8 +40,6 @@ struct TetrahedralisationTuning {
     MESHQUALITY_TUNED(int, kStepHalvings, 5);
     /// First step of a vertex, divided by the mean length of its edges.
     MESHQUALITY_TUNED(double, kFirstStep, 0.15);
-    /// Least relative gain, so that changes do not cycle by rounding.
-    MESHQUALITY_TUNED(double, kLeastGain, 1e-3);
 };
 
 }  // namespace mq::tetrahedralise

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/tuning.h"
 #include "tetrahedralise/tuning.h"
 
 namespace mq::tetrahedralise {
@@ -20,7 +21,7 @@ double VertexPlacing::worst_at(const Vec3& place, double enough) const {
 }
 
 bool VertexPlacing::try_place(Vec3& place, const Vec3& other, double& worst) const {
-    const double enough = worst + TetrahedralisationTuning::kLeastGain * std::abs(worst);
+    const double enough = worst + kLeastGain * std::abs(worst);
     const double value = worst_at(other, enough);
     if (!(value > enough)) {
         return false;

@@ -6,7 +6,8 @@ from pathlib import Path
 
 # Headers of several operations, which no single one of them names.
 SEVERAL = {
-    "geometry/occt/evaluation/conversion.h", "improve/local_operations.h", "mesh/io/io.h", "mesh/io/io_formats.h", "python/bindings.h",
+    "base/system/system.h", "geometry/occt/evaluation/conversion.h", "improve/local_operations.h", "mesh/io/io.h",
+    "mesh/io/io_formats.h", "python/bindings.h",
 }
 DECLARED = re.compile(r"\b(?:class|struct|enum|using|concept|define)\s+(?:class\s+)?([A-Za-z_]\w*)|\b([a-z_]\w*)\s*\(|"
                       r"\bconstexpr\s+[\w:<>]+\s+(\w+)|^(?:\w+::)*(?:shared_ptr<)?([A-Z]\w+)", re.M)

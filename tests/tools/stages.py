@@ -9,7 +9,7 @@ from pathlib import Path
 
 # By module the folders below it in rows, low to high: a folder may include those of lower rows, and itself.
 STAGES = {
-    "base": [["base/memory", "base/threads"], ["base"]],
+    "base": [["base/system"], ["base/memory", "base/threads"], ["base"]],
     "geometry": [
         ["geometry"],
         ["geometry/elementary"],

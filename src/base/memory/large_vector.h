@@ -5,16 +5,9 @@
 #include <new>
 #include <vector>
 
-namespace mq {
+#include "base/system/system.h"
 
-/// Memory for large arrays, in blocks of the system's: given back as soon as it is freed, whereas an allocator may keep
-/// it. Blocks of 16 MB and more are in large pages where the system has them, which makes random access faster.
-/// @throws std::bad_alloc
-void* allocate_block(std::size_t bytes);
-/// Gives a block back; `bytes` as when it was taken.
-void free_block(void* block, std::size_t bytes) noexcept;
-/// Returns freed memory that the allocator keeps to the system, so that the following work can use it.
-void release_freed_memory();
+namespace mq {
 
 /// An allocator that uses allocate_block for arrays of 1 MB and more. Smaller arrays are allocated and freed often: the
 /// system would clear their pages each time.

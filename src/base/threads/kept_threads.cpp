@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/threads/kept_threads.h"
 
-#include <pthread.h>
-
 #include <algorithm>
 #include <condition_variable>
 #include <cstddef>
@@ -13,6 +11,8 @@
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "base/system/system.h"
 
 namespace mq {
 
@@ -176,8 +176,8 @@ void KeptThreads::run(const std::function<void()>& work, const std::function<voi
 
 KeptThreads& KeptThreads::of_process() {
     static KeptThreads& instance = []() -> KeptThreads& {
-        pthread_atfork([] { of_process().impl_->before_fork(); }, [] { of_process().impl_->after_fork(); },
-                       [] { of_process().impl_->after_fork_in_child(); });
+        at_fork([] { of_process().impl_->before_fork(); }, [] { of_process().impl_->after_fork(); },
+                [] { of_process().impl_->after_fork_in_child(); });
         return *new KeptThreads();  // never destroyed: the threads wait while the process exits
     }();
     return instance;

@@ -49,8 +49,7 @@ class SnapRounder {
             if (faults.size() == 0 && !faults.may_have_turned) {
                 break;
             }
-            const bool used_up = count_.rounds >= kMostRounds || faults.is_tangle ||
-                                 count_.error_bound > RoundingTuning::kMostRoundingMove * options_.tolerance;
+            const bool used_up = count_.rounds >= kMostRounds || faults.is_tangle;
             // A surface that is embedded stays so when it is only classified again.
             if (faults.size() > 0 && used_up) {
                 give_up(faults);

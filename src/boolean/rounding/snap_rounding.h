@@ -12,7 +12,7 @@ namespace mq::boolean {
 
 struct RoundingOptions {
     double size = 0.0;       ///< longest side of the operands' box, mm
-    double tolerance = 0.0;  ///< mm; rounding takes about half of it at most
+    double tolerance = 0.0;  ///< mm; vertices are moved apart by at most a twentieth of it in a round
     bool in_single = true;   ///< coordinates become single-precision numbers; else they stay double-precision ones
 };
 
@@ -21,7 +21,7 @@ struct RoundingCount {
     std::size_t separated = 0;  ///< copies of points that were moved off others in the same place
     double unit = 0.0;          ///< spacing of single-precision numbers at the farthest vertex, mm
     double error_bound = 0.0;   ///< bound for the distance of the surfaces before and after, both ways, mm
-    /// Triangles of the soup (ResultMesh::from) still in contact when the allowed distance or rounds are used up; of a
+    /// Triangles of the soup (ResultMesh::from) still in contact when the rounds allowed are used up; of a
     /// tangle (EmbeddingFaults::is_tangle) only those that were found. Empty: the surface is embedded.
     std::vector<std::int32_t> faulty;
 };

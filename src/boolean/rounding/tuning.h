@@ -16,8 +16,6 @@ struct RoundingTuning {
     MESHQUALITY_TUNED(double, kRelocationUnits, 80.0);
     /// ... and as a fraction of the tolerance.
     MESHQUALITY_TUNED(double, kRelocationShare, 0.05);
-    /// Largest distance between the surfaces before and after, as a fraction of the tolerance.
-    MESHQUALITY_TUNED(double, kMostRoundingMove, 0.5);
     /// Distance to which copies of a vertex are separated, in units of single precision of the size.
     MESHQUALITY_TUNED(double, kSeparationUnits, 80.0);
     /// The length of the sum of the normals at a vertex, as a fraction of the sum of the angles, below which the

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/chord_table.h"
+#include "base/tuning.h"
 #include "curve/surface/editor.h"
 #include "curve/surface/tuning.h"
 
@@ -51,7 +52,7 @@ std::vector<int> border_of(const SurfaceEditor& editor, const std::vector<int>& 
 /// The bad triangles that are connected with the seed by edges inside its face.
 std::vector<int> bad_ones_around(const SurfaceEditor& editor, int seed) {
     std::vector<int> result{seed};
-    for (std::size_t i = 0; i < result.size() && result.size() < SurfaceTuning::kLargestCavityBorder; ++i) {
+    for (std::size_t i = 0; i < result.size() && result.size() < kMostRounds; ++i) {
         const auto v = editor.triangle(result[i]).corners;
         for (std::size_t k = 0; k < 3; ++k) {
             if (editor.surface.segment(v[k], v[(k + 1) % 3]) != nullptr) {
@@ -186,7 +187,7 @@ class BestTriangulation {
 
 bool regrow(SurfaceEditor& editor, const std::vector<int>& triangles) {
     const Cavity cavity{triangles, border_of(editor, triangles)};
-    if (cavity.border.size() < 4 || cavity.border.size() > SurfaceTuning::kLargestCavityBorder) {
+    if (cavity.border.size() < 4 || cavity.border.size() > kMostRounds) {
         return false;
     }
     const std::vector<SurfaceEditor::Corners> added = BestTriangulation(editor, cavity).find();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/angle.h"
+#include "base/tuning.h"
 #include "curve/surface/editor.h"
 #include "curve/surface/tuning.h"
 
@@ -84,7 +85,7 @@ CuspRepair open_cusp(SurfaceEditor& editor, int a, int b, int c) {
     for (const Warp& warp : warps(surface.shapes.order())) {
         apply(warp);
         const double now = worst(editor, beside);
-        if (now > best + 1e-3) {
+        if (now > best + kLeastGain) {
             best = now;
             kept = warp;
         }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tuning.h"
 #include "curve/surface/tuning.h"
 
 namespace mq::curve {
@@ -125,7 +126,7 @@ bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<C
         invalid_after += triangle(t).quality > floor ? 0 : 1;
     }
     const bool adds_invalid = rule != Rule::Try && invalid_after > invalid_before;
-    if (adds_invalid || (rule == Rule::Improve && worst_after <= worst_before + 1e-3)) {
+    if (adds_invalid || (rule == Rule::Improve && worst_after <= worst_before + kLeastGain)) {
         undo(removed, indices, fresh);
         return false;
     }

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <set>
 
+#include "base/tuning.h"
 #include "curve/surface/tuning.h"
 #include "elements/bezier/validity.h"
 
@@ -309,11 +310,11 @@ bool Placement::on_edge(int vertex, int edge, double t_from, double t_to, double
                                       2.0 * topology.edges[static_cast<std::size_t>(edge)].tolerance);
     const double low = std::min(t_from, t_to);
     const double high = std::max(t_from, t_to);
+    // The curve may come near the vertex more than once.
     std::vector<Query> batch;
-    for (int k = 0; k < SurfaceTuning::kEdgeStarts; ++k) {
+    for (int k = 0; k < kMostRounds; ++k) {
         const Vec3& p = surface_.shapes.vertices[static_cast<std::size_t>(vertex)].point;
-        batch.push_back(
-            Query::edge_nearest(edge, p, low + (k + 0.5) / SurfaceTuning::kEdgeStarts * (high - low), low, high));
+        batch.push_back(Query::edge_nearest(edge, p, low + (k + 0.5) / kMostRounds * (high - low), low, high));
     }
     double nearest = std::max(tolerance, allowed);
     bool found = false;

@@ -138,7 +138,7 @@ std::vector<Answer> Placement::at_even_lengths(const std::vector<EdgeTask>& task
     auto at = session_.ask(points);
     std::vector<std::size_t> open(points.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
-    // Halving may take many steps before Newton's method can take over.
+    // Halving may take many steps before Newton's method can take over; each leaves half of the parameters.
     for (int left = SurfaceTuning::kArcRounds; left > 0 && !open.empty(); --left) {
         std::vector<Query> lengths;
         for (const std::size_t i : open) {
@@ -164,8 +164,7 @@ std::vector<Answer> Placement::at_even_lengths(const std::vector<EdgeTask>& task
             const bool there_already = std::abs(more) <= kSameLength * whole;
             if (!there_already && !((t - low) * sense > 0.0 && (high - t) * sense > 0.0)) {
                 t = 0.5 * (low + high);
-                left = std::abs(high - low) > SurfaceTuning::kEvenEnough * whole_range ? SurfaceTuning::kArcRounds + 1
-                                                                                       : left;
+                left = SurfaceTuning::kArcRounds + 1;
             }
             if (!there_already && std::abs(t - points[i].t) >= 1e-9 * whole_range) {
                 moving.push_back(i);

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/tuning.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/surface/curved_surface.h"
-#include "curve/surface/tuning.h"
 #include "geometry/closed_edge.h"
 
 namespace mq::curve {
@@ -67,7 +67,7 @@ class Parameters {
         std::vector<Answer> best(vertices.size());
         std::vector<std::size_t> open(vertices.size());
         std::iota(open.begin(), open.end(), std::size_t{0});
-        for (int starts = 1; starts <= SurfaceTuning::kMostCurveStarts && !open.empty(); starts *= 4) {
+        for (int starts = 1; starts <= kMostSteps && !open.empty(); starts *= 4) {
             search(e, vertices, open, starts, best);
             open.erase(std::remove_if(open.begin(), open.end(),
                                       [&](std::size_t i) { return best[i].found() && best[i].distance <= near; }),

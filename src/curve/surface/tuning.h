@@ -24,8 +24,6 @@ struct SurfaceTuning {
     MESHQUALITY_TUNED(int, kHalvingRounds, 6);
     /// Refining a face around its invalid triangles ends when their number has grown by this factor.
     MESHQUALITY_TUNED(int, kRunaway, 4);
-    /// Vertices around a cavity at most: the number of triangles that are measured grows with the third power.
-    MESHQUALITY_TUNED(std::size_t, kLargestCavityBorder, 24);
     /// Least gain in the worst quality of the triangles of an operation that makes no more of them valid.
     MESHQUALITY_TUNED(double, kLeastQualityGain, 0.05);
     /// Epsilon of (7), as a fraction of |t2 x t1|^2: the fraction of the straight triangle's corner that is to be
@@ -35,8 +33,6 @@ struct SurfaceTuning {
     MESHQUALITY_TUNED(double, kStraightTurn, 0.2);
     /// Triangles sampled for the deviation of the surface.
     MESHQUALITY_TUNED(std::size_t, kDeviationSamples, 2000);
-    /// Starts of the search for the nearest point of one edge at most; four times as many in each attempt.
-    MESHQUALITY_TUNED(int, kMostCurveStarts, 256);
     /// Largest distance of a mesh vertex from its CAD vertex, as a fraction of the size: vertices of rough shapes lie
     /// beside the ends of their edges.
     MESHQUALITY_TUNED(double, kNearVertex, 4e-3);
@@ -57,13 +53,8 @@ struct SurfaceTuning {
     /// Distance of the point inside a triangle where the CAD normal of a corner is taken from the corner, as a fraction
     /// of the way to the centroid.
     MESHQUALITY_TUNED(double, kInsideCorner, 0.05);
-    /// Starts of the search for a vertex' nearest point of an edge, evenly over the parameters: the curve may come near
-    /// the vertex more than once.
-    MESHQUALITY_TUNED(int, kEdgeStarts, 8);
     /// Newton steps towards even arc lengths; each about squares the error.
     MESHQUALITY_TUNED(int, kArcRounds, 3);
-    /// Nodes whose parameters are nearer than this, as a fraction of the segment's, count as at even arc lengths.
-    MESHQUALITY_TUNED(double, kEvenEnough, 1e-3);
     /// Newton steps towards even distances inside faces; the nodes need not be exact.
     MESHQUALITY_TUNED(int, kEvenRounds, 2);
     /// The largest distance of a vertex from the CAD edge, as a fraction of the edge's distance from the mesh edge

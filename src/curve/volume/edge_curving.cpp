@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 
+#include "base/tuning.h"
 #include "curve/volume/editor.h"
 #include "curve/volume/tuning.h"
 
@@ -31,7 +32,7 @@ bool bulge(VolumeEditor& editor, int a, int b, const Vec3& by) {
     }
     volume.shapes().set_edge(a, b, moved);
     volume.measure(around);
-    if (worst(volume, around) > quality + 1e-3) {
+    if (worst(volume, around) > quality + kLeastGain) {
         return true;
     }
     if (had) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "curve/volume/editor.h"
-#include "curve/volume/tuning.h"
 
 namespace mq::curve {
 
@@ -47,7 +46,7 @@ bool swap_region_edge(VolumeEditor& editor, int a, int b, VolumeEditor::Rule rul
         return false;
     }
     const std::vector<int> around = editor.volume.of_edge(a, b);
-    if (around.size() < 3 || around.size() > VolumeTuning::kLargestEdgeRing) {
+    if (around.size() < 3) {
         return false;
     }
     const std::vector<int> ring = ring_around(editor, around, a, b);

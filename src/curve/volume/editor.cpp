@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tuning.h"
 #include "curve/volume/tuning.h"
 #include "elements/bezier/jacobian.h"
 
@@ -83,8 +84,8 @@ bool VolumeEditor::better(const std::vector<int>& removed, const std::vector<std
     if (rule == Rule::Free) {
         return after.fixed > before.fixed + 0.05;
     }
-    return after.quality > before.quality + VolumeTuning::kLeastVolumeGain &&
-           after.fixed >= std::min(before.fixed, 0.2);
+    return after.quality > before.quality + kLeastGain &&
+           after.fixed >= std::min(before.fixed, VolumeTuning::kFreeCorner);
 }
 
 bool VolumeEditor::replace(const std::vector<int>& removed, const std::vector<std::array<int, 4>>& added, Rule rule) {

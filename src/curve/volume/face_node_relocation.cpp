@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 
+#include "base/tuning.h"
 #include "curve/volume/editor.h"
 #include "curve/volume/tuning.h"
 
@@ -37,7 +38,7 @@ class Relocation {
             while (try_steps(step, best, kept)) {
             }
         }
-        if (best > quality_ + VolumeTuning::kLeastVolumeGain) {
+        if (best > quality_ + kLeastGain) {
             return true;
         }
         put(before_);
@@ -60,7 +61,7 @@ class Relocation {
             }
             put(moved);
             const double now = worst();
-            if (now > best + VolumeTuning::kLeastVolumeGain) {
+            if (now > best + kLeastGain) {
                 best = now;
                 kept = moved;
                 any = true;

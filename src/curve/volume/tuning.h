@@ -29,14 +29,10 @@ struct VolumeTuning {
     MESHQUALITY_TUNED(double, kSliverShape, 0.05);
     /// Least shape (mean ratio) of straight elements after an operation, unless those before were flatter.
     MESHQUALITY_TUNED(double, kLeastShape, 0.01);
-    /// Least gain in the worst quality, so that changes do not cycle by rounding.
-    MESHQUALITY_TUNED(double, kLeastVolumeGain, 1e-3);
     /// Times that the step of a vertex, or of the nodes of a face, is halved.
     MESHQUALITY_TUNED(int, kHalvings, 6);
     /// First step of the nodes of a face, as a fraction of the longest edge of the face.
     MESHQUALITY_TUNED(double, kFirstFaceStep, 0.1);
-    /// Tetrahedra around an edge at most: with more of them a swap rarely helps.
-    MESHQUALITY_TUNED(std::size_t, kLargestEdgeRing, 7);
     /// Epsilon of (11), as a fraction of J of the straight element.
     MESHQUALITY_TUNED(double, kRestoredJacobian, 0.4);
     /// Positions of the barrier at most; each needs a minimisation.
@@ -54,8 +50,6 @@ struct VolumeTuning {
     MESHQUALITY_TUNED(int, kMinimisationSteps, 30);
     /// Pairs of steps and gradient differences that BFGS keeps; the usual 5 to 10.
     MESHQUALITY_TUNED(int, kBfgsMemory, 8);
-    /// Halvings of a step in the line search at most: a millionth of the step.
-    MESHQUALITY_TUNED(int, kLineHalvings, 20);
 };
 
 }  // namespace mq::curve

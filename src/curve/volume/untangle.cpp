@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "curve/volume/jacobian_batch.h"
 #include "curve/volume/tuning.h"
 #include "elements/bezier/blending.h"
@@ -302,7 +303,7 @@ class Minimiser {
             Eigen::VectorXd next_gradient;
             double length = 1.0;
             double next_value = kInfinity;
-            for (int i = 0; i < VolumeTuning::kLineHalvings && next_value == kInfinity; ++i, length *= 0.5) {
+            for (int i = 0; i < kMostRounds && next_value == kInfinity; ++i, length *= 0.5) {
                 next = x + length * direction;
                 const double bound = value + 1e-4 * length * direction.dot(gradient);
                 // Full steps are mostly accepted; for shorter steps the gradient is computed only after they are

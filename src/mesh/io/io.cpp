@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/system/system.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/io/io_formats.h"
 
@@ -73,7 +74,7 @@ std::string extension_of(const std::string& path) {
 
 void save(const std::string& path, const std::function<void(Output&)>& append) {
     const auto fail = [&](Phrase what) { throw IoError(what, {{"value", path}, {"text", std::strerror(errno)}}); };
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), &std::fclose);
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(open_for_writing(path), &std::fclose);
     if (!file) {
         fail(phrases::kOpening);
     }

@@ -18,6 +18,7 @@
 #include "offset/contoured/lattice_refinement.h"
 #include "offset/contoured/tuning.h"
 #include "offset/proof/distance_bounds.h"
+#include "offset/trimmed/tuning.h"
 
 namespace mq::offset {
 
@@ -138,7 +139,7 @@ class ContouredOffset {
         return triangles;
     }
     double deviation() const {
-        const double fineness = ContouredOffsetTuning::kFineness * tolerance_;
+        const double fineness = OffsetTuning::kFineness * tolerance_;
         return deviation_from_distance(triangles_found(), level_set_.searched(), distance_, fineness, progress_).bound;
     }
     /// By node: how far from the offset it is if it lies on the wrong side of the contour; 0 if it lies on the right
@@ -162,7 +163,7 @@ class ContouredOffset {
     std::vector<Box> faults_of(const std::vector<LatticeNode>& nodes, const std::vector<double>& wrong) const {
         std::vector<Box> result;
         const std::vector<Corners> triangles = triangles_found();
-        const double fineness = ContouredOffsetTuning::kFineness * tolerance_;
+        const double fineness = OffsetTuning::kFineness * tolerance_;
         const auto add = [&](const Box& box) {
             result.push_back(box);
             result.back().low.array() -= tolerance_;

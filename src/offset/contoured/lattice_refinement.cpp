@@ -101,7 +101,7 @@ class Refinement {
         }
         const double slope = from.gradient.dot(way) - to.gradient.dot(way);
         const double share = slope == 0.0 ? 0.0 : (to.value - to.gradient.dot(way) - from.value) / slope;
-        constexpr double kEnds = ContouredOffsetTuning::kFeatureEnds;
+        const double kEnds = ContouredOffsetTuning::kFeatureEnds;
         if (share < kEnds || share > 1.0 - kEnds) {
             return;
         }
@@ -201,7 +201,7 @@ class Refinement {
             }
             last = side;
         }
-        constexpr double kEnd = contour::ContourTuning::kEndShare;
+        const double kEnd = contour::ContourTuning::kEndShare;
         Crossing result;
         result.point = from + std::clamp(share, kEnd, 1.0 - kEnd) * way;
         level = level_set_.at(result.point, level.source);

@@ -36,8 +36,6 @@ struct ContouredOffsetTuning {
     MESHQUALITY_TUNED(double, kNear, 0.9);
     /// Blocks along the largest side of a model in which a contour is simplified in parallel.
     MESHQUALITY_TUNED(double, kBlocks, 8.0);
-    /// Fraction of the tolerance to which distances are determined.
-    MESHQUALITY_TUNED(double, kFineness, 0.02);
 };
 
 }  // namespace mq::offset

@@ -278,9 +278,8 @@ class OffsetPipeline {
         for (const Vec3& p : soup_.vertices) {
             box.add(p);
         }
-        // Rounding uses half of the tolerance that it is given.
         const boolean::RoundingCount rounded = boolean::snap_round(
-            extraction, {box.largest_side(), 2.0 * OffsetTuning::kRoundingShare * tolerance_, true}, progress_);
+            extraction, {box.largest_side(), OffsetTuning::kRoundingShare * tolerance_, true}, progress_);
         if (!rounded.faulty.empty()) {
             throw TopologyError(phrases::kOffsetNotHeld, {{"count", rounded.faulty.size()}});
         }

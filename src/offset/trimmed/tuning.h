@@ -22,8 +22,8 @@ struct OffsetTuning {
     /// Points whose distance from the surface is less than the asked one by more than this fraction of the tolerance
     /// are inside the offset.
     MESHQUALITY_TUNED(double, kDeepShare, 0.6);
-    /// Fraction of the tolerance that rounding to single precision may use.
-    MESHQUALITY_TUNED(double, kRoundingShare, 0.2);
+    /// The tolerance of rounding to single precision, as a fraction of the whole.
+    MESHQUALITY_TUNED(double, kRoundingShare, 0.4);
     /// Fraction of the tolerance by which the offset of a sheet is extended beyond its border.
     MESHQUALITY_TUNED(double, kExtension, 0.25);
     /// Largest sideways shift of an offset vertex from the point to which a triangle's normal leads, as a fraction of

@@ -6,9 +6,7 @@
 #include <ostream>
 #include <string>
 
-#if defined(__unix__) || defined(__APPLE__)
-#include <dlfcn.h>
-#endif
+#include "base/system/system.h"
 
 namespace py = pybind11;
 
@@ -16,20 +14,11 @@ namespace mq::python {
 
 namespace {
 
-#if defined(__unix__) || defined(__APPLE__)
 /// A symbol of the library that contains FreeCAD's module Mesh; null when it has none of that name.
 void* symbol(const char* name) {
-    static void* const library = [] {
-        const auto path = py::module_::import("Mesh").attr("__file__").cast<std::string>();
-        return dlopen(path.c_str(), RTLD_NOW | RTLD_NOLOAD);
-    }();
-    return library == nullptr ? nullptr : dlsym(library, name);
+    static const auto library = py::module_::import("Mesh").attr("__file__").cast<std::string>();
+    return symbol_of_library(library, name);
 }
-#else
-void* symbol(const char*) {
-    return nullptr;
-}
-#endif
 
 template <typename Function>
 Function function(const char* name) {

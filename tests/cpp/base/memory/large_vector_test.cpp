@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace {
@@ -27,15 +26,6 @@ TEST(LargeVector, KeepsItsValuesWhileItGrowsAndShrinks) {
         ASSERT_EQ(others[i], i);
     }
     EXPECT_EQ(values.back(), 7U);
-}
-
-TEST(LargeVector, ABlockCanBeWrittenFromEndToEnd) {
-    constexpr std::size_t kBytes = (std::size_t{1} << 24) + 4097;
-    auto* block = static_cast<unsigned char*>(mq::allocate_block(kBytes));
-    block[0] = 1;
-    block[kBytes - 1] = 2;
-    EXPECT_EQ(block[0] + block[kBytes - 1], 3);
-    mq::free_block(block, kBytes);
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 #include "base/threads/kept_threads.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -156,20 +154,6 @@ TEST(KeptThreads, HelpersOfOneOfThemAreOfThem) {
     }
     EXPECT_EQ(std::count_if(team.begin(), team.end(), [&](auto id) { return of_process.count(id) == 1; }), 0);
     EXPECT_EQ(ids_of_team(4), of_process);
-}
-
-TEST(KeptThreads, AForkedProcessStartsItsOwn) {
-#ifdef __SANITIZE_THREAD__
-    GTEST_SKIP() << "ThreadSanitizer allows no threads after a fork";
-#endif
-    ids_of_team(3);
-    const pid_t child = fork();
-    if (child == 0) {
-        _exit(ids_of_team(3).size() == 4 ? 0 : 1);
-    }
-    int status = -1;
-    ASSERT_EQ(waitpid(child, &status, 0), child);
-    EXPECT_EQ(status, 0);
 }
 
 }  // namespace

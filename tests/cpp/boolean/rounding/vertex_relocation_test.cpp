@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "mesh/intersection/self_intersection.h"
@@ -90,6 +91,24 @@ TEST(VertexRelocation, NamesWhatIsOutOfItsReach) {
     EXPECT_GT(left.contacts.size(), 0u);
     EXPECT_LE(left.contacts.size(), before);
     EXPECT_EQ(left.contacts.size(), faults_of(draft));
+}
+
+/// Hundreds of sheets through each other: work on so many faults is not known to end well.
+TEST(VertexRelocation, LeavesATangleAsItIs) {
+    constexpr int kSheets = 48;
+    ResultMesh draft;
+    for (int i = 0; i < kSheets; ++i) {
+        const double turn = M_PI * i / kSheets;
+        const Vec3 out(std::cos(turn), std::sin(turn), 0.0);
+        add_tetrahedron(draft, {Vec3(-out), out, Vec3(0.0, 0.0, 1.0), Vec3(1e-3 * out.y(), -1e-3 * out.x(), -1.0)},
+                        kConstructed);
+    }
+    const std::vector<Vec3> before = draft.vertices;
+    const EmbeddingFaults left =
+        relocate_vertices(draft, {kUnit, 8 * kUnit, [](const Vec3& p) { return p; }}, Progress());
+    EXPECT_TRUE(left.is_tangle);
+    EXPECT_GT(left.size(), draft.triangles.size());
+    EXPECT_EQ(draft.vertices, before);
 }
 
 TEST(VertexRelocation, SaysThatAPieceThinnerThanTheMovesMayHaveTurned) {

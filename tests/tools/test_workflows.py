@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The workflows of .github can be read, and the scripts that they run exist."""
+
+import re
+import unittest
+from pathlib import Path
+
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
+
+
+def commands(workflow):
+    """The commands of all steps of a workflow that was read."""
+    return [step["run"] for job in workflow["jobs"].values() for step in job["steps"] if "run" in step]
+
+
+class Workflows(unittest.TestCase):
+    def test_each_can_be_read_and_runs_scripts_that_exist(self):
+        self.assertGreaterEqual(len(WORKFLOWS), 3)
+        for path in WORKFLOWS:
+            workflow = yaml.safe_load(path.read_text(encoding="utf-8"))
+            named = re.findall(r"\b(?:bash|python3) +([\w./-]+)", "\n".join(commands(workflow)))
+            self.assertTrue(named, path.name)
+            for script in named:
+                self.assertTrue((ROOT / script).is_file(), f"{path.name}: {script}")
+
+    def test_each_job_has_a_machine_and_a_limit_of_time(self):
+        for path in WORKFLOWS:
+            for name, job in yaml.safe_load(path.read_text(encoding="utf-8"))["jobs"].items():
+                self.assertIn("runs-on", job, f"{path.name}: {name}")
+                self.assertLessEqual(job["timeout-minutes"], 360, f"{path.name}: {name}")
+                for step in job["steps"]:
+                    self.assertEqual(len({"run", "uses"} & set(step)), 1, f"{path.name}: {name}: {step}")
+
+
+if __name__ == "__main__":
+    unittest.main()
