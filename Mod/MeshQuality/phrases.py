@@ -230,6 +230,8 @@ CASE_SOLIDS = "the mesh has {count} solids, and one space is meshed at a time: w
 CASE_OVERLAP = "{name} and {name2} overlap or cross: unite them first, or mesh them with overlap = allow"
 CASE_CELL = "cell = {value} is not possible: give a length in mm from {length} on that is less than the size of the part, {length2}"
 CASE_NO_INSIDE = "no point inside of the mesh was found: it encloses no space"
+CASE_NO_UNDO = "a CFD surface of {name} would end FreeCAD when it is undone, unless MeshQuality was built for this FreeCAD: write the mesh " \
+               "with its patches as STL, or an OpenFOAM case"
 CASE_NO_FOLDER = "the case has no folder: give the name of one"
 FILE_NO_NAME = "the file has no name: give one that ends in one of {value}"
 FILE_IS_FOLDER = "{value} is a folder and cannot be written: give the name of a file that ends in one of {value2}"
@@ -241,7 +243,7 @@ NO_TRIANGLES_YET = "{name} has no triangles: compute it first"
 FILE_ERRORS = (
     PATCH_NAME, PATCH_REST_NAME, PATCH_NO_FACE, PATCH_FACE_TWICE, PATCH_FACE_IN_TWO, PATCH_ELSEWHERE, PATCH_BEYOND, PATCH_LIKE_FACE,
     PATCH_LIKE_GROUP, PATCH_LIKE_COLOUR, PATCH_LINE, PATCHES_ALIKE, PATCH_LOST, PATCHES_NOT_FOLLOWED, *NO_PATCHES.values(),
-    FILE_PATCH_TOO_LONG, FOAM_PATCH, CASE_OPEN, CASE_OVERLAP, CASE_SOLIDS, CASE_CELL, CASE_NO_INSIDE, CASE_NO_FOLDER, FILE_NO_NAME,
+    FILE_PATCH_TOO_LONG, FOAM_PATCH, CASE_OPEN, CASE_OVERLAP, CASE_SOLIDS, CASE_CELL, CASE_NO_INSIDE, CASE_NO_UNDO, CASE_NO_FOLDER, FILE_NO_NAME,
     FILE_IS_FOLDER, FILE_ENDING, FILE_ENDING_CURVED, FILE_NO_FOLDER, FILE_NOT_WRITABLE, NO_TRIANGLES_YET,
 )
 ANY_LENGTH = "a length"

@@ -4322,6 +4322,10 @@
         <source>this build of FreeCAD cannot share its shapes</source>
         <translation>dieser Bau von FreeCAD kann seine Formen nicht teilen</translation>
     </message>
+    <message>
+        <source>a CFD surface of {name} would end FreeCAD when it is undone, unless MeshQuality was built for this FreeCAD: write the mesh with its patches as STL, or an OpenFOAM case</source>
+        <translation>eine CFD-Oberfläche von {name} würde FreeCAD beim Rückgängigmachen beenden, wenn MeshQuality nicht für dieses FreeCAD gebaut ist: schreiben Sie das Netz mit seinen Patches als STL oder einen OpenFOAM-Fall</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

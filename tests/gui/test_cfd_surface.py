@@ -14,6 +14,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality.features import cfd_surface
 from MeshQuality.gui import commands
 
 if os.environ.get("MESHQUALITY_CFDOF"):  # a clone of it that is no addon
@@ -97,6 +98,17 @@ class CfdSurfaces(gui_helpers.PanelTest):
             commands.CfdSurface().Activated()
         self.assertIn("closed surface", told.call_args[0][0])
         self.assertEqual(self.document.Objects, objects)
+
+    def test_a_binary_that_cannot_take_shapes_in_place_refuses_it(self):
+        part = self.document.addObject("Part::Box", "Part")
+        self.document.recompute()
+        mesh = mq.add_quality_mesh(part)
+        objects = list(self.document.Objects)
+        with gui_helpers.mock.patch.object(cfd_surface, "_can_be_undone", lambda: False), \
+                self.assertRaisesRegex(mq.InvalidInput, "'Part quality mesh'.*built for this FreeCAD.*STL"):
+            mq.add_cfd_surface(mesh)
+        self.assertEqual(self.document.Objects, objects)
+        self.assertTrue(cfd_surface._can_be_undone())
 
     def test_cfdof_meshes_it_with_our_triangles(self):
         if importlib.util.find_spec("CfdOF") is None:

@@ -3,12 +3,14 @@
 
 import FreeCAD
 
+from .. import phrases
 from ..compat import PlainState, extension, without_traceback
 from ..core.meshes.openfoam_case import point_inside, require_closed
 from ..core.patches import patch_faces
 from ..core.patches.patches import colour_of, patches_of
 from ..core.sources import convert, frames
 from ..errors import Error, InvalidInput
+from ..phrases import Text
 from .export import flat_maker_of
 from .gui_hooks import window
 from .properties import add_property
@@ -81,11 +83,14 @@ def add_cfd_surface(obj):
     it writes the triangles as they are, so that its options for triangulation do nothing. The property Patches says which
     face is which patch, PointInside is a point for snappyHexMesh. The shape follows the mesh.
 
-    Returns the object. Raises InvalidInput for other objects and for a mesh that is open, and then adds nothing.
+    Returns the object. Raises InvalidInput for other objects, for a mesh that is open, and in a window with a binary that cannot take
+    FreeCAD's shapes in place, and then adds nothing.
     """
     if not isinstance(frames.object_of(obj), FreeCAD.DocumentObject) or not convert.is_mesh(obj):
         raise InvalidInput(f"{convert.label_of(obj)} holds no mesh: give an object with a mesh, or a link to one")
     document = frames.object_of(obj).Document
+    if FreeCAD.GuiUp and not _can_be_undone():
+        raise InvalidInput(Text(phrases.CASE_NO_UNDO, name=convert.label_of(obj)))
     with undo_step(document, "CFD surface"):
         made = document.addObject("Part::FeaturePython", "CfdSurface")
         try:
@@ -98,6 +103,13 @@ def add_cfd_surface(obj):
             document.removeObject(made.Name)
             raise
     return made
+
+
+def _can_be_undone():
+    """Whether faces with triangles alone can be given surfaces in place, without which a copy of them ends FreeCAD's view."""
+    import Part
+
+    return extension().add_placeholder_surfaces(Part.Vertex())
 
 
 def _is_cfd_surface(obj):
