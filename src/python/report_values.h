@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -78,6 +79,18 @@ void bind_field(Bound& bound, const char* name, T Owner::*field, const char* sai
         bound.def_property_readonly(
             name, [field](const Owner& owner) { return value_of(owner.*field); }, said);
     }
+}
+
+/// Binds notes, to which Python may add its own.
+template <typename Bound, typename Owner>
+void bind_notes(Bound& bound, std::vector<Message> Owner::*notes, const char* said) {
+    bound.def_property(
+        "notes", [notes](const Owner& owner) { return value_of(owner.*notes); },
+        [notes](Owner& owner, const std::vector<std::string>& texts) {
+            (owner.*notes).clear();
+            std::transform(texts.begin(), texts.end(), std::back_inserter(owner.*notes), &Message::value);
+        },
+        said);
 }
 
 }  // namespace mq::python

@@ -7,6 +7,7 @@
 
 namespace mq::elements {
 
+using curve::identity;
 using curve::nodes_of;
 using curve::perturbed;
 using curve::random_point;

@@ -8,6 +8,9 @@
 #include "curve/elements.h"
 
 namespace mq::elements {
+
+using curve::identity;
+
 namespace {
 
 /// A polynomial map of the degree with random coefficients that grow smaller with the degree.

@@ -7,6 +7,9 @@
 #include "elements/bezier/jacobian.h"
 
 namespace mq::elements {
+
+using curve::identity;
+
 namespace {
 
 /// The edges of a tetrahedron by their corners.

@@ -13,6 +13,7 @@
 
 namespace mq::elements {
 
+using curve::identity;
 using curve::nodes_of;
 
 namespace {

@@ -8,6 +8,7 @@
 
 namespace mq::elements {
 
+using curve::identity;
 using curve::nodes_of;
 
 namespace {
