@@ -110,6 +110,7 @@ class ShapeMesher {
         } catch (const TopologyError& error) {
             throw named(given.name, error);
         }
+        result.work.error_bound = std::max(result.work.error_bound, found.deviation);
         for (const Message& note : found.notes) {
             result.work.notes.push_back(
                 how_.any_faces ? Message(phrases::kOfOperand, {{"name", given.name}, {"phrase", note}}) : note);
