@@ -59,7 +59,7 @@ void end_work() {
     if (end_all()) {
         stop_shared_engine();
     } else {
-        skip_destructors();  // of objects that the work still uses
+        skip_destructors();  // The work still uses some of the objects.
     }
 }
 

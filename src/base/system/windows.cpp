@@ -35,7 +35,7 @@ double cpu_seconds() {
     FILETIME kernel{};
     FILETIME user{};
     GetProcessTimes(GetCurrentProcess(), &start, &end, &kernel, &user);
-    double ticks = 0.0;  // of 100 ns
+    double ticks = 0.0;  // each has 100 ns
     for (const FILETIME& t : {kernel, user}) {
         ticks += 4294967296.0 * t.dwHighDateTime + t.dwLowDateTime;
     }
@@ -85,7 +85,7 @@ namespace {
 
 struct Rounded {
     double value;
-    double error;  // of the rounding: value + error is exact
+    double error;  // that the rounding left: value + error is exact
 };
 
 Rounded two_sum(double a, double b) {
