@@ -33,9 +33,6 @@ namespace mq::boolean {
 
 namespace {
 
-/// Relative spacing of single-precision numbers.
-
-/// Formats a length with two digits.
 /// One Boolean operation: it holds the state that the stages share.
 class BooleanPipeline {
   public:

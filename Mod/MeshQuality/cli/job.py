@@ -173,6 +173,8 @@ def verify(job):
 def _failure(status, error, **more):
     """The result of a job that ended with this error. Its kind is what the error has in common with those of other parts."""
     said = error.args[0] if error.args else None
+    while isinstance(said, Text) and isinstance(said.places.get("phrase"), Text):
+        said = said.places["phrase"]  # without the name before it
     kind = {"kind": said.phrase} if isinstance(said, Text) else {}
     return {"status": status, "text": str(error), **kind, **more}
 

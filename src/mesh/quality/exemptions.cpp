@@ -24,8 +24,8 @@ std::string without_number(const std::string& value) {
 }  // namespace
 
 Message list_of(const std::vector<Message>& all) {
-    // Messages listed at most; the whole should stay on a few lines.
-    constexpr std::size_t kShown = 8;
+    // Messages listed at most: all kinds of repairs, but few enough to stay on a few lines.
+    constexpr std::size_t kShown = 9;
     Message shown;
     for (std::size_t i = 0; i < std::min(all.size(), kShown); ++i) {
         const std::string place = "phrase" + std::to_string(i);

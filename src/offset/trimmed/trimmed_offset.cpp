@@ -336,7 +336,13 @@ void OffsetOptions::validate() const {
     if (!std::isfinite(distance) || distance == 0.0) {
         throw InvalidInput(phrases::kNotGiven, {{"option", "distance"}});
     }
-    if (!std::isfinite(tolerance) || !(tolerance > 0.0) || tolerance > std::abs(distance)) {
+    if (!std::isfinite(tolerance) || !(tolerance > 0.0)) {
+        throw InvalidInput(phrases::kLengthNotAllowed,
+                           {{"option", "tolerance"},
+                            {"length", in_mm(tolerance)},
+                            {"range", Message(phrases::kLongerThan, {{"length", in_mm(0.0)}})}});
+    }
+    if (tolerance > std::abs(distance)) {
         throw InvalidInput(phrases::kAboveDistance,
                            {{"length", in_mm(tolerance)}, {"length2", in_mm(std::abs(distance))}});
     }

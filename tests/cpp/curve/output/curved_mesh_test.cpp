@@ -56,7 +56,7 @@ TEST(SoundCurvedMesh, HasKnownEntities) {
     expect_refused([](CurvedMesh& m) { m.edge_entity[0] = -1; }, "an edge lies on entity -1");
     expect_refused([](CurvedMesh& m) { m.triangle_face[0] = kLargest; }, "a triangle lies on entity 2147483647");
     expect_refused([](CurvedMesh& m) { m.tetrahedron_volume[0] = -7; }, "a tetrahedron lies on entity -7");
-    expect_refused([](CurvedMesh& m) { m.node_entity.pop_back(); }, "3 entities for 4 nodes");
+    expect_refused([](CurvedMesh& m) { m.node_entity.pop_back(); }, "node_entity has 3 entries where 4 are needed");
 }
 
 TEST(SoundCurvedMesh, HasWholeElementsOfKnownFiniteNodes) {
