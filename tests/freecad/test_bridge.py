@@ -14,8 +14,10 @@ import helpers
 import Part
 
 import MeshQuality as mq
-from MeshQuality import _core
+from MeshQuality.compat import extension
 from MeshQuality.core.sources import shape_stream
+
+_core = extension()
 
 
 def bridge(name):
