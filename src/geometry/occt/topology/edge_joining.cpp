@@ -131,8 +131,16 @@ std::optional<EdgeJoining::Alignment> EdgeJoining::alignment(int a, int b, doubl
     double after = 0.0;
     double largest = 0.0;
     for (int i = 0; i <= kSamples; ++i) {
-        const Answer there = first.point(parameter(a, double(i) / kSamples));
-        const Answer here = second.nearest(there.point, parameter(b, 0.5), edge(b).t0, edge(b).t1);
+        const double share = double(i) / kSamples;
+        const Answer there = first.point(parameter(a, share));
+        Answer here;
+        for (const double guess : {0.5, share, 1.0 - share}) {  // of several turns, only one may be near
+            const Answer found = second.nearest(there.point, parameter(b, guess), edge(b).t0, edge(b).t1);
+            here = !here.found() || found.distance < here.distance ? found : here;
+            if (here.found() && here.distance <= within) {
+                break;
+            }
+        }
         if (!there.found() || !here.found() || here.distance > within) {
             return std::nullopt;
         }
