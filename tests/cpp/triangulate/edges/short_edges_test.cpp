@@ -88,7 +88,7 @@ TEST(ShortEdges, AThinFaceBetweenTwoOthersIsAnEdge) {
 TEST(ShortEdges, AThinFaceWithMoreEdgesOnOneSideIsAnEdge) {
     const TopoDS_Shape plate = BRepPrimAPI_MakeBox(10.0, 4.0, 2.0).Shape();
     const TopoDS_Shape step = BRepPrimAPI_MakeBox(gp_Pnt(0.0, 0.0, 2.0), 10.0, 2.0, 0.5 * kDetail).Shape();
-    const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(3.0, 1.0, 2.0), 2.0, 1.0, 1.0).Shape();
+    const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(3.0, 1.0, 2.0 + 0.5 * kDetail), 2.0, 1.0, 1.0).Shape();
     const Detailed part(BRepAlgoAPI_Fuse(BRepAlgoAPI_Fuse(plate, step).Shape(), block).Shape());
     const geometry::Topology& topology = part.model->topology();
     EXPECT_TRUE(part.initial.failures.empty());
