@@ -174,7 +174,7 @@ class DegenerateFaces : EdgeJoining {
         const bool ascending = edge(e).nodes[1] == end;
         const double low = ascending && from ? *from : edge(e).t0;
         const double high = !ascending && from ? *from : edge(e).t1;
-        const Answer foot = curve(e).nearest(point, 0.5 * (low + high), low, high);
+        const Answer foot = nearest_on(e, point, topology_.detail, {low, high});
         if (!foot.found() || foot.distance >= topology_.detail) {
             return std::nullopt;
         }
@@ -299,7 +299,7 @@ class DegenerateFaces : EdgeJoining {
                                                     data.low[1] + (data.high[1] - data.low[1]) * k / kSamples));
                 if (std::none_of(sliver.pairs.begin(), sliver.pairs.end(), [&](const Pair& pair) {
                         const int e = edge_of(pair[0]);
-                        const Answer foot = curve(e).nearest(p, parameter(e, 0.5), edge(e).t0, edge(e).t1);
+                        const Answer foot = nearest_on(e, p, within);
                         return foot.found() && foot.distance <= within;
                     })) {
                     return false;
