@@ -23,6 +23,9 @@ class EdgeEvaluator {
     Answer middle(double from, double to) const;
     Answer at_distance(double from, double to, double distance) const;
     Answer nearest(const Vec3& point, double guess, double low, double high) const;
+    /// The nearest point of all in [low, high], found from many samples: a curve of several turns is near a point more
+    /// than once.
+    Answer nearest_of_all(const Vec3& point, double low, double high) const;
     Answer length(double from, double to) const;
 
   private:

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gp_Circ.hxx>
 #include <gp_Lin.hxx>
+#include <vector>
 
 #include "geometry/elementary/surface.h"
 #include "geometry/occt/evaluation/conversion.h"
@@ -134,6 +135,27 @@ Answer EdgeEvaluator::nearest(const Vec3& point, double guess, double low, doubl
     answer = at_parameter(t);
     answer.distance = (answer.point - point).norm();
     return answer;
+}
+
+Answer EdgeEvaluator::nearest_of_all(const Vec3& point, double low, double high) const {
+    // Each turn has several samples.
+    const int count = kind_ == Kind::Other ? 32 + 8 * static_cast<int>(knots_.size()) : 1;
+    const auto parameter = [&](int i) { return low + (high - low) * i / count; };
+    std::vector<double> distances;
+    for (int i = 0; i <= count; ++i) {
+        distances.push_back((at(parameter(i)) - point).squaredNorm());
+    }
+    Answer best;
+    for (int i = 0; i <= count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if ((i > 0 && distances[k - 1] < distances[k]) || (i < count && distances[k + 1] < distances[k])) {
+            continue;
+        }
+        const Answer found =
+            nearest(point, parameter(i), parameter(std::max(i - 1, 0)), parameter(std::min(i + 1, count)));
+        best = found.found() && (!best.found() || found.distance < best.distance) ? found : best;
+    }
+    return best;
 }
 
 }  // namespace mq::geometry

@@ -65,6 +65,7 @@ class DegenerateFaces : EdgeJoining {
         std::map<int, Sliver> thin;
         for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
             check_cancelled(progress_);
+            divide_across(f);
             Sliver sliver = sides_of(f);
             if (has_sides(sliver) && find_pairs(f, sliver, topology_.detail) && neighbours_open(sliver)) {
                 thin_.insert(f);
@@ -81,9 +82,104 @@ class DegenerateFaces : EdgeJoining {
         }
     }
 
+    /// Whether the edges around a face are sides: all between two nodes, or the two around a ring.
     bool has_sides(const Sliver& sliver) const {
-        return !sliver.uses.empty() && sliver.uses.size() % 2 == 0 &&
-               std::all_of(sliver.uses.begin(), sliver.uses.end(), [&](int use) { return is_side(edge_of(use)); });
+        const auto sides =
+            std::count_if(sliver.uses.begin(), sliver.uses.end(), [&](int use) { return is_side(edge_of(use)); });
+        const auto ring = [&](int use) {
+            const Edge& data = edge(edge_of(use));
+            return !data.degenerate && data.uses.size() == 2 && data.nodes[0] >= 0 && data.nodes[0] == data.nodes[1];
+        };
+        const std::size_t n = sliver.uses.size();
+        return (n > 0 && n % 2 == 0 && static_cast<std::size_t>(sides) == n) ||
+               (n == 2 && std::all_of(sliver.uses.begin(), sliver.uses.end(), ring));
+    }
+
+    /// A place at which an edge is divided, at a node across.
+    struct Division {
+        int edge;
+        double t;
+        int node;
+    };
+
+    /// Divides the edges around a face at the nodes across from them, where its border runs along itself between two
+    /// ends, so that they lie in pairs.
+    void divide_across(int face) {
+        const Sliver sliver = sides_of(face);
+        for (std::size_t tip = 0; tip < sliver.uses.size(); ++tip) {
+            std::vector<Division> divisions = divisions_from(sliver, tip);
+            if (divisions.empty()) {
+                continue;
+            }
+            // The first piece of an edge keeps its number.
+            std::sort(divisions.begin(), divisions.end(),
+                      [](const Division& a, const Division& b) { return a.t > b.t; });
+            for (const Division& division : divisions) {
+                divide(division.edge, division.t, division.node);
+            }
+            return;
+        }
+    }
+
+    /// The divisions that make pairs of all edges, on both ways around the face from the start of a use; none: that is
+    /// not possible, or they are pairs.
+    std::vector<Division> divisions_from(const Sliver& sliver, std::size_t tip) {
+        const std::size_t n = sliver.uses.size();
+        std::vector<Division> divisions;
+        std::size_t ahead = 0;
+        std::size_t back = 0;
+        std::array<std::optional<double>, 2> from;  // where what is left of the present edges begins, on both ways
+        while (ahead + back + 1 < n) {
+            const std::array<int, 2> uses{sliver.uses[(tip + ahead) % n], sliver.uses[(tip + n - 1 - back) % n]};
+            if (!std::all_of(uses.begin(), uses.end(), [&](int use) { return is_side(edge_of(use)); })) {
+                return {};
+            }
+            const std::array<int, 2> ends{end_of(uses[0], true), end_of(uses[1], false)};
+            if (meet(ends[0], ends[1], sliver.ends)) {
+                from = {};
+                ++ahead;
+                ++back;
+                continue;
+            }
+            bool found = false;
+            for (std::size_t k = 0; k < 2 && !found; ++k) {
+                const int other = uses[1 - k];
+                const std::optional<double> t =
+                    foot_inside(ends[k], edge_of(other), from[1 - k], end_of(other, k == 1));
+                if (t) {
+                    divisions.push_back({edge_of(other), *t, ends[k]});
+                    from[1 - k] = t;
+                    from[k] = std::nullopt;
+                    ++(k == 0 ? ahead : back);
+                    found = true;
+                }
+            }
+            if (!found) {
+                return {};
+            }
+        }
+        return ahead + back == n ? divisions : std::vector<Division>();
+    }
+
+    /// The node at the end of a use on the way around its face, or back.
+    int end_of(int use, bool ahead) const {
+        const EdgeUse& data = topology_.uses[static_cast<std::size_t>(use)];
+        return edge(data.edge).nodes[data.forward == ahead ? 1 : 0];
+    }
+
+    /// The parameter of an edge beside a node that is closer to it than the detail, and not so close to its ends.
+    /// @param from  where what is left of the edge begins; none: at an end
+    std::optional<double> foot_inside(int node, int e, std::optional<double> from, int end) {
+        const Vec3& point = topology_.nodes[static_cast<std::size_t>(node)].point;
+        const bool ascending = edge(e).nodes[1] == end;
+        const double low = ascending && from ? *from : edge(e).t0;
+        const double high = !ascending && from ? *from : edge(e).t1;
+        const Answer foot = nearest_on(e, point, topology_.detail, {low, high});
+        if (!foot.found() || foot.distance >= topology_.detail) {
+            return std::nullopt;
+        }
+        const auto near = [&](double t) { return (curve(e).point(t).point - foot.point).norm() < topology_.detail; };
+        return near(low) || near(high) ? std::nullopt : std::optional(foot.t);
     }
 
     void collapse_if_sliver(int face) {
@@ -123,7 +219,7 @@ class DegenerateFaces : EdgeJoining {
         Sliver result;
         const Face& data = topology_.faces[static_cast<std::size_t>(face)];
         // Edges around a sliver at most: the cost grows with its square.
-        constexpr std::size_t kMostSliverEdges = 12;
+        constexpr std::size_t kMostSliverEdges = 32;
         if (data.loops.size() != 1 || data.loops.front().uses.size() > kMostSliverEdges) {
             return result;
         }
@@ -203,7 +299,7 @@ class DegenerateFaces : EdgeJoining {
                                                     data.low[1] + (data.high[1] - data.low[1]) * k / kSamples));
                 if (std::none_of(sliver.pairs.begin(), sliver.pairs.end(), [&](const Pair& pair) {
                         const int e = edge_of(pair[0]);
-                        const Answer foot = curve(e).nearest(p, parameter(e, 0.5), edge(e).t0, edge(e).t1);
+                        const Answer foot = nearest_on(e, p, within);
                         return foot.found() && foot.distance <= within;
                     })) {
                     return false;

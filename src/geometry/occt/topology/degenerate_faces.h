@@ -10,8 +10,9 @@ namespace mq::geometry {
 /// the entities around it become one edge or node. The halves of an edge that runs to and fro on one curve become one
 /// edge, too, as on the border in the middle of a wing's flat end. A whole face is removed, too, and named in
 /// `topology.faults`, if it lies between two edges and is no wider than their tolerance, or if it is thinner than
-/// `topology.detail`. A thin face must lie between edges that run along each other in pairs, with nothing but edges
-/// shorter than the detail at its ends; the faces beside it must still meet at an edge, and those beyond its ends must
+/// `topology.detail`. A thin face must lie between edges that run along each other, with nothing but edges shorter than
+/// the detail at its ends, or around a ring. Its edges are divided at the nodes across from them, so that they lie in
+/// pairs (Topology::parts_of); the faces beside it must still meet at an edge, and those beyond its ends must
 /// keep a corner or be as thin.
 /// @throws Cancelled
 void remove_degenerate_faces(const OrderedShape& shape, Topology& topology, ShapeMap& live, const Progress* progress);

@@ -17,7 +17,7 @@ std::optional<double> EdgeJoining::dihedral_angle(int use, int other) const {
     const int a = topology_.uses[static_cast<std::size_t>(use)].edge;
     const int b = topology_.uses[static_cast<std::size_t>(other)].edge;
     const double t = parameter(a, 0.5);
-    const Answer there = curve(b).nearest(curve(a).point(t).point, parameter(b, 0.5), edge(b).t0, edge(b).t1);
+    const Answer there = nearest_on(b, curve(a).point(t).point, 0.0);
     const std::optional<Vec3> first = conormal(use, t);
     const std::optional<Vec3> second = there.found() ? conormal(other, there.t) : std::optional<Vec3>();
     return first && second ? std::optional<double>(angle_between(*first, *second)) : std::nullopt;
@@ -124,15 +124,22 @@ bool EdgeJoining::is_side(int e) const {
            edge(e).nodes[0] != edge(e).nodes[1];
 }
 
+Answer EdgeJoining::nearest_on(int e, const Vec3& point, double within, std::array<double, 2> range) const {
+    const auto [low, high] = range[0] < range[1] ? range : std::array<double, 2>{edge(e).t0, edge(e).t1};
+    const Answer beside_middle = curve(e).nearest(point, 0.5 * (low + high), low, high);
+    return beside_middle.found() && beside_middle.distance <= within ? beside_middle
+                                                                     : curve(e).nearest_of_all(point, low, high);
+}
+
 std::optional<EdgeJoining::Alignment> EdgeJoining::alignment(int a, int b, double within) const {
     const EdgeEvaluator& first = curve(a);
-    const EdgeEvaluator& second = curve(b);
     double before = 0.0;
     double after = 0.0;
     double largest = 0.0;
     for (int i = 0; i <= kSamples; ++i) {
-        const Answer there = first.point(parameter(a, double(i) / kSamples));
-        const Answer here = second.nearest(there.point, parameter(b, 0.5), edge(b).t0, edge(b).t1);
+        const double share = double(i) / kSamples;
+        const Answer there = first.point(parameter(a, share));
+        const Answer here = nearest_on(b, there.point, within);
         if (!there.found() || !here.found() || here.distance > within) {
             return std::nullopt;
         }

@@ -24,6 +24,9 @@ class EdgeJoining {
     /// The tolerance of `a` becomes their distance, if that is larger.
     /// @return whether they are one now
     bool join(int a, int b, double within = 0.0);
+    /// The point of an edge, or of a range of it, that is nearest to a point; a nearer one may be left out where one is
+    /// found within this distance (mm).
+    Answer nearest_on(int e, const Vec3& point, double within, std::array<double, 2> range = {}) const;
     /// How `a` lies along `b`; nothing if a sample of `a` is farther than `within` (mm) from `b`.
     std::optional<Alignment> alignment(int a, int b, double within) const;
     /// Radians: the angle between the faces of two uses in the middle of their edges, which lie along each other; 0:

@@ -92,7 +92,7 @@ class Spikes : EdgeJoining {
         }
         const int node = edge(b).nodes[use_of(sides.shorter).forward == sides.ascending ? 1 : 0];
         const Vec3& end = topology_.nodes[static_cast<std::size_t>(node)].point;
-        const Answer foot = curve(a).nearest(end, parameter(a, 0.5), edge(a).t0, edge(a).t1);
+        const Answer foot = nearest_on(a, end, within);
         if (!foot.found() || !is_inside(a, foot, within) || !opens(sides, foot)) {
             return std::nullopt;
         }

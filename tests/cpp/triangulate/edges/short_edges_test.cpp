@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <gp_Ax1.hxx>
 
 #include "geometry/parts.h"
 #include "triangulate/checks.h"
@@ -79,6 +82,33 @@ TEST(ShortEdges, AThinFaceBetweenTwoOthersIsAnEdge) {
     EXPECT_NE(
         part.model->topology().faults[0].find("is thinner than 0.001 mm, which does not show at what is asked for"),
         std::string::npos);
+}
+
+/// The riser of a step has one edge below and three above, as a block stands flush with it on the step.
+TEST(ShortEdges, AThinFaceWithMoreEdgesOnOneSideIsAnEdge) {
+    const TopoDS_Shape plate = BRepPrimAPI_MakeBox(10.0, 4.0, 2.0).Shape();
+    const TopoDS_Shape step = BRepPrimAPI_MakeBox(gp_Pnt(0.0, 0.0, 2.0), 10.0, 2.0, 0.5 * kDetail).Shape();
+    const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(3.0, 1.0, 2.0 + 0.5 * kDetail), 2.0, 1.0, 1.0).Shape();
+    const Detailed part(BRepAlgoAPI_Fuse(BRepAlgoAPI_Fuse(plate, step).Shape(), block).Shape());
+    const geometry::Topology& topology = part.model->topology();
+    EXPECT_TRUE(part.initial.failures.empty());
+    ASSERT_FALSE(topology.faults.empty());
+    for (const std::string& fault : topology.faults) {
+        EXPECT_NE(fault.find("is thinner than 0.001 mm"), std::string::npos) << fault;
+    }
+    EXPECT_EQ(topology.parts_of[1].size(), 2u);  // the edge below is in three pieces
+}
+
+TEST(ShortEdges, AThinRingIsAnEdge) {
+    const TopoDS_Face profile = geometry::planar_face(
+        {geometry::line(0.0, 0.0, 4.0, 0.0), geometry::line(4.0, 0.0, 5.0, 1.0),
+         geometry::line(5.0, 1.0, 5.0, 1.0 + 0.5 * kDetail), geometry::line(5.0, 1.0 + 0.5 * kDetail, 4.0, 2.0),
+         geometry::line(4.0, 2.0, 0.0, 2.0), geometry::line(0.0, 2.0, 0.0, 0.0)});
+    const Detailed part(BRepPrimAPI_MakeRevol(profile, gp_Ax1(gp_Pnt(), gp_Dir(0.0, 1.0, 0.0))).Shape());
+    EXPECT_TRUE(part.initial.failures.empty());
+    EXPECT_EQ(faces_with_area(part.model->topology()), 4);
+    ASSERT_EQ(part.model->topology().faults.size(), 1u);
+    EXPECT_NE(part.model->topology().faults[0].find("is thinner than 0.001 mm"), std::string::npos);
 }
 
 /// Its top and bottom would lie on each other.

@@ -34,6 +34,38 @@ TopoDS_Edge clamped_edge(const std::vector<gp_Pnt>& points) {
     return BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, multiplicities, degree)).Edge();
 }
 
+/// A cubic spline of four turns around the z axis, with a pitch of 1 mm.
+TopoDS_Edge coil() {
+    constexpr int kPoles = 33;
+    TColgp_Array1OfPnt poles(1, kPoles);
+    for (int i = 0; i < kPoles; ++i) {
+        const double turns = 0.125 * i;
+        poles(i + 1) = gp_Pnt(10.0 * std::cos(2.0 * M_PI * turns), 10.0 * std::sin(2.0 * M_PI * turns), turns);
+    }
+    constexpr int kSpans = kPoles - 3;
+    TColStd_Array1OfReal knots(1, kSpans + 1);
+    TColStd_Array1OfInteger multiplicities(1, kSpans + 1);
+    for (int i = 0; i <= kSpans; ++i) {
+        knots(i + 1) = i;
+        multiplicities(i + 1) = i == 0 || i == kSpans ? 4 : 1;
+    }
+    return BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, multiplicities, 3)).Edge();
+}
+
+/// From the middle of the range the search ends on the turn there.
+TEST(EdgeNearest, OfAllTurnsTheNearestIsFound) {
+    Edge data;
+    data.t1 = 30.0;
+    const EdgeEvaluator edge(coil(), data);
+    for (const double t : {0.5, 4.0, 11.0, 19.5, 29.0}) {
+        const Vec3 point = edge.point(t).point;
+        const Answer found = edge.nearest_of_all(point, 0.0, 30.0);
+        EXPECT_NEAR(found.t, t, 1e-6);
+        EXPECT_NEAR(found.distance, 0.0, 1e-7);
+    }
+    EXPECT_GT(edge.nearest(edge.point(4.0).point, 15.0, 0.0, 30.0).distance, 0.5);
+}
+
 /// A spline that runs back on itself: the guess decides which branch is found.
 TEST(EdgeNearest, FollowsTheGuess) {
     BRep_Builder builder;
