@@ -1,0 +1,187 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a FreeCAD that was never started to a certified mesh: the Addon Manager's way, by clicks in its window.
+
+    python3 tests/wheel/first_mesh.py FOLDER_WITH_WHEELS [--root FOLDER] [--refused]
+
+FreeCAD runs unchanged on a virtual screen, in a network of its own that has one server: it stands in for the addresses from which
+the Addon Manager takes its index and the addon, and pip takes wheels from the folder. --root is a Debian in a folder, as
+tools/compat keeps them. With --refused the index does not allow the package of the binary, as long as it is in no list of FreeCAD's.
+first_mesh_inside.py clicks; pictures, steps and seconds are in build/first-mesh. The last line is 'N passed, N failed'.
+"""
+
+import argparse
+import html
+import http.server
+import io
+import json
+import os
+import shutil
+import ssl
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import zipfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+RESULT = ROOT / "build" / "first-mesh"
+REPOSITORY = "https://github.com/example/MeshQuality"  # of a kind whose files the Addon Manager knows to ask for
+INDEX = "https://raw.githubusercontent.com/FreeCAD/FreeCAD-addons/master"
+HOSTS = ("api.github.com", "github.com", "raw.githubusercontent.com", "freecad.org", "addons.freecad.org", "wiki.freecad.org")
+SCREEN, LIMIT = "1200x800x24", 600
+
+
+def run(*command, **options):
+    return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True, **options).stdout
+
+
+def archive(tree):
+    """The addon as a host of repositories gives it: a zip whose one folder has the name of the branch, too."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as written:
+        written.writestr("MeshQuality-main/", "")
+        for path in sorted(tree.rglob("*")):
+            if path.is_file():
+                written.write(path, f"MeshQuality-main/{path.relative_to(tree)}")
+    return stream.getvalue()
+
+
+def pages(tree, allowed):
+    """{address: what the server answers}."""
+    submodule = f'[submodule "MeshQuality"]\n\tpath = MeshQuality\n\turl = {REPOSITORY}\n\tbranch = main\n'
+    found = {"https://api.github.com/zen": b"Anything added dilutes everything else.", f"{INDEX}/addonflags.json": b"{}",
+             f"{INDEX}/.gitmodules": submodule.encode(), f"{INDEX}/ALLOWED_PYTHON_PACKAGES.txt": "\n".join(allowed).encode(),
+             f"{REPOSITORY}/archive/main.zip": archive(tree),
+             f"{REPOSITORY}/blob/main/README.md": f"<pre>{html.escape((tree / 'README.md').read_text(encoding='utf-8'))}</pre>".encode()}
+    for path in tree.rglob("*"):
+        if path.is_file():
+            found[f"{REPOSITORY}/raw/main/{path.relative_to(tree)}"] = path.read_bytes()
+    return found
+
+
+def serve(answers, folder, asked):
+    """A server for these addresses, with a certificate by the authority of the folder."""
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def do_GET(self):  # noqa: N802  the name that the library asks for
+            address = f"https://{self.headers['Host']}{self.path}"
+            body = answers.get(address)
+            asked.append([address, body is not None])
+            self.send_response(404 if body is None else 200)
+            self.send_header("Content-Length", str(len(body or b"")))
+            self.end_headers()
+            self.wfile.write(body or b"")
+
+        def log_message(self, *_):
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 443), Handler)
+    context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+    context.load_cert_chain(folder / "server.pem")
+    server.socket = context.wrap_socket(server.socket, server_side=True)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+
+
+def make_certificates(folder):
+    """An authority in folder/certs, as OpenSSL and Qt look it up, and a certificate of the hosts."""
+    certificates = folder / "certs"
+    certificates.mkdir()
+    run("openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=first mesh", "-keyout", folder / "ca.key",
+        "-out", certificates / "ca-certificates.crt")
+    run("openssl", "req", "-newkey", "rsa:2048", "-nodes", "-subj", "/CN=server", "-keyout", folder / "server.key", "-out", folder / "request")
+    (folder / "names").write_text("subjectAltName=" + ",".join(f"DNS:{host}" for host in HOSTS), encoding="ascii")
+    run("openssl", "x509", "-req", "-days", "2", "-in", folder / "request", "-CA", certificates / "ca-certificates.crt", "-CAkey",
+        folder / "ca.key", "-CAcreateserial", "-extfile", folder / "names", "-out", folder / "server.crt")
+    (folder / "server.pem").write_text((folder / "server.key").read_text() + (folder / "server.crt").read_text())
+    shutil.copyfile(certificates / "ca-certificates.crt", certificates / "authority.pem")
+    run("openssl", "rehash", certificates)
+
+
+def start_screen(folder):
+    """A virtual screen; its name."""
+    readable, writable = os.pipe()
+    with (folder / "screen.log").open("w") as log:
+        subprocess.Popen(["Xvfb", "-displayfd", str(writable), "-screen", "0", SCREEN, "-nolisten", "tcp"], pass_fds=[writable],
+                         stdout=log, stderr=log)
+    os.close(writable)
+    with os.fdopen(readable) as told:
+        return f":{told.readline().strip()}"
+
+
+def work(arguments):
+    """All of it, in namespaces of its own; whether the mesh was made."""
+    with tempfile.TemporaryDirectory(prefix="first-mesh-") as name:
+        folder = Path(name)
+        tree = folder / "MeshQuality"
+        run(ROOT / "tools" / "addon_tree", tree, REPOSITORY)
+        make_certificates(folder)
+        (folder / "hosts").write_text("".join(f"127.0.0.1 {host}\n" for host in ("localhost", *HOSTS)), encoding="ascii")
+        root = arguments.root or Path("/")
+        run("ip", "link", "set", "lo", "up")
+        run("mount", "--bind", folder / "hosts", root / "etc/hosts")
+        run("mount", "--bind", folder / "certs", root / "etc/ssl/certs")
+        answers = pages(tree, ["numpy"] if arguments.refused else ["numpy", "meshquality_core"])
+        asked = []
+        serve(answers, folder, asked)
+        shared = folder / "shared"
+        shutil.copytree(HERE, shared / "scripts")
+        shutil.copytree(arguments.wheels, shared / "wheels")
+        (shared / "home").mkdir()
+        inside = shared
+        if arguments.root:
+            inside = Path("/mnt")
+            run("mount", "--bind", shared, root / "mnt")
+            (root / "tmp/.X11-unix").mkdir(exist_ok=True)
+            run("mount", "--bind", "/tmp/.X11-unix", root / "tmp/.X11-unix")
+            run("mount", "--rbind", "/dev", root / "dev")
+            run("mount", "-t", "proc", "proc", root / "proc")
+        environment = {"HOME": f"{inside}/home", "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "LIBGL_ALWAYS_SOFTWARE": "1",
+                       "DISPLAY": start_screen(folder), "QT_QPA_PLATFORM": "xcb", "QTWEBENGINE_DISABLE_SANDBOX": "1",
+                       "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": f"{inside}/wheels", "FIRST_MESH": str(inside),
+                       **({"FIRST_MESH_REFUSED": "1"} if arguments.refused else {})}
+        command = ["freecad", str(inside / "scripts/first_mesh_inside.py")]
+        done, begin = shared / "done.json", time.monotonic()
+        with (shared / "freecad.log").open("w") as log:
+            subprocess.Popen([shutil.which("chroot"), str(root), *command], env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+        while not done.exists() and time.monotonic() - begin < LIMIT:
+            time.sleep(0.2)
+        time.sleep(0.5)
+        shutil.rmtree(RESULT, ignore_errors=True)
+        RESULT.mkdir(parents=True)
+        (RESULT / "asked.json").write_text(json.dumps(asked, indent=1), encoding="utf-8")
+        for path in (*shared.glob("*.png"), *shared.glob("*.json"), shared / "freecad.log"):
+            shutil.copyfile(path, RESULT / path.name)
+        if not done.exists():
+            print((shared / "freecad.log").read_text(errors="replace")[-3000:])
+            return False
+        return report(json.loads(done.read_text(encoding="utf-8")))
+
+
+def report(said):
+    """Prints the steps and what came of them; whether that is a certified mesh."""
+    for step in said["steps"]:
+        print(f"{step['session']}. {step['waited']:6.1f} s  {step['clicks']} {'click ' if step['clicks'] == 1 else 'clicks'}  {step['what']}")
+    print(f"{sum(step['clicks'] for step in said['steps'])} clicks, {said['seconds']:.1f} s; FreeCAD {said['freecad']}; {said['result']}")
+    return bool(said["met"])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("wheels", type=Path, help="folder with wheels of tools/wheel")
+    parser.add_argument("--root", type=Path, help="a Debian in a folder, with FreeCAD")
+    parser.add_argument("--refused", action="store_true", help="the index does not allow the package of the binary")
+    arguments = parser.parse_args()
+    if "FIRST_MESH_ALONE" not in os.environ:
+        os.environ["FIRST_MESH_ALONE"] = "1"
+        os.execvp("unshare", ["unshare", "--map-root-user", "--mount", "--net", "--pid", "--fork", "--kill-child", "--mount-proc",
+                              sys.executable, *sys.argv])
+    good = work(arguments)
+    print(f"{int(good)} passed, {int(not good)} failed")
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

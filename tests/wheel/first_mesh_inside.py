@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Clicks of first_mesh.py inside FreeCAD: the addon is installed by the Addon Manager, FreeCAD restarts, a box is meshed.
+
+A step waits until what is to be clicked is in sight. Clicks are events of the mouse as Qt has them from the screen, each half a second after that.
+"""
+
+import json
+import os
+import sys
+import time
+import traceback
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+FOLDER = os.environ["FIRST_MESH"]
+STATE, DONE = os.path.join(FOLDER, "state.json"), os.path.join(FOLDER, "done.json")
+LIMIT = 120  # seconds for one step
+LOOK = 0.5  # seconds for which a user at least sees what to click; until then it may still be drawn
+APPLICATION = QtGui.QApplication
+
+
+def mouse(widget, place, kind):
+    event = QtGui.QMouseEvent(kind, QtCore.QPointF(place), QtCore.QPointF(widget.mapToGlobal(place)), QtCore.Qt.LeftButton,
+                              QtCore.Qt.LeftButton if kind == QtCore.QEvent.MouseButtonPress else QtCore.Qt.NoButton,
+                              QtCore.Qt.NoModifier)
+    APPLICATION.sendEvent(widget, event)
+
+
+def click(widget, place=None):
+    place = place or widget.rect().center()
+    mouse(widget, place, QtCore.QEvent.MouseButtonPress)
+    mouse(widget, place, QtCore.QEvent.MouseButtonRelease)
+
+
+def in_sight(kind, fits):
+    """The first widget of a kind that can be clicked and fits."""
+    for widget in APPLICATION.allWidgets():
+        if isinstance(widget, kind) and widget.isVisible() and widget.isEnabled() and fits(widget):
+            return widget
+    return None
+
+
+def plain(text):
+    return text.replace("&", "")
+
+
+def button(text, within=""):
+    """Clicks a button with this text, in a window whose title has another."""
+    def find():
+        return in_sight(QtGui.QAbstractButton,
+                        lambda one: plain(one.text()) == text and within in one.window().windowTitle())
+
+    return find, click
+
+
+def tool(name):
+    """Clicks the button of a command in a toolbar."""
+    def find():
+        return in_sight(QtGui.QToolButton, lambda one: one.defaultAction() and one.defaultAction().objectName() == name)
+
+    return find, click
+
+
+def menu(text):
+    def find():
+        bar = FreeCADGui.getMainWindow().menuBar()
+        return next(((bar, action) for action in bar.actions() if plain(action.text()) == text), None)
+
+    return find, lambda found: click(found[0], found[0].actionGeometry(found[1]).center())
+
+
+def entry(text):
+    """Clicks an entry of the menu that is open."""
+    def find():
+        shown = in_sight(QtGui.QMenu, lambda one: any(plain(action.text()) == text for action in one.actions()))
+        return shown and next((shown, action) for action in shown.actions() if plain(action.text()) == text)
+
+    return find, lambda found: click(found[0], found[0].actionGeometry(found[1]).center())
+
+
+def chosen(text):
+    """Clicks an entry of the workbench box that is open."""
+    def find():
+        view = in_sight(QtGui.QAbstractItemView, lambda one: one.window().inherits("QComboBoxPrivateContainer"))
+        found = view and view.model().match(view.model().index(0, 0), QtCore.Qt.DisplayRole, text, 1, QtCore.Qt.MatchExactly)
+        return (view, found[0]) if found else None
+
+    def act(found):
+        view, index = found
+        view.scrollTo(index)
+        view.setCurrentIndex(index)  # as the mouse over it does
+        click(view.viewport(), view.visualRect(index).center())
+
+    return find, act
+
+
+def workbench_box():
+    return lambda: in_sight(QtGui.QComboBox, lambda one: one.findText("Mesh Quality") >= 0), click
+
+
+def addon(name):
+    """Clicks the row of an addon in the manager's list."""
+    def find():
+        view = in_sight(QtGui.QAbstractItemView, lambda one: one.objectName() == "listPackages")
+        model = view and view.model()
+        for i in range(model.rowCount() if model else 0):
+            known = model.data(model.index(i, 0), QtCore.Qt.UserRole)
+            if getattr(known, "name", "") == name and known.metadata:  # which comes later than the name
+                return view, model.index(i, 0)
+        return None
+
+    return find, lambda found: click(found[0].viewport(), found[0].visualRect(found[1]).center())
+
+
+def mesh():
+    """The mesh that has been made, once its panel is there."""
+    document = FreeCAD.ActiveDocument
+    found = [obj for obj in document.Objects if getattr(obj, "Certificate", "")] if document else []
+    return found[0] if found and FreeCADGui.Control.activeDialog() else None
+
+
+# What is said, how it is found and clicked, and the name of the picture before the click, if any.
+INSTALLING = [
+    ("menu Tools", menu("Tools"), ""),
+    ("Addon manager", entry("Addon manager"), ""),
+    ("first use of the Addon Manager: OK", button("OK"), "first-use"),
+    ("MeshQuality in the list", addon("MeshQuality"), "list"),
+    ("Install", button("Install"), "addon"),
+    ("the Python package: Yes", button("OK" if os.environ.get("FIRST_MESH_REFUSED") else "Yes"), "package"),
+    ("installed: Close", button("Close", "Installation succeeded"), "installed"),
+    ("the Addon Manager: Close", button("Close"), "pending"),
+    ("Restart now", button("Restart now"), "restart"),
+]
+MESHING = [
+    ("list of workbenches", workbench_box(), "started"),
+    ("Mesh Quality", chosen("Mesh Quality"), ""),
+    ("menu Mesh Quality", menu("Mesh Quality"), ""),
+    ("Help", entry("Help"), ""),
+    ("Example part", entry("Example part"), ""),
+    ("Quick mesh", tool("Quick mesh"), "part"),
+]
+
+
+class Session:
+    """Clicks one step after another; what it knows is in a file, as FreeCAD is started again in between."""
+
+    def __init__(self):
+        self.state = {"session": 0, "begin": time.time(), "steps": []}
+        if os.path.exists(STATE):
+            with open(STATE, encoding="utf-8") as stream:
+                self.state = json.load(stream)
+        self.state["session"] += 1
+        self.steps = INSTALLING if self.state["session"] == 1 else MESHING
+        self.at, self.since, self.seen = 0, time.time(), None
+        self.save()
+
+    def save(self):
+        with open(STATE, "w", encoding="utf-8") as stream:
+            json.dump(self.state, stream)
+
+    def picture(self, name):
+        QtGui.QGuiApplication.primaryScreen().grabWindow(0).save(os.path.join(FOLDER, f"{len(self.state['steps']):02d}-{name}.png"))
+
+    def tick(self):
+        QtCore.QTimer.singleShot(100, self.tick)  # before all else: a click may open a dialog and end with it
+        try:
+            if self.at == len(self.steps):
+                self.end()
+            else:
+                self.step()
+        except Exception:  # noqa: BLE001 - what goes wrong must reach the result
+            self.done(traceback.format_exc(), False)
+
+    def step(self):
+        what, (find, act), name = self.steps[self.at]
+        found = find()
+        if not found:
+            self.seen = None
+            if time.time() - self.since > LIMIT:
+                self.picture("missing")
+                self.done(f"no {what} within {LIMIT} s", False)
+            return
+        self.seen = self.seen or time.time()
+        if time.time() - self.seen < LOOK:
+            return
+        waited = self.seen - self.since
+        if name:
+            self.picture(name)
+        self.state["steps"].append({"session": self.state["session"], "what": what, "waited": waited, "clicks": 1})
+        self.save()
+        self.at, self.since, self.seen = self.at + 1, time.time(), None
+        act(found)
+
+    def end(self):
+        if self.state["session"] == 1:
+            return  # FreeCAD ends now
+        obj = mesh()
+        if obj is not None:
+            self.picture("mesh")
+            self.done(f"{obj.Mesh.CountFacets} triangles, certificate: {obj.Certificate}", obj.Certificate.startswith("met"))
+        elif time.time() - self.since > LIMIT:
+            self.picture("missing")
+            self.done(f"no mesh within {LIMIT} s", False)
+
+    def done(self, result, met):
+        with open(DONE, "w", encoding="utf-8") as stream:
+            json.dump({"steps": self.state["steps"], "seconds": time.time() - self.state["begin"], "result": result, "met": met,
+                       "freecad": ".".join(FreeCAD.Version()[:3]), "folder": FreeCAD.getUserAppDataDir()}, stream)
+        sys.stdout.flush()
+        os._exit(0)
+
+
+session = Session()
+QtCore.QTimer.singleShot(500, session.tick)
