@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From a FreeCAD that was never started to a certified mesh: the Addon Manager's way, by clicks in its window.
 
-    python3 tests/wheel/first_mesh.py FOLDER_WITH_WHEELS [--root FOLDER] [--refused]
+    python3 tests/wheel/addon_manager.py FOLDER_WITH_WHEELS [--root FOLDER] [--refused]
 
 FreeCAD runs unchanged on a virtual screen, in a network of its own that has one server: it stands in for the addresses from which
 the Addon Manager takes its index and the addon, and pip takes wheels from the folder. --root is a Debian in a folder, as
 tools/compat keeps them. With --refused the index does not allow the package of the binary, as long as it is in no list of FreeCAD's.
-first_mesh_inside.py clicks; pictures, steps and seconds are in build/first-mesh. The last line is 'N passed, N failed'.
+addon_manager_inside.py clicks; pictures, steps and seconds are in build/addon-manager. The last line is 'N passed, N failed'.
 """
 
 import argparse
@@ -28,7 +28,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-RESULT = ROOT / "build" / "first-mesh"
+RESULT = ROOT / "build" / "addon-manager"
 REPOSITORY = "https://github.com/example/MeshQuality"  # of a kind whose files the Addon Manager knows to ask for
 INDEX = "https://raw.githubusercontent.com/FreeCAD/FreeCAD-addons/master"
 HOSTS = ("api.github.com", "github.com", "raw.githubusercontent.com", "freecad.org", "addons.freecad.org", "wiki.freecad.org")
@@ -89,7 +89,7 @@ def make_certificates(folder):
     """An authority in folder/certs, as OpenSSL and Qt look it up, and a certificate of the hosts."""
     certificates = folder / "certs"
     certificates.mkdir()
-    run("openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=first mesh", "-keyout", folder / "ca.key",
+    run("openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=addon manager", "-keyout", folder / "ca.key",
         "-out", certificates / "ca-certificates.crt")
     run("openssl", "req", "-newkey", "rsa:2048", "-nodes", "-subj", "/CN=server", "-keyout", folder / "server.key", "-out", folder / "request")
     (folder / "names").write_text("subjectAltName=" + ",".join(f"DNS:{host}" for host in HOSTS), encoding="ascii")
@@ -113,7 +113,7 @@ def start_screen(folder):
 
 def work(arguments):
     """All of it, in namespaces of its own; whether the mesh was made."""
-    with tempfile.TemporaryDirectory(prefix="first-mesh-") as name:
+    with tempfile.TemporaryDirectory(prefix="addon-manager-") as name:
         folder = Path(name)
         tree = folder / "MeshQuality"
         run(ROOT / "tools" / "addon_tree", tree, REPOSITORY)
@@ -140,9 +140,9 @@ def work(arguments):
             run("mount", "-t", "proc", "proc", root / "proc")
         environment = {"HOME": f"{inside}/home", "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "LIBGL_ALWAYS_SOFTWARE": "1",
                        "DISPLAY": start_screen(folder), "QT_QPA_PLATFORM": "xcb", "QTWEBENGINE_DISABLE_SANDBOX": "1",
-                       "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": f"{inside}/wheels", "FIRST_MESH": str(inside),
-                       **({"FIRST_MESH_REFUSED": "1"} if arguments.refused else {})}
-        command = ["freecad", str(inside / "scripts/first_mesh_inside.py")]
+                       "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": f"{inside}/wheels", "ADDON_MANAGER": str(inside),
+                       **({"ADDON_MANAGER_REFUSED": "1"} if arguments.refused else {})}
+        command = ["freecad", str(inside / "scripts/addon_manager_inside.py")]
         done, begin = shared / "done.json", time.monotonic()
         with (shared / "freecad.log").open("w") as log:
             subprocess.Popen([shutil.which("chroot"), str(root), *command], env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=log)
@@ -174,8 +174,8 @@ def main():
     parser.add_argument("--root", type=Path, help="a Debian in a folder, with FreeCAD")
     parser.add_argument("--refused", action="store_true", help="the index does not allow the package of the binary")
     arguments = parser.parse_args()
-    if "FIRST_MESH_ALONE" not in os.environ:
-        os.environ["FIRST_MESH_ALONE"] = "1"
+    if "ADDON_MANAGER_ALONE" not in os.environ:
+        os.environ["ADDON_MANAGER_ALONE"] = "1"
         os.execvp("unshare", ["unshare", "--map-root-user", "--mount", "--net", "--pid", "--fork", "--kill-child", "--mount-proc",
                               sys.executable, *sys.argv])
     good = work(arguments)

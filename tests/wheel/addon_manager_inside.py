@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Clicks of first_mesh.py inside FreeCAD: the addon is installed by the Addon Manager, FreeCAD restarts, a box is meshed.
+"""Clicks of addon_manager.py inside FreeCAD: the addon is installed by the Addon Manager, FreeCAD restarts, a box is meshed.
 
 A step waits until what is to be clicked is in sight. Clicks are events of the mouse as Qt has them from the screen, each half a second after that.
 """
@@ -14,7 +14,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-FOLDER = os.environ["FIRST_MESH"]
+FOLDER = os.environ["ADDON_MANAGER"]
 STATE, DONE = os.path.join(FOLDER, "state.json"), os.path.join(FOLDER, "done.json")
 LIMIT = 120  # seconds for one step
 LOOK = 0.5  # seconds for which a user at least sees what to click; until then it may still be drawn
@@ -128,7 +128,7 @@ INSTALLING = [
     ("first use of the Addon Manager: OK", button("OK"), "first-use"),
     ("MeshQuality in the list", addon("MeshQuality"), "list"),
     ("Install", button("Install"), "addon"),
-    ("the Python package: Yes", button("OK" if os.environ.get("FIRST_MESH_REFUSED") else "Yes"), "package"),
+    ("the Python package: Yes", button("OK" if os.environ.get("ADDON_MANAGER_REFUSED") else "Yes"), "package"),
     ("installed: Close", button("Close", "Installation succeeded"), "installed"),
     ("the Addon Manager: Close", button("Close"), "pending"),
     ("Restart now", button("Restart now"), "restart"),
@@ -161,7 +161,11 @@ class Session:
             json.dump(self.state, stream)
 
     def picture(self, name):
-        QtGui.QGuiApplication.primaryScreen().grabWindow(0).save(os.path.join(FOLDER, f"{len(self.state['steps']):02d}-{name}.png"))
+        """Of the largest dialog, with what is before it, or else of all."""
+        shown = [one.geometry() for one in APPLICATION.topLevelWidgets() if isinstance(one, QtGui.QDialog) and one.isVisible()]
+        shown.sort(key=lambda place: place.width() * place.height())
+        seen = QtGui.QGuiApplication.primaryScreen().grabWindow(0)
+        (seen.copy(shown[-1]) if shown else seen).save(os.path.join(FOLDER, f"{len(self.state['steps']):02d}-{name}.png"))
 
     def tick(self):
         QtCore.QTimer.singleShot(100, self.tick)  # before all else: a click may open a dialog and end with it
