@@ -40,9 +40,11 @@ class Version(unittest.TestCase):
         self.assertFalse(release.set_version("7.8.9", "2031-02-04"))
 
     def test_what_was_unreleased_becomes_its_section(self):
-        before = (self.root / "CHANGELOG.md").read_text(encoding="utf-8")
+        changes = self.root / "CHANGELOG.md"
+        before = changes.read_text(encoding="utf-8")
+        changes.write_text(before.replace(release.UNRELEASED, f"{release.UNRELEASED}\n- This one.\n\n## [1.2.2] - 2030-01-01\n"), encoding="utf-8")
         release.set_version("7.8.9", "2031-02-03")
-        self.assertEqual(release.notes("7.8.9").strip(), before.partition("## [Unreleased]\n")[2].strip())
+        self.assertEqual(release.notes("7.8.9"), "- This one.\n")
         release.set_version("7.9.0", "2031-03-03")
         self.assertEqual(release.notes("7.9.0").strip(), "")
 
