@@ -55,10 +55,10 @@ def button(text, within=""):
     return find, click
 
 
-def tool(name):
+def tool(text):
     """Clicks the button of a command in a toolbar."""
     def find():
-        return in_sight(QtGui.QToolButton, lambda one: one.defaultAction() and one.defaultAction().objectName() == name)
+        return in_sight(QtGui.QToolButton, lambda one: one.defaultAction() and plain(one.defaultAction().text()) == text)
 
     return find, click
 
