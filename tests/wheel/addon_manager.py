@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From a FreeCAD that was never started to a certified mesh: the Addon Manager's way, by clicks in its window.
 
-    python3 tests/wheel/addon_manager.py FOLDER_WITH_WHEELS [--root FOLDER] [--refused]
+    python3 tests/wheel/addon_manager.py FOLDER_WITH_WHEELS [--root FOLDER] [--refused | --zip FILE]
 
 FreeCAD runs unchanged on a virtual screen, in a network of its own that has one server: it stands in for the addresses from which
 the Addon Manager takes its index and the addon, and pip takes wheels from the folder. --root is a Debian in a folder, as
-tools/compat keeps them. With --refused the index does not allow the package of the binary, as long as it is in no list of FreeCAD's.
+tools/compat keeps them. With --refused the index does not allow the package of the binary, which is then unpacked by hand. With --zip
+nothing is installed by the manager but the file unpacked into the folder Mod.
 addon_manager_inside.py clicks; pictures, steps and seconds are in build/addon-manager. The last line is 'N passed, N failed'.
 """
 
@@ -16,6 +17,7 @@ import http.server
 import io
 import json
 import os
+import re
 import shutil
 import ssl
 import subprocess
@@ -104,11 +106,22 @@ def start_screen(folder):
     """A virtual screen; its name."""
     readable, writable = os.pipe()
     with (folder / "screen.log").open("w") as log:
-        subprocess.Popen(["Xvfb", "-displayfd", str(writable), "-screen", "0", SCREEN, "-nolisten", "tcp"], pass_fds=[writable],
+        subprocess.Popen(["Xvfb", "-displayfd", str(writable), "-screen", "0", SCREEN, "-dpi", "96", "-nolisten", "tcp"], pass_fds=[writable],
                          stdout=log, stderr=log)
     os.close(writable)
     with os.fdopen(readable) as told:
         return f":{told.readline().strip()}"
+
+
+def unpack(archive_, there, environment, shared):
+    """Unpacks the file into FreeCAD's folder Mod, as a user does whose FreeCAD is not running."""
+    script = 'import FreeCAD; print("\\nfolder=" + FreeCAD.getUserAppDataDir(), flush=True)'
+    told = run(*there, "freecadcmd", "-c", script, env=environment, stdin=subprocess.DEVNULL)
+    home = re.search(r"^folder=.*?/home/(.*)$", told, re.MULTILINE)[1]
+    begin = time.time()
+    run("unzip", "-q", archive_, "-d", shared / "home" / home / "Mod")
+    step = {"session": 1, "what": f"line typed: unzip {archive_.name} -d .../Mod", "waited": time.time() - begin}
+    (shared / "state.json").write_text(json.dumps({"session": 1, "begin": begin, "steps": [step]}), encoding="utf-8")
 
 
 def work(arguments):
@@ -142,10 +155,13 @@ def work(arguments):
                        "DISPLAY": start_screen(folder), "QT_QPA_PLATFORM": "xcb", "QTWEBENGINE_DISABLE_SANDBOX": "1",
                        "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": f"{inside}/wheels", "ADDON_MANAGER": str(inside),
                        **({"ADDON_MANAGER_REFUSED": "1"} if arguments.refused else {})}
-        command = ["freecad", str(inside / "scripts/addon_manager_inside.py")]
+        there = [shutil.which("chroot"), str(root)]
+        if arguments.zip:
+            unpack(arguments.zip, there, environment, shared)
         done, begin = shared / "done.json", time.monotonic()
         with (shared / "freecad.log").open("w") as log:
-            subprocess.Popen([shutil.which("chroot"), str(root), *command], env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+            subprocess.Popen([*there, "freecad", f"{inside}/scripts/addon_manager_inside.py"], env=environment, stdin=subprocess.DEVNULL,
+                             stdout=log, stderr=log)
         while not done.exists() and time.monotonic() - begin < LIMIT:
             time.sleep(0.2)
         time.sleep(0.5)
@@ -163,8 +179,9 @@ def work(arguments):
 def report(said):
     """Prints the steps and what came of them; whether that is a certified mesh."""
     for step in said["steps"]:
-        print(f"{step['session']}. {step['waited']:6.1f} s  {step['clicks']} {'click ' if step['clicks'] == 1 else 'clicks'}  {step['what']}")
-    print(f"{sum(step['clicks'] for step in said['steps'])} clicks, {said['seconds']:.1f} s; FreeCAD {said['freecad']}; {said['result']}")
+        print(f"{step['session']}. {step['waited']:6.1f} s  {step['what']}")
+    lines = sum(step["what"].startswith("line typed") for step in said["steps"])
+    print(f"{len(said['steps']) - lines} clicks, {lines} lines typed, {said['seconds']:.1f} s; FreeCAD {said['freecad']}; {said['result']}")
     return bool(said["met"])
 
 
@@ -173,6 +190,7 @@ def main():
     parser.add_argument("wheels", type=Path, help="folder with wheels of tools/wheel")
     parser.add_argument("--root", type=Path, help="a Debian in a folder, with FreeCAD")
     parser.add_argument("--refused", action="store_true", help="the index does not allow the package of the binary")
+    parser.add_argument("--zip", type=Path, help="a zip of tools/release with the binaries in it")
     arguments = parser.parse_args()
     if "ADDON_MANAGER_ALONE" not in os.environ:
         os.environ["ADDON_MANAGER_ALONE"] = "1"

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Clicks of addon_manager.py inside FreeCAD: the addon is installed by the Addon Manager, FreeCAD restarts, a box is meshed.
+"""Clicks of addon_manager.py inside FreeCAD: the Addon Manager installs, FreeCAD restarts, a part is meshed.
 
 A step waits until what is to be clicked is in sight. Clicks are events of the mouse as Qt has them from the screen, each half a second after that.
 """
 
 import json
 import os
+import subprocess
 import sys
 import time
 import traceback
@@ -18,6 +19,7 @@ FOLDER = os.environ["ADDON_MANAGER"]
 STATE, DONE = os.path.join(FOLDER, "state.json"), os.path.join(FOLDER, "done.json")
 LIMIT = 120  # seconds for one step
 LOOK = 0.5  # seconds for which a user at least sees what to click; until then it may still be drawn
+COLOURS = 3  # seconds, which do not count, until a mesh is seen in its colours
 APPLICATION = QtGui.QApplication
 
 
@@ -121,16 +123,28 @@ def mesh():
     return found[0] if found and FreeCADGui.Control.activeDialog() else None
 
 
+def unpack_wheel():
+    """Types a line in a terminal, in the folder of the wheels: the binary goes into the addon's folder."""
+    def type_line(_):
+        wheel, = (os.path.join(FOLDER, "wheels", name) for name in os.listdir(os.path.join(FOLDER, "wheels"))
+                  if "cp%d%d-" % sys.version_info[:2] in name)
+        subprocess.run(["python3", "-m", "zipfile", "-e", wheel, os.path.join(FreeCAD.getUserAppDataDir(), "Mod", "MeshQuality")], check=True)
+
+    return lambda: True, type_line
+
+
 # What is said, how it is found and clicked, and the name of the picture before the click, if any.
+REFUSED = os.environ.get("ADDON_MANAGER_REFUSED")
 INSTALLING = [
     ("menu Tools", menu("Tools"), ""),
     ("Addon manager", entry("Addon manager"), ""),
     ("first use of the Addon Manager: OK", button("OK"), "first-use"),
     ("MeshQuality in the list", addon("MeshQuality"), "list"),
     ("Install", button("Install"), "addon"),
-    ("the Python package: Yes", button("OK" if os.environ.get("ADDON_MANAGER_REFUSED") else "Yes"), "package"),
+    ("the Python package: OK" if REFUSED else "the Python package: Yes", button("OK" if REFUSED else "Yes"), "package"),
     ("installed: Close", button("Close", "Installation succeeded"), "installed"),
     ("the Addon Manager: Close", button("Close"), "pending"),
+    *([("line typed: python3 -m zipfile -e meshquality_core-*.whl .../Mod/MeshQuality", unpack_wheel(), "")] if REFUSED else []),
     ("Restart now", button("Restart now"), "restart"),
 ]
 MESHING = [
@@ -192,7 +206,7 @@ class Session:
         waited = self.seen - self.since
         if name:
             self.picture(name)
-        self.state["steps"].append({"session": self.state["session"], "what": what, "waited": waited, "clicks": 1})
+        self.state["steps"].append({"session": self.state["session"], "what": what, "waited": waited})
         self.save()
         self.at, self.since, self.seen = self.at + 1, time.time(), None
         act(found)
@@ -201,16 +215,19 @@ class Session:
         if self.state["session"] == 1:
             return  # FreeCAD ends now
         obj = mesh()
-        if obj is not None:
+        if obj is None:
+            if time.time() - self.since > LIMIT:
+                self.picture("missing")
+                self.done(f"no mesh within {LIMIT} s", False)
+            return
+        self.seen = self.seen or time.time()
+        if time.time() - self.seen > COLOURS:
             self.picture("mesh")
             self.done(f"{obj.Mesh.CountFacets} triangles, certificate: {obj.Certificate}", obj.Certificate.startswith("met"))
-        elif time.time() - self.since > LIMIT:
-            self.picture("missing")
-            self.done(f"no mesh within {LIMIT} s", False)
 
     def done(self, result, met):
         with open(DONE, "w", encoding="utf-8") as stream:
-            json.dump({"steps": self.state["steps"], "seconds": time.time() - self.state["begin"], "result": result, "met": met,
+            json.dump({"steps": self.state["steps"], "seconds": (self.seen or time.time()) - self.state["begin"], "result": result, "met": met,
                        "freecad": ".".join(FreeCAD.Version()[:3]), "folder": FreeCAD.getUserAppDataDir()}, stream)
         sys.stdout.flush()
         os._exit(0)
