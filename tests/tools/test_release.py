@@ -98,6 +98,11 @@ class Made(unittest.TestCase):
 
 
 class Refusals(unittest.TestCase):
+    def test_a_command_that_fails_is_shown_with_what_it_printed(self):
+        with self.assertRaises(SystemExit) as ended:
+            release.run("sh", "-c", "echo why; exit 3")
+        self.assertEqual(str(ended.exception), "why\nsh -c echo why; exit 3 ended with 3")
+
     def refused(self, *arguments):
         ended = subprocess.run([str(ROOT / "tools" / "release"), *arguments], capture_output=True, text=True, check=False)
         self.assertEqual(ended.returncode, 2)
