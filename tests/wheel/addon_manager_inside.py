@@ -223,7 +223,9 @@ class Session:
         self.seen = self.seen or time.time()
         if time.time() - self.seen > COLOURS:
             self.picture("mesh")
-            self.done(f"{obj.Mesh.CountFacets} triangles, certificate: {obj.Certificate}", obj.Certificate.startswith("met"))
+            binary = sys.modules["MeshQuality._core"].__file__
+            self.done(f"{obj.Mesh.CountFacets} triangles, certificate: {obj.Certificate}, by {binary}",
+                      obj.Certificate.startswith("met") and binary.startswith(FreeCAD.getUserAppDataDir()))
 
     def done(self, result, met):
         with open(DONE, "w", encoding="utf-8") as stream:
