@@ -68,6 +68,8 @@ def pages(tree, allowed):
 def serve(answers, folder, asked):
     """A server for these addresses, with a certificate by the authority of the folder."""
     class Handler(http.server.BaseHTTPRequestHandler):
+        protocol_version = "HTTP/1.1"
+
         def do_GET(self):  # noqa: N802  the name that the library asks for
             address = f"https://{self.headers['Host']}{self.path}"
             body = answers.get(address)

@@ -48,11 +48,11 @@ def plain(text):
     return text.replace("&", "")
 
 
-def button(text, within=""):
-    """Clicks a button with this text, in a window whose title has another."""
+def button(*texts, within=None):
+    """Clicks a button with one of these texts, in a window with one of these titles."""
     def find():
         return in_sight(QtGui.QAbstractButton,
-                        lambda one: plain(one.text()) == text and within in one.window().windowTitle())
+                        lambda one: plain(one.text()) in texts and one.window().windowTitle() in (within or [one.window().windowTitle()]))
 
     return find, click
 
@@ -68,7 +68,7 @@ def tool(text):
 def menu(text):
     def find():
         bar = FreeCADGui.getMainWindow().menuBar()
-        return next(((bar, action) for action in bar.actions() if plain(action.text()) == text), None)
+        return next(((bar, action) for action in bar.actions() if plain(action.text()) == text and action.isVisible()), None)
 
     return find, lambda found: click(found[0], found[0].actionGeometry(found[1]).center())
 
@@ -76,8 +76,11 @@ def menu(text):
 def entry(text):
     """Clicks an entry of the menu that is open."""
     def find():
-        shown = in_sight(QtGui.QMenu, lambda one: any(plain(action.text()) == text for action in one.actions()))
-        return shown and next((shown, action) for action in shown.actions() if plain(action.text()) == text)
+        for shown in (widget for widget in APPLICATION.allWidgets() if isinstance(widget, QtGui.QMenu) and widget.isVisible()):
+            for action in shown.actions():
+                if plain(action.text()).lower() == text.lower():
+                    return shown, action
+        return None
 
     return find, lambda found: click(found[0], found[0].actionGeometry(found[1]).center())
 
@@ -137,12 +140,12 @@ def unpack_wheel():
 REFUSED = os.environ.get("ADDON_MANAGER_REFUSED")
 INSTALLING = [
     ("menu Tools", menu("Tools"), ""),
-    ("Addon manager", entry("Addon manager"), ""),
+    ("Addon manager", entry("addon manager"), ""),
     ("first use of the Addon Manager: OK", button("OK"), "first-use"),
     ("MeshQuality in the list", addon("MeshQuality"), "list"),
     ("Install", button("Install"), "addon"),
     ("the Python package: OK" if REFUSED else "the Python package: Yes", button("OK" if REFUSED else "Yes"), "package"),
-    ("installed: Close", button("Close", "Installation succeeded"), "installed"),
+    ("what tells of success: Close or OK", button("Close", "OK", within=["Installation succeeded", "Success"]), "installed"),
     ("the Addon Manager: Close", button("Close"), "pending"),
     *([("line typed: python3 -m zipfile -e meshquality_core-*.whl .../Mod/MeshQuality", unpack_wheel(), "")] if REFUSED else []),
     ("Restart now", button("Restart now"), "restart"),
