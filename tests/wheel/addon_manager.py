@@ -12,6 +12,8 @@ addon_manager_inside.py clicks; pictures, steps and seconds are in build/addon-m
 """
 
 import argparse
+import base64
+import hashlib
 import html
 import http.server
 import io
@@ -33,6 +35,7 @@ ROOT = HERE.parent.parent
 RESULT = ROOT / "build" / "addon-manager"
 REPOSITORY = "https://github.com/example/MeshQuality"  # of a kind whose files the Addon Manager knows to ask for
 INDEX = "https://raw.githubusercontent.com/FreeCAD/FreeCAD-addons/master"
+CATALOGUE = "https://addons.freecad.org"
 HOSTS = ("api.github.com", "github.com", "raw.githubusercontent.com", "freecad.org", "addons.freecad.org", "wiki.freecad.org")
 SCREEN, LIMIT = "1200x800x24", 600
 
@@ -41,27 +44,34 @@ def run(*command, **options):
     return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True, **options).stdout
 
 
-def archive(tree):
-    """The addon as a host of repositories gives it: a zip whose one folder has the name of the branch, too."""
+def zipped(files):
+    """A zip of {path in it: bytes}."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as written:
-        written.writestr("MeshQuality-main/", "")
-        for path in sorted(tree.rglob("*")):
-            if path.is_file():
-                written.write(path, f"MeshQuality-main/{path.relative_to(tree)}")
+        for path, content in files.items():
+            written.writestr(path, content)
     return stream.getvalue()
 
 
 def pages(tree, allowed):
-    """{address: what the server answers}."""
+    """{address: what the server answers}: for FreeCAD 0.20 and 1.0 a list of repositories, for 1.1 a catalogue; the addon's files."""
+    files = {str(path.relative_to(tree)): path.read_bytes() for path in sorted(tree.rglob("*")) if path.is_file()}
     submodule = f'[submodule "MeshQuality"]\n\tpath = MeshQuality\n\turl = {REPOSITORY}\n\tbranch = main\n'
+    metadata = {"package_xml": files["package.xml"].decode(), "requirements_txt": files["requirements.txt"].decode(),
+                "icon_data": base64.b64encode(files["freecad/MeshQuality/Resources/icons/MeshQuality.svg"]).decode()}
+    entry = {"repository": REPOSITORY, "git_ref": "main", "branch_display_name": "main", "metadata": metadata,
+             "last_update_time": "2026-11-30T00:00:00+00:00"}
     found = {"https://api.github.com/zen": b"Anything added dilutes everything else.", f"{INDEX}/addonflags.json": b"{}",
              f"{INDEX}/.gitmodules": submodule.encode(), f"{INDEX}/ALLOWED_PYTHON_PACKAGES.txt": "\n".join(allowed).encode(),
-             f"{REPOSITORY}/archive/main.zip": archive(tree),
-             f"{REPOSITORY}/blob/main/README.md": f"<pre>{html.escape((tree / 'README.md').read_text(encoding='utf-8'))}</pre>".encode()}
-    for path in tree.rglob("*"):
-        if path.is_file():
-            found[f"{REPOSITORY}/raw/main/{path.relative_to(tree)}"] = path.read_bytes()
+             f"{CATALOGUE}/status": b"up", f"{CATALOGUE}/macro_cache.zip": zipped({"macro_cache.json": b"{}"}),
+             f"{CATALOGUE}/addon_catalog_cache.zip": zipped({"addon_catalog_cache.json": json.dumps({"MeshQuality": [entry]}).encode()}),
+             # As a host of repositories gives it: the zip has one folder, whose name has the branch.
+             f"{REPOSITORY}/archive/main.zip": zipped({"MeshQuality-main/": b"", **{f"MeshQuality-main/{path}": content
+                                                                                    for path, content in files.items()}}),
+             f"{REPOSITORY}/blob/main/README.md": f"<pre>{html.escape(files['README.md'].decode())}</pre>".encode(),
+             **{f"{REPOSITORY}/raw/main/{path}": content for path, content in files.items()}}
+    for name in ("macro_cache.zip", "addon_catalog_cache.zip"):
+        found[f"{CATALOGUE}/{name}.sha256"] = hashlib.sha256(found[f"{CATALOGUE}/{name}"]).hexdigest().encode()
     return found
 
 

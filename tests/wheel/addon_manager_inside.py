@@ -141,7 +141,7 @@ REFUSED = os.environ.get("ADDON_MANAGER_REFUSED")
 INSTALLING = [
     ("menu Tools", menu("Tools"), ""),
     ("Addon manager", entry("addon manager"), ""),
-    ("first use of the Addon Manager: OK", button("OK"), "first-use"),
+    ("first use of the Addon Manager: OK or Continue", button("OK", "Continue"), "first-use"),
     ("MeshQuality in the list", addon("MeshQuality"), "list"),
     ("Install", button("Install"), "addon"),
     ("the Python package: OK" if REFUSED else "the Python package: Yes", button("OK" if REFUSED else "Yes"), "package"),
