@@ -49,10 +49,10 @@ def plain(text):
 
 
 def button(*texts, within=None):
-    """Clicks a button with one of these texts, in a window with one of these titles."""
+    """Clicks a button with one of these texts, in whatever case, in a window with one of these titles."""
     def find():
         return in_sight(QtGui.QAbstractButton,
-                        lambda one: plain(one.text()) in texts and one.window().windowTitle() in (within or [one.window().windowTitle()]))
+                        lambda one: plain(one.text()).lower() in map(str.lower, texts) and one.window().windowTitle() in (within or [one.window().windowTitle()]))
 
     return find, click
 
