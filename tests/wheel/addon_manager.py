@@ -163,6 +163,10 @@ def work(arguments):
             run("mount", "--bind", "/tmp/.X11-unix", root / "tmp/.X11-unix")
             run("mount", "--rbind", "/dev", root / "dev")
             run("mount", "-t", "proc", "proc", root / "proc")
+            for path in arguments.wheels.glob("pip-*.whl"):
+                zipfile.ZipFile(path).extractall(folder / "pip")
+                place, = root.glob("usr/local/lib/python3*/dist-packages")
+                run("mount", "--bind", folder / "pip", place)
         environment = {"HOME": f"{inside}/home", "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "LIBGL_ALWAYS_SOFTWARE": "1",
                        "DISPLAY": start_screen(folder), "QT_QPA_PLATFORM": "xcb", "QTWEBENGINE_DISABLE_SANDBOX": "1",
                        "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": f"{inside}/wheels", "ADDON_MANAGER": str(inside),
@@ -199,7 +203,7 @@ def report(said):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("wheels", type=Path, help="folder with wheels of tools/wheel")
+    parser.add_argument("wheels", type=Path, help="folder with wheels of tools/wheel; one of pip stands in for the package python3-pip")
     parser.add_argument("--root", type=Path, help="a Debian in a folder, with FreeCAD")
     parser.add_argument("--refused", action="store_true", help="the index does not allow the package of the binary")
     parser.add_argument("--zip", type=Path, help="a zip of tools/release with the binaries in it")
