@@ -36,6 +36,7 @@ RESULT = ROOT / "build" / "addon-manager"
 REPOSITORY = "https://github.com/example/MeshQuality"  # of a kind whose files the Addon Manager knows to ask for
 INDEX = "https://raw.githubusercontent.com/FreeCAD/FreeCAD-addons/master"
 CATALOGUE = "https://addons.freecad.org"
+CONSTRAINTS = "https://raw.githubusercontent.com/FreeCAD/Addons/refs/heads/main/Data/Python"  # which versions pip may take
 HOSTS = ("api.github.com", "github.com", "raw.githubusercontent.com", "freecad.org", "addons.freecad.org", "wiki.freecad.org")
 SCREEN, LIMIT = "1200x800x24", 600
 
@@ -68,6 +69,7 @@ def pages(tree, allowed):
              # As a host of repositories gives it: the zip has one folder, whose name has the branch.
              f"{REPOSITORY}/archive/main.zip": zipped({"MeshQuality-main/": b"", **{f"MeshQuality-main/{path}": content
                                                                                     for path, content in files.items()}}),
+             **{f"{CONSTRAINTS}/3.{minor}/constraints.txt": b"# none\n" for minor in range(11, 15)},
              f"{REPOSITORY}/blob/main/README.md": f"<pre>{html.escape(files['README.md'].decode())}</pre>".encode(),
              **{f"{REPOSITORY}/raw/main/{path}": content for path, content in files.items()}}
     for name in ("macro_cache.zip", "addon_catalog_cache.zip"):
@@ -169,7 +171,8 @@ def work(arguments):
                 run("mount", "--bind", folder / "pip", place)
         environment = {"HOME": f"{inside}/home", "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "LIBGL_ALWAYS_SOFTWARE": "1",
                        "DISPLAY": start_screen(folder), "QT_QPA_PLATFORM": "xcb", "QTWEBENGINE_DISABLE_SANDBOX": "1",
-                       "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": f"{inside}/wheels", "ADDON_MANAGER": str(inside),
+                       "PIP_NO_INDEX": "1", "PIP_CERT": "/etc/ssl/certs/ca-certificates.crt",
+                       "PIP_FIND_LINKS": f"{inside}/wheels", "ADDON_MANAGER": str(inside),
                        **({"ADDON_MANAGER_REFUSED": "1"} if arguments.refused else {})}
         there = [shutil.which("chroot"), str(root)]
         if arguments.zip:
