@@ -138,42 +138,48 @@ def unpack(archive_, there, environment, shared):
     (shared / "state.json").write_text(json.dumps({"session": 1, "begin": begin, "steps": [step]}), encoding="utf-8")
 
 
+def connect(folder, root, allowed):
+    """The network that FreeCAD in this root sees; the list to which each address that is asked for is added."""
+    tree, asked = folder / "MeshQuality", []
+    run(ROOT / "tools" / "addon_tree", tree, REPOSITORY)
+    make_certificates(folder)
+    (folder / "hosts").write_text("".join(f"127.0.0.1 {host}\n" for host in ("localhost", *HOSTS)), encoding="ascii")
+    run("ip", "link", "set", "lo", "up")
+    run("mount", "--bind", folder / "hosts", root / "etc/hosts")
+    run("mount", "--bind", folder / "certs", root / "etc/ssl/certs")
+    serve(pages(tree, allowed), folder, asked)
+    return asked
+
+
+def enter(root, shared, pips):
+    """Gives a root the folder, the screen, devices and processes, and a pip; the folder's place there."""
+    (root / "tmp/.X11-unix").mkdir(exist_ok=True)
+    run("mount", "--bind", shared, root / "mnt")
+    run("mount", "--bind", "/tmp/.X11-unix", root / "tmp/.X11-unix")
+    run("mount", "--rbind", "/dev", root / "dev")
+    run("mount", "-t", "proc", "proc", root / "proc")
+    for path in pips:
+        zipfile.ZipFile(path).extractall(shared / "pip")
+        place, = root.glob("usr/local/lib/python3*/dist-packages")
+        run("mount", "--bind", shared / "pip", place)
+    return Path("/mnt")
+
+
 def work(arguments):
     """All of it, in namespaces of its own; whether the mesh was made."""
     with tempfile.TemporaryDirectory(prefix="addon-manager-") as name:
-        folder = Path(name)
-        tree = folder / "MeshQuality"
-        run(ROOT / "tools" / "addon_tree", tree, REPOSITORY)
-        make_certificates(folder)
-        (folder / "hosts").write_text("".join(f"127.0.0.1 {host}\n" for host in ("localhost", *HOSTS)), encoding="ascii")
-        root = arguments.root or Path("/")
-        run("ip", "link", "set", "lo", "up")
-        run("mount", "--bind", folder / "hosts", root / "etc/hosts")
-        run("mount", "--bind", folder / "certs", root / "etc/ssl/certs")
-        answers = pages(tree, ["numpy"] if arguments.refused else ["numpy", "meshquality_core"])
-        asked = []
-        serve(answers, folder, asked)
+        folder, root = Path(name), arguments.root or Path("/")
+        asked = connect(folder, root, ["numpy"] if arguments.refused else ["numpy", "meshquality_core"])
         shared = folder / "shared"
         shutil.copytree(HERE, shared / "scripts")
         shutil.copytree(arguments.wheels, shared / "wheels")
         (shared / "home").mkdir()
-        inside = shared
-        if arguments.root:
-            inside = Path("/mnt")
-            run("mount", "--bind", shared, root / "mnt")
-            (root / "tmp/.X11-unix").mkdir(exist_ok=True)
-            run("mount", "--bind", "/tmp/.X11-unix", root / "tmp/.X11-unix")
-            run("mount", "--rbind", "/dev", root / "dev")
-            run("mount", "-t", "proc", "proc", root / "proc")
-            for path in arguments.wheels.glob("pip-*.whl"):
-                zipfile.ZipFile(path).extractall(folder / "pip")
-                place, = root.glob("usr/local/lib/python3*/dist-packages")
-                run("mount", "--bind", folder / "pip", place)
+        screen = start_screen(folder)
+        inside = enter(root, shared, arguments.wheels.glob("pip-*.whl")) if arguments.root else shared
         environment = {"HOME": f"{inside}/home", "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "LIBGL_ALWAYS_SOFTWARE": "1",
-                       "DISPLAY": start_screen(folder), "QT_QPA_PLATFORM": "xcb", "QTWEBENGINE_DISABLE_SANDBOX": "1",
-                       "PIP_NO_INDEX": "1", "PIP_CERT": "/etc/ssl/certs/ca-certificates.crt",
-                       "PIP_FIND_LINKS": f"{inside}/wheels", "ADDON_MANAGER": str(inside),
-                       **({"ADDON_MANAGER_REFUSED": "1"} if arguments.refused else {})}
+                       "DISPLAY": screen, "QT_QPA_PLATFORM": "xcb", "QTWEBENGINE_DISABLE_SANDBOX": "1", "PIP_NO_INDEX": "1",
+                       "PIP_CERT": "/etc/ssl/certs/ca-certificates.crt", "PIP_FIND_LINKS": f"{inside}/wheels",
+                       "ADDON_MANAGER": str(inside), **({"ADDON_MANAGER_REFUSED": "1"} if arguments.refused else {})}
         there = [shutil.which("chroot"), str(root)]
         if arguments.zip:
             unpack(arguments.zip, there, environment, shared)
@@ -184,15 +190,12 @@ def work(arguments):
         while not done.exists() and time.monotonic() - begin < LIMIT:
             time.sleep(0.2)
         time.sleep(0.5)
+        (shared / "asked.json").write_text(json.dumps(asked, indent=1), encoding="utf-8")
         shutil.rmtree(RESULT, ignore_errors=True)
         RESULT.mkdir(parents=True)
-        (RESULT / "asked.json").write_text(json.dumps(asked, indent=1), encoding="utf-8")
         for path in (*shared.glob("*.png"), *shared.glob("*.json"), shared / "freecad.log"):
             shutil.copyfile(path, RESULT / path.name)
-        if not done.exists():
-            print((shared / "freecad.log").read_text(errors="replace")[-3000:])
-            return False
-        return report(json.loads(done.read_text(encoding="utf-8")))
+        return done.exists() and report(json.loads(done.read_text(encoding="utf-8")))
 
 
 def report(said):
