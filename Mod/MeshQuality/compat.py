@@ -10,8 +10,9 @@ import sys
 from .errors import MissingBinary
 from .version import __version__
 
-# The folder of the addon.
-HOME = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+# The folder that has this package, in which Python finds others, too, and the folder of the addon.
+PACKAGES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+HOME = os.path.dirname(PACKAGES)
 
 
 def extension():
@@ -76,8 +77,12 @@ def remedy():
     build = os.path.join(HOME, "tools", "build")
     if os.path.exists(build):
         return f"run 'bash {build}' and start FreeCAD again"
-    return (f"install the Python package meshquality-core {__version__} or a package of "
-            "MeshQuality made for these versions, or MeshQuality's sources and run 'bash tools/build' there")
+    return f"unpack {wheel()} into the folder {PACKAGES}, or install a package of MeshQuality made for these versions; then start FreeCAD again"
+
+
+def wheel():
+    """The wheel that has the binary for this FreeCAD."""
+    return f"meshquality_core-{__version__}-cp{sys.version_info[0]}{sys.version_info[1]}-*.whl"
 
 
 # The property of a view that has the colour of its faces: before FreeCAD 1.0, and since.

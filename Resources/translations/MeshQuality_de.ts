@@ -1187,8 +1187,8 @@
         <translation>Unter Debian: das Paket freecad-meshquality installieren, das für die eigene Ausgabe gemacht wurde.</translation>
     </message>
     <message>
-        <source>Elsewhere: unpack the archive of MeshQuality that was made for these versions in place of the folder {0}.</source>
-        <translation>Anderswo: das Archiv von MeshQuality, das für diese Versionen gemacht wurde, an Stelle des Ordners {0} auspacken.</translation>
+        <source>Elsewhere: unpack the file {0} of MeshQuality&apos;s release, which is a zip, into the folder {1}.</source>
+        <translation>Anderswo: die Datei {0} der Veröffentlichung von MeshQuality, die ein Zip ist, in den Ordner {1} auspacken.</translation>
     </message>
     <message>
         <source>Cancel</source>

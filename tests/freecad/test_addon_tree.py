@@ -4,6 +4,7 @@
 import glob
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -42,9 +43,9 @@ class Addon(helpers.DocumentTest):
         subprocess.run([sys.executable if "python" in os.path.basename(sys.executable) else "/usr/bin/python3",
                         os.path.join(helpers.ROOT, "tools", "addon_tree"), self.place], check=True)
 
-    def core_package(self, version):
+    def core_package(self, version, folder=None):
         """The binaries of this tree, in the form of the Python package meshquality-core."""
-        package = os.path.join(self.packages, "meshquality_core")
+        package = os.path.join(folder or self.packages, "meshquality_core")
         os.makedirs(package)
         with open(os.path.join(package, "__init__.py"), "w", encoding="utf-8") as stream:
             stream.write(f"__version__ = {version!r}\n")
@@ -66,7 +67,12 @@ class Addon(helpers.DocumentTest):
         said = self.said()
         self.assertEqual(said["home"], os.path.join(self.place, "freecad", "MeshQuality"))
         self.assertIn("it is not there", said["why"])
-        self.assertIn(f"meshquality-core {mq.__version__}", said["why"])
+        self.assertIn(f"meshquality_core-{mq.__version__}-cp{sys.version_info[0]}{sys.version_info[1]}-*.whl", said["why"])
+
+    def test_where_it_says_that_a_wheel_is_to_be_unpacked_it_is_found(self):
+        package = self.core_package(mq.__version__, re.search(r"into the folder (\S+),", self.said()["why"])[1])
+        said = self.said()
+        self.assertEqual((said["why"], os.path.dirname(said["binary"])), ("", package))
 
     def test_the_python_package_is_the_same_module(self):
         package = self.core_package(mq.__version__)

@@ -149,7 +149,7 @@ class AddonTree(unittest.TestCase):
 
     def test_metadata_alone_is_at_its_top(self):
         self.assertEqual({path.name for path in self.tree.iterdir()},
-                         {"package.xml", "LICENSE", "README.md", "CHANGELOG.md", "freecad"})
+                         {"package.xml", "requirements.txt", "LICENSE", "README.md", "CHANGELOG.md", "freecad"})
         self.assertEqual([path.name for path in (self.tree / "freecad").iterdir()], ["MeshQuality"])
 
     def test_has_no_binary(self):
@@ -161,7 +161,8 @@ class AddonTree(unittest.TestCase):
         for path in (*(element.text for element in said.iter(f"{SPACE}icon")),
                      *(element.get("file") for element in said.iter(f"{SPACE}license"))):
             self.assertTrue((self.tree / path).is_file(), path)
-        self.assertIn("meshquality-core", [element.text for element in said.iter(f"{SPACE}depend")])
+        self.assertIn(wheel_file.PACKAGE, [element.text for element in said.iter(f"{SPACE}depend")])
+        self.assertEqual((self.tree / "requirements.txt").read_text(encoding="utf-8"), f"{wheel_file.PACKAGE}=={VERSION}\n")
 
     def test_links_of_its_readme_lead_somewhere(self):
         links = re.findall(r"\]\(([^):#]+)", (self.tree / "README.md").read_text(encoding="utf-8"))

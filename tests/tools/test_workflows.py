@@ -26,6 +26,13 @@ class Workflows(unittest.TestCase):
             for script in named:
                 self.assertTrue((ROOT / script).is_file(), f"{path.name}: {script}")
 
+    def test_scripts_have_the_options_that_they_are_given(self):
+        for path in WORKFLOWS:
+            for line in "\n".join(commands(yaml.safe_load(path.read_text(encoding="utf-8")))).splitlines():
+                script = re.search(r"\b(?:bash|python3) +(tools/[\w./-]+)(.*)", line)
+                for option in re.findall(r"(?<![\w-])--[a-z-]+", script[2]) if script else ():
+                    self.assertRegex((ROOT / script[1]).read_text(encoding="utf-8"), rf"{option}\b", f"{path.name}: {line}")
+
     def test_each_job_has_a_machine_and_a_limit_of_time(self):
         for path in WORKFLOWS:
             for name, job in yaml.safe_load(path.read_text(encoding="utf-8"))["jobs"].items():

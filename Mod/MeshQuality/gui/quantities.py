@@ -12,10 +12,10 @@ fraction of an inch: showing a value there would change it.
 import math
 import re
 from dataclasses import dataclass
+from decimal import Decimal
 
 import FreeCAD
 import FreeCADGui
-import numpy as np
 from PySide import QtCore, QtGui
 
 _UNITS = {"mm": FreeCAD.Units.Length, "degrees": FreeCAD.Units.Angle}
@@ -48,7 +48,7 @@ class Unit:
 
     def written(self, number):
         """A number with the unit behind it, as the user writes it."""
-        return f"{in_locale(np.format_float_positional(number, trim='-'))} {self.name}"
+        return f"{in_locale(_positional(number))} {self.name}"
 
 
 def in_locale(text):
@@ -89,7 +89,7 @@ def volume_in_unit(text):
     """A text such as "511.2 mm³" in the user's unit, to four digits."""
     value = float(text.split()[0])
     _, factor, name = FreeCAD.Units.Quantity(value, FreeCAD.Units.Volume).getUserPreferred()
-    number = in_locale(np.format_float_positional(float(f"{value / factor:.4g}"), trim="-"))
+    number = in_locale(_positional(float(f"{value / factor:.4g}")))
     return f"{number} {name.replace('^3', '³')}"
 
 
@@ -115,7 +115,16 @@ def _shortest(value, factor, digits):
 
 def _same_order(numbers, values):
     """Whether one number is greater than another where its value is."""
-    return np.array_equal(*(np.greater.outer(each, each) for each in (numbers, values)))
+    first, second = ([[one > other for other in each] for one in each] for each in (numbers, values))
+    return first == second
+
+
+def _positional(number):
+    """The fewest digits that tell a number from all others, without an exponent. NumPy, which does this, too, would be
+    loaded with every start of FreeCAD.
+    """
+    text = f"{Decimal(repr(float(number))):f}" if math.isfinite(number) else str(number)
+    return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def text_of(value, unit="mm", digits=6):

@@ -35,8 +35,8 @@ def sentences():
                                  "No usable one was found.").format(compat.versions()),
         translate("MeshQuality", "On Debian: install the package freecad-meshquality that was made for your "
                                  "release."),
-        translate("MeshQuality", "Elsewhere: unpack the archive of MeshQuality that was made for these "
-                                 "versions in place of the folder {0}.").format(compat.HOME),
+        translate("MeshQuality", "Elsewhere: unpack the file {0} of MeshQuality's release, which is a zip, "
+                                 "into the folder {1}.").format(compat.wheel(), compat.PACKAGES),
     ]
     if os.path.exists(build):
         found.append(translate("MeshQuality", "From these sources: run ‘bash {0}’ in a terminal.").format(build))
