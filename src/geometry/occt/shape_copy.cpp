@@ -53,8 +53,6 @@ ShapeCopy::Definition ShapeCopy::copy_with(const Definition& own, const std::vec
         BRep_Builder().Add(shape, child);
     }
     copy->Free(own->Free());
-    copy->Modified(own->Modified());
-    copy->Checked(own->Checked());
     copy->Orientable(own->Orientable());
     copy->Closed(own->Closed());
     copy->Infinite(own->Infinite());

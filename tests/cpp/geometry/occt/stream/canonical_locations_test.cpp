@@ -72,12 +72,19 @@ TopoDS_Compound joined(const std::vector<TopoDS_Shape>& shapes) {
     return compound;
 }
 
-/// A compound with locations at all depths: a Boolean's result has them in its faces and edges.
+/// A box with a bore, of operands in placements: faces and edges have locations of their own.
+TopoDS_Shape bored(Placements& placement) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-3.0, -2.0, -1.0), 6.0, 4.0, 2.0).Shape();
+    const TopoDS_Shape tool =
+        BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0.0, 0.0, -9.0), gp_Dir(0.0, 0.0, 1.0)), 0.7, 18.0).Shape();
+    return BRepAlgoAPI_Cut(box.Located(placement()), tool.Located(placement())).Shape();
+}
+
+/// A compound with locations at all depths.
 TopoDS_Shape assembly() {
     Placements placement;
-    const TopoDS_Shape box = BRepPrimAPI_MakeBox(3.0, 2.0, 3.0).Shape();
+    const TopoDS_Shape cut = bored(placement);
     const TopoDS_Shape tool = BRepPrimAPI_MakeCylinder(0.7, 9.0).Shape();
-    const TopoDS_Shape cut = BRepAlgoAPI_Cut(box.Located(placement()), tool.Located(placement())).Shape();
     gp_Trsf mirror;
     mirror.SetMirror(gp_Ax2(gp_Pnt(1.0, 1.0, 0.0), gp_Dir(1.0, 0.3, 0.2)));
     gp_Trsf twice;
@@ -144,10 +151,10 @@ TEST(CanonicalLocations, KeepAllElse) {
     const TopoDS_Shape shape = assembly();
     const std::string before = write_shape_stream(shape);
     const auto canonical = with_canonical_locations(shape);
-    EXPECT_EQ(write_shape_stream(shape), before) << "the shape itself has changed";
+    EXPECT_TRUE(write_shape_stream(shape) == before) << "the shape itself has changed";
     EXPECT_EQ(write_shape_stream(*canonical).size(), before.size());
     const TopoDS_Shape rigid = TopoDS_Iterator(shape).Value();
-    EXPECT_EQ(write_shape_stream(*with_canonical_locations(rigid)), write_shape_stream(rigid));
+    EXPECT_TRUE(write_shape_stream(*with_canonical_locations(rigid)) == write_shape_stream(rigid));
     const TopTools_IndexedMapOfShape given = parts_of(shape);
     const TopTools_IndexedMapOfShape parts = parts_of(*canonical);
     ASSERT_EQ(parts.Extent(), given.Extent()) << "the same at several places is no longer one";
@@ -185,14 +192,11 @@ std::array<int, 2> stored_curves(const TopoDS_Shape& shape) {
 
 TEST(CanonicalLocations, CurvesAndPointsAreStillFound) {
     Placements placement;
-    const TopoDS_Shape box = BRepPrimAPI_MakeBox(3.0, 2.0, 3.0).Shape().Located(placement());
-    const TopoDS_Shape cut =
-        BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeCylinder(0.7, 9.0).Shape().Located(placement())).Shape();
+    const TopoDS_Shape cut = bored(placement);
     TopTools_IndexedDataMapOfShapeListOfShape faces_of_edges;
     TopExp::MapShapesAndAncestors(cut, TopAbs_EDGE, TopAbs_FACE, faces_of_edges);
-    const TopTools_IndexedMapOfShape copies = parts_of(*with_canonical_locations(cut));
-    int rim = 1;  // where both operands meet: its curves are placed
-    while (copies.Contains(faces_of_edges.FindKey(rim).Located(TopLoc_Location()))) {
+    int rim = 1;  // a new edge, where both operands meet
+    while (!faces_of_edges.FindKey(rim).Location().IsIdentity()) {
         ++rim;
     }
     const TopoDS_Edge& edge = TopoDS::Edge(faces_of_edges.FindKey(rim));
