@@ -18,7 +18,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "geometry/occt/shape_copy.h"
+#include "geometry/occt/stream/shape_copy.h"
 
 namespace mq::geometry {
 

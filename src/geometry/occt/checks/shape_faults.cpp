@@ -224,7 +224,7 @@ class FaultList {
     }
 
     void add(BRepCheck_Status status, const TopoDS_Shape& whose, const TopoDS_Shape& context) {
-        // What FreeCAD shows of a shape is no part of it.
+        // Triangulations are what FreeCAD shows; shapes that come as a stream have none.
         if (status != BRepCheck_NoError && status != BRepCheck_InvalidPolygonOnTriangulation) {
             const std::string in = name(context);
             add_line(name(whose) + (in.empty() ? "" : " in " + in) + ": " + describe(status));

@@ -14,8 +14,9 @@
 #include <cstring>
 #include <unordered_map>
 
-#include "geometry/occt/shape_copy.h"
+#include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/stream/byte_reader.h"
+#include "geometry/occt/stream/shape_copy.h"
 
 namespace mq::geometry {
 
@@ -107,9 +108,8 @@ gp_Trsf canonical_transformation(const gp_Mat& rows, const gp_XYZ& shift) {
         gp_Mat matrix;
         gp_XYZ shift;
     };
-    constexpr double kRounding = 1e-12;
     double scale = std::cbrt(rows.Determinant());
-    if (std::abs(std::abs(scale) - 1.0) < kRounding) {
+    if (std::abs(std::abs(scale) - 1.0) < kScaleRounding) {
         scale = std::copysign(1.0, scale);
     }
     return with_bits<gp_Trsf>(Bits{scale, gp_CompoundTrsf, rows.Divided(scale), shift});

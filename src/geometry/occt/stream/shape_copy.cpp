@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/shape_copy.h"
+#include "geometry/occt/stream/shape_copy.h"
 
 #include <BRep_Builder.hxx>
 #include <BRep_TFace.hxx>
