@@ -36,7 +36,7 @@ class CanonicalLocations final : public ShapeCopy {
         }
         Handle(TopLoc_Datum3D)& datum = data_[own.FirstDatum().get()];
         if (datum.IsNull()) {
-            const gp_Trsf& motion = own.FirstDatum()->Trsf();
+            const gp_Trsf& motion = own.FirstDatum()->Transformation();
             const gp_Trsf canonical = canonical_transformation(motion.VectorialPart(), motion.TranslationPart());
             datum = same_bits(canonical, motion) ? own.FirstDatum() : new TopLoc_Datum3D(canonical);
         }
