@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/plane_curves.h"
 
-#include <BRep_Builder.hxx>
 #include <BRep_CurveOnSurface.hxx>
 #include <BRep_CurveRepresentation.hxx>
 #include <BRep_ListOfCurveRepresentation.hxx>
 #include <BRep_TEdge.hxx>
-#include <BRep_TFace.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
@@ -15,25 +13,16 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Iterator.hxx>
-#include <TopoDS_TShape.hxx>
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
+#include "geometry/occt/stream/shape_copy.h"
+
 namespace mq::geometry {
 
 namespace {
-
-using Definition = Handle(TopoDS_TShape);
-
-/// A shape where it was defined, before any location.
-TopoDS_Shape in_own_frame(const Definition& own) {
-    TopoDS_Shape shape;
-    shape.TShape(own);
-    return shape;
-}
 
 bool has_curve(const BRep_TEdge& edge, const Handle(Geom_Surface) & surface, const TopLoc_Location& place) {
     const BRep_ListOfCurveRepresentation& curves = edge.Curves();
@@ -42,7 +31,7 @@ bool has_curve(const BRep_TEdge& edge, const Handle(Geom_Surface) & surface, con
     });
 }
 
-class PlaneCurves {
+class PlaneCurves final : public ShapeCopy {
   public:
     explicit PlaneCurves(const Progress* progress) : progress_(progress) {}
 
@@ -53,7 +42,7 @@ class PlaneCurves {
                 find_missing(TopoDS::Face(in_own_frame(faces.Current().TShape())));
             }
         }
-        return missing_.empty() ? shape : copied(shape);
+        return missing_.empty() ? shape : of(shape);
     }
 
   private:
@@ -91,71 +80,17 @@ class PlaneCurves {
         }
     }
 
-    TopoDS_Shape copied(const TopoDS_Shape& shape) {
-        TopoDS_Shape result = shape;
-        result.TShape(copy_of(shape.TShape()));
-        return result;
-    }
+    bool changes(const TopoDS_TShape& own) override { return missing_.count(&own) > 0; }
 
-    /// The definition itself where none of its edges lacks a curve.
-    Definition copy_of(const Definition& own) {
-        if (own->ShapeType() == TopAbs_VERTEX) {
-            return own;
+    void change(const TopoDS_TShape& own, TopoDS_TShape& copy) override {
+        for (const Handle(BRep_CurveOnSurface) & curve : missing_.at(&own)) {
+            static_cast<BRep_TEdge&>(copy).ChangeCurves().Append(curve);
         }
-        const auto known = copies_.find(own.get());
-        if (known != copies_.end()) {
-            return known->second;
-        }
-        std::vector<TopoDS_Shape> children;
-        bool changed = missing_.count(own.get()) > 0;
-        for (TopoDS_Iterator each(in_own_frame(own), Standard_False, Standard_False); each.More(); each.Next()) {
-            children.push_back(copied(each.Value()));
-            changed = changed || children.back().TShape() != each.Value().TShape();
-        }
-        const Definition copy = changed ? copy_with(own, children) : own;
-        copies_.emplace(own.get(), copy);
-        return copy;
-    }
-
-    Definition copy_with(const Definition& own, const std::vector<TopoDS_Shape>& children) const {
-        const Definition copy = own->ShapeType() == TopAbs_EDGE ? copy_of_edge(own) : own->EmptyCopy();
-        if (own->ShapeType() == TopAbs_FACE) {
-            const auto& from = static_cast<const BRep_TFace&>(*own);
-            auto& to = static_cast<BRep_TFace&>(*copy);
-            to.NaturalRestriction(from.NaturalRestriction());
-            to.Triangulation(from.Triangulation());
-        }
-        TopoDS_Shape shape = in_own_frame(copy);
-        for (const TopoDS_Shape& child : children) {
-            BRep_Builder().Add(shape, child);
-        }
-        copy->Orientable(own->Orientable());
-        copy->Closed(own->Closed());
-        copy->Infinite(own->Infinite());
-        copy->Convex(own->Convex());
-        return copy;
-    }
-
-    Definition copy_of_edge(const Definition& own) const {
-        const auto& from = static_cast<const BRep_TEdge&>(*own);
-        Handle(BRep_TEdge) to = new BRep_TEdge();
-        to->Tolerance(from.Tolerance());
-        to->SameParameter(from.SameParameter());
-        to->SameRange(from.SameRange());
-        to->Degenerated(from.Degenerated());
-        for (const Handle(BRep_CurveRepresentation) & curve : from.Curves()) {
-            to->ChangeCurves().Append(curve);
-        }
-        for (const Handle(BRep_CurveOnSurface) & curve : missing_.at(own.get())) {
-            to->ChangeCurves().Append(curve);
-        }
-        return to;
     }
 
     const Progress* progress_;
     std::unordered_set<const TopoDS_TShape*> seen_;                                               // faces
     std::unordered_map<const TopoDS_TShape*, std::vector<Handle(BRep_CurveOnSurface)>> missing_;  // by edge
-    std::unordered_map<const TopoDS_TShape*, Definition> copies_;
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/shape_model.h"
+#include "geometry/occt/stream/canonical_locations.h"
 #include "geometry/occt/stream/shape_stream.h"
 #include "geometry/occt/sub_shapes.h"
 #include "python/freecad/stream_cache.h"
@@ -123,7 +124,7 @@ FreecadShape part_shape(py::handle object) {
     if (asked != kStream) {
         std::shared_ptr<const TopoDS_Shape> live = live_shape(object);
         if (live != nullptr) {
-            return {std::move(live), kLive};
+            return {geometry::with_canonical_locations(*live), kLive};
         }
         if (asked == kLive) {
             throw InvalidInput(phrases::kBridgeNotLive,

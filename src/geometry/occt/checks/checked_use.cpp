@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/checks/checked_use.h"
 
-#include <BRepCheck_Edge.hxx>
 #include <BRep_CurveRepresentation.hxx>
 #include <BRep_GCurve.hxx>
 #include <BRep_ListOfCurveRepresentation.hxx>
@@ -89,9 +88,7 @@ bool CheckedUse::read_curves(const CheckedSurface& on) {
     const TopLoc_Location on_edge = on.place.Predivided(edge.Location());
     int of_space = 0;
     int of_surface = 0;
-    bool polygons = false;
     for (const Handle(BRep_CurveRepresentation) & each : data.Curves()) {
-        polygons = polygons || each->IsPolygonOnTriangulation();
         if (each->IsCurve3D()) {
             ++of_space;
         } else if (each->IsCurveOnSurface(on.surface, on_edge)) {
@@ -107,8 +104,7 @@ bool CheckedUse::read_curves(const CheckedSurface& on) {
     const double slack = Precision::PConfusion();
     const bool one_each = of_space == 1 && of_surface == 1 && in_space_.IsNull() == data.Degenerated();
     const bool same_range = in_space_.IsNull() || (std::abs(from - first) <= slack && std::abs(to - last) <= slack);
-    return one_each && same_range &&
-           (!polygons || BRepCheck_Edge(edge).CheckPolygonOnTriangulation(edge) == BRepCheck_NoError);
+    return one_each && same_range;
 }
 
 bool CheckedUse::has_range() const {

@@ -49,10 +49,11 @@ inline bool mirrors(const gp_Trsf& transformation) {
     return transformation.VectorialPart().Determinant() < 0.0;
 }
 
-/// Whether a transformation is rigid but for rounding: OpenCASCADE computes the factor from the matrix.
+/// Rounding of the factor of a rigid transformation: OpenCASCADE computes it from the matrix.
+constexpr double kScaleRounding = 1e-12;
+
+/// Whether a transformation is rigid but for rounding.
 inline bool is_rigid(const gp_Trsf& transformation) {
-    // Relative rounding of that factor.
-    constexpr double kScaleRounding = 1e-12;
     return std::abs(transformation.ScaleFactor() - 1.0) < kScaleRounding && !mirrors(transformation);
 }
 

@@ -27,14 +27,12 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <array>
-#include <cstring>
-#include <gp_Trsf.hxx>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "geometry/occt/stream/byte_reader.h"
+#include "geometry/occt/stream/canonical_locations.h"
 #include "geometry/occt/stream/stream_curves.h"
 
 namespace mq::geometry {
@@ -42,63 +40,6 @@ namespace mq::geometry {
 namespace {
 
 constexpr int kFreecadVersion = 3;  // what FreeCAD writes; 4 has normals of triangulations, too
-
-constexpr double kStep = std::numeric_limits<double>::epsilon() / 2;  // from 1 to the number below it
-
-/// Rows of the matrix, each with its translation.
-using Rows = std::array<double, 12>;
-
-Rows rows_of(const gp_Trsf& motion) {
-    Rows rows;
-    const gp_Mat matrix = motion.VectorialPart();
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            rows[4 * i + j] = matrix(i + 1, j + 1);
-        }
-        rows[4 * i + 3] = motion.TranslationPart().Coord(i + 1);
-    }
-    return rows;
-}
-
-bool is_written_so(const gp_Trsf& motion, const Rows& rows) {
-    const Rows written = rows_of(motion);
-    return std::memcmp(written.data(), rows.data(), sizeof(Rows)) == 0;  // signs of zeros, too
-}
-
-gp_Trsf with_scale(double scale, const Rows& r, const gp_Mat& m) {
-    struct Bits {
-        double scale;
-        gp_TrsfForm form;
-        std::array<double, 9> matrix;
-        std::array<double, 3> translation;
-    };
-    return with_bits<gp_Trsf>(Bits{scale,
-                                   gp_CompoundTrsf,
-                                   {m(1, 1), m(1, 2), m(1, 3), m(2, 1), m(2, 2), m(2, 3), m(3, 1), m(3, 2), m(3, 3)},
-                                   {r[3], r[7], r[11]}});
-}
-
-/// The transformation of which these rows were written: they are its scale times its matrix. SetValues, by which most
-/// are made, gives a scale within rounding of 1, and a matrix made orthogonal: the first of these that is written so is
-/// it. Otherwise the matrix itself was written.
-gp_Trsf transformation_of(const Rows& r) {
-    gp_Trsf made;
-    made.SetValues(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9], r[10], r[11]);
-    if (is_written_so(made, r)) {
-        return made;
-    }
-    for (const int steps : {-1, 1, -2, 2}) {
-        const double scale = 1.0 + steps * kStep;
-        gp_Trsf unscaled;
-        unscaled.SetValues(r[0] / scale, r[1] / scale, r[2] / scale, r[3], r[4] / scale, r[5] / scale, r[6] / scale,
-                           r[7], r[8] / scale, r[9] / scale, r[10] / scale, r[11]);
-        const gp_Trsf scaled = with_scale(scale, r, unscaled.HVectorialPart());
-        if (is_written_so(scaled, r)) {
-            return scaled;
-        }
-    }
-    return with_scale(1.0, r, gp_Mat(gp_XYZ(r[0], r[4], r[8]), gp_XYZ(r[1], r[5], r[9]), gp_XYZ(r[2], r[6], r[10])));
-}
 
 /// Reads what stands in sections, and then the shapes, which name it by its numbers.
 class ShapeReader {
@@ -180,13 +121,23 @@ class ShapeReader {
         for (int i = 0; i < count; ++i) {
             const char type = bytes_.get<char>();
             if (type == 1) {
-                locations_.emplace_back(transformation_of(bytes_.numbers<12>()));
+                locations_.push_back(transformation());
             } else if (type == 2) {
                 locations_.push_back(product());
             } else {
                 ByteReader::refuse("a location has an unknown type");
             }
         }
+    }
+
+    /// Three rows of a matrix, each with its translation.
+    TopLoc_Location transformation() {
+        const std::array<double, 12> r = bytes_.numbers<12>();
+        const gp_Mat rows(r[0], r[1], r[2], r[4], r[5], r[6], r[8], r[9], r[10]);
+        if (rows.IsSingular()) {
+            ByteReader::refuse("a location has no inverse");
+        }
+        return TopLoc_Location(canonical_transformation(rows, gp_XYZ(r[3], r[7], r[11])));
     }
 
     /// The product of powers of other locations, the first factor last; 0 ends their list.

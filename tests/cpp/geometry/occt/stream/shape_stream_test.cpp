@@ -146,23 +146,6 @@ TEST(ShapeStream, KeepsBitsThatOpenCascadesReaderChanges) {
     EXPECT_EQ(write_shape_stream(*read_shape_stream(stream)), stream);
 }
 
-TEST(ShapeStream, KeepsTransformationsThatWereMadeOfAMatrix) {
-    // As FreeCAD makes them of its placements; their scale differs from 1 by rounding.
-    const gp_Trsf motion = turned(0.7).Transformation() * turned(0.4).Transformation();
-    gp_Trsf made;
-    made.SetValues(motion.Value(1, 1), motion.Value(1, 2), motion.Value(1, 3), -0.0, motion.Value(2, 1),
-                   motion.Value(2, 2), motion.Value(2, 3), 2.0, motion.Value(3, 1), motion.Value(3, 2),
-                   motion.Value(3, 3), 3.0);
-    const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape().Moved(TopLoc_Location(made));
-    const auto read = read_shape_stream(write_shape_stream(box));
-    EXPECT_EQ(read->Location().Transformation().ScaleFactor(), made.ScaleFactor());
-    for (int i = 1; i <= 3; ++i) {
-        for (int j = 1; j <= 4; ++j) {
-            EXPECT_EQ(read->Location().Transformation().Value(i, j), made.Value(i, j));
-        }
-    }
-}
-
 TEST(ShapeStream, KeepsWhatIsShared) {
     const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20.0, 8.0).Shape();
     const auto read =
