@@ -34,6 +34,7 @@ FREECAD_MODULES = {"FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "Fem", "
 OPENCASCADE = re.compile(
     r"\.(hxx|lxx)$"
 )
+OF_A_SYSTEM = r"(arpa|linux|mach|net|netinet|sys)/.*|(aclapi|dirent|dlfcn|fcntl|grp|io|malloc|poll|process|pthread|pwd|sched|signal|unistd|win\w*)\.h"
 # Words that must not appear, spelt in two halves so that this file passes its own check.
 UNFINISHED = re.compile(r"\b(TO" r"DO|FIX" r"ME|X" r"XX)\b")
 
@@ -117,7 +118,8 @@ def check_includes(root):
             if target and target not in reach.get(module, {module}):
                 faults.append(f"{path}:{line}: {module} may not include {name}")
             elif target is None:
-                faults += [f"{path}:{line}: {fault}" for fault in _foreign(module, name)]
+                place = "system" if path.parts[2:3] == ("system",) else module
+                faults += [f"{path}:{line}: {fault}" for fault in _foreign(place, name)]
     return faults
 
 
@@ -135,6 +137,7 @@ def _foreign(module, name):
         ("SWIG", "swig" in name.lower(), {"python"}),
         ("Coin", re.match(r"Inventor/", name), set()),
         ("FreeCAD", re.match(r"(App|Base|Gui|Mod)/", name), set()),
+        ("headers of an operating system", re.fullmatch(OF_A_SYSTEM, name), {"system"}),
     ]
     return [f"{module} may not include {library} ({name})" for library, hit, home in homes
             if hit and module not in home]

@@ -133,6 +133,12 @@ class Checker(unittest.TestCase):
             found = self.faults(structure.check_includes, src__triangulate__size_dot_h=text)
             self.assertEqual(len(found), 1, header)
 
+    def test_headers_of_systems(self):
+        for header in ("unistd.h", "sys/mman.h", "windows.h"):
+            text = LICENCE + f"#include <{header}>\n"
+            self.assertEqual(len(self.faults(structure.check_includes, src__base__clock_dot_h=text)), 1, header)
+            self.assertEqual(self.faults(structure.check_includes, src__base__system__clock_dot_cpp=text), [], header)
+
     def test_freecad_outside_its_place(self):
         text = f"# {structure.SPDX}\nimport FreeCAD\n"
         self.assertEqual(len(self.faults(structure.check_python_imports, bin__x_dot_py=text)), 1)
