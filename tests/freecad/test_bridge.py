@@ -18,6 +18,8 @@ from MeshQuality.compat import extension
 from MeshQuality.core.sources import shape_stream
 
 _core = extension()
+OWN_KERNEL = os.path.basename(os.path.dirname(_core.__file__)) == "meshquality_core"
+needs_live = unittest.skipIf(OWN_KERNEL, "this core has an OpenCASCADE of its own, to which shapes always come as a copy")
 
 
 def bridge(name):
@@ -70,6 +72,7 @@ def all_parts():
             "face": parts["cut"].Faces[3], "shell": parts["fused"].Shells[0]}
 
 
+@needs_live
 class Live(helpers.DocumentTest):
     def setUp(self):
         super().setUp()
@@ -107,8 +110,9 @@ class Choice(unittest.TestCase):
 
     def test_shapes_are_live_where_they_can_be(self):
         with own_choice():
-            self.assertEqual(_core.take(Part.makeBox(1, 1, 1)), "live")
+            self.assertEqual(_core.take(Part.makeBox(1, 1, 1)), "stream" if OWN_KERNEL else "live")
 
+    @needs_live
     def test_a_build_that_cannot_share_gets_the_same_mesh_and_says_so(self):
         shape = helpers.simple_parts()["cut"]
         with own_choice():
@@ -130,7 +134,7 @@ class Choice(unittest.TestCase):
 
     def test_all_reports_name_it(self):
         box, tall = Part.makeBox(10, 10, 10), Part.makeBox(5, 5, 20)
-        for name in ("live", "stream"):
+        for name in ("stream",) if OWN_KERNEL else ("live", "stream"):
             with bridge(name):
                 mesh = mq.triangulate(box, chord_height=0.5)
                 made = {
@@ -157,6 +161,7 @@ class Stream(helpers.DocumentTest):
             with self.subTest(name):
                 self.assertEqual(_core.shape_stream(shape), shape_stream.bytes_of(shape))
 
+    @needs_live
     def test_meshes_are_those_of_live_shapes(self):
         for name, shape in all_parts().items():
             with self.subTest(name):
@@ -171,10 +176,11 @@ class Stream(helpers.DocumentTest):
         mesh = mq.triangulate(shape, chord_height=0.1)
         self.assertLess(max(helpers.distances_to_faces(shape, mesh)), 0.1)
         sized = mq.triangulate(shape, chord_height=0.1, local_sizes={"Face3": 0.4, "Edge5": 0.2, "Vertex2": 0.1})
-        with bridge("live"):
-            live = mq.triangulate(shape, chord_height=0.1, local_sizes={"Face3": 0.4, "Edge5": 0.2, "Vertex2": 0.1})
         self.assertGreater(len(sized.triangles), len(mesh.triangles))
-        self.assertEqual(sized.vertices.tobytes(), live.vertices.tobytes())
+        if not OWN_KERNEL:
+            with bridge("live"):
+                live = mq.triangulate(shape, chord_height=0.1, local_sizes={"Face3": 0.4, "Edge5": 0.2, "Vertex2": 0.1})
+            self.assertEqual(sized.vertices.tobytes(), live.vertices.tobytes())
 
     def test_solids_share_their_faces(self):
         shape = Part.makeBox(1, 1, 1).generalFuse([Part.makeBox(1, 1, 1, FreeCAD.Vector(1, 0, 0))])[0]
