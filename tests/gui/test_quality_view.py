@@ -565,8 +565,8 @@ class QualityView(gui_helpers.GuiTest):
         self.assertFalse(panel.edges.isChecked() or panel.data.has_lines)
         panel.edges.setChecked(True)
         self.until(lambda: panel.data.has_lines)
-        self.until(lambda: panel.scene.node.getChild(0).getChild(0).getChild(2).getChild(0).getChild(2)
-                   .coordIndex.getNum() == len(panel.data.lines[1]))
+        detail = panel.scene.node.getChild(0).getChild(0).getChild(2).getPart("contents", False).getChild(0)
+        self.until(lambda: detail.getChild(0).getChild(2).coordIndex.getNum() == len(panel.data.lines[1]))
         self.assertGreater(np.abs(fine - coarse).max(), 0)
         self.assertLess(np.abs(fine - coarse).mean(), 2)
 
