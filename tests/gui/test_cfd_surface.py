@@ -22,7 +22,7 @@ if os.environ.get("MESHQUALITY_CFDOF"):  # a clone of it that is no addon
     sys.path.append(os.environ["MESHQUALITY_CFDOF"])
 
 # Where it is not so, test_a_binary_that_cannot_take_shapes_in_place_refuses_it alone says what becomes of it.
-needs_live = unittest.skipUnless(cfd_surface._can_be_undone(), "this core has an OpenCASCADE of its own and shares no shape in place")
+needs_live = unittest.skipUnless(cfd_surface._can_be_undone(), "this core has a kernel of its own and shares no shape in place")
 
 
 class CfdSurfaces(gui_helpers.PanelTest):

@@ -451,7 +451,9 @@ class QualityView(gui_helpers.GuiTest):
 
     def test_the_legend_never_lies_under_the_navigation_cube(self):
         parameters = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
-        self.addCleanup(parameters.RemInt, "CornerNaviCube")
+        since_1_0 = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/NaviCube")
+        for group in (parameters, since_1_0):
+            self.addCleanup(group.RemInt, "CornerNaviCube")
         self.addCleanup(parameters.RemBool, "ShowNaviCube")
         window = FreeCADGui.getMainWindow()
         self.addCleanup(window.resize, window.size())
@@ -460,7 +462,8 @@ class QualityView(gui_helpers.GuiTest):
             window.resize(*size)
             for corner in range(4):
                 with self.subTest(corner=corner, size=size):
-                    parameters.SetInt("CornerNaviCube", corner)
+                    for group in (parameters, since_1_0):
+                        group.SetInt("CornerNaviCube", corner)
                     gui_helpers.wait(0.2)
                     panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
                     window.showNormal()
