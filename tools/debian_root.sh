@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 #
-# Releases of Debian in folders, for tools/compat and tools/package-test; to be sourced by bash. The folders lie in
+# Releases of Debian in folders, for tools/compat, tools/package-test and tools/wheel-test; to be sourced by bash. They lie in
 # $MESHQUALITY_COMPAT (default ~/.cache/meshquality/compat). Needs root, for chroot and mount.
 
 roots="${MESHQUALITY_COMPAT:-${XDG_CACHE_HOME:-$HOME/.cache}/meshquality/compat}"
@@ -47,6 +47,7 @@ install_release() {
     printf '#!/bin/sh\nexit 101\n' >"$root/usr/sbin/policy-rc.d"
     chmod +x "$root/usr/sbin/policy-rc.d"
     printf 'path-exclude=/usr/share/man/*\npath-exclude=/usr/share/doc/*\n' >"$root/etc/dpkg/dpkg.cfg.d/small"
+    echo force-unsafe-io >>"$root/etc/dpkg/dpkg.cfg.d/small" # a root that is lost can be made again
     echo 'Acquire::Check-Valid-Until "false";' >"$root/etc/apt/apt.conf.d/mirror"
     touch "$root/.installed"
 }
@@ -56,6 +57,15 @@ mount_system() {
     mount -t proc proc "$1/proc"
     mount --rbind /dev "$1/dev"
     cp -L /etc/resolv.conf "$1/etc/resolv.conf"
+}
+
+# mount_data ROOT: $MESHQUALITY_DATA in it, to be read alone, as /data.
+mount_data() {
+    if [[ -n ${MESHQUALITY_DATA:-} ]]; then
+        mkdir -p "$1/data"
+        mount --bind "$MESHQUALITY_DATA" "$1/data"
+        mount -o remount,ro,bind "$1/data"
+    fi
 }
 
 # enter ROOT FOLDER [NAME=VALUE...] -- COMMAND...: runs it there, with an environment that owes nothing to this machine.

@@ -47,26 +47,33 @@ def folder():
     return cache() / f"occt-{VERSION}-{hashlib.sha256(makes.encode()).hexdigest()[:12]}"
 
 
-def source_line():
-    """The line of apt for sources of the release, at the mirror from which this machine's apt takes Debian."""
+def source_line(kind, release):
+    """The line of apt for packages (deb) or sources (deb-src) of a release, at the mirror of this machine's apt."""
     told = subprocess.run(["apt-get", "indextargets", "--format", "$(REPO_URI)", "Created-By: Packages", "Origin: Debian",
                            "Label: Debian"], check=True, capture_output=True, text=True).stdout.split()
-    return f"deb-src [signed-by={KEYS}] {told[0] if told else 'http://deb.debian.org/debian'} {RELEASE} main\n"
+    return f"{kind} [signed-by={KEYS}] {told[0] if told else 'http://deb.debian.org/debian'} {release} main\n"
 
 
-def download(into, package="opencascade", version=PACKAGE_VERSION):
-    """Unpacks a source package, with Debian's patches, into `into`/source. apt checks the .dsc by the signed index of
-    the release, and dpkg-source the other files by the .dsc. Nothing of the machine's apt is changed.
+def apt(into, kind, release):
+    """The command apt-get, which knows packages (deb) or sources (deb-src) of that release alone and keeps its files in the
+    folder. It checks them by the signed index of the release. Nothing of the machine's apt is changed.
     """
     for name in ("lists/partial", "archives/partial"):
         (into / name).mkdir(parents=True)
-    (into / "sources.list").write_text(source_line(), encoding="utf-8")
+    (into / "sources.list").write_text(source_line(kind, release), encoding="utf-8")
     options = {"Dir::Etc::SourceList": into / "sources.list", "Dir::Etc::SourceParts": "/dev/null",
                "Dir::State::Lists": into / "lists", "Dir::Cache": into, "Dir::Cache::Archives": into / "archives",
                "APT::Sandbox::User": "root"}
-    apt = ["apt-get", "-q", *(f"-o{name}={value}" for name, value in options.items())]
-    subprocess.run([*apt, "update"], check=True, cwd=into)
-    subprocess.run([*apt, "source", "--download-only", f"{package}={version}"], check=True, cwd=into)
+    command = ["apt-get", "-q", *(f"-o{name}={value}" for name, value in options.items())]
+    subprocess.run([*command, "update"], check=True, cwd=into)
+    return command
+
+
+def download(into, package="opencascade", version=PACKAGE_VERSION):
+    """Unpacks a source package, with Debian's patches, into `into`/source. apt checks the .dsc, and dpkg-source the other
+    files by the .dsc.
+    """
+    subprocess.run([*apt(into, "deb-src", RELEASE), "source", "--download-only", f"{package}={version}"], check=True, cwd=into)
     subprocess.run(["dpkg-source", "--require-strong-checksums", "-x", f"{package}_{version.split(':')[-1]}.dsc", "source"],
                    check=True, cwd=into)
 

@@ -12,6 +12,7 @@ import sys
 import helpers
 
 import MeshQuality as mq
+from MeshQuality import compat
 
 FREECADCMD = shutil.which("freecadcmd")
 SCRIPT = """
@@ -49,7 +50,7 @@ class Addon(helpers.DocumentTest):
         os.makedirs(package)
         with open(os.path.join(package, "__init__.py"), "w", encoding="utf-8") as stream:
             stream.write(f"__version__ = {version!r}\n")
-        for binary in glob.glob(os.path.join(os.path.dirname(mq.__file__), "*.so")):
+        for binary in glob.glob(os.path.join(os.path.dirname(compat.extension().__file__), "*.so")):
             os.symlink(binary, os.path.join(package, os.path.basename(binary)))
         return package
 

@@ -28,6 +28,9 @@ _UNITS = "User parameter:BaseApp/Preferences/Units"
 def use_units(schema):
     """As the preferences set them."""
     FreeCAD.ParamGet(_UNITS).SetInt("UserSchema", schema)
+    for document in FreeCAD.listDocuments().values():
+        if hasattr(document, "UnitSystem"):  # since FreeCAD 1.0
+            document.UnitSystem = schema
     FreeCAD.Units.setSchema(schema)
 
 

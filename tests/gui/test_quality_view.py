@@ -451,7 +451,9 @@ class QualityView(gui_helpers.GuiTest):
 
     def test_the_legend_never_lies_under_the_navigation_cube(self):
         parameters = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
-        self.addCleanup(parameters.RemInt, "CornerNaviCube")
+        since_1_0 = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/NaviCube")
+        for group in (parameters, since_1_0):
+            self.addCleanup(group.RemInt, "CornerNaviCube")
         self.addCleanup(parameters.RemBool, "ShowNaviCube")
         window = FreeCADGui.getMainWindow()
         self.addCleanup(window.resize, window.size())
@@ -460,7 +462,8 @@ class QualityView(gui_helpers.GuiTest):
             window.resize(*size)
             for corner in range(4):
                 with self.subTest(corner=corner, size=size):
-                    parameters.SetInt("CornerNaviCube", corner)
+                    for group in (parameters, since_1_0):
+                        group.SetInt("CornerNaviCube", corner)
                     gui_helpers.wait(0.2)
                     panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
                     window.showNormal()
@@ -565,8 +568,8 @@ class QualityView(gui_helpers.GuiTest):
         self.assertFalse(panel.edges.isChecked() or panel.data.has_lines)
         panel.edges.setChecked(True)
         self.until(lambda: panel.data.has_lines)
-        self.until(lambda: panel.scene.node.getChild(0).getChild(0).getChild(2).getChild(0).getChild(2)
-                   .coordIndex.getNum() == len(panel.data.lines[1]))
+        detail = panel.scene.node.getChild(0).getChild(0).getChild(2).getPart("contents", False).getChild(0)
+        self.until(lambda: detail.getChild(0).getChild(2).coordIndex.getNum() == len(panel.data.lines[1]))
         self.assertGreater(np.abs(fine - coarse).max(), 0)
         self.assertLess(np.abs(fine - coarse).mean(), 2)
 

@@ -140,7 +140,7 @@ class InTheView(gui_helpers.GuiTest):
 
     def test_clipping_planes_do_not_cut_it(self):
         self.assertEqual(self.white("legend_whole"), 20000)
-        self.view.toggleClippingPlane(1, -1, True, FreeCAD.Placement(FreeCAD.Vector(5, 5, 5), FreeCAD.Rotation()))
+        self.view.toggleClippingPlane(1, False, True, FreeCAD.Placement(FreeCAD.Vector(5, 5, 5), FreeCAD.Rotation()))
         self.addCleanup(self.view.toggleClippingPlane, 0)
         gui_helpers.wait(0.3)
         self.assertEqual(self.white("legend_clipped"), 20000)

@@ -23,6 +23,7 @@ SPACE = "{https://wiki.freecad.org/Package_Metadata}"
 sys.path.insert(0, str(ROOT / "tools"))
 
 import own_opencascade  # noqa: E402
+import python_headers  # noqa: E402
 import wheel_file  # noqa: E402
 
 wheel = SourceFileLoader("wheel", str(ROOT / "tools" / "wheel")).load_module()
@@ -110,6 +111,14 @@ class Build(unittest.TestCase):
             subprocess.run(["cc", "-shared", "-fPIC", "-o", library, source, "-lm",
                             f"-Wl,--version-script={ROOT / 'src' / 'python' / 'exports.map'}"], check=True)
             self.assertEqual(wheel.exported(library), {"PyInit_two"})
+
+    def test_a_python_that_is_not_here_is_named_by_its_version(self):
+        with mock.patch.object(python_headers, "provide", return_value="headers"):
+            version, settings = wheel.of_python("3.14")
+        self.assertEqual((version, settings["Python_INCLUDE_DIR"]), ((3, 14), "headers"))
+        self.assertRegex(settings["PYTHON_MODULE_EXTENSION"], r"^\.cpython-314-\w+-linux-gnu\.so$")
+        version, settings = wheel.of_python(sys.executable)
+        self.assertEqual((version, settings), (sys.version_info[:2], {"Python_EXECUTABLE": sys.executable}))
 
     def test_another_setting_is_another_opencascade(self):
         before = own_opencascade.folder()

@@ -121,10 +121,11 @@ class Steps:
         near(report.volume, sphere.Volume, MESHED)
 
     def their_error(self):
-        """An exception within FreeCAD's OpenCASCADE."""
+        """An exception within FreeCAD's OpenCASCADE; which one Python gets depends on FreeCAD's version."""
+        solid = Part.makeBox(10, 10, 10)
         try:
-            Part.makeBox(10, 10, 10).makeFillet(50, Part.makeBox(10, 10, 10).Edges)
-        except Part.OCCError:
+            solid.makeFillet(50, solid.Edges)
+        except (Part.OCCError, FreeCAD.Base.CADKernelError):
             return
         raise Wrong("FreeCAD made a fillet that cannot be")
 

@@ -65,7 +65,7 @@ class SourceColours:
             return
         before = self._before.setdefault(view, view.DiffuseColor)
         colours = list(view.DiffuseColor) if len(view.DiffuseColor) == count else [before[0]] * count
-        colours[index] = (*(part / 255 for part in colour), 0.0)
+        colours[index] = (*(part / 255 for part in colour), *before[0][3:])
         view.DiffuseColor = colours
 
     def end(self):
@@ -87,5 +87,5 @@ def _view_of_face(member, name):
     if path:
         leaf = leaf.getSubObject(f"{path}.", retType=1)
     view = None if leaf is None else leaf.ViewObject
-    fits = face and "DiffuseColor" in getattr(view, "PropertiesList", ()) and "Shape" in leaf.PropertiesList
+    fits = face and hasattr(view, "DiffuseColor") and "Shape" in leaf.PropertiesList
     return (view, int(face[1]) - 1) if fits else None

@@ -11,16 +11,20 @@ PIXELS = 5.0  # square pixels of the box for each edge: edges are 5 pixels long 
 
 def thinned(lines, edges):
     """A node that draws `lines`, a separator with its own coordinates, where these many edges are told apart."""
-    detail = coin.SoLevelOfDetail()
+    detail, contents, kit = coin.SoLevelOfDetail(), coin.SoSeparator(), coin.SoWrapperKit()
     detail.addChild(lines)
     detail.addChild(coin.SoInfo())  # nothing
-    set_count(detail, edges)
-    return detail
+    contents.addChild(detail)
+    # FreeCAD's actions for selections have no state by which the detail is chosen, and a Coin with assertions ends FreeCAD
+    # for that. They go into groups, but not into kits.
+    kit.setPart("contents", contents)
+    set_count(kit, edges)
+    return kit
 
 
-def set_count(detail, edges):
+def set_count(kit, edges):
     """Sets the number of edges."""
-    detail.screenArea = PIXELS * edges
+    kit.getPart("contents", False).getChild(0).screenArea = PIXELS * edges
 
 
 def thin_out(root, edges):
@@ -28,7 +32,7 @@ def thin_out(root, edges):
     for group in _modes(root):
         for i in range(group.getNumChildren()):
             child = group.getChild(i)
-            if child.isOfType(coin.SoLevelOfDetail.getClassTypeId()):
+            if child.isOfType(coin.SoWrapperKit.getClassTypeId()):
                 set_count(child, edges)
             elif _draws_lines(child) and _draws_faces(group):
                 group.replaceChild(i, thinned(child, edges))
