@@ -67,7 +67,8 @@ class DegenerateFaces : EdgeJoining {
             check_cancelled(progress_);
             divide_across(f);
             Sliver sliver = sides_of(f);
-            if (has_sides(sliver) && find_pairs(f, sliver, topology_.detail) && neighbours_open(sliver)) {
+            if (has_sides(sliver) && find_pairs(f, sliver, std::max(own_width(sliver), topology_.detail)) &&
+                neighbours_open(sliver)) {
                 thin_.insert(f);
                 thin.emplace(f, std::move(sliver));
             }
@@ -188,16 +189,12 @@ class DegenerateFaces : EdgeJoining {
         if (!has_sides(sliver)) {
             return;
         }
-        std::vector<double> tolerances;
-        for (const int use : sliver.uses) {
-            tolerances.push_back(tolerance(edge_of(use)));
-        }
-        std::sort(tolerances.begin(), tolerances.end());
-        const double own = tolerances[0] + tolerances[1];
-        if (sliver.ends.empty() && find_pairs(face, sliver, own)) {
+        const bool thin = thin_.count(face) > 0;
+        const double own = own_width(sliver);
+        if ((thin || sliver.ends.empty()) && find_pairs(face, sliver, own)) {
             topology_.faults.push_back(topology_.name_of({2, face}) +
                                        ": is no wider than the tolerance of its edges, which count as one");
-        } else if (thin_.count(face) > 0 && find_pairs(face, sliver, topology_.detail)) {
+        } else if (thin && find_pairs(face, sliver, topology_.detail)) {
             topology_.faults.push_back(topology_.name_of({2, face}) + ": is thinner than " +
                                        in_digits(topology_.detail, 4) +
                                        " mm, which does not show at what is asked for: its edges count as one");
@@ -211,8 +208,18 @@ class DegenerateFaces : EdgeJoining {
         }
         detach(face);
         for (const Pair& pair : edges) {
-            join(pair[0], pair[1], topology_.detail);
+            join(pair[0], pair[1], std::max(own, topology_.detail));
         }
+    }
+
+    /// The two smallest tolerances of a sliver's sides together, mm.
+    double own_width(const Sliver& sliver) const {
+        std::vector<double> tolerances;
+        for (const int use : sliver.uses) {
+            tolerances.push_back(tolerance(edge_of(use)));
+        }
+        std::sort(tolerances.begin(), tolerances.end());
+        return tolerances[0] + tolerances[1];
     }
 
     Sliver sides_of(int face) {

@@ -68,10 +68,11 @@ bool EdgeJoining::is_short(int e) const {
         return false;
     }
     const auto node = [&](int i) { return topology_.nodes[static_cast<std::size_t>(edge(e).nodes[i])].point; };
-    if ((node(0) - node(1)).norm() > topology_.detail) {
+    const double least = std::max(topology_.detail, tolerance(e));
+    if ((node(0) - node(1)).norm() > least) {
         return false;
     }
-    return curve(e).length(edge(e).t0, edge(e).t1).distance < topology_.detail &&
+    return curve(e).length(edge(e).t0, edge(e).t1).distance < least &&
            std::all_of(edge(e).uses.begin(), edge(e).uses.end(),
                        [&](int use) { return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull(); });
 }
