@@ -8,6 +8,7 @@ import platform
 import sys
 
 from .errors import MissingBinary
+from .listing import hide_modules
 from .version import __version__
 
 # The folder that has this package, in which Python finds others, too, and the folder of the addon.
@@ -42,6 +43,7 @@ def _search_wheel():
         return ""
     if wheel.__version__ != __version__:
         return f"the Python package meshquality-core is of version {wheel.__version__}, not {__version__}"
+    hide_modules(wheel.__path__)
     sys.modules[__package__].__path__.extend(wheel.__path__)
     return ""
 

@@ -39,7 +39,7 @@ class Addon(helpers.DocumentTest):
     def setUp(self):
         super().setUp()
         self.place = os.path.join(self.folder, "user", "Mod", "MeshQuality")
-        self.packages = os.path.join(self.folder, "packages")
+        self.packages = os.path.join(self.folder, "user", "AdditionalPythonPackages")  # FreeCAD 1.0 takes no PYTHONPATH
         os.makedirs(os.path.dirname(self.place))
         subprocess.run([sys.executable if "python" in os.path.basename(sys.executable) else "/usr/bin/python3",
                         os.path.join(helpers.ROOT, "tools", "addon_tree"), self.place], check=True)
@@ -59,7 +59,7 @@ class Addon(helpers.DocumentTest):
         script, result = (os.path.join(self.folder, name) for name in ("script.py", "result.json"))
         with open(script, "w", encoding="utf-8") as stream:
             stream.write(SCRIPT.format(result=result))
-        environment = {**os.environ, "FREECAD_USER_HOME": os.path.join(self.folder, "user"), "PYTHONPATH": self.packages}
+        environment = {**os.environ, "FREECAD_USER_HOME": os.path.join(self.folder, "user")}
         subprocess.run([FREECADCMD, script], check=True, stdin=subprocess.DEVNULL, capture_output=True, env=environment, timeout=120)
         with open(result, encoding="utf-8") as stream:
             return json.load(stream)

@@ -5,6 +5,7 @@ import importlib
 import importlib.util
 import inspect
 import pydoc
+import re
 import unittest
 
 import Part
@@ -33,7 +34,7 @@ class Names(unittest.TestCase):
         things += [mesh, mesh.report, curved, curved.report, union, union.report, mq.MeshCache()]
         for thing in things:
             names = [name for name in dir(thing) if not name.startswith("__")]
-            self.assertEqual([name for name in names if name.startswith("_")], [], thing)
+            self.assertEqual([name for name in names if re.match("_(?!pybind11_)", name)], [], thing)
             self.assertFalse({"held", "store_in", "loader_of", "lists", "taken_from"} & set(names), thing)
         self.assertLess({"nodes", "elements", "of", "write", "report"}, set(dir(mq.CurvedMesh)))
         self.assertLess({"vertices", "triangle_source", "to_mesh"}, set(dir(union)))
