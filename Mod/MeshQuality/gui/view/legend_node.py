@@ -66,12 +66,13 @@ class LegendNode:
         # Coin enables those of the scene again.
         for plane in range(_CLIP_PLANES):
             _gl().glDisable(_CLIP_PLANE + plane)
-        seen = tuple(coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels().getValue())
+        pixels = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels()
+        seen = pixels[0], pixels[1]  # getValue() gives no numbers in pivy of Debian testing
         if seen == self._seen:
             return
         self._seen = seen
         # A point slightly inside of the pixel, so that rounding does not lead to the one before.
-        x, y = (2.0 * (place + 0.25) / max(pixels, 1) - 1.0 for place, pixels in zip(self.place_in(*seen), seen))
+        x, y = (2.0 * (place + 0.25) / max(size, 1) - 1.0 for place, size in zip(self.place_in(*seen), seen))
         # The legend is being drawn: no notification is needed to draw it again.
         told = self._place.translation.enableNotify(False)
         self._place.translation = (x, y, 0.0)
