@@ -77,7 +77,9 @@ def add_analysis(part, load, clamped=("x", -1)):
 
     document, shape = part.Document, part.Shape
     analysis = ObjectsFem.makeAnalysis(document)
-    solver = ObjectsFem.makeSolverCalculixCcxTools(document)
+    # The name since FreeCAD 1.0, and the one before.
+    make_solver = getattr(ObjectsFem, "makeSolverCalculiXCcxTools", None) or ObjectsFem.makeSolverCalculixCcxTools
+    solver = make_solver(document)
     material = ObjectsFem.makeMaterialSolid(document)
     material.Material = {"Name": "Steel", "YoungsModulus": f"{YOUNG} MPa", "PoissonRatio": str(POISSON_RATIO),
                          "Density": "7900 kg/m^3"}

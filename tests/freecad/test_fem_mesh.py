@@ -14,7 +14,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality import options
+from MeshQuality import compat, options
 from MeshQuality.core.fem import fem, fem_size
 from MeshQuality.core.sources import frames
 from MeshQuality.features import fem_mesh
@@ -334,7 +334,8 @@ class Documents(FemObjectTest):
         self.assertEqual(again.FemMesh.getElementNodes(1), first)
         for number, point in again.FemMesh.Nodes.items():
             self.assertLess((point - points[number]).Length, 1e-12)
-        self.assertEqual((again.MaxEdge.Value, again.MinDistortion, again.Part.Name), (4.0, quality, "Cylinder"))
+        part = getattr(again, compat.fem_source_property())
+        self.assertEqual((again.MaxEdge.Value, again.MinDistortion, part.Name), (4.0, quality, "Cylinder"))
         again.Notes = ["kept while the mesh is"]
         self.document.getObject("Cylinder").touch()
         self.document.recompute()

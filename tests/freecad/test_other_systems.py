@@ -19,13 +19,14 @@ SCRIPT = """
 import sys
 sys.path[:0] = {paths!r}
 import FreeCAD, Part
-import builtins, errno, os, select, signal, socket, subprocess, tempfile
+import builtins, errno, os, select, shutil, signal, socket, subprocess, tempfile
 import numpy, uuid, unittest.mock
 
 for module, names in ((os, {os!r}), (signal, {signal!r})):
     for name in names:
         vars(module).pop(name, None)
 vars(errno).pop("EDQUOT", None)
+shutil._use_fd_functions = False
 sys.platform = "win32"
 own_import = builtins.__import__
 

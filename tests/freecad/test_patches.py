@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Patches: how they are given, checked and kept, and that files are written in whole or not at all."""
 
+import importlib.util
 import json
 import os
 import stat
@@ -293,6 +294,7 @@ class CommandLine(helpers.DocumentTest):
         inlet = text[text.index("g inlet"):text.index("g walls")].split()
         self.assertEqual({float(points[int(word) - 1]) for word in inlet if word.isdigit()}, {20.0})
 
+    @unittest.skipUnless(importlib.util.find_spec("distributed"), "python3-distributed is not installed")
     def test_batches(self):
         parts, out = os.path.join(self.folder, "parts"), os.path.join(self.folder, "out")
         os.mkdir(parts)

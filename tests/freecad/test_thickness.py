@@ -152,6 +152,11 @@ class Bounds(unittest.TestCase):
             found = mq.thickness(Part.makeBox(10, 10, thick, FreeCAD.Vector(0, 0, at)), min_thickness=thick)
             self.assertEqual((verdict.of_thickness(found), found.notes, found.thin_places()), ([], [], []), (thick, at))
 
+    def test_without_a_limit_nothing_is_decided_by_one(self):
+        found = mq.thickness(Part.makeBox(10, 10, 1))
+        self.assertTrue(found.decided)
+        self.assertEqual((found.least_allowed, found.deciding_deviation), (None, None))
+
     def test_what_is_thinner(self):
         thin = mq.thickness(pipe(20, 3.9, 10), min_thickness=4.0)
         self.assertLess(thin.bounds[1], 4.0)

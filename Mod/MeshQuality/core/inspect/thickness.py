@@ -150,12 +150,20 @@ class ThicknessMap(metaclass=Public):
 
     @property
     def least_allowed(self):
-        """min_thickness less the rounding of coordinates to single precision, mm: a wall that thick meets it."""
+        """min_thickness less the rounding of coordinates to single precision, mm: a wall that thick meets it. None without
+        min_thickness.
+        """
+        if self.min_thickness is None:
+            return None
         return self.min_thickness - _ROUNDING * float(np.ptp(self.mesh.vertices, axis=0).max())
 
     @property
     def deciding_deviation(self):
-        """Deviation of a mesh, mm, that decides this, unless the wall is just as thick as min_thickness."""
+        """Deviation of a mesh, mm, that decides this, unless the wall is just as thick as min_thickness. None without
+        min_thickness.
+        """
+        if self.min_thickness is None:
+            return None
         return max(_DECIDES * abs(self.minimum - self.min_thickness), _LEAST_FINER * self.chord_height)
 
     @property
