@@ -4,11 +4,13 @@
 import os
 import re
 import tempfile
+import unittest
 
 import FreeCAD
 import helpers
 import Mesh
 import Part
+import test_patches
 
 import MeshQuality as mq
 
@@ -105,6 +107,7 @@ class Recipes(helpers.DocumentTest):
             self.assertAlmostEqual(self.names[name].report.volume / volume, 1.0, delta=0.05, msg=name)
             self.assertTrue(self.names[name].report.closed)
 
+    @unittest.skipUnless(test_patches.has_cgns(), "the CGNS library is not installed")
     def test_wrap(self):
         tub = Part.makeBox(20, 16, 9).cut(Part.makeBox(16, 12, 9, FreeCAD.Vector(2, 2, 2)))
         self.names["objects"] = [tub, Part.makeBox(20, 16, 2, FreeCAD.Vector(0, 0, 9.5))]
