@@ -65,10 +65,10 @@ class DegenerateFaces : EdgeJoining {
         std::map<int, Sliver> thin;
         for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
             check_cancelled(progress_);
-            divide_across(f);
             Sliver sliver = sides_of(f);
-            if (has_sides(sliver) && find_pairs(f, sliver, std::max(own_width(sliver), topology_.detail)) &&
-                neighbours_open(sliver)) {
+            const bool in_pairs =
+                has_sides(sliver) && find_pairs(f, sliver, std::max(own_width(sliver), topology_.detail));
+            if ((in_pairs || find_pairs_of_pieces(f, sliver)) && neighbours_open(sliver)) {
                 thin_.insert(f);
                 thin.emplace(f, std::move(sliver));
             }
@@ -103,10 +103,27 @@ class DegenerateFaces : EdgeJoining {
         int node;
     };
 
+    /// A piece of an edge, on a way around a face.
+    struct Stretch {
+        int edge;
+        double from;
+        double to;
+    };
+
+    /// Sets the pairs of uses whose edges have pieces across from each other, if all of the face lies between these.
+    bool find_pairs_of_pieces(int face, Sliver& sliver) {
+        for (std::size_t tip = 0; tip < sliver.uses.size(); ++tip) {
+            if (!divisions_from(sliver, tip).empty()) {
+                return is_plane(face) || lies_along(face, sliver, topology_.detail);
+            }
+        }
+        return false;
+    }
+
     /// Divides the edges around a face at the nodes across from them, where its border runs along itself between two
     /// ends, so that they lie in pairs.
     void divide_across(int face) {
-        const Sliver sliver = sides_of(face);
+        Sliver sliver = sides_of(face);
         for (std::size_t tip = 0; tip < sliver.uses.size(); ++tip) {
             std::vector<Division> divisions = divisions_from(sliver, tip);
             if (divisions.empty()) {
@@ -122,44 +139,66 @@ class DegenerateFaces : EdgeJoining {
         }
     }
 
-    /// The divisions that make pairs of all edges, on both ways around the face from the start of a use; none: that is
-    /// not possible, or they are pairs.
-    std::vector<Division> divisions_from(const Sliver& sliver, std::size_t tip) {
+    /// The divisions that make pairs of all edges, on both ways around the face from the start of a use, and the uses
+    /// that are pairs then; no divisions: that is not possible, or there are none to make.
+    std::vector<Division> divisions_from(Sliver& sliver, std::size_t tip) {
         const std::size_t n = sliver.uses.size();
         std::vector<Division> divisions;
-        std::size_t ahead = 0;
-        std::size_t back = 0;
-        std::array<std::optional<double>, 2> from;  // where what is left of the present edges begins, on both ways
-        while (ahead + back + 1 < n) {
-            const std::array<int, 2> uses{sliver.uses[(tip + ahead) % n], sliver.uses[(tip + n - 1 - back) % n]};
-            if (!std::all_of(uses.begin(), uses.end(), [&](int use) { return is_side(edge_of(use)); })) {
+        sliver.pairs.clear();
+        std::array<std::size_t, 2> passed{0, 0};    // ahead and back
+        std::array<std::optional<double>, 2> from;  // where what is left of the present edges begins
+        while (passed[0] + passed[1] + 1 < n) {
+            const Pair uses{sliver.uses[(tip + passed[0]) % n], sliver.uses[(tip + n - 1 - passed[1]) % n]};
+            if (!is_side(edge_of(uses[0])) || !is_side(edge_of(uses[1]))) {
                 return {};
             }
-            const std::array<int, 2> ends{end_of(uses[0], true), end_of(uses[1], false)};
+            std::array<Stretch, 2> pieces{stretch(uses[0], true, from[0]), stretch(uses[1], false, from[1])};
+            const Pair ends{end_of(uses[0], true), end_of(uses[1], false)};
+            sliver.pairs.push_back(uses);
             if (meet(ends[0], ends[1], sliver.ends)) {
                 from = {};
-                ++ahead;
-                ++back;
-                continue;
-            }
-            bool found = false;
-            for (std::size_t k = 0; k < 2 && !found; ++k) {
-                const int other = uses[1 - k];
-                const std::optional<double> t =
-                    foot_inside(ends[k], edge_of(other), from[1 - k], end_of(other, k == 1));
-                if (t) {
-                    divisions.push_back({edge_of(other), *t, ends[k]});
-                    from[1 - k] = t;
-                    from[k] = std::nullopt;
-                    ++(k == 0 ? ahead : back);
-                    found = true;
+                ++passed[0];
+                ++passed[1];
+            } else {
+                const std::optional<double> on_second = foot_inside(ends[0], pieces[1]);
+                const std::optional<double> on_first = on_second ? std::nullopt : foot_inside(ends[1], pieces[0]);
+                if (!on_second && !on_first) {
+                    return {};
                 }
+                const std::size_t shorter = on_second ? 0 : 1;
+                Stretch& longer = pieces[1 - shorter];
+                longer.to = on_second ? *on_second : *on_first;
+                divisions.push_back({longer.edge, longer.to, ends[shorter]});
+                from[shorter] = std::nullopt;
+                from[1 - shorter] = longer.to;
+                ++passed[shorter];
             }
-            if (!found) {
+            if (!lies_along(pieces[0], pieces[1]) || !lies_along(pieces[1], pieces[0])) {
                 return {};
             }
         }
-        return ahead + back == n ? divisions : std::vector<Division>();
+        return passed[0] + passed[1] == n ? divisions : std::vector<Division>();
+    }
+
+    /// What is left of the edge of a use on the way around its face, or back.
+    Stretch stretch(int use, bool ahead, std::optional<double> from) const {
+        const EdgeUse& data = topology_.uses[static_cast<std::size_t>(use)];
+        const Edge& whole = edge(data.edge);
+        const bool ascending = data.forward == ahead;
+        return {data.edge, from.value_or(ascending ? whole.t0 : whole.t1), ascending ? whole.t1 : whole.t0};
+    }
+
+    /// Whether a piece of an edge lies within the detail of another one.
+    bool lies_along(const Stretch& piece, const Stretch& other) const {
+        for (int i = 1; i < kSamples; ++i) {
+            const Vec3 p = curve(piece.edge).point(piece.from + (piece.to - piece.from) * i / kSamples).point;
+            const Answer foot = nearest_on(other.edge, p, topology_.detail,
+                                           {std::min(other.from, other.to), std::max(other.from, other.to)});
+            if (!foot.found() || foot.distance > topology_.detail) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /// The node at the end of a use on the way around its face, or back.
@@ -168,28 +207,31 @@ class DegenerateFaces : EdgeJoining {
         return edge(data.edge).nodes[data.forward == ahead ? 1 : 0];
     }
 
-    /// The parameter of an edge beside a node that is closer to it than the detail, and not so close to its ends.
-    /// @param from  where what is left of the edge begins; none: at an end
-    std::optional<double> foot_inside(int node, int e, std::optional<double> from, int end) {
+    /// The parameter of a piece of an edge beside a node that is closer to it than the detail, and not so close to its
+    /// ends.
+    std::optional<double> foot_inside(int node, const Stretch& piece) const {
         const Vec3& point = topology_.nodes[static_cast<std::size_t>(node)].point;
-        const bool ascending = edge(e).nodes[1] == end;
-        const double low = ascending && from ? *from : edge(e).t0;
-        const double high = !ascending && from ? *from : edge(e).t1;
-        const Answer foot = nearest_on(e, point, topology_.detail, {low, high});
+        const Answer foot = nearest_on(piece.edge, point, topology_.detail,
+                                       {std::min(piece.from, piece.to), std::max(piece.from, piece.to)});
         if (!foot.found() || foot.distance >= topology_.detail) {
             return std::nullopt;
         }
-        const auto near = [&](double t) { return (curve(e).point(t).point - foot.point).norm() < topology_.detail; };
-        return near(low) || near(high) ? std::nullopt : std::optional(foot.t);
+        const auto near = [&](double t) {
+            return (curve(piece.edge).point(t).point - foot.point).norm() < topology_.detail;
+        };
+        return near(piece.from) || near(piece.to) ? std::nullopt : std::optional(foot.t);
     }
 
     void collapse_if_sliver(int face) {
+        const bool thin = thin_.count(face) > 0;
+        if (thin) {
+            divide_across(face);
+        }
         Face& data = topology_.faces[static_cast<std::size_t>(face)];
         Sliver sliver = sides_of(face);
         if (!has_sides(sliver)) {
             return;
         }
-        const bool thin = thin_.count(face) > 0;
         const double own = own_width(sliver);
         if ((thin || sliver.ends.empty()) && find_pairs(face, sliver, own)) {
             topology_.faults.push_back(topology_.name_of({2, face}) +
@@ -226,7 +268,7 @@ class DegenerateFaces : EdgeJoining {
         Sliver result;
         const Face& data = topology_.faces[static_cast<std::size_t>(face)];
         // Edges around a sliver at most: the cost grows with its square.
-        constexpr std::size_t kMostSliverEdges = 32;
+        constexpr std::size_t kMostSliverEdges = 64;
         if (data.loops.size() != 1 || data.loops.front().uses.size() > kMostSliverEdges) {
             return result;
         }
@@ -254,11 +296,14 @@ class DegenerateFaces : EdgeJoining {
                 sliver.pairs.push_back(pair);
             }
             if (sliver.pairs.size() == n / 2) {
-                const bool plane = std::string(topology_.faces[static_cast<std::size_t>(face)].surface) == "plane";
-                return plane || lies_along(face, sliver, distance);
+                return is_plane(face) || lies_along(face, sliver, distance);
             }
         }
         return false;
+    }
+
+    bool is_plane(int face) const {
+        return std::string(topology_.faces[static_cast<std::size_t>(face)].surface) == "plane";
     }
 
     /// Whether two edges lie within a distance of each other, mm, between the same ends.

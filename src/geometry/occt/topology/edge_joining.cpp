@@ -40,8 +40,8 @@ std::optional<Vec3> EdgeJoining::conormal(int use, double t) const {
     // Fraction of the edge's range over which its direction is measured.
     constexpr double kStep = 1e-3;
     const EdgeEvaluator& along = curve(e);
-    const Vec3 tangent =
-        along.point(parameter(e, share + kStep)).point - along.point(parameter(e, share - kStep)).point;
+    const Vec3 tangent = along.point(parameter(e, std::min(share + kStep, 1.0))).point -
+                         along.point(parameter(e, std::max(share - kStep, 0.0))).point;
     const Vec3 normal = to_vec(along_u.Crossed(along_v));
     const Vec3 into = normal.cross(data.forward ? tangent : Vec3(-tangent));
     return into.squaredNorm() > 0.0 ? std::optional<Vec3>(into) : std::nullopt;

@@ -6,6 +6,7 @@
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <cmath>
 #include <gp_Ax1.hxx>
 
 #include "geometry/parts.h"
@@ -97,6 +98,26 @@ TEST(ShortEdges, AThinFaceWithMoreEdgesOnOneSideIsAnEdge) {
         EXPECT_NE(fault.find("is thinner than 0.001 mm"), std::string::npos) << fault;
     }
     EXPECT_EQ(topology.parts_of[1].size(), 2u);  // the edge below is in three pieces
+}
+
+/// Two arcs meet beside the middle of a chord: their end is near it, and they are not.
+TEST(ShortEdges, AnEdgeIsNotDividedAtANodeWhereNothingElseRunsAlongIt) {
+    const double up = 0.5 * kDetail;
+    const double radius = std::hypot(2.5, 0.5 * up) / std::sin(0.5);
+    const double away = radius * std::cos(0.5);
+    const auto bulge = [&](double from, double to, double from_y, double to_y) {
+        const Vec3 middle(0.5 * (from + to), 0.5 * (from_y + to_y), 0.0);
+        const Vec3 along = Vec3(to - from, to_y - from_y, 0.0).normalized();
+        const Vec3 centre = middle - away * Vec3(-along.y(), along.x(), 0.0);
+        const gp_Circ circle = geometry::circle_about(centre.x(), centre.y(), radius);
+        const double first = std::atan2(to_y - centre.y(), to - centre.x());
+        return geometry::arc(circle, first, first + 1.0);
+    };
+    const TopoDS_Face face = geometry::planar_face(
+        {geometry::line(0.0, 0.0, 10.0, 0.0), bulge(5.0, 10.0, up, 0.0), bulge(0.0, 5.0, 0.0, up)});
+    const Detailed part(geometry::extruded(face, 5.0));
+    EXPECT_EQ(faces_with_area(part.model->topology()), 5);
+    EXPECT_TRUE(part.model->topology().parts_of[1].empty());
 }
 
 TEST(ShortEdges, AThinRingIsAnEdge) {
