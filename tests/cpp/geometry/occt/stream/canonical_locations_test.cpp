@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/assemblies.h"
 #include "geometry/occt/stream/shape_stream.h"
 
 namespace mq::geometry {
@@ -62,16 +63,6 @@ TopoDS_Shape located(const TopoDS_Shape& shape, const gp_Trsf& motion) {
     return shape.Located(TopLoc_Location(motion), false);
 }
 
-TopoDS_Compound joined(const std::vector<TopoDS_Shape>& shapes) {
-    TopoDS_Compound compound;
-    BRep_Builder builder;
-    builder.MakeCompound(compound);
-    for (const TopoDS_Shape& shape : shapes) {
-        builder.Add(compound, shape);
-    }
-    return compound;
-}
-
 /// A box with a bore, of operands in placements: faces and edges have locations of their own.
 TopoDS_Shape bored(Placements& placement) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-3.0, -2.0, -1.0), 6.0, 4.0, 2.0).Shape();
@@ -90,10 +81,11 @@ TopoDS_Shape assembly() {
     gp_Trsf twice;
     twice.SetScale(gp_Pnt(1.0, 0.0, 0.0), 2.0);
     const TopLoc_Location place = placement();
-    const TopoDS_Shape inner = joined({cut.Located(placement()), cut.Located(place).Reversed(), tool.Located(place)});
-    return joined({inner.Located(placement()), inner.Located(placement() * placement().Inverted()),
-                   located(tool, made_of_matrix(placement.motion() * mirror)), located(tool, mirror),
-                   located(inner, made_of_matrix(placement.motion() * twice))})
+    const TopoDS_Shape inner =
+        compound_of({cut.Located(placement()), cut.Located(place).Reversed(), tool.Located(place)});
+    return compound_of({inner.Located(placement()), inner.Located(placement() * placement().Inverted()),
+                        located(tool, made_of_matrix(placement.motion() * mirror)), located(tool, mirror),
+                        located(inner, made_of_matrix(placement.motion() * twice))})
         .Located(placement());
 }
 
@@ -208,7 +200,7 @@ TEST(CanonicalLocations, CurvesAndPointsAreStillFound) {
     builder.MakeVertex(inner, gp_Pnt(0.0, 0.0, 0.0), 1e-3);
     builder.UpdateVertex(inner, 0.25, edge, 1e-3);
     builder.UpdateVertex(inner, 0.5, 0.75, face, 1e-3);
-    const TopoDS_Shape shape = joined({cut, inner.Located(placement())});
+    const TopoDS_Shape shape = compound_of({cut, inner.Located(placement())});
     const auto canonical = with_canonical_locations(shape);
     const TopTools_IndexedMapOfShape given = parts_of(shape);
     const TopTools_IndexedMapOfShape parts = parts_of(*canonical);
@@ -229,10 +221,10 @@ TEST(CanonicalLocations, NothingIsCopiedWhereAllAre) {
     shift.SetTransformation(gp_Ax3(gp_Pnt(1.0, 2.0, 3.0), gp_Dir(1.0, 2.0, 3.0)), gp_Ax3());
     ASSERT_EQ(shift.ScaleFactor(), 1.0);
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape();
-    const TopoDS_Shape placed = joined({located(box, shift), box});
+    const TopoDS_Shape placed = compound_of({located(box, shift), box});
     EXPECT_TRUE(with_canonical_locations(placed)->IsEqual(placed));
     Placements placement;
-    const auto moved = with_canonical_locations(joined({box.Located(placement()), box}));
+    const auto moved = with_canonical_locations(compound_of({box.Located(placement()), box}));
     TopoDS_Iterator parts(*moved);
     EXPECT_EQ(parts.Value().Location().Transformation().ScaleFactor(), 1.0);
     EXPECT_TRUE(parts.Value().IsPartner(box)) << "a solid with no location inside is copied";

@@ -44,6 +44,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "geometry/assemblies.h"
 
 namespace mq::geometry {
 namespace {
@@ -56,16 +57,6 @@ TopLoc_Location turned(double angle) {
     gp_Trsf motion;
     motion.SetRotation(gp_Ax1(gp_Pnt(1.0, 2.0, 3.0), gp_Dir(0.3, -0.5, 0.7)), angle);
     return TopLoc_Location(motion);
-}
-
-TopoDS_Compound joined(const std::vector<TopoDS_Shape>& shapes) {
-    TopoDS_Compound compound;
-    BRep_Builder builder;
-    builder.MakeCompound(compound);
-    for (const TopoDS_Shape& shape : shapes) {
-        builder.Add(compound, shape);
-    }
-    return compound;
 }
 
 TopoDS_Shape swept(const TopoDS_Edge& edge) {
@@ -113,7 +104,8 @@ std::vector<TopoDS_Shape> shapes() {
         BRepPrimAPI_MakeSphere(slanted(), 4.0).Shape(),
         BRepPrimAPI_MakeCone(slanted(), 4.0, 0.0, 3.0).Shape(),
         BRepPrimAPI_MakeCylinder(slanted(), 1.5, 4.0, 2.0).Shape(),
-        joined({torus.Moved(turned(0.7)), joined({torus, torus.Reversed()}).Moved(turned(1.1))}).Moved(turned(2.9)),
+        compound_of({torus.Moved(turned(0.7)), compound_of({torus, torus.Reversed()}).Moved(turned(1.1))})
+            .Moved(turned(2.9)),
         box.Moved(turned(0.7).Inverted() * turned(0.2).Powered(3)),
         BRepBuilderAPI_Transform(torus, mirror, true).Shape(),
         BRepBuilderAPI_GTransform(torus, stretched, true).Shape(),
@@ -136,7 +128,7 @@ TEST(ShapeStream, KeepsAllBits) {
 }
 
 TEST(ShapeStream, KeepsBitsThatOpenCascadesReaderChanges) {
-    const std::string stream = write_shape_stream(joined(shapes()));
+    const std::string stream = write_shape_stream(compound_of(shapes()));
     BinTools_ShapeSet set;
     std::istringstream in(stream);
     set.Read(in);
@@ -149,7 +141,7 @@ TEST(ShapeStream, KeepsBitsThatOpenCascadesReaderChanges) {
 TEST(ShapeStream, KeepsWhatIsShared) {
     const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20.0, 8.0).Shape();
     const auto read =
-        read_shape_stream(write_shape_stream(joined({torus, torus.Moved(turned(0.7)), torus.Reversed()})));
+        read_shape_stream(write_shape_stream(compound_of({torus, torus.Moved(turned(0.7)), torus.Reversed()})));
     TopoDS_Iterator parts(*read, false, false);
     const TopoDS_Shape first = parts.Value();
     parts.Next();
@@ -176,7 +168,7 @@ TEST(ShapeStream, LeavesTriangulationsOut) {
 }
 
 TEST(ShapeStream, RefusesWhatEndsEarly) {
-    const std::string stream = write_shape_stream(joined(shapes()));
+    const std::string stream = write_shape_stream(compound_of(shapes()));
     const std::size_t step = stream.size() / 3000 + 1;
     for (std::size_t size = 0; size < stream.size(); size += step) {
         EXPECT_THROW(read_shape_stream(stream.substr(0, size)), InvalidInput) << size;
@@ -188,7 +180,7 @@ TEST(ShapeStream, RefusesWhatEndsEarly) {
 }
 
 TEST(ShapeStream, RefusesOrReadsWhatWasDamaged) {
-    const std::string whole = write_shape_stream(joined(shapes()));
+    const std::string whole = write_shape_stream(compound_of(shapes()));
     std::mt19937 random(1);
     int refused = 0;
     for (int i = 0; i < 4000; ++i) {
