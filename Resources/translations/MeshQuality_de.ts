@@ -4402,14 +4402,6 @@
         <translation>Sehr fein</translation>
     </message>
     <message>
-        <source>Max. deviation</source>
-        <translation>Max. Abweichung</translation>
-    </message>
-    <message>
-        <source>As a length, in place of the fineness; 0: the fineness decides</source>
-        <translation>Als Länge anstelle der Feinheit; 0: die Feinheit entscheidet</translation>
-    </message>
-    <message>
         <source>Files for solvers</source>
         <translation>Dateien für Löser</translation>
     </message>
@@ -4444,6 +4436,14 @@
     <message>
         <source>The unit of the numbers in files, in File - Export and in File - Import of meshes for solvers; solvers mostly take metres, files for printing mm</source>
         <translation>Die Einheit der Zahlen in Dateien, bei Datei - Exportieren und beim Importieren von Netzen für Löser; Löser nehmen meist Meter, Dateien für den Druck mm</translation>
+    </message>
+    <message>
+        <source>Max. deviation (0: by fineness)</source>
+        <translation>Max. Abweichung (0: nach Feinheit)</translation>
+    </message>
+    <message>
+        <source>As a length, in place of the fineness. The smallest angle is that of new meshes, on the page General</source>
+        <translation>Als Länge anstelle der Feinheit. Der kleinste Winkel ist der neuer Netze auf der Seite Allgemein</translation>
     </message>
 </context>
 <context>

@@ -155,7 +155,7 @@ class Triangles(FileMenu):
     def test_the_certificate_says_what_was_requested_and_what_is_met(self):
         self.put([self.cylinder()], "a.stl")
         text = "".join(text for _, text in self.said)
-        for words in ("Cylinder: requested: smallest angle 25°, max. deviation 0.03 mm, 0 exempt triangles, watertight\n",
+        for words in ("Cylinder: requested: smallest angle 25°, max. deviation 0.03 mm; 0 exempt triangles, watertight\n",
                       "; all requested limits are met.\n", f"Written: {self.folder}/a.stl\n"):
             self.assertIn(words, text)
         self.assertNotIn("warning", dict(self.said))
@@ -173,7 +173,7 @@ class Triangles(FileMenu):
         wedge.Shape = Part.Face(Part.makePolygon([FreeCAD.Vector(*p) for p in ((0, 0, 0), (50, 0, 0), (50, 5, 0), (0, 0, 0))])
                                 ).extrude(FreeCAD.Vector(0, 0, 5))
         self.put([wedge], "a.stl")
-        self.assertRegex("".join(text for _, text in self.said), r"Wedge: requested: .*, [1-9]\d* exempt triangles, watertight")
+        self.assertRegex("".join(text for _, text in self.said), r"Wedge: requested: .*; [1-9]\d* exempt triangles, watertight")
 
     def test_3mf_has_a_part_a_body_by_the_names_of_the_tree(self):
         lone, whole = self.cylinder(at=(0, 50, 0), name="Lone"), self.assembly()

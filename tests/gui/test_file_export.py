@@ -103,7 +103,7 @@ class FileExport(unittest.TestCase):
             self.assertIn(name, filters)
 
     def test_the_certificate_is_in_the_report_view(self):
-        for words in (r"Lid: requested: smallest angle 25°, max\. deviation 30(\.0*)? µm, 0 exempt triangles, watertight\n",
+        for words in (r"Lid: requested: smallest angle 25°, max\. deviation 30(\.0*)? µm; 0 exempt triangles, watertight\n",
                       r"Pin: [\d,]+ triangles, smallest angle 2[5-9]", r"all requested limits are met\.\n", r"Written: .*/part\.3mf\n"):
             self.assertRegex(self.said["report"], words)
         self.assertIn("Pair: 24 triangles", self.said["later"])

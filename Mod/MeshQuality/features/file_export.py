@@ -73,9 +73,8 @@ def _write_elements(bodies, path, suffix):
     findings = verdict.of_curved(made, verdict.must_be_closed(shape), values, shape=shape)
     made.write(path, scale=file_settings.scale())
     straight = made.straight.report
-    _tell(", ".join(labels), made.report, findings, (
-        Text(phrases.REQUESTED_BEFORE, number=f"{straight.min_angle_asked:g}", length=f"{straight.chord_height_asked:.4g} mm"),
-        counted(phrases.EXEMPT_TRIANGLES, len(straight.exempt_reasons)), Text(phrases.OF_ORDER, count=str(made.order))))
+    _tell(", ".join(labels), made.report, findings, _asked(phrases.REQUESTED_BEFORE, straight),
+          counted(phrases.EXEMPT_TRIANGLES, len(straight.exempt_reasons)), Text(phrases.OF_ORDER, count=str(made.order)))
 
 
 def _compound(shapes):
@@ -116,10 +115,9 @@ def _triangles_of(body):
     with window().file_progress(body.label) as progress:
         mesh = triangulate(shape, **values, progress=progress)
     report = mesh.report
-    _tell(body.label, report, verdict.of_triangulation(mesh, verdict.must_be_closed(shape), values, shape), (
-        Text(phrases.REQUESTED, number=f"{report.min_angle_asked:g}", length=f"{report.chord_height_asked:.4g} mm"),
-        counted(phrases.EXEMPT_TRIANGLES, len(report.exempt_reasons)),
-        Text(phrases.WATERTIGHT if report.closed else phrases.NOT_WATERTIGHT)))
+    _tell(body.label, report, verdict.of_triangulation(mesh, verdict.must_be_closed(shape), values, shape),
+          _asked(phrases.REQUESTED, report), counted(phrases.EXEMPT_TRIANGLES, len(report.exempt_reasons)),
+          Text(phrases.WATERTIGHT if report.closed else phrases.NOT_WATERTIGHT))
     return mesh
 
 
@@ -182,12 +180,16 @@ def _tell_of_mesh(body):
         _say(print_it, body.label, phrases.stored(certificate, holder.CertificateData))
 
 
-def _tell(label, report, findings, asked):
+def _tell(label, report, findings, asked, *found):
     """Two lines on what was made: with a warning where a requested limit is not met."""
     say = window().translated
-    FreeCAD.Console.PrintMessage(f"{label}: {', '.join(map(say, asked))}\n")
+    FreeCAD.Console.PrintMessage(f"{label}: {say(asked)}; {', '.join(map(say, found))}\n")
     print_it = FreeCAD.Console.PrintWarning if findings else FreeCAD.Console.PrintMessage
     print_it(f"{verdict.line(label, report, findings, say)}\n")
+
+
+def _asked(phrase, report):
+    return Text(phrase, number=f"{report.min_angle_asked:g}", length=f"{report.chord_height_asked:.4g} mm")
 
 
 def _say(print_it, label, text):
