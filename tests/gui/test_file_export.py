@@ -10,7 +10,14 @@ import zipfile
 from pathlib import Path
 from xml.etree import ElementTree
 
+import FreeCADGui
+import gui_helpers
 import run
+from PySide import QtCore, QtGui
+
+import MeshQuality as mq
+from MeshQuality import exchange
+from MeshQuality.features import file_settings
 
 LIMIT = 120  # seconds
 SPACE = {"m": "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"}
@@ -29,7 +36,14 @@ def answer(filter_name, path):
     said.setdefault("filters", dialog.nameFilters())
     dialog.selectNameFilter(filter_name)
     dialog.findChild(QtGui.QLineEdit, "fileNameEdit").setText(path)
+    QtCore.QTimer.singleShot(300, acknowledge)
     dialog.accept()
+
+def acknowledge():
+    box = QtGui.QApplication.activeModalWidget()
+    if isinstance(box, QtGui.QMessageBox):
+        said["box"] = box.text() + box.informativeText()
+        box.accept()
 
 def export(filter_name, path, *objects):
     FreeCADGui.Selection.clearSelection()
@@ -52,12 +66,15 @@ def main():
     broken = document.addObject("Part::Feature", "Pair")
     import Part
     broken.Shape = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, FreeCAD.Vector(5, 5, 5))])
+    line = document.addObject("Part::Line", "Axis")
+    document.recompute()
     report = window.findChild(QtGui.QTextEdit, "Report view")
     said["before"] = [name for name in ("MeshQuality.gui.commands", "numpy", "MeshQuality._core") if name in sys.modules]
     export("Quality mesh (*.3mf)", {folder!r} + "/part.3mf", part)
     said["report"] = report.toPlainText()
     export("Quality mesh (*.stl)", {folder!r} + "/pair.stl", broken)
     export("Quality mesh, Abaqus and CalculiX (*.inp)", {folder!r} + "/part.inp", part)
+    export("Quality mesh (*.obj)", {folder!r} + "/line.obj", line)
     said["later"] = report.toPlainText()
     said["workbench"] = "MeshQuality.gui.commands" in sys.modules
     said["active"] = FreeCADGui.activeWorkbench().name()
@@ -109,6 +126,11 @@ class FileExport(unittest.TestCase):
         self.assertIn("Pair: 24 triangles", self.said["later"])
         self.assertIn("target not met: 1 pair of bodies overlaps", self.said["later"])
 
+    def test_errors_are_in_a_box_and_in_the_report_view(self):
+        for text in (self.said["box"], self.said["later"]):
+            self.assertRegex(text, "'Axis' has no faces .*: give a solid, a shell or faces")
+        self.assertFalse((self.folder / "line.obj").exists())
+
     def test_the_files_have_names_and_colours(self):
         with zipfile.ZipFile(self.folder / "part.3mf") as container:
             model = ElementTree.fromstring(container.read("3D/3dmodel.model"))
@@ -117,3 +139,32 @@ class FileExport(unittest.TestCase):
                          [("Lid", "#FF0000"), ("Pin", "#0000FF")])
         self.assertGreater((self.folder / "pair.stl").stat().st_size, 24 * 50)
         self.assertIn("ELSET=Pin", (self.folder / "part.inp").read_text(encoding="utf-8"))
+
+
+class Cancel(gui_helpers.GuiTest):
+    def test_esc_ends_it_and_leaves_no_file(self):
+        self.addCleanup(file_settings.stored().Clear)
+        file_settings.stored().SetFloat("ExportChordHeight", 0.0005)
+        torus = self.document.addObject("Part::Torus", "Torus")
+        self.document.recompute()
+        asked = []
+
+        def press():
+            for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+                event = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
+                QtGui.QApplication.postEvent(FreeCADGui.getMainWindow(), event)
+            QtCore.QTimer.singleShot(100, answer)
+
+        def answer():
+            box = QtGui.QApplication.activeModalWidget()
+            if box is None:
+                QtCore.QTimer.singleShot(100, answer)
+                return
+            asked.append(box.text())
+            box.button(QtGui.QMessageBox.Yes).click()
+
+        QtCore.QTimer.singleShot(0, press)
+        with self.assertRaises(mq.Cancelled):
+            exchange.export([torus], os.path.join(self.folder, "torus.stl"))
+        self.assertEqual(len(asked), 1)
+        self.assertEqual(os.listdir(self.folder), [])

@@ -20,7 +20,7 @@ def shown(title):
             while done < min(int(_STEPS * fraction), _STEPS - 1):
                 done += 1
                 bar.next(True)
-        except FreeCAD.Base.FreeCADAbort:
+        except (FreeCAD.Base.FreeCADAbort, RuntimeError):  # FreeCAD 0.20 raises the latter
             return False
         return True
 
