@@ -104,9 +104,9 @@ EXPORTED = (
     "requested: smallest angle {number}°, max. deviation {length}",
     "requested before curving: smallest angle {number}°, max. deviation {length}",
     ("1 exempt triangle", "{count} exempt triangles"), "watertight", "not watertight", "elements of order {count}",
-    "left out, as they have no faces: {list}",
+    "left out, as they have no faces: {list}", "{face} to {face2} of all that is exported",
 )
-REQUESTED, REQUESTED_BEFORE, EXEMPT_TRIANGLES, WATERTIGHT, NOT_WATERTIGHT, OF_ORDER, LEFT_OUT_WITHOUT_FACES = EXPORTED
+REQUESTED, REQUESTED_BEFORE, EXEMPT_TRIANGLES, WATERTIGHT, NOT_WATERTIGHT, OF_ORDER, LEFT_OUT_WITHOUT_FACES, FACES_OF_BODY = EXPORTED
 NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
 HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {volume}, {number} % of the " \
                 "volume"

@@ -4366,6 +4366,10 @@
         <source>{name} is a FEM mesh, which goes into a file of its own: select it alone</source>
         <translation>{name} ist ein FEM-Netz, das in eine eigene Datei kommt: Wählen Sie es allein</translation>
     </message>
+    <message>
+        <source>{face} to {face2} of all that is exported</source>
+        <translation>{face} bis {face2} von allem, was exportiert wird</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>

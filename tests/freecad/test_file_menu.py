@@ -223,6 +223,19 @@ class Triangles(FileMenu):
         self.assertEqual([meshes[one][0] for one in held[items[0]][1]], ["Kiste & Deckel", "Cylinder"])
         self.assertEqual(meshes[held[items[0]][1][0]][1].min(axis=0).tolist(), [0, 200, 0])  # a link has its own placement
 
+    def test_arrays_of_links_and_groups(self):
+        link, group = self.document.addObject("App::Link", "Row"), self.document.addObject("App::DocumentObjectGroup", "Group")
+        link.LinkedObject, link.ElementCount = self.box(), 3
+        for i, element in enumerate(link.ElementList):
+            element.Placement.Base.y = 20 * i
+        group.addObject(self.cylinder(at=(50, 0, 0)))
+        self.document.recompute()
+        meshes, held, items, bases, _ = self.objects(self.put([link, group], "a.3mf"))
+        self.assertEqual([held[one][0] if one in held else meshes[one][0] for one in items], ["Row", "Cylinder"])
+        self.assertEqual([meshes[one][1].min(axis=0)[1] for one in held[items[0]][1]], [0, 20, 40])
+        self.assertEqual(len(bases), 4)
+        self.assertEqual(Mesh.Mesh(self.put([group], "a.stl")).countComponents(), 1)
+
     def test_the_tip_of_a_body_is_the_body(self):
         body = self.document.addObject("PartDesign::Body", "Body")
         pad = body.newObject("PartDesign::AdditiveBox", "Block")
@@ -363,6 +376,16 @@ class Solvers(FileMenu):
         found = meshio.read(self.put([part], "a.inp"))
         self.assertEqual(len(np.unique(found.points, axis=0)), len(found.points))
         self.assertTrue(any("shape distortion" in text and "limits are met" in text for _, text in self.said))
+
+    def test_faces_of_several_bodies_are_told_apart(self):
+        first, second = self.box(), self.box("Second")
+        second.Placement.Base = FreeCAD.Vector(5, 5, 5)  # they overlap
+        self.document.recompute()
+        self.put([first, second], "a.inp")
+        self.assertIn(("message", "Second: Face7 to Face12 of all that is exported\n"), self.said)
+        (warning,) = [text for kind, text in self.said if kind == "warning"]
+        self.assertIn("Box, Second:", warning)
+        self.assertIn("target not met", warning)
 
     @unittest.skipUnless(has("meshio"), "meshio is not installed")
     def test_shells_and_triangles(self):

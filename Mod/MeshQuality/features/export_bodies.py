@@ -88,8 +88,10 @@ def _label_of(source):
 
 
 def _colourful(source):
-    view = getattr(frames.linked_of(source)[0], "ViewObject", None)
+    leaf_view, view = (getattr(obj, "ViewObject", None) for obj in (frames.leaf_of(source), frames.linked_of(source)[0]))
     by_face = getattr(view, "DiffuseColor", None) or ()
     one = getattr(view, "ShapeColor", None)
+    if getattr(leaf_view, "OverrideMaterial", False):  # of a link
+        by_face, one = (), leaf_view.ShapeMaterial.DiffuseColor
     colours = by_face if len(set(by_face)) > 1 else (one,) if one else ()
     return Body(source, _label_of(source), tuple(tuple(round(255 * part) for part in colour[:3]) for colour in colours))

@@ -62,19 +62,35 @@ def _write_elements(bodies, path, suffix):
     shapes = [convert.taken(convert.shape_of(body.source)) for body in bodies]
     shape = shapes[0] if len(shapes) == 1 else _compound(shapes)
     values = file_settings.element_values(suffix, bool(shape.Solids))
-    with window().file_progress(bodies[0].label) as progress:
-        made = curve(shape, **values, progress=progress)
     labels = [body.label for body in bodies]
+    try:
+        with window().file_progress(labels[0]) as progress:
+            made = curve(shape, **values, progress=progress)
+    except Error:
+        _tell_of_faces(labels, shapes)
+        raise
     if len(bodies) > 1:
         names, solids = (own_names(_short(labels, suffix), [found.countElement(kind) for found in shapes], kind)
                          for kind in ("Face", "Solid"))
         made._patches = patches_of(Division(face_names=names), made.triangle_face, len(made.triangles))
         made._solid_names = solids
     findings = verdict.of_curved(made, verdict.must_be_closed(shape), values, shape=shape)
+    if findings:
+        _tell_of_faces(labels, shapes)
     made.write(path, scale=file_settings.scale())
     straight = made.straight.report
     _tell(", ".join(labels), made.report, findings, _asked(phrases.REQUESTED_BEFORE, straight),
           counted(phrases.EXEMPT_TRIANGLES, len(straight.exempt_reasons)), Text(phrases.OF_ORDER, count=str(made.order)))
+
+
+def _tell_of_faces(labels, shapes):
+    """Which of the faces that errors and certificates name are of which of several bodies."""
+    first = 1
+    for label, shape in zip(labels, shapes):
+        last = first + shape.countElement("Face") - 1
+        if len(shapes) > 1:
+            _say(FreeCAD.Console.PrintMessage, label, Text(phrases.FACES_OF_BODY, face=f"Face{first}", face2=f"Face{last}"))
+        first = last + 1
 
 
 def _compound(shapes):
