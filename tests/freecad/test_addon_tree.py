@@ -94,6 +94,16 @@ class Addon(helpers.DocumentTest):
         self.assertEqual(said["loaded"], [])
         self.assertTrue(Mesh.Mesh(os.path.join(self.folder, "box.stl")).isSolid())
 
+    def test_freecadcmd_converts_a_document(self):
+        self.core_package(mq.__version__)
+        self.box()
+        document, written = (os.path.join(self.folder, name) for name in ("box.FCStd", "box.msh"))
+        self.document.saveAs(document)
+        environment = {**os.environ, "FREECAD_USER_HOME": os.path.join(self.folder, "user")}
+        subprocess.run([FREECADCMD, document, "--output", written], check=True, stdin=subprocess.DEVNULL, capture_output=True,
+                       env=environment, timeout=120)
+        self.assertEqual(mq.read_mesh(written).blocks[0][:2], ("tetrahedron", 2))
+
     def test_the_python_package_is_the_same_module(self):
         package = self.core_package(mq.__version__)
         said = self.said()

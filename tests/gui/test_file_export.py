@@ -54,6 +54,27 @@ def export(filter_name, path, *objects):
     for _ in range(20):  # the view takes its lines as events
         QtGui.QApplication.processEvents()
 
+def take(path):
+    dialog = QtGui.QApplication.activeModalWidget()
+    if not isinstance(dialog, QtGui.QFileDialog):
+        QtCore.QTimer.singleShot(100, lambda: take(path))
+        return
+    said["readers"] = dialog.nameFilters()
+    dialog.selectNameFilter(dialog.nameFilters()[0])  # all of them, so that FreeCAD asks
+    dialog.findChild(QtGui.QLineEdit, "fileNameEdit").setText(path)
+    QtCore.QTimer.singleShot(300, choose)
+    dialog.accept()
+
+def choose():
+    dialog = QtGui.QApplication.activeModalWidget()
+    buttons = dialog.findChildren(QtGui.QRadioButton) if dialog else []
+    if not buttons:
+        QtCore.QTimer.singleShot(100, choose)
+        return
+    said["choice"] = [button.text() for button in buttons]
+    next(button for button in buttons if "with groups" in button.text()).click()
+    dialog.accept()
+
 def main():
     window = FreeCADGui.getMainWindow()
     document = FreeCAD.newDocument("Menu")
@@ -76,6 +97,10 @@ def main():
     export("Quality mesh, Abaqus and CalculiX (*.inp)", {folder!r} + "/part.inp", part)
     export("Quality mesh (*.obj)", {folder!r} + "/line.obj", line)
     said["later"] = report.toPlainText()
+    QtCore.QTimer.singleShot(300, lambda: take({folder!r} + "/part.inp"))
+    FreeCADGui.runCommand("Std_Import")
+    said["imported"] = [(obj.TypeId, [obj.FemMesh.getGroupName(group) for group in obj.FemMesh.Groups]) for obj in document.Objects
+                        if hasattr(obj, "FemMesh")]
     said["workbench"] = "MeshQuality.gui.commands" in sys.modules
     said["active"] = FreeCADGui.activeWorkbench().name()
     with open({result!r}, "w") as stream:
@@ -125,6 +150,13 @@ class FileExport(unittest.TestCase):
             self.assertRegex(self.said["report"], words)
         self.assertIn("Pair: 24 triangles", self.said["later"])
         self.assertIn("target not met: 1 pair of bodies overlaps", self.said["later"])
+
+    def test_freecad_asks_which_of_two_readers_is_meant(self):
+        self.assertEqual(len(self.said["choice"]), 2)
+        self.assertIn("FEM mesh with groups (*.cgns", "".join(self.said["readers"]))
+        (kind, groups), = self.said["imported"]
+        self.assertEqual(kind, "Fem::FemMeshObject")
+        self.assertEqual({"Lid", "Pin", "Lid_Face1"} - set(groups), set())
 
     def test_errors_are_in_a_box_and_in_the_report_view(self):
         for text in (self.said["box"], self.said["later"]):
