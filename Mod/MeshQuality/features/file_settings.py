@@ -7,7 +7,7 @@ from .. import formats, options
 
 PATH = "User parameter:BaseApp/Preferences/Mod/MeshQuality"
 UNITS = (("mm", 1.0), ("m", 0.001), ("in", 1 / 25.4))  # of the numbers in files, with the factor from mm
-_HIGHEST_VOLUME = 4  # order of tetrahedra
+_HIGHEST_ORDER = 4  # of tetrahedra
 
 
 def stored():
@@ -33,7 +33,7 @@ def surface_values():
 def element_values(suffix, has_solids):
     """The options of curve for a file of this format."""
     volume = has_solids and fills_solids()
-    order = min(max(stored().GetInt("ExportOrder", 2), 1), formats.FORMATS[suffix].curved, _HIGHEST_VOLUME)
+    order = min(max(stored().GetInt("ExportOrder", 2), 1), formats.FORMATS[suffix].curved, _HIGHEST_ORDER)
     values = _values(options.CURVE, options.CURVE_PRESETS)
     return {**values, "order": order, "volume": volume, "imprint": True}
 
