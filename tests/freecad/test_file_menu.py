@@ -4,6 +4,8 @@
 import importlib.util
 import math
 import os
+import re
+import shutil
 import subprocess
 import unittest
 import zipfile
@@ -190,6 +192,15 @@ class Triangles(FileMenu):
             self.assertEqual(set(materials), {i})
         self.assertEqual(meshes[held[items[0]][1][0]][1].min(axis=0).tolist(), [0, 0, 100])
         self.assertRegex("".join(text for kind, text in self.said if kind == "warning"), "1 hidden object .*: Sphere")
+
+    @unittest.skipUnless(shutil.which("prusa-slicer"), "PrusaSlicer (prusa-slicer) is not installed")
+    def test_a_slicer_has_each_body_in_its_place(self):
+        path = self.put([self.assembly(), self.cylinder(at=(0, 50, 0), name="Lone")], "a.3mf")
+        said = subprocess.run(["prusa-slicer", "--info", path], capture_output=True, text=True, timeout=120, check=True).stdout
+        self.assertEqual(said.count("manifold = yes"), 3)
+        found = {tuple(round(float(number)) for number in place) for place in re.findall(
+            r"min_x = (\S+)\nmin_y = (\S+)\nmin_z = (\S+)\n", said)}
+        self.assertEqual(found, {(0, 0, 100), (25, -5, 100), (-5, 45, 0)})
 
     def test_3mf_has_the_colours_of_faces(self):
         box, view = self.box(), mock.Mock(spec=["DiffuseColor", "ShapeColor"])
