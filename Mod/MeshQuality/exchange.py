@@ -17,7 +17,9 @@ _IMPORTED = (".cgns", ".e", ".exo", ".h5", ".inp", ".msh", ".msh2", ".nas", ".su
 
 
 def register():
-    """Names the types of files to FreeCAD."""
+    """Names the types of files to FreeCAD, once: the addon may be installed twice."""
+    if _HERE in FreeCAD.getExportType(_PRINTED[0][1:]):
+        return
     for suffix in _PRINTED:
         FreeCAD.addExportType(f"Quality mesh (*{suffix})", _HERE)
     for suffix, form in formats.FORMATS.items():
