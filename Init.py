@@ -8,5 +8,8 @@ for _folder in list(sys.path):
     if os.path.isfile(os.path.join(_package_home, "MeshQuality", "__init__.py")):
         if _package_home not in sys.path:
             sys.path.append(_package_home)
+        from MeshQuality import exchange
+
+        exchange.register()
         break
 del _folder, _package_home

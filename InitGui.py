@@ -37,6 +37,7 @@ MeshQualityWorkbench.Icon = os.path.join(_resources, "icons", "MeshQuality.svg")
 FreeCADGui.addIconPath(os.path.join(_resources, "icons"))
 FreeCADGui.addLanguagePath(os.path.join(_resources, "translations"))
 FreeCADGui.updateLocale()
-FreeCADGui.addPreferencePage(os.path.join(_resources, "ui", "preferences.ui"), "Mesh Quality")
+for _page in ("preferences.ui", "preferences_files.ui"):
+    FreeCADGui.addPreferencePage(os.path.join(_resources, "ui", _page), "Mesh Quality")
 preferences.limit_threads()
 FreeCADGui.addWorkbench(MeshQualityWorkbench())

@@ -6,7 +6,6 @@ of FreeCAD.
 import re
 from typing import NamedTuple
 
-from . import phrases
 from .errors import InvalidInput
 
 WORD = r"""[^\s"'`/\\;:,{}()\[\]<>$|=*#%]+"""
@@ -151,6 +150,8 @@ def check_names(suffix, names, solids=(), ascii=False):  # noqa: A002 - the opti
             raise InvalidInput(f"{suffix} files cannot hold a patch called {name!r}: the format gives this name to "
                                f"something else; call it {'patch_' + name!r}, for example")
         if len(name.encode()) > rule.longest:
+            from . import phrases  # not above: FreeCAD loads this module when it starts
+
             raise InvalidInput(phrases.Text(phrases.FILE_PATCH_TOO_LONG, value=suffix, name=repr(name),
                                             count=str(rule.longest)))
         key = name.casefold() if rule.folded else name

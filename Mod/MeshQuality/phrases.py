@@ -99,6 +99,14 @@ FIGURES = (
 )
 TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, MAX_DISTORTION, OVERLAPS, NOT_PROVEN_APART = FIGURES
 OVERLAPS_HINT = "to make one mesh of bodies that overlap or touch: Join bodies that touch (More options), Mesh Boolean or Wrap"
+# What the report view gets, beside that line, for an exported file.
+EXPORTED = (
+    "requested: smallest angle {number}°, max. deviation {length}",
+    "requested before curving: smallest angle {number}°, max. deviation {length}",
+    ("1 exempt triangle", "{count} exempt triangles"), "watertight", "not watertight", "elements of order {count}",
+    "left out, as they have no faces: {list}", "{face} to {face2} of all that is exported",
+)
+REQUESTED, REQUESTED_BEFORE, EXEMPT_TRIANGLES, WATERTIGHT, NOT_WATERTIGHT, OF_ORDER, LEFT_OUT_WITHOUT_FACES, FACES_OF_BODY = EXPORTED
 NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
 HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {volume}, {number} % of the " \
                 "volume"
@@ -239,12 +247,15 @@ FILE_ENDING = "{value}: a mesh is written into files with a name that ends in on
 FILE_ENDING_CURVED = "{value}: curved elements of order {count} are written into files with a name that ends in one of {value2}"
 FILE_NO_FOLDER = "{value}: there is no folder {value2}"
 FILE_NOT_WRITABLE = "{value} cannot be written"
+NOTHING_TO_EXPORT = "nothing to export: select an object with faces or a mesh"
+FEM_MESH_ALONE = "{name} is a FEM mesh, which goes into a file of its own: select it alone"
 NO_TRIANGLES_YET = "{name} has no triangles: compute it first"
 FILE_ERRORS = (
     PATCH_NAME, PATCH_REST_NAME, PATCH_NO_FACE, PATCH_FACE_TWICE, PATCH_FACE_IN_TWO, PATCH_ELSEWHERE, PATCH_BEYOND, PATCH_LIKE_FACE,
     PATCH_LIKE_GROUP, PATCH_LIKE_COLOUR, PATCH_LINE, PATCHES_ALIKE, PATCH_LOST, PATCHES_NOT_FOLLOWED, *NO_PATCHES.values(),
     FILE_PATCH_TOO_LONG, FOAM_PATCH, CASE_OPEN, CASE_OVERLAP, CASE_SOLIDS, CASE_CELL, CASE_NO_INSIDE, CASE_NO_UNDO, CASE_NO_FOLDER, FILE_NO_NAME,
     FILE_IS_FOLDER, FILE_ENDING, FILE_ENDING_CURVED, FILE_NO_FOLDER, FILE_NOT_WRITABLE, NO_TRIANGLES_YET,
+    NOTHING_TO_EXPORT, FEM_MESH_ALONE,
 )
 ANY_LENGTH = "a length"
 FACE_NAMES = "names of faces, such as Face3, Face7"
@@ -348,7 +359,7 @@ def flat(phrases):
 
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, TARGET_NOT_DECIDED, *LEFT_OUT, *CURING)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, TARGET_NOT_DECIDED, *LEFT_OUT, *CURING, *flat(EXPORTED))
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *flat((*CORE_ERRORS.values(), *NOTES.values())), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

@@ -4326,6 +4326,129 @@
         <source>a CFD surface of {name} would end FreeCAD when it is undone, unless MeshQuality was built for this FreeCAD: write the mesh with its patches as STL, or an OpenFOAM case</source>
         <translation>eine CFD-Oberfläche von {name} würde FreeCAD beim Rückgängigmachen beenden, wenn MeshQuality nicht für dieses FreeCAD gebaut ist: schreiben Sie das Netz mit seinen Patches als STL oder einen OpenFOAM-Fall</translation>
     </message>
+    <message>
+        <source>1 exempt triangle</source>
+        <translation>1 ausgenommenes Dreieck</translation>
+    </message>
+    <message>
+        <source>elements of order {count}</source>
+        <translation>Elemente der Ordnung {count}</translation>
+    </message>
+    <message>
+        <source>left out, as they have no faces: {list}</source>
+        <translation>ausgelassen, da ohne Flächen: {list}</translation>
+    </message>
+    <message>
+        <source>not watertight</source>
+        <translation>nicht wasserdicht</translation>
+    </message>
+    <message>
+        <source>nothing to export: select an object with faces or a mesh</source>
+        <translation>Nichts zu exportieren: Wählen Sie ein Objekt mit Flächen oder ein Netz</translation>
+    </message>
+    <message>
+        <source>requested before curving: smallest angle {number}°, max. deviation {length}</source>
+        <translation>verlangt vor dem Krümmen: kleinster Winkel {number}°, max. Abweichung {length}</translation>
+    </message>
+    <message>
+        <source>requested: smallest angle {number}°, max. deviation {length}</source>
+        <translation>verlangt: kleinster Winkel {number}°, max. Abweichung {length}</translation>
+    </message>
+    <message>
+        <source>watertight</source>
+        <translation>wasserdicht</translation>
+    </message>
+    <message>
+        <source>{count} exempt triangles</source>
+        <translation>{count} ausgenommene Dreiecke</translation>
+    </message>
+    <message>
+        <source>{name} is a FEM mesh, which goes into a file of its own: select it alone</source>
+        <translation>{name} ist ein FEM-Netz, das in eine eigene Datei kommt: Wählen Sie es allein</translation>
+    </message>
+    <message>
+        <source>{face} to {face2} of all that is exported</source>
+        <translation>{face} bis {face2} von allem, was exportiert wird</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQualityFilePreferences</name>
+    <message>
+        <source>Export and import</source>
+        <translation>Export und Import</translation>
+    </message>
+    <message>
+        <source>Quality meshes of File - Export</source>
+        <translation>Qualitätsnetze von Datei - Exportieren</translation>
+    </message>
+    <message>
+        <source>Fineness</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
+        <source>Max. deviation from the shape, relative to its size: 0.01, 0.003, 0.001 or 0.0003. In files for solvers it is that of the mesh before it is curved: 0.03, 0.01, 0.005 or 0.001</source>
+        <translation>Max. Abweichung von der Form, relativ zu ihrer Größe: 0,01, 0,003, 0,001 oder 0,0003. In Dateien für Löser gilt sie für das Netz, bevor es gekrümmt wird: 0,03, 0,01, 0,005 oder 0,001</translation>
+    </message>
+    <message>
+        <source>Coarse</source>
+        <translation>Grob</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>Fein</translation>
+    </message>
+    <message>
+        <source>Very fine</source>
+        <translation>Sehr fein</translation>
+    </message>
+    <message>
+        <source>Files for solvers</source>
+        <translation>Dateien für Löser</translation>
+    </message>
+    <message>
+        <source>What files for solvers get of a shape with solids</source>
+        <translation>Was Dateien für Löser von einer Form mit Körpern erhalten</translation>
+    </message>
+    <message>
+        <source>Tetrahedra that fill solids</source>
+        <translation>Tetraeder, die Körper füllen</translation>
+    </message>
+    <message>
+        <source>Triangles on the surface</source>
+        <translation>Dreiecke auf der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Element order</source>
+        <translation>Ordnung der Elemente</translation>
+    </message>
+    <message>
+        <source>Of elements in files for solvers: 1 has straight sides, 2 is what most FEM programs want; formats that hold lower ones only get their highest</source>
+        <translation>Der Elemente in Dateien für Löser: 1 hat gerade Seiten, 2 ist, was die meisten FEM-Programme wollen; Formate, die nur niedrigere halten, erhalten ihre höchste</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>The unit of the numbers in files, in File - Export and in File - Import of meshes for solvers; solvers mostly take metres, files for printing mm</source>
+        <translation>Die Einheit der Zahlen in Dateien, bei Datei - Exportieren und beim Importieren von Netzen für Löser; Löser nehmen meist Meter, Dateien für den Druck mm</translation>
+    </message>
+    <message>
+        <source>Max. deviation (0: by fineness)</source>
+        <translation>Max. Abweichung (0: nach Feinheit)</translation>
+    </message>
+    <message>
+        <source>As a length, in place of the fineness. The smallest angle is that of new meshes, on the page General</source>
+        <translation>Als Länge anstelle der Feinheit. Der kleinste Winkel ist der neuer Netze auf der Seite Allgemein</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

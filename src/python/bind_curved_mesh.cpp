@@ -2,7 +2,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "curve/output/curved_mesh.h"
@@ -113,10 +115,14 @@ std::shared_ptr<triangulate::Result> straight_of(const CurvedMesh& mesh) {
 }
 
 void write(const CurvedMesh& mesh, const std::string& path, const std::string& format, const Names& names,
-           const Colours& colours, const Indices& patch, bool given, double scale) {
+           const Colours& colours, const Indices& patch, bool given, double scale, const Names& solids) {
     const mesh::Patches patches = patches_of(names, colours, patch, given);
     const FreedLock free;
-    mesh::write(curve::exported(mesh, patches, scale), path, format);
+    mesh::ExportMesh made = curve::exported(mesh, patches, scale);
+    for (std::size_t i = 0; i < std::min(solids.size(), made.groups[3].size()); ++i) {
+        made.groups[3][i].name = solids[i];
+    }
+    mesh::write(made, path, format);
 }
 
 void bind_tessellation(py::module_& m) {
@@ -176,7 +182,8 @@ void bind_curved_mesh(py::module_& m) {
             py::arg("progress") = py::none(), "float64 (E,): likewise.");
     cls.def("tessellate", &tessellated, py::arg("deviation"), py::arg("progress") = py::none());
     cls.def("write", &write, py::arg("path"), py::arg("format"), py::arg("names"), py::arg("colours"), py::arg("patch"),
-            py::arg("given"), py::arg("scale"), "As Surface.write.");
+            py::arg("given"), py::arg("scale"), py::arg("solids"),
+            "As Surface.write; `solids` are the names of the solids that have elements, ascending.");
     m.def("curved_from_arrays", &from_arrays, py::arg("order"), py::arg("arrays"),
           "A Curved of the arrays that one has, by their names; raises InvalidInput.");
 }

@@ -3,6 +3,7 @@
 
 import os
 import sys
+import tempfile
 
 import FreeCAD
 import FreeCADGui
@@ -14,6 +15,7 @@ import Part
 from PySide import QtCore, QtGui
 
 import MeshQuality as mq
+from MeshQuality import exchange
 from MeshQuality.compat import extension
 from MeshQuality.core.sources import convert
 from MeshQuality.gui import commands, curved_view, quality_data
@@ -104,6 +106,48 @@ class Pictures(gui_helpers.GuiTest):
         panel.histogram.pick(int((panel.histogram.counts > 0).argmax()))
         self.picture("quality_lit", DOCS)
         panel.reject()
+
+    def test_export_by_the_menu(self):
+        """FreeCAD's dialog for the second file, over the Report view with the certificate of the first."""
+        window = FreeCADGui.getMainWindow()
+        FreeCADGui.activateWorkbench("PartWorkbench")
+        self.addCleanup(window.resize, window.size())
+        window.resize(1000, 700)
+        report = window.findChild(QtGui.QDockWidget, "Report view")
+        console = window.findChild(QtGui.QDockWidget, "Python console")
+        self.addCleanup(console.setVisible, console.isVisible())
+        console.setVisible(False)
+        report.setVisible(True)
+        report.raise_()
+        source = self.bracket()
+        self.view.viewAxonometric()
+        self.view.fitAll()
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(source)
+        window.findChild(QtGui.QTextEdit, "Report view").clear()
+        with tempfile.TemporaryDirectory() as folder:
+            folder = os.path.join(folder, "Meshes")
+            os.mkdir(folder)
+            exchange.export([source], os.path.join(folder, "Bracket.stl"))
+            window.resizeDocks([report], [120], QtCore.Qt.Vertical)
+            gui_helpers.wait(1.0)
+
+            def photograph():
+                dialog = QtGui.QApplication.activeModalWidget()
+                dialog.selectNameFilter("Quality mesh (*.3mf)")
+                dialog.findChild(QtGui.QLineEdit, "fileNameEdit").setText("Bracket")
+                dialog.setDirectory(folder)
+                dialog.setSidebarUrls([])
+                dialog.resize(560, 230)
+                dialog.move(window.x() + 400, window.y() + 300)
+                QtCore.QTimer.singleShot(1000, take)
+
+            def take():
+                gui_helpers.screen().copy(window.geometry()).save(os.path.join(DOCS, "export_menu.png"))
+                QtGui.QApplication.activeModalWidget().reject()
+
+            QtCore.QTimer.singleShot(1500, photograph)
+            FreeCADGui.runCommand("Std_Export")
 
     def test_panels_in_german(self):
         FreeCADGui.setLocale("German")

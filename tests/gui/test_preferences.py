@@ -8,14 +8,15 @@ import FreeCADGui
 import gui_helpers
 from PySide import QtCore, QtGui
 
+from MeshQuality.features import file_settings
 from MeshQuality.gui import commands, preferences
 
 WAIT = 300  # ms until the dialog has been drawn
 
 
 class Preferences(gui_helpers.PanelTest):
-    def in_dialog(self, act):
-        """Opens FreeCAD's preferences at our page; act(dialog) works there, then OK is pressed."""
+    def in_dialog(self, act, page=0):
+        """Opens FreeCAD's preferences at one of our pages; act(dialog) works there, then OK is pressed."""
         failed = []
 
         def work():
@@ -32,7 +33,7 @@ class Preferences(gui_helpers.PanelTest):
                 buttons.button(QtGui.QDialogButtonBox.Ok).click()
 
         QtCore.QTimer.singleShot(WAIT, work)
-        FreeCADGui.showPreferences("Mesh Quality", 0)
+        FreeCADGui.showPreferences("Mesh Quality", page)
         if failed:
             raise failed[0]
 
@@ -64,6 +65,32 @@ class Preferences(gui_helpers.PanelTest):
         self.assertEqual(panel.options.values()["min_angle"], 28.5)
 
         self.assertEqual(preferences.stored().GetInt("Threads"), 3)
+
+    def test_the_page_of_files_has_the_defaults_and_what_is_set_there_holds(self):
+        usual = file_settings.surface_values()
+
+        def look(dialog):
+            self.assertEqual(dialog.findChild(QtGui.QComboBox, "fineness").currentText(), "Medium")
+            self.assertEqual(dialog.findChild(QtGui.QComboBox, "elements").currentIndex(), 0)
+            self.assertEqual(dialog.findChild(QtGui.QSpinBox, "order").value(), 2)
+            self.assertEqual(dialog.findChild(QtGui.QComboBox, "unit").currentText(), "mm")
+            dialog.grab().save(f"{gui_helpers.PICTURES}/preferences_files.png")
+
+        def change(dialog):
+            dialog.findChild(QtGui.QComboBox, "fineness").setCurrentIndex(2)
+            dialog.findChild(QtGui.QComboBox, "elements").setCurrentIndex(1)
+            dialog.findChild(QtGui.QSpinBox, "order").setValue(3)
+            dialog.findChild(QtGui.QComboBox, "unit").setCurrentIndex(1)
+
+        self.in_dialog(look, 1)
+        self.assertEqual(file_settings.surface_values(), usual)
+        self.in_dialog(change, 1)
+        self.assertEqual(file_settings.surface_values()["chord_height_relative"], 0.001)
+        self.assertEqual((file_settings.scale(), file_settings.fills_solids()), (0.001, False))
+        self.assertEqual([file_settings.element_values(suffix, True)["order"] for suffix in (".msh", ".inp", ".su2")], [3, 2, 1])
+        self.in_dialog(lambda dialog: dialog.findChild(QtGui.QWidget, "chordHeight").setProperty("rawValue", 0.5), 1)
+        values = file_settings.surface_values()
+        self.assertEqual((values["chord_height"], values["chord_height_relative"]), (0.5, None))
 
     def test_the_environment_decides_on_threads_before_the_user_does(self):
         for environment, preferred, expected in (({}, 0, None), ({}, 3, "3"), ({"MESHQUALITY_THREADS": "2"}, 3, "2")):

@@ -24,6 +24,7 @@ LAYER = {
     "core": "core",
     "features": "features",
     "": "scripts",
+    "exchange": "scripts",  # what FreeCAD calls
     "gui": "gui",
     "cli": "cli",
     "cli.main": "program",  # what is run: single jobs, and batches, which are built on them

@@ -57,11 +57,12 @@ class CurvedMesh(metaclass=Public):
     The arrays are read-only views of the core's memory.
     """
 
-    __slots__ = ("_curved", "_distortions", "_measured", "_patches")
+    __slots__ = ("_curved", "_distortions", "_measured", "_patches", "_solid_names")
 
     def __init__(self, curved, measured=True, patches=None):
         self._curved = curved
         self._patches = patches
+        self._solid_names = ()  # by the index of a solid, what files call it in place of "Solid1"
         self._measured = measured
         self._distortions = {}
 
@@ -213,7 +214,7 @@ class CurvedMesh(metaclass=Public):
         writing.write(self, path, patches, patch_rest, scale, ascii, format)
 
     def _write_core(self, path, name, patches, scale, _ascii):
-        self._curved.write(path, name, **writing.arguments_of(patches), scale=scale)
+        self._curved.write(path, name, **writing.arguments_of(patches), scale=scale, solids=writing.solids_of(self))
 
     def __repr__(self):
         count, kind = len(self.elements), "tetrahedron" if len(self.tetrahedra) else "triangle"

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The requests of document objects to the window. The window fills this in: document objects import nothing of it."""
 
+import contextlib
 import importlib
 import math
 
@@ -43,6 +44,10 @@ class Windowless:
 
     def show_values(self, obj, values):
         """Colours the triangles of an object by thicknesses in mm; None: it has one colour."""
+
+    def file_progress(self, title):
+        """A context whose value is what triangulate takes as progress, for work on the main thread that a window shows."""
+        return contextlib.nullcontext()
 
     def drawing(self):
         """drawing(tessellation, quality), which any thread may call, makes what shows a curved mesh; None: nothing

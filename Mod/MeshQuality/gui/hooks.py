@@ -4,7 +4,7 @@
 from ..compat import PlainState
 from ..features.curved_mesh import CurvedMeshObject
 from ..features.gui_hooks import Windowless
-from . import background_recompute, visibility, mesh_view, preferences, thickness_colours, translation
+from . import background_recompute, file_progress, visibility, mesh_view, preferences, thickness_colours, translation
 
 
 class Window(Windowless):
@@ -52,6 +52,10 @@ class Window(Windowless):
     def show_values(self, obj, values):
         """As thickness_colours.show."""
         thickness_colours.show(obj, values)
+
+    def file_progress(self, title):
+        """As file_progress.shown."""
+        return file_progress.shown(title)
 
     def drawing(self):
         """The Drawing of the 3D view."""

@@ -8,13 +8,7 @@ import FreeCAD
 
 from .. import options
 from ..errors import InvalidInput
-
-PATH = "User parameter:BaseApp/Preferences/Mod/MeshQuality"
-
-
-def stored():
-    """FreeCAD's group of our parameters."""
-    return FreeCAD.ParamGet(PATH)
+from ..features.file_settings import stored
 
 
 def first_values(kind):

@@ -16,7 +16,7 @@ void to_stl(Output& out,
 void to_ply(Output& out, const ExportMesh& mesh);
 void to_obj(Output& out, const ExportMesh& mesh);
 void to_off(Output& out, const ExportMesh& mesh);
-void to_3mf_model(Output& out, const ExportMesh& mesh);  ///< the XML part that a .3mf container holds
+void to_3mf_mesh(Output& out, const ExportMesh& mesh);  ///< the element `mesh` of an object; `pid` is 1
 void to_amf(Output& out, const ExportMesh& mesh);
 
 // The following functions write flat triangles by patches.

@@ -50,10 +50,7 @@ class Entities {
         std::map<Tag, std::string> found;
         for (const auto& [tag, entity] : all_) {
             for (const std::int32_t group : entity.groups) {
-                found[{tag.first, group}] =
-                    has_groups(tag.first)
-                        ? mesh_.groups[static_cast<std::size_t>(tag.first)][static_cast<std::size_t>(group) - 1].name
-                        : entity_name(tag.first, group - 1);
+                found[{tag.first, group}] = name_of(tag.first, group, entity);
             }
         }
         return found;
@@ -62,6 +59,19 @@ class Entities {
   private:
     /// Whether the mesh's groups become physical groups; else each CAD entity becomes one.
     bool has_groups(int dimension) const { return mesh_.is_given() || (dimension == 2 && mesh_.patches_given); }
+
+    /// The name of the physical group with a number, one of those of an entity.
+    std::string name_of(int dimension, int number, const Entity& entity) const {
+        const std::vector<Group>& groups = mesh_.groups[static_cast<std::size_t>(dimension)];
+        if (has_groups(dimension)) {
+            return groups[static_cast<std::size_t>(number) - 1].name;
+        }
+        if (dimension == 2) {
+            return entity_name(dimension, number - 1);
+        }
+        const auto& [block, members] = entity.elements.front();
+        return groups[static_cast<std::size_t>(block->elements->group[static_cast<std::size_t>(members.front())])].name;
+    }
 
     void add(const NumberedElements& block) {
         const Elements& elements = *block.elements;

@@ -11,29 +11,6 @@ namespace mq::mesh {
 
 namespace {
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
-
 /// The numbers of the file; single-precision numbers have as few digits as they need.
 class Numbers {
   public:
@@ -63,37 +40,16 @@ std::string unit_of(double scale) {
     return "millimeter";
 }
 
-std::string colour_text(const Group& group) {
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02X%02X%02X", group.colour[0], group.colour[1], group.colour[2]);
-    return text;
-}
-
 std::string shortest(float value) {
     std::array<char, 32> text;
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-void append_materials(Output& out, const ExportMesh& mesh) {
-    out += "<basematerials id=\"1\">\n";
-    for (const Group& patch : mesh.patches()) {
-        out += "<base name=\"" + escaped(patch.name) + "\" displaycolor=\"" + colour_text(patch) + "\"/>\n";
-    }
-    out += "</basematerials>\n";
-}
-
 }  // namespace
 
-void to_3mf_model(Output& out, const ExportMesh& mesh) {
+void to_3mf_mesh(Output& out, const ExportMesh& mesh) {
     const Numbers numbers(mesh);
-    out += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"" + unit_of(mesh.scale) +
-           "\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n<metadata "
-           "name=\"Application\">MeshQuality</metadata>\n<resources>\n";
-    if (mesh.patches_given) {
-        append_materials(out, mesh);
-    }
-    out += std::string("<object id=\"2\" type=\"model\"") + (mesh.patches_given ? " pid=\"1\" pindex=\"0\"" : "") +
-           ">\n<mesh>\n<vertices>\n";
+    out += "<mesh>\n<vertices>\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
         const Vec3 p = mesh.point(i);
         out += "<vertex x=\"";
@@ -117,7 +73,7 @@ void to_3mf_model(Output& out, const ExportMesh& mesh) {
         }
         out += "\"/>\n";
     }
-    out += "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n<item objectid=\"2\"/>\n</build>\n</model>\n";
+    out += "</triangles>\n</mesh>\n";
 }
 
 void to_amf(Output& out, const ExportMesh& mesh) {

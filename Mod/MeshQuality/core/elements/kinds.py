@@ -92,6 +92,11 @@ def count_of(kind, order, serendipity=False):
             "pyramid": n * (n + 1) * (2 * n + 1) // 6, "prism": n * n * (n + 1) // 2, "hexahedron": n**3}[kind]
 
 
+def serendipity_count(kind, count):
+    """Nodes of an element of order 1 or 2 without those in the middle of faces and of volumes: in Gmsh's order the first ones."""
+    return min(count, _SERENDIPITY.get(kind, count))
+
+
 def order_of(kind, count):
     """The order of elements of a kind by their number of nodes; None where there is no such element."""
     if _SERENDIPITY.get(kind) == count:

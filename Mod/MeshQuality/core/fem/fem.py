@@ -8,6 +8,7 @@ from itertools import islice
 import numpy as np
 
 from ...errors import Error, InvalidInput
+from ..elements import kinds
 from ..sources import convert
 
 # FreeCAD's tetrahedra are turned the other way round than Gmsh's, and their middle nodes come in another order;
@@ -51,15 +52,46 @@ def elements_of(curved, groups):
     """
     if curved.order > MAX_ORDER:
         raise InvalidInput(f"a FEM mesh of FreeCAD has order 1 or 2, not {curved.order}: curve with order=2")
-    kinds = _kinds(curved)
+    found = _kinds(curved)
     behind = curved.triangle_face_behind  # an element between two solids is in the group of either's face
     blocks, named, first = [], [], 1
-    for kind, nodes, entity, name in kinds if groups else kinds[:1]:
+    for kind, nodes, entity, name in found if groups else found[:1]:
         blocks.append((kind, first, convert.lists(nodes + 1)))
         if groups:
             named += _groups(kind, name, [entity, *([behind] if kind == "Face" and len(behind) else [])], first)
         first += len(nodes)
     return Elements([convert.lists(column) for column in np.ascontiguousarray(curved.nodes.T)], blocks, named)
+
+
+_TYPES = {1: "Edge", 2: "Face", 3: "Volume"}  # by dimension
+
+
+def elements_of_mesh(mesh):
+    """The Elements of an ElementMesh of orders 1 and 2, with its groups; nodes in the middle of faces and volumes, which
+    FreeCAD's FEM meshes do not have, are left out. Raises InvalidInput for higher orders.
+    """
+    highest = max(block.order for block in mesh.blocks)
+    if highest > MAX_ORDER:
+        raise InvalidInput(f"a FEM mesh of FreeCAD has order 1 or 2, and the file has elements of order {highest}: read it by "
+                           "mq.read_mesh")
+    blocks, first, starts = [], 1, []
+    for block in mesh.blocks:
+        count = kinds.serendipity_count(block.kind, block.nodes.shape[1])
+        nodes = block.nodes[:, :count][:, np.argsort(kinds.from_mirrored(block.kind, count))]
+        blocks.append((_TYPES[kinds.DIMENSION[block.kind]], first, nodes))
+        starts.append(first)
+        first += len(nodes)
+    used, numbers = np.unique(np.concatenate([nodes.ravel() for _, _, nodes in blocks]), return_inverse=True)
+    numbers, at = numbers.ravel() + 1, 0
+    for i, (kind, start, nodes) in enumerate(blocks):
+        blocks[i] = kind, start, convert.lists(numbers[at:at + nodes.size].reshape(nodes.shape))
+        at += nodes.size
+    groups = {}
+    for name, parts in mesh.group_members.items():
+        for block, rows in parts:
+            groups.setdefault((name, blocks[block][0]), []).extend(convert.lists(rows + starts[block]))
+    return Elements([convert.lists(column) for column in np.ascontiguousarray(mesh.nodes[used].T)], blocks,
+                    [(name, kind, members) for (name, kind), members in groups.items() if members])
 
 
 def _kinds(curved):

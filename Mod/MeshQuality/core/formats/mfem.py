@@ -9,7 +9,7 @@ from .arrays import points_of
 _TYPES = {"line": 1, "triangle": 2, "tetrahedron": 4}
 
 
-def write(mesh, path, patches, scale):
+def write(mesh, path, patches, solids, scale):
     """Writes a SurfaceMesh or a CurvedMesh: attributes are solids of a volume and patches of a surface, those of the
     boundary patches of a volume and CAD edges at the ends of a surface.
     """
@@ -22,7 +22,7 @@ def write(mesh, path, patches, scale):
     rim = _outer_triangles(mesh, patches) if volume else _outer_edges(mesh, edges)
     corners = int(elements[:, :4 if volume else 3].max()) + 1
     with open(path, "w", encoding="utf-8") as file:
-        file.write(f"MFEM mesh v1.0\n\n{_names(mesh, patches, volume)}\ndimension\n{3 if volume else 2}\n")
+        file.write(f"MFEM mesh v1.0\n\n{_names(mesh, patches, solids)}\ndimension\n{3 if volume else 2}\n")
         _write_elements(file, "elements", kind, elements, attributes)
         _write_elements(file, "boundary", "triangle" if volume else "line", *rim)
         file.write(f"\nvertices\n{corners}\n")
@@ -39,11 +39,11 @@ def write(mesh, path, patches, scale):
         _write_rows(file, _inside(kind, order, points[elements]))
 
 
-def _names(mesh, patches, volume):
+def _names(mesh, patches, solids):
     """Which attribute has which name, as comments: the format has no place for them."""
-    patch = "boundary attribute" if volume else "attribute"
-    solids = sorted(set(mesh.tetrahedron_solid.tolist())) if volume else []
-    return "".join([*(f"# attribute {i + 1}: Solid{i + 1}\n" for i in solids),
+    patch = "boundary attribute" if solids else "attribute"
+    numbers = sorted(set(mesh.tetrahedron_solid.tolist())) if solids else []
+    return "".join([*(f"# attribute {i + 1}: {name}\n" for i, name in zip(numbers, solids)),
                     *(f"# {patch} {i + 1}: {name}\n" for i, name in enumerate(patches.names))])
 
 

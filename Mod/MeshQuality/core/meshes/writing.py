@@ -7,34 +7,19 @@ import math
 import numbers
 import os
 import tempfile
-import zipfile
 
 import numpy as np
 
 from ... import files, formats, phrases
 from ...errors import InvalidInput, IoError
-from ..formats import cgns, exodus, hopr, mfem, nektar
+from ..formats import cgns, exodus, hopr, mfem, nektar, three_mf
 from ..formats.arrays import element_blocks, points_of
 from ..patches.patches import Division, colour_of, division_of, patches_of, require_faces, with_interfaces
 from ..sources import convert
 from .contact_sheets import SHEET, with_sheets
 
-_3MF_MODEL = "3D/3dmodel.model"
-_3MF_PARTS = {
-    "[Content_Types].xml":
-        '<?xml version="1.0" encoding="UTF-8"?>\n'
-        '<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">'
-        '<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
-        '<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>\n',
-    "_rels/.rels":
-        '<?xml version="1.0" encoding="UTF-8"?>\n'
-        '<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">'
-        f'<Relationship Target="/{_3MF_MODEL}" Id="rel0" '
-        'Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>\n',
-}
 # What is written at most, and the least size of a mesh: beyond, single precision has infinities, or fewer digits.
 _LARGEST, _SMALLEST = float(np.finfo(np.float32).max), float(np.finfo(np.float32).tiny / np.finfo(np.float32).eps)
-_FASTEST = 1  # zlib's level: a third of the usual time, for files a tenth larger
 
 
 def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, format=None,  # noqa: A002
@@ -54,7 +39,7 @@ def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, for
         mesh, found = with_sheets(mesh, found)
     elif interfaces:
         found = with_interfaces(found, mesh)
-    formats.check_names(suffix, found.names, _solids_of(mesh), ascii=bool(ascii))
+    formats.check_names(suffix, found.names, solids_of(mesh), ascii=bool(ascii))
     atomically(os.fsdecode(name), suffix, lambda ready: _write_as(mesh, ready, suffix, found, scale, bool(ascii)))
 
 
@@ -112,24 +97,26 @@ def _patches_for(mesh, patches, patch_rest):
     return patches_of(division, face, count)
 
 
-def _solids_of(mesh):
-    solids = getattr(mesh, "tetrahedron_solid", ())
-    return [f"Solid{index + 1}" for index in sorted(set(solids.tolist()))] if len(solids) else []
+def solids_of(mesh):
+    """The names of the solids that have tetrahedra, ascending."""
+    solids, names = getattr(mesh, "tetrahedron_solid", None), getattr(mesh, "_solid_names", ())
+    present = [] if solids is None else sorted(set(solids.tolist()))
+    return [names[index] if 0 <= index < len(names) else f"Solid{index + 1}" for index in present]
 
 
 def _write_as(mesh, path, suffix, patches, scale, ascii):  # noqa: A002
     if suffix == ".cgns":
-        cgns.write(mesh, path, patches, _solids_of(mesh), scale)
+        cgns.write(mesh, path, patches, solids_of(mesh), scale)
     elif suffix == ".exo":
-        exodus.write(mesh, path, patches, _solids_of(mesh), scale)
+        exodus.write(mesh, path, patches, solids_of(mesh), scale)
     elif suffix == ".h5":
         _write_hopr(mesh, path, patches, scale)
     elif suffix == ".mesh":
-        mfem.write(mesh, path, patches, scale)
+        mfem.write(mesh, path, patches, solids_of(mesh), scale)
     elif suffix == ".xml":
-        nektar.write(mesh, path, patches, _solids_of(mesh), scale)
+        nektar.write(mesh, path, patches, solids_of(mesh), scale)
     elif suffix == ".3mf":
-        _write_3mf(mesh, path, patches, scale)
+        three_mf.write(path, [("", [("", mesh, patches)])], scale)
     else:
         mesh._write_core(os.fsencode(path), suffix[1:].lower(), patches, scale, ascii)
 
@@ -140,18 +127,6 @@ def _write_hopr(mesh, path, patches, scale):
         volumes = [("tetrahedron", mesh.tetrahedra, np.unique(mesh.tetrahedron_solid, return_inverse=True)[1].ravel() + 1)]
     faces = [(name, mesh.triangles[members, :3]) for name, members in element_blocks(patches.names, patches.of_triangle)]
     hopr.write(path, points_of(mesh, scale), volumes, faces)
-
-
-def _write_3mf(mesh, path, patches, scale):
-    model = path + ".model"
-    try:
-        mesh._write_core(os.fsencode(model), "3mf", patches, scale, False)
-        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=_FASTEST) as container:
-            for name, text in _3MF_PARTS.items():
-                container.writestr(name, text)
-            container.write(model, _3MF_MODEL)
-    finally:
-        files.remove_if_there(model)
 
 
 def arguments_of(patches):

@@ -101,17 +101,17 @@ class FacesOfSeveral:
         return ", ".join(convert.label_of(member.source) for member in self.members)
 
 
-def own_names(labels, counts):
+def own_names(labels, counts, kind="Face"):
     """The names of the patches that all faces are, each by itself, of sources with these numbers of faces; None: a mesh.
-    They are names that all formats can hold (plain_name).
+    They are names that all formats can hold (plain_name). Likewise of all solids; the only one of a source has its name.
     """
     if len(labels) == 1 and counts[0] is not None:
-        return tuple(f"Face{k + 1}" for k in range(counts[0]))
+        return tuple(f"{kind}{k + 1}" for k in range(counts[0]))
     plain = [plain_name(label) for label in labels]
     names, taken = [], set()
     for i, (name, count) in enumerate(zip(plain, counts)):
         unique, number = name if plain.count(name) == 1 else f"{name}_{i + 1}", i + 1
-        while (own := _of_one(unique, count)) and not taken.isdisjoint(own):
+        while (own := _of_one(unique, count, kind)) and not taken.isdisjoint(own):
             number += 1
             unique = f"{name}_{number}"
         taken.update(own)
@@ -119,8 +119,10 @@ def own_names(labels, counts):
     return tuple(names)
 
 
-def _of_one(name, count):
-    return [name] if count is None else [f"{name}_Face{k + 1}" for k in range(count)]
+def _of_one(name, count, kind):
+    if count is None or (kind == "Solid" and count == 1):
+        return [name]
+    return [f"{name}_{kind}{k + 1}" for k in range(count)]
 
 
 def _face_count(source):

@@ -13,6 +13,7 @@ from ...core.curving import holds_elements
 from ...core.sources import frames
 from ...errors import Error, IoError
 from ...features import export, mesh_object
+from ...features.file_settings import UNITS
 from ...features.patches import patches_of_object
 from .. import preferences
 from ..panel_operation import name_of
@@ -20,9 +21,6 @@ from ..translation import translated
 from .writing_panel import WritingPanel
 
 translate = FreeCAD.Qt.translate
-
-_UNITS = (("mm", 1.0), ("m", 0.001), ("in", 1 / 25.4))
-
 
 class ExportPanel(WritingPanel):
     """OK writes the file, then closes.
@@ -40,7 +38,7 @@ class ExportPanel(WritingPanel):
         for suffix, title in titles.items():
             self.formats.addItem(title, suffix)
         self.unit = QtGui.QComboBox()
-        for title, scale in _UNITS:
+        for title, scale in UNITS:
             self.unit.addItem(title, scale)
         self.unit.setToolTip(translate("MeshQuality", "The unit of the numbers in the file: solvers mostly take metres"))
         self.text = QtGui.QCheckBox(translate("MeshQuality", "As text, one solid a patch"))
