@@ -38,7 +38,7 @@ bool contains(const std::array<Vec2, 3>& triangle, const Vec2& p) {
 
 struct FanShape {
     int triangles = 0;   // with equal angles; 0: there is no such fan
-    double ratio = 1.0;  // of the length of each spoke to that of the last one
+    double ratio = 1.0;  // by which each spoke is longer than the last one
 };
 
 // Returns the fan with the fewest triangles that fills an angle (radians) between sides of these lengths with all
