@@ -34,6 +34,7 @@ class AngleRefinement {
     /// Follows ClassifiedMesh::order_in_space, between runs.
     void renumber(const NewIndices& renewed) {
         apex_rings_.renumber(renewed);
+        graded_fans_.renumber(renewed);
         move_to_indices(renewed.vertices, sharpened_);
         turned_.renumber(renewed);
         looked_at_.renumber(renewed);

@@ -347,6 +347,17 @@ bool GradedFans::write_beside(int triangle, std::vector<int>& touched) {
     return false;
 }
 
+void GradedFans::renumber(const NewIndices& renewed) {
+    std::set<std::array<int, 3>> moved;
+    for (std::array<int, 3> fan : tried_) {
+        for (int& vertex : fan) {
+            vertex = renewed.vertices[static_cast<std::size_t>(vertex)];
+        }
+        moved.insert(fan);
+    }
+    tried_ = std::move(moved);
+}
+
 // Whether the vertex is the end of an innermost piece away from its corner.
 bool GradedFans::ends_innermost_piece(int segment, int vertex) const {
     int corner = -1;

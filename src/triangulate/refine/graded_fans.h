@@ -29,6 +29,8 @@ class GradedFans {
     /// Appends changed triangles to `touched`.
     /// @return whether a fan was written. Leaves no unused triangle indices.
     bool write_beside(int triangle, std::vector<int>& touched);
+    /// Follows ClassifiedMesh::order_in_space.
+    void renumber(const NewIndices& renewed);
 
   private:
     bool ends_innermost_piece(int segment, int vertex) const;
