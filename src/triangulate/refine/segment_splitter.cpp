@@ -25,10 +25,30 @@ using geometry::Query;
 constexpr double kAboveFloor = 2.6;
 constexpr double kOnShell = 1.01;  // tolerance of the intersection of a curve with a shell
 
+// Returns the pairs of edges that meet in corners of faces narrow enough for a ladder, each in both orders.
+std::set<std::array<int, 2>> ladders(const ClassifiedMesh& mesh) {
+    std::set<std::array<int, 2>> pairs;
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        for (int end = 0; end < 2; ++end) {
+            for (const NarrowCorner& corner : corners_at(mesh, s, end)) {
+                if (corner.angle < RefinementTuning::kWidestLadder) {
+                    pairs.insert({mesh.segment(s).edge, mesh.segment(corner.segment).edge});
+                }
+            }
+        }
+    }
+    return pairs;
+}
+
 }  // namespace
 
 SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes, double bound)
-    : work_(work), floors_(work, bound), guard_apexes_(guard_apexes), shells_(corner_shells(work.mesh)) {
+    : work_(work),
+      floors_(work, bound),
+      guard_apexes_(guard_apexes),
+      step_(bound > 0.0 ? 1.0 / std::tan(bound + RefinementTuning::kLadderMargin) : 0.0),
+      ladders_(ladders(work.mesh)),
+      shells_(corner_shells(work.mesh)) {
     for (double& radius : shells_.innermost) {
         radius = std::max(radius, kAboveFloor * work.shortest_allowed());
     }
@@ -66,6 +86,27 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
     // shell: a chord that ends farther out could cross that edge.
     const double other = chord(corners[end].segment);
     return {end, corners[end].angle < kNarrowCorner && other < 0.7 * chord(segment) ? std::min(shell, other) : shell};
+}
+
+// Returns the place at which a piece between a vertex opposite to another one and the next such vertex ends: a piece
+// as long as its distance from the other rail allows for the bound. None: the piece is shorter, or no rail of a ladder.
+SegmentSplitter::Shell SegmentSplitter::rung_of(int segment) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    Shell best{-1, 0.5 * chord(segment)};
+    for (const ClassifiedMesh::SegmentUse& use : mesh.segment(segment).uses) {
+        const ClassifiedMesh::Vertex across = mesh.vertex(mesh.vertex_of(ClassifiedMesh::prev(use.half_edge)));
+        if (across.entity[0] != 1 || ladders_.count({mesh.segment(segment).edge, across.entity[1]}) == 0) {
+            continue;
+        }
+        for (int end = 0; end < 2; ++end) {
+            const ClassifiedMesh::Vertex from = mesh.vertex(mesh.segment(segment).vertices[end]);
+            const double width = std::max((from.point - across.point).norm(), work_.session.topology().detail);
+            if (from.entity[0] == 1 && step_ * width < best.radius) {
+                best = {end, step_ * width};
+            }
+        }
+    }
+    return best.end < 0 ? Shell{} : best;
 }
 
 bool SegmentSplitter::is_terminal(int segment, int* corner_vertex) const {
@@ -268,6 +309,9 @@ double SegmentSplitter::unresolved(int segment, int end) const {
 SegmentSplitter::Shell SegmentSplitter::place_of(int segment) const {
     const auto asked = asked_.find(segment);
     Shell shell = asked != asked_.end() ? asked->second : shell_of(segment);
+    if (shell.end < 0 && step_ > 0.0) {
+        shell = rung_of(segment);
+    }
     for (int end = 0; end < 2; ++end) {
         const double least = kOnShell * unresolved(segment, end);
         if (shell.end < 0 && 0.5 * chord(segment) < least) {
