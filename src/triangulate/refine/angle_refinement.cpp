@@ -242,7 +242,12 @@ bool AngleRefinement::exempt_narrow_corner(const QueuedTriangle& bad) {
         return false;
     }
     const int other = work_.mesh.segment_of(ClassifiedMesh::prev(h));
-    if (request_finer_chords(segment, other, work_.mesh.vertex_of(h))) {
+    const int corner = work_.mesh.vertex_of(h);
+    if (segments_.opens(corner, segment) || segments_.opens(corner, other)) {
+        segments_.request(segment);
+        segments_.request(other);
+        touched_.push_back(bad.triangle);
+    } else if (request_finer_chords(segment, other, corner)) {
         segments_.request(segment, true);
         segments_.request(other, true);
         touched_.push_back(bad.triangle);

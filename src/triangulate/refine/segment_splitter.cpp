@@ -23,6 +23,10 @@ using geometry::Query;
 // Least radius of the innermost shell in shortest lengths: any longer piece can be cut on a shell such that both parts
 // are long enough, so that all edges of a corner can follow.
 constexpr double kAboveFloor = 2.6;
+// Least distance of a node from its edges where a corner was cut off, in details: half of one but for rounding.
+constexpr double kOfDetail = 0.45;
+// Length of the innermost pieces there, in widths: they enclose 29 degrees and more.
+constexpr double kOfWidth = 1.8;
 constexpr double kOnShell = 1.01;  // tolerance of the intersection of a curve with a shell
 
 // Returns the pairs of edges that meet in corners of faces narrow enough for a ladder, each in both orders.
@@ -51,6 +55,17 @@ SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes, double boun
       shells_(corner_shells(work.mesh)) {
     for (double& radius : shells_.innermost) {
         radius = std::max(radius, kAboveFloor * work.shortest_allowed());
+    }
+    const geometry::Topology& topology = work.session.topology();
+    for (int v = 0; v < work.mesh.vertex_count(); ++v) {
+        const mesh::VertexEntity entity = work.mesh.vertex(v).entity;
+        const bool added = entity[0] == 0 && static_cast<std::size_t>(entity[1]) >= topology.own_count(0);
+        const double half_width = added ? topology.nodes[static_cast<std::size_t>(entity[1])].tolerance : 0.0;
+        if (half_width > kOfDetail * topology.detail) {
+            cut_.insert(v);
+            shells_.innermost[static_cast<std::size_t>(v)] =
+                std::min(shells_.innermost[static_cast<std::size_t>(v)], kOfWidth * 2.0 * half_width);
+        }
     }
     for (int s = 0; s < work.mesh.segment_count(); ++s) {
         for (int end = 0; end < 2; ++end) {
@@ -123,6 +138,10 @@ bool SegmentSplitter::is_terminal(int segment, int* corner_vertex) const {
         }
     }
     return false;
+}
+
+bool SegmentSplitter::opens(int vertex, int segment) const {
+    return cut_.count(vertex) > 0 && may_split(segment);
 }
 
 int SegmentSplitter::narrow_corner_near(const Vec3& p) const {

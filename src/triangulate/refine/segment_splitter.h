@@ -36,6 +36,9 @@ class SegmentSplitter {
     /// shell ends it, and leaves one triangle in the corner with the input angle. `corner_vertex` receives the
     /// corner's node.
     bool is_terminal(int segment, int* corner_vertex = nullptr) const;
+    /// Whether pieces at this vertex, where a corner was cut off, enclose a larger angle the shorter they are, and are
+    /// not as short yet as the corner is wide there.
+    bool opens(int vertex, int segment) const;
     /// Returns the CAD node with a small input angle in or near whose innermost shell p lies, as a vertex; -1: none.
     int narrow_corner_near(const Vec3& p) const;
     /// Whether the segment is seen from p under an angle above 120 degrees.
@@ -98,6 +101,7 @@ class SegmentSplitter {
     std::set<std::array<int, 2>> ladders_;  // pairs of edges that meet in corners below kWidestLadder
     std::set<int> free_apexes_;
     CornerShells shells_;  // before refinement
+    std::set<int> cut_;    // vertices where corners were cut off
     std::vector<int> pending_;
     std::vector<char> waiting_;   // by segment
     std::map<int, Shell> asked_;  // by segment, until it is split
