@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,16 @@ class CornerCuts : EdgeJoining {
 
     /// The place at which the edges of two neighbouring uses of a loop are the detail apart.
     struct Cut {
-        std::array<int, 2> uses;  // the first one ends in the corner, the second one begins there
-        std::array<double, 2> t;  // of the edges
+        int face;
+        std::array<int, 2> edges;     // the first one ends in the corner, the second one begins there
+        std::array<bool, 2> forward;  // as their uses
+        std::array<double, 2> t;
         Vec3 middle;
         double half_width;  // mm
+        double depth;       // from the corner, mm
     };
 
+    /// The cuts, at most one at each end of an edge: the deepest ones, as their corners are the narrowest.
     std::vector<Cut> find(const Progress* progress) const {
         std::vector<Cut> cuts;
         for (const Face& face : topology_.faces) {
@@ -43,24 +48,36 @@ class CornerCuts : EdgeJoining {
                 }
             }
         }
+        std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.depth > b.depth; });
+        std::set<std::array<int, 2>> taken;  // edges, and their ends
+        const auto conflicts = [&](const Cut& cut) {
+            std::array<std::array<int, 2>, 2> ends;
+            for (std::size_t k = 0; k < 2; ++k) {
+                ends[k] = {cut.edges[k], cut.forward[k] == (k == 0) ? 1 : 0};
+            }
+            if (taken.count(ends[0]) > 0 || taken.count(ends[1]) > 0) {
+                return true;
+            }
+            taken.insert(ends.begin(), ends.end());
+            return false;
+        };
+        cuts.erase(std::remove_if(cuts.begin(), cuts.end(), conflicts), cuts.end());
         return cuts;
     }
 
     void apply(const Cut& cut, int node) {
-        const int face = use_of(cut.uses[0]).face;
         std::array<int, 2> tips{};
         for (std::size_t k = 0; k < 2; ++k) {
-            const int use = use_beside(cut.uses[k], cut.t[k]);
-            const bool last = use_of(use).forward == (k == 0);
-            const int e = edge_of(use);
+            const bool tip_is_last = cut.forward[k] == (k == 0);
+            const int e = piece_of(cut, k);
             const int second = divide(e, cut.t[k], node);
-            tips[k] = last ? second : e;
+            tips[k] = tip_is_last ? second : e;
         }
-        topology_.faults.push_back(topology_.name_of({2, face}) + ": its narrow corner between " +
+        topology_.faults.push_back(topology_.name_of({2, cut.face}) + ": its narrow corner between " +
                                    topology_.name_of({1, tips[0]}) + " and " + topology_.name_of({1, tips[1]}) +
                                    " is cut off where it is " + in_digits(2.0 * cut.half_width, 4) + " mm wide");
         for (const int tip : tips) {
-            drop(face, tip);
+            drop(cut.face, tip);
         }
         join(tips[0], tips[1], 2.0 * topology_.detail);
     }
@@ -70,9 +87,12 @@ class CornerCuts : EdgeJoining {
   private:
     const EdgeUse& use_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)]; }
 
-    /// Whether the edge of a use bounds another face, too.
+    /// Whether the edge of a use bounds another face, too, and was not joined with others.
     bool parts_two_faces(int use) const {
-        return is_side(edge_of(use)) && use_of(opposite_use(use)).face != use_of(use).face;
+        const std::vector<int>& uses = edge(edge_of(use)).uses;
+        return is_side(edge_of(use)) && use_of(opposite_use(use)).face != use_of(use).face &&
+               std::none_of(uses.begin(), uses.end(),
+                            [&](int other) { return live_.uses[static_cast<std::size_t>(other)].of_neighbour; });
     }
 
     /// The point of the edge of a use at this distance from its end (mm), or from its start.
@@ -103,7 +123,7 @@ class CornerCuts : EdgeJoining {
         // At least as narrow as the corners that keep no bound: twice the detail away it is as wide as the detail.
         const std::optional<double> beside =
             width(topology_.detail / (2.0 * std::sin(0.5 * DetailCorners::kLeastAngle)));
-        if (!widest || *widest < topology_.detail || (beside && *beside >= topology_.detail)) {
+        if (!widest || *widest < topology_.detail || !beside || *beside >= topology_.detail) {
             return std::nullopt;
         }
         constexpr int kHalvings = 50;
@@ -117,7 +137,13 @@ class CornerCuts : EdgeJoining {
         if (!a.found() || !b.found() || !stays_open(first, second, low)) {
             return std::nullopt;
         }
-        return Cut{{first, second}, {a.t, b.t}, 0.5 * (a.point + b.point), 0.5 * (a.point - b.point).norm()};
+        return Cut{use_of(first).face,
+                   {edge_of(first), edge_of(second)},
+                   {use_of(first).forward, use_of(second).forward},
+                   {a.t, b.t},
+                   0.5 * (a.point + b.point),
+                   0.5 * (a.point - b.point).norm(),
+                   low};
     }
 
     /// Whether the faces on the other sides of the edges do not lie on each other half-way from the corner to the cut.
@@ -129,19 +155,18 @@ class CornerCuts : EdgeJoining {
         return into_first && into_second && angle_between(*into_first, *into_second) >= DetailCorners::kLeastAngle;
     }
 
-    /// The use of the piece of a use's edge that contains t: the edge may have been divided at its other end.
-    int use_beside(int use, double t) const {
-        const int face = use_of(use).face;
-        for (const Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
-            for (const int other : loop.uses) {
-                const Edge& piece = edge(edge_of(other));
-                if (use_of(other).forward == use_of(use).forward && t > piece.t0 && t < piece.t1 &&
-                    topology_.of_shape({1, edge_of(other)}) == topology_.of_shape({1, edge_of(use)})) {
-                    return other;
+    /// The piece of an edge that is to be divided: the edge may have been divided at its other end.
+    int piece_of(const Cut& cut, std::size_t k) const {
+        for (const Loop& loop : topology_.faces[static_cast<std::size_t>(cut.face)].loops) {
+            for (const int use : loop.uses) {
+                const Edge& piece = edge(edge_of(use));
+                if (topology_.of_shape({1, edge_of(use)}) == topology_.of_shape({1, cut.edges[k]}) &&
+                    cut.t[k] > piece.t0 && cut.t[k] < piece.t1) {
+                    return edge_of(use);
                 }
             }
         }
-        return use;
+        return cut.edges[k];
     }
 
     void drop(int face, int e) {
@@ -164,8 +189,7 @@ void cut_narrow_corners(Topology& topology, ShapeMap& live, const Progress* prog
     const std::vector<CornerCuts::Cut> cuts = CornerCuts(topology, live).find(progress);
     const int first = static_cast<int>(topology.nodes.size());
     for (const CornerCuts::Cut& cut : cuts) {
-        topology.parts_of[0].push_back(
-            topology.of_shape({1, topology.uses[static_cast<std::size_t>(cut.uses[0])].edge}));
+        topology.parts_of[0].push_back(topology.of_shape({1, cut.edges[0]}));
         topology.nodes.push_back({cut.middle, cut.half_width});
         TopoDS_Vertex vertex;
         BRep_Builder().MakeVertex(vertex, to_pnt(cut.middle), cut.half_width);
