@@ -35,14 +35,11 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     progress               callable(fraction 0..1, stage or "waits for ..."); returning False cancels
     insertion              where a triangle with a small angle gets its new point: "off-centre" needs
                            fewer triangles, "circumcentre" is the rule of Aftosmis 1999
-    keep_edges             "all": the mesh follows every edge of the shape; "feature": not those that
-                           the surface crosses smoothly, so that tiny edges and slivers between such
-                           edges cost no triangles; report.spanning then names the triangles that
-                           lie on several faces
+    keep_edges             "all": the mesh follows every edge of the shape; "feature": not those that the surface crosses
+                           smoothly, so that tiny edges and slivers between such edges cost no triangles;
+                           report.spanning then names the triangles that lie on several faces
     feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than this all along
-    corners                of faces, narrower than min_angle: "keep", each with one triangle of its angle; "cut": off, where
-                           they are a twentieth of the distance or length asked for from what stays, if the faces beside
-                           do not fold on each other; the report names them
+    corners                of faces, narrower than 30 degrees: "keep"; "cut": off, by a twentieth of the distance asked for
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
     imprint                solids that share an area get the same triangles on both sides; see report.contacts
