@@ -679,6 +679,10 @@
         <source>How the shape came from FreeCAD: live, in place, or stream, as a copy; empty: there was none</source>
         <translation>Wie die Form aus FreeCAD kam: live an Ort und Stelle, stream als Kopie; leer: es gab keine</translation>
     </message>
+    <message>
+        <source>Corners of faces below the smallest angle: keep them, each with one triangle of that angle; or cut them off by a twentieth of the distance, where the faces beside them allow it</source>
+        <translation>Ecken von Flächen unter dem kleinsten Winkel: behalten, jede mit einem Dreieck dieses Winkels; oder um ein Zwanzigstel des Abstands abschneiden, wo die Flächen daneben es erlauben</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -4369,6 +4373,22 @@
     <message>
         <source>{face} to {face2} of all that is exported</source>
         <translation>{face} bis {face2} von allem, was exportiert wird</translation>
+    </message>
+    <message>
+        <source>Corners of faces below the smallest angle: keep them, each with one triangle of that angle; or cut them off by a twentieth of the distance, where the faces beside them allow it</source>
+        <translation>Ecken von Flächen unter dem kleinsten Winkel: behalten, jede mit einem Dreieck dieses Winkels; oder um ein Zwanzigstel des Abstands abschneiden, wo die Flächen daneben es erlauben</translation>
+    </message>
+    <message>
+        <source>Narrow corners</source>
+        <translation>Schmale Ecken</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>abschneiden</translation>
+    </message>
+    <message>
+        <source>keep</source>
+        <translation>behalten</translation>
     </message>
 </context>
 <context>

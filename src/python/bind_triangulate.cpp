@@ -68,6 +68,7 @@ const Names<triangulate::Insertion> kInsertions{{triangulate::Insertion::OffCent
                                                 {triangulate::Insertion::Circumcentre, "paper"}};
 const Names<triangulate::KeepEdges> kKeepEdges{{triangulate::KeepEdges::All, "all"},
                                                {triangulate::KeepEdges::Feature, "feature"}};
+const Names<triangulate::Corners> kCorners{{triangulate::Corners::Keep, "keep"}, {triangulate::Corners::Cut, "cut"}};
 const Names<triangulate::Method> kMethods{{triangulate::Method::Refine, "refine"},
                                           {triangulate::Method::Star, "star"},
                                           {triangulate::Method::Sprinkle, "sprinkle"}};
@@ -168,6 +169,7 @@ void bind_triangulate(py::module_& m) {
     bind_fields(options);
     def_named(options, "insertion", &TriangulateOptions::insertion, kInsertions);
     def_named(options, "keep_edges", &TriangulateOptions::keep_edges, kKeepEdges);
+    def_named(options, "corners", &TriangulateOptions::corners, kCorners);
     def_named(options, "method", &TriangulateOptions::method, kMethods);
     def_named(options, "evaluation", &TriangulateOptions::evaluation, kEvaluations);
     def_named(options, "connectivity", &TriangulateOptions::connectivity, kConnectivities);

@@ -15,8 +15,8 @@ from .sources import hidden_parts
 def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None, max_edge=None, min_edge=None,
                 method="refine", max_triangles=None, progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
-                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True,
-                imprint=False, overlap="refuse", evaluation="fast", patches=None, patch_rest=None, threads=0):
+                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, corners="keep", cache=None,
+                sew=True, imprint=False, overlap="refuse", evaluation="fast", patches=None, patch_rest=None, threads=0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -35,11 +35,11 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     progress               callable(fraction 0..1, stage or "waits for ..."); returning False cancels
     insertion              where a triangle with a small angle gets its new point: "off-centre" needs
                            fewer triangles, "circumcentre" is the rule of Aftosmis 1999
-    keep_edges             "all": the mesh follows every edge of the shape; "feature": not those that
-                           the surface crosses smoothly, so that tiny edges and slivers between such
-                           edges cost no triangles; report.spanning then names the triangles that
-                           lie on several faces
+    keep_edges             "all": the mesh follows every edge of the shape; "feature": not those that the surface crosses
+                           smoothly, so that tiny edges and slivers between such edges cost no triangles;
+                           report.spanning then names the triangles that lie on several faces
     feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than this all along
+    corners                of faces, narrower than 30 degrees: "keep"; "cut": off, by a twentieth of the distance asked for
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
     imprint                solids that share an area get the same triangles on both sides; see report.contacts
@@ -67,7 +67,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces, "connectivity": connectivity,
         "refine_samples": refine_samples, "seed": seed, "local_sizes": local_sizes,
         "edges_per_circle": edges_per_circle, "growth_rate": growth_rate, "keep_edges": keep_edges,
-        "feature_angle": feature_angle, "sew": sew, "imprint": imprint, "overlap": overlap, "evaluation": evaluation,
+        "feature_angle": feature_angle, "corners": corners, "sew": sew, "imprint": imprint, "overlap": overlap, "evaluation": evaluation,
     })
     values["threads"] = options.THREADS.checked(threads)
     options.require_callable(progress)

@@ -26,6 +26,7 @@
 #include "geometry/occt/evaluation/failure_text.h"
 #include "geometry/occt/geometry_fingerprint.h"
 #include "geometry/occt/plane_curves.h"
+#include "geometry/occt/topology/corner_cuts.h"
 #include "geometry/occt/topology/creases.h"
 #include "geometry/occt/topology/degenerate_faces.h"
 #include "geometry/occt/topology/imprint.h"
@@ -173,6 +174,9 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     remove_degenerate_faces(entities, topology_, live_, progress);
     if (remove_spikes(topology_, live_, progress)) {
         remove_degenerate_faces(entities, topology_, live_, progress);  // what remains of a face can be thin, too
+    }
+    if (join.cut_corners) {
+        cut_narrow_corners(topology_, live_, progress);
     }
     topology_.sewn = join.sew && topology_.detail > 0.0;
     if (topology_.sewn) {

@@ -13,7 +13,7 @@ namespace {
 // by face).
 auto demands(const TriangulateOptions& o) {
     return std::make_tuple(o.min_angle, o.max_edge, o.min_edge, o.edges_per_circle, o.growth, o.insertion,
-                           o.sites_in_round, o.evaluation, o.keep_edges, o.feature_angle, o.method);
+                           o.sites_in_round, o.evaluation, o.keep_edges, o.corners, o.feature_angle, o.method);
 }
 
 template <typename T>

@@ -7,6 +7,7 @@
 
 #include "base/angle.h"
 #include "base/parallel.h"
+#include "triangulate/refine/graded_fans.h"
 #include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/edges_angle.h"
@@ -24,6 +25,7 @@ AngleRefinement::AngleRefinement(Workspace& work, SegmentSplitter& segments, dou
       insertion_(insertion),
       sites_in_round_(sites_in_round),
       apex_rings_(work, segments, bound_, chord_height),
+      graded_fans_(work, segments, bound_),
       turned_(work.settled),
       looked_at_(work.settled) {}
 
@@ -189,7 +191,7 @@ std::vector<AngleRefinement::Job> AngleRefinement::next_jobs() {
             add_turned(bad, jobs);
             continue;
         }
-        if (exempt_narrow_corner(bad) || exempt_where_narrow(bad) || insert_apex_ring(bad)) {
+        if (exempt_narrow_corner(bad) || exempt_where_narrow(bad) || insert_apex_ring(bad) || write_graded_fan(bad)) {
             continue;
         }
         int segment = -1;
@@ -240,7 +242,12 @@ bool AngleRefinement::exempt_narrow_corner(const QueuedTriangle& bad) {
         return false;
     }
     const int other = work_.mesh.segment_of(ClassifiedMesh::prev(h));
-    if (request_finer_chords(segment, other, work_.mesh.vertex_of(h))) {
+    const int corner = work_.mesh.vertex_of(h);
+    if (segments_.opens(corner, segment) || segments_.opens(corner, other)) {
+        segments_.request(segment);
+        segments_.request(other);
+        touched_.push_back(bad.triangle);
+    } else if (request_finer_chords(segment, other, corner)) {
         segments_.request(segment, true);
         segments_.request(other, true);
         touched_.push_back(bad.triangle);
@@ -256,6 +263,11 @@ bool AngleRefinement::exempt_where_narrow(const QueuedTriangle& bad) {
         exempt(bad, work_.too_short());
     }
     return narrow;
+}
+
+bool AngleRefinement::write_graded_fan(const QueuedTriangle& bad) {
+    return insertion_ != Insertion::Circumcentre && !work_.settled.marked(work_.mesh, bad.triangle) &&
+           graded_fans_.write_beside(bad.triangle, touched_);
 }
 
 // The angle between chords of curved edges can be smaller than that between the edges, until the chords are short

@@ -11,6 +11,7 @@
 
 #include "triangulate/operators/vertex_insertion.h"
 #include "triangulate/refine/apex_rings.h"
+#include "triangulate/refine/graded_fans.h"
 #include "triangulate/refine/segment_splitter.h"
 #include "triangulate/work_mesh/element_marks.h"
 #include "triangulate/work_mesh/options.h"
@@ -33,6 +34,7 @@ class AngleRefinement {
     /// Follows ClassifiedMesh::order_in_space, between runs.
     void renumber(const NewIndices& renewed) {
         apex_rings_.renumber(renewed);
+        graded_fans_.renumber(renewed);
         move_to_indices(renewed.vertices, sharpened_);
         turned_.renumber(renewed);
         looked_at_.renumber(renewed);
@@ -78,6 +80,7 @@ class AngleRefinement {
     bool request_finer_chords(int a, int b, int vertex);
     bool slender_apex(int h) const;
     bool insert_apex_ring(const QueuedTriangle& bad);
+    bool write_graded_fan(const QueuedTriangle& bad);
     bool divides_guarded_fan(const std::vector<int>& triangles) const;
     bool retry_exempted();
     State state() const;
@@ -90,6 +93,7 @@ class AngleRefinement {
     Insertion insertion_;
     std::size_t sites_in_round_;
     ApexRings apex_rings_;
+    GradedFans graded_fans_;
     std::priority_queue<QueuedTriangle> queue_;
     std::map<int, int> sharpened_;  // by vertex: number of times the chords at a small input angle were halved
     TriangleMarks turned_;          // triangles that were refined for their alignment

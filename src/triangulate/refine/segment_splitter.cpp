@@ -23,14 +23,49 @@ using geometry::Query;
 // Least radius of the innermost shell in shortest lengths: any longer piece can be cut on a shell such that both parts
 // are long enough, so that all edges of a corner can follow.
 constexpr double kAboveFloor = 2.6;
+// Least distance of a node from its edges where a corner was cut off, in details: half of one but for rounding.
+constexpr double kOfDetail = 0.45;
+// Length of the innermost pieces there, in widths: they enclose 29 degrees and more.
+constexpr double kOfWidth = 1.8;
 constexpr double kOnShell = 1.01;  // tolerance of the intersection of a curve with a shell
+
+// Returns the pairs of edges that meet in corners of faces narrow enough for a ladder, each in both orders.
+std::set<std::array<int, 2>> ladders(const ClassifiedMesh& mesh) {
+    std::set<std::array<int, 2>> pairs;
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        for (int end = 0; end < 2; ++end) {
+            for (const NarrowCorner& corner : corners_at(mesh, s, end)) {
+                if (corner.angle < RefinementTuning::kWidestLadder) {
+                    pairs.insert({mesh.segment(s).edge, mesh.segment(corner.segment).edge});
+                }
+            }
+        }
+    }
+    return pairs;
+}
 
 }  // namespace
 
 SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes, double bound)
-    : work_(work), floors_(work, bound), guard_apexes_(guard_apexes), shells_(corner_shells(work.mesh)) {
+    : work_(work),
+      floors_(work, bound),
+      guard_apexes_(guard_apexes),
+      step_(bound > 0.0 ? 1.0 / std::tan(bound + RefinementTuning::kLadderMargin) : 0.0),
+      ladders_(ladders(work.mesh)),
+      shells_(corner_shells(work.mesh)) {
     for (double& radius : shells_.innermost) {
         radius = std::max(radius, kAboveFloor * work.shortest_allowed());
+    }
+    const geometry::Topology& topology = work.session.topology();
+    for (int v = 0; v < work.mesh.vertex_count(); ++v) {
+        const mesh::VertexEntity entity = work.mesh.vertex(v).entity;
+        const bool added = entity[0] == 0 && static_cast<std::size_t>(entity[1]) >= topology.own_count(0);
+        const double half_width = added ? topology.nodes[static_cast<std::size_t>(entity[1])].tolerance : 0.0;
+        if (half_width > kOfDetail * topology.detail) {
+            cut_.insert(v);
+            shells_.innermost[static_cast<std::size_t>(v)] =
+                std::min(shells_.innermost[static_cast<std::size_t>(v)], kOfWidth * 2.0 * half_width);
+        }
     }
     for (int s = 0; s < work.mesh.segment_count(); ++s) {
         for (int end = 0; end < 2; ++end) {
@@ -68,6 +103,27 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
     return {end, corners[end].angle < kNarrowCorner && other < 0.7 * chord(segment) ? std::min(shell, other) : shell};
 }
 
+// Returns the place at which a piece between a vertex opposite to another one and the next such vertex ends: a piece
+// as long as its distance from the other rail allows for the bound. None: the piece is shorter, or no rail of a ladder.
+SegmentSplitter::Shell SegmentSplitter::rung_of(int segment) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    Shell best{-1, 0.5 * chord(segment)};
+    for (const ClassifiedMesh::SegmentUse& use : mesh.segment(segment).uses) {
+        const ClassifiedMesh::Vertex across = mesh.vertex(mesh.vertex_of(ClassifiedMesh::prev(use.half_edge)));
+        if (across.entity[0] != 1 || ladders_.count({mesh.segment(segment).edge, across.entity[1]}) == 0) {
+            continue;
+        }
+        for (int end = 0; end < 2; ++end) {
+            const ClassifiedMesh::Vertex from = mesh.vertex(mesh.segment(segment).vertices[end]);
+            const double width = std::max((from.point - across.point).norm(), work_.session.topology().detail);
+            if (from.entity[0] == 1 && step_ * width < best.radius) {
+                best = {end, step_ * width};
+            }
+        }
+    }
+    return best.end < 0 ? Shell{} : best;
+}
+
 bool SegmentSplitter::is_terminal(int segment, int* corner_vertex) const {
     for (int end = 0; end < 2; ++end) {
         const int v = work_.mesh.segment(segment).vertices[end];
@@ -82,6 +138,10 @@ bool SegmentSplitter::is_terminal(int segment, int* corner_vertex) const {
         }
     }
     return false;
+}
+
+bool SegmentSplitter::opens(int vertex, int segment) const {
+    return cut_.count(vertex) > 0 && may_split(segment);
 }
 
 int SegmentSplitter::narrow_corner_near(const Vec3& p) const {
@@ -268,6 +328,9 @@ double SegmentSplitter::unresolved(int segment, int end) const {
 SegmentSplitter::Shell SegmentSplitter::place_of(int segment) const {
     const auto asked = asked_.find(segment);
     Shell shell = asked != asked_.end() ? asked->second : shell_of(segment);
+    if (shell.end < 0 && step_ > 0.0) {
+        shell = rung_of(segment);
+    }
     for (int end = 0; end < 2; ++end) {
         const double least = kOnShell * unresolved(segment, end);
         if (shell.end < 0 && 0.5 * chord(segment) < least) {

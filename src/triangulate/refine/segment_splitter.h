@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -17,7 +18,8 @@ namespace mq::triangulate {
 /// Splits constraining edges on their CAD curves: in the middle by arc length, and near a CAD node with an acute
 /// corner on concentric shells, at power-of-two multiples of the innermost (Ruppert 1995, modified segment splitting).
 /// On shells the pieces at one small input angle get equal lengths, and equal pieces at less than 60 degrees do not
-/// encroach on each other.
+/// encroach on each other. Beyond the innermost pieces of corners below RefinementTuning::kWidestLadder, edges are the
+/// rails of a ladder: their pieces are as long as the distance to the other edge allows for the bound.
 class SegmentSplitter {
   public:
     /// To be constructed before refinement: measures the innermost shells around all CAD nodes. With `guard_apexes`,
@@ -34,6 +36,9 @@ class SegmentSplitter {
     /// shell ends it, and leaves one triangle in the corner with the input angle. `corner_vertex` receives the
     /// corner's node.
     bool is_terminal(int segment, int* corner_vertex = nullptr) const;
+    /// Whether pieces at this vertex, where a corner was cut off, enclose a larger angle the shorter they are, and are
+    /// not as short yet as the corner is wide there.
+    bool opens(int vertex, int segment) const;
     /// Returns the CAD node with a small input angle in or near whose innermost shell p lies, as a vertex; -1: none.
     int narrow_corner_near(const Vec3& p) const;
     /// Whether the segment is seen from p under an angle above 120 degrees.
@@ -70,6 +75,7 @@ class SegmentSplitter {
         double radius = 0.0;
     };
     Shell shell_of(int segment) const;
+    Shell rung_of(int segment) const;
     double unresolved(int segment, int end) const;
     Shell place_of(int segment) const;
     double chord(int segment) const;
@@ -91,8 +97,11 @@ class SegmentSplitter {
     Workspace& work_;
     FaceSizeFloors floors_;
     bool guard_apexes_;
+    double step_;                           // length of a piece in distances between the rails; 0: there is no bound
+    std::set<std::array<int, 2>> ladders_;  // pairs of edges that meet in corners below kWidestLadder
     std::set<int> free_apexes_;
     CornerShells shells_;  // before refinement
+    std::set<int> cut_;    // vertices where corners were cut off
     std::vector<int> pending_;
     std::vector<char> waiting_;   // by segment
     std::map<int, Shell> asked_;  // by segment, until it is split

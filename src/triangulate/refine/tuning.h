@@ -69,6 +69,17 @@ struct RefinementTuning {
     /// Least distance of an edge from the middle of an innermost piece, in lengths of the piece: the radius is
     /// halved until it is reached.
     MESHQUALITY_TUNED(double, kShellBesideEdge, 0.3);
+    /// Radians: widest corner beyond whose innermost pieces the edges are divided as the rails of a ladder.
+    MESHQUALITY_TUNED(double, kWidestLadder, 15.0 * kDegree);
+    /// Radians: margin of the angles between rails over the bound.
+    MESHQUALITY_TUNED(double, kLadderMargin, 5.0 * kDegree);
+    /// Radians: margin of the angles of a graded fan over the bound, and that of fans that have no room for it.
+    MESHQUALITY_TUNED(double, kFanMargin, 1.0 * kDegree);
+    MESHQUALITY_TUNED(double, kLeastFanMargin, 0.1 * kDegree);
+    /// Least distance of other vertices from those of a graded fan, in lengths of the spokes.
+    MESHQUALITY_TUNED(double, kFanRoom, 0.6);
+    /// Triangles that a graded fan may replace.
+    MESHQUALITY_TUNED(std::size_t, kMostUnderFan, 400);
     /// Passes over doubled edges in one round: an edge beside one that was split may have to wait for the next.
     MESHQUALITY_TUNED(int, kMaxPassesOfDoubled, 8);
     /// Exempt triangles on a face before its floor is raised first: tips of wings and similar places have about ten

@@ -37,6 +37,12 @@ enum class KeepEdges {
     Feature,  ///< all except those that the surface crosses smoothly: triangles may span them
 };
 
+/// What becomes of corners of faces that are narrower than the bound on angles.
+enum class Corners {
+    Keep,  ///< each keeps one triangle with the angle of the shape
+    Cut,   ///< they are cut off where they are a detail wide, and keep the bound, where the faces beside allow it
+};
+
 struct TriangulateOptions {
     double min_angle = 25.0;             ///< degrees, 0 <= a <= 34; 0: no bound
     double chord_height = 0.0;           ///< mm; 0: no bound
@@ -50,6 +56,7 @@ struct TriangulateOptions {
     Insertion insertion = Insertion::OffCentre;
     KeepEdges keep_edges = KeepEdges::All;
     double feature_angle = 10.0;       ///< degrees, 0 < a <= 40; an edge is smooth if the faces' normals differ by less
+    Corners corners = Corners::Keep;
     std::size_t max_triangles = 0;     ///< 0: 5 million
     bool allow_missing_faces = false;  ///< mesh the other faces of a shape if some fail, and name those in the report
     bool sew = true;                   ///< join faces without a shell where their borders lie together

@@ -19,7 +19,7 @@
 #include "base/error.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/evaluation/conversion.h"
-#include "geometry/occt/topology/knot_spans.h"
+#include "geometry/occt/evaluation/knot_spans.h"
 #include "geometry/occt/topology/shape_map.h"
 
 namespace mq::geometry {

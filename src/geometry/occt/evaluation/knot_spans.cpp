@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/topology/knot_spans.h"
+#include "geometry/occt/evaluation/knot_spans.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <TColStd_Array1OfReal.hxx>

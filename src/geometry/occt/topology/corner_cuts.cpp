@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/topology/corner_cuts.h"
+
+#include <BRep_Builder.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/angle.h"
+#include "base/message.h"
+#include "geometry/detail.h"
+#include "geometry/occt/evaluation/conversion.h"
+#include "geometry/occt/topology/edge_joining.h"
+
+namespace mq::geometry {
+
+namespace {
+
+class CornerCuts : EdgeJoining {
+  public:
+    using EdgeJoining::EdgeJoining;
+
+    /// The place at which the edges of two neighbouring uses of a loop are the detail apart.
+    struct Cut {
+        int face;
+        std::array<int, 2> edges;     // the first one ends in the corner, the second one begins there
+        std::array<bool, 2> forward;  // as their uses
+        std::array<double, 2> t;
+        Vec3 middle;
+        double half_width;  // mm
+        double depth;       // from the corner, mm
+    };
+
+    /// The cuts, at most one at each end of an edge: the deepest ones, as their corners are the narrowest.
+    std::vector<Cut> find(const Progress* progress) const {
+        std::vector<Cut> cuts;
+        for (const Face& face : topology_.faces) {
+            check_cancelled(progress);
+            for (const Loop& loop : face.loops) {
+                for (std::size_t i = 0; i < loop.uses.size() && loop.uses.size() > 1; ++i) {
+                    if (const auto cut = cut_between(loop.uses[i], loop.uses[(i + 1) % loop.uses.size()])) {
+                        cuts.push_back(*cut);
+                    }
+                }
+            }
+        }
+        std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.depth > b.depth; });
+        std::set<std::array<int, 2>> taken;  // edges, and their ends
+        const auto conflicts = [&](const Cut& cut) {
+            std::array<std::array<int, 2>, 2> ends;
+            for (std::size_t k = 0; k < 2; ++k) {
+                ends[k] = {cut.edges[k], cut.forward[k] == (k == 0) ? 1 : 0};
+            }
+            if (taken.count(ends[0]) > 0 || taken.count(ends[1]) > 0) {
+                return true;
+            }
+            taken.insert(ends.begin(), ends.end());
+            return false;
+        };
+        cuts.erase(std::remove_if(cuts.begin(), cuts.end(), conflicts), cuts.end());
+        return cuts;
+    }
+
+    void apply(const Cut& cut, int node) {
+        std::array<int, 2> tips{};
+        for (std::size_t k = 0; k < 2; ++k) {
+            const bool tip_is_last = cut.forward[k] == (k == 0);
+            const int e = piece_of(cut, k);
+            const int second = divide(e, cut.t[k], node);
+            tips[k] = tip_is_last ? second : e;
+        }
+        topology_.faults.push_back(topology_.name_of({2, cut.face}) + ": its narrow corner between " +
+                                   topology_.name_of({1, tips[0]}) + " and " + topology_.name_of({1, tips[1]}) +
+                                   " is cut off where it is " + in_digits(2.0 * cut.half_width, 4) + " mm wide");
+        for (const int tip : tips) {
+            drop(cut.face, tip);
+        }
+        join(tips[0], tips[1], 2.0 * topology_.detail);
+    }
+
+    void rename() { rename_nodes(); }
+
+  private:
+    const EdgeUse& use_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)]; }
+
+    /// Whether the edge of a use bounds another face, too, and was not joined with others.
+    bool parts_two_faces(int use) const {
+        const std::vector<int>& uses = edge(edge_of(use)).uses;
+        return is_side(edge_of(use)) && use_of(opposite_use(use)).face != use_of(use).face &&
+               std::none_of(uses.begin(), uses.end(),
+                            [&](int other) { return live_.uses[static_cast<std::size_t>(other)].of_neighbour; });
+    }
+
+    /// The point of the edge of a use at this distance from its end (mm), or from its start.
+    Answer point_at(int use, bool from_end, double distance) const {
+        const Edge& whole = edge(edge_of(use));
+        const bool descending = use_of(use).forward == from_end;
+        return curve(edge_of(use))
+            .at_distance(descending ? whole.t1 : whole.t0, descending ? whole.t0 : whole.t1, distance);
+    }
+
+    std::optional<Cut> cut_between(int first, int second) const {
+        if (first == second || !parts_two_faces(first) || !parts_two_faces(second) ||
+            edge_of(first) == edge_of(second) || is_short(edge_of(first)) || is_short(edge_of(second))) {
+            return std::nullopt;
+        }
+        const auto length = [&](int use) {
+            const Edge& whole = edge(edge_of(use));
+            return curve(edge_of(use)).length(whole.t0, whole.t1).distance;
+        };
+        const auto width = [&](double distance) -> std::optional<double> {
+            const Answer a = point_at(first, true, distance);
+            const Answer b = point_at(second, false, distance);
+            return a.found() && b.found() ? std::optional<double>((a.point - b.point).norm()) : std::nullopt;
+        };
+        double low = 0.0;
+        double high = 0.5 * std::min(length(first), length(second));
+        const std::optional<double> widest = width(high);
+        // At least as narrow as the corners that keep no bound: twice the detail away it is as wide as the detail.
+        const std::optional<double> beside =
+            width(topology_.detail / (2.0 * std::sin(0.5 * DetailCorners::kLeastAngle)));
+        if (!widest || *widest < topology_.detail || !beside || *beside >= topology_.detail) {
+            return std::nullopt;
+        }
+        constexpr int kHalvings = 50;
+        for (int n = 0; n < kHalvings && high - low > 1e-6 * high; ++n) {
+            const double middle = 0.5 * (low + high);
+            const std::optional<double> here = width(middle);
+            (here && *here < topology_.detail ? low : high) = middle;
+        }
+        const Answer a = point_at(first, true, low);
+        const Answer b = point_at(second, false, low);
+        if (!a.found() || !b.found() || !stays_open(first, second, low)) {
+            return std::nullopt;
+        }
+        return Cut{use_of(first).face,
+                   {edge_of(first), edge_of(second)},
+                   {use_of(first).forward, use_of(second).forward},
+                   {a.t, b.t},
+                   0.5 * (a.point + b.point),
+                   0.5 * (a.point - b.point).norm(),
+                   low};
+    }
+
+    /// Whether the faces on the other sides of the edges do not lie on each other half-way from the corner to the cut.
+    bool stays_open(int first, int second, double distance) const {
+        const Answer a = point_at(first, true, 0.5 * distance);
+        const Answer b = point_at(second, false, 0.5 * distance);
+        const auto into_first = a.found() ? conormal(opposite_use(first), a.t) : std::nullopt;
+        const auto into_second = b.found() ? conormal(opposite_use(second), b.t) : std::nullopt;
+        return into_first && into_second && angle_between(*into_first, *into_second) >= DetailCorners::kLeastAngle;
+    }
+
+    /// The piece of an edge that is to be divided: the edge may have been divided at its other end.
+    int piece_of(const Cut& cut, std::size_t k) const {
+        for (const Loop& loop : topology_.faces[static_cast<std::size_t>(cut.face)].loops) {
+            for (const int use : loop.uses) {
+                const Edge& piece = edge(edge_of(use));
+                if (topology_.of_shape({1, edge_of(use)}) == topology_.of_shape({1, cut.edges[k]}) &&
+                    cut.t[k] > piece.t0 && cut.t[k] < piece.t1) {
+                    return edge_of(use);
+                }
+            }
+        }
+        return cut.edges[k];
+    }
+
+    void drop(int face, int e) {
+        std::vector<int>& uses = edge(e).uses;
+        const auto at = std::find_if(uses.begin(), uses.end(), [&](int use) { return use_of(use).face == face; });
+        const int use = *at;
+        uses.erase(at);
+        for (Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
+            loop.uses.erase(std::remove(loop.uses.begin(), loop.uses.end(), use), loop.uses.end());
+        }
+    }
+};
+
+}  // namespace
+
+void cut_narrow_corners(Topology& topology, ShapeMap& live, const Progress* progress) {
+    if (!(topology.detail > 0.0)) {
+        return;
+    }
+    const std::vector<CornerCuts::Cut> cuts = CornerCuts(topology, live).find(progress);
+    const int first = static_cast<int>(topology.nodes.size());
+    for (const CornerCuts::Cut& cut : cuts) {
+        topology.parts_of[0].push_back(topology.of_shape({1, cut.edges[0]}));
+        topology.nodes.push_back({cut.middle, cut.half_width});
+        TopoDS_Vertex vertex;
+        BRep_Builder().MakeVertex(vertex, to_pnt(cut.middle), cut.half_width);
+        live.nodes.push_back(vertex);
+        if (!topology.joined_nodes.empty()) {
+            topology.joined_nodes.push_back(static_cast<int>(topology.nodes.size()) - 1);
+        }
+    }
+    CornerCuts apply(topology, live);
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+        apply.apply(cuts[i], first + static_cast<int>(i));
+    }
+    apply.rename();
+}
+
+}  // namespace mq::geometry
