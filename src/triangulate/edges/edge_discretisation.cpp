@@ -57,7 +57,9 @@ double length_of(const std::vector<Vec3>& points) {
 
 }  // namespace
 
-EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SinglePrecisionGrid& grid) : grid_(grid) {
+EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SinglePrecisionGrid& grid,
+                                       const std::set<int>& kept)
+    : grid_(grid) {
     const geometry::Topology& topology = session.topology();
     chains_.resize(topology.edges.size());
     points_.resize(topology.edges.size());
@@ -68,7 +70,7 @@ EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SingleP
     for (std::size_t e = 0; e < chains_.size(); ++e) {
         lengths.push_back(chains_[e].collapsed ? 0.0 : length_of(points_[e]));
     }
-    contracted_ = contractible_edges(topology, points_, lengths);
+    contracted_ = contractible_edges(topology, points_, lengths, kept);
     for (const int e : contracted_) {
         collapse(e, topology.edges[e]);
         lengths[static_cast<std::size_t>(e)] = 0.0;
@@ -141,12 +143,18 @@ void EdgeDiscretisation::contract_short_edges(const geometry::Topology& topology
         const geometry::Edge& edge = topology.edges[e];
         const double length = length_of(points_[e]);
         double limit = grid_.shortest_side();
-        if (edge.nodes[0] >= 0 && edge.nodes[1] >= 0 && edge.nodes[0] != edge.nodes[1]) {
-            // Modellers treat nodes as one point if balls around them with the smaller of both tolerances meet.
-            limit = std::max(limit, 2.0 * std::min(topology.nodes[edge.nodes[0]].tolerance,
-                                                   topology.nodes[edge.nodes[1]].tolerance));
+        bool in_node = false;
+        if (edge.nodes[0] >= 0 && edge.nodes[1] >= 0) {
+            const geometry::Node& node = topology.nodes[edge.nodes[0]];
+            in_node = edge.nodes[0] == edge.nodes[1] &&
+                      std::all_of(points_[e].begin(), points_[e].end(),
+                                  [&](const Vec3& p) { return (p - node.point).norm() <= node.tolerance; });
+            if (edge.nodes[0] != edge.nodes[1]) {
+                // Modellers treat nodes as one point if balls around them with the smaller of both tolerances meet.
+                limit = std::max(limit, 2.0 * std::min(node.tolerance, topology.nodes[edge.nodes[1]].tolerance));
+            }
         }
-        if (edge.degenerate || length < limit) {
+        if (edge.degenerate || in_node || length < limit) {
             collapse(static_cast<int>(e), edge);
         }
     }

@@ -7,6 +7,7 @@
 
 #include "base/angle.h"
 #include "base/message.h"
+#include "base/predicates.h"
 #include "geometry/detail.h"
 #include "geometry/occt/topology/edge_joining.h"
 
@@ -65,6 +66,9 @@ class Spikes : EdgeJoining {
                 continue;
             }
             sides.shorter = loop.uses[k % n];
+            if (sides.tips.empty() && join_up_to_crossing(loop, sides.longer, sides.shorter)) {
+                return true;
+            }
             sides.beyond = loop.uses[(k + 1) % n];
             const Sides other{sides.shorter, sides.longer, loop.uses[(i + n - 1) % n], sides.tips, false};
             for (const Sides& both : {sides, other}) {
@@ -175,6 +179,96 @@ class Spikes : EdgeJoining {
             topology_.joined.pop_back();  // the shape has this narrow corner already: it only moves
         }
         return true;
+    }
+
+    /// The point in (u, v) of a use at a fraction of its edge from one of its ends: its last, or its first.
+    Vec2 image(int use, bool from_last, double share) const {
+        const PCurve& on_face = live_.uses[static_cast<std::size_t>(use)];
+        const bool from_high = use_of(use).forward == from_last;
+        const gp_Pnt2d uv =
+            on_face.curve->Value(from_high ? on_face.last + share * (on_face.first - on_face.last)
+                                           : on_face.first + share * (on_face.last - on_face.first));
+        return {uv.X(), uv.Y()};
+    }
+
+    /// The fractions of two neighbouring edges, from their node on, at which their curves on the face cross within
+    /// `ranges`; the farthest such place but no farther than half of either edge.
+    std::optional<std::array<double, 2>> crossing(const std::array<int, 2>& uses,
+                                                  const std::array<std::array<double, 2>, 2>& ranges, int depth) const {
+        constexpr int kPieces = 32;  // of each range
+        std::array<std::array<Vec2, kPieces + 1>, 2> points;
+        const auto share = [&](int k, int i) {
+            return ranges[k][0] + (ranges[k][1] - ranges[k][0]) * i / kPieces;
+        };
+        for (int k = 0; k < 2; ++k) {
+            for (int i = 0; i <= kPieces; ++i) {
+                points[k][i] = image(uses[k], k == 0, share(k, i));
+            }
+        }
+        for (int i = kPieces - 1; i >= 0; --i) {
+            for (int j = kPieces - 1; j >= 0; --j) {
+                const auto& [a, b] = points;
+                if (!(orient2d(a[i], a[i + 1], b[j]) * orient2d(a[i], a[i + 1], b[j + 1]) < 0.0) ||
+                    !(orient2d(b[j], b[j + 1], a[i]) * orient2d(b[j], b[j + 1], a[i + 1]) < 0.0)) {
+                    continue;
+                }
+                if (depth == 0) {
+                    return std::array<double, 2>{share(0, i), share(1, j)};
+                }
+                // Chords can cross where curves do not.
+                if (const auto found = crossing(
+                        uses, {{{share(0, i), share(0, i + 1)}, {share(1, j), share(1, j + 1)}}}, depth - 1)) {
+                    return found;
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Makes one edge of two neighbours up to the last place where they cross on the face, beside their node and within
+    /// their tolerances.
+    bool join_up_to_crossing(Loop& loop, int before, int after) {
+        const std::array<int, 2> uses{before, after};
+        const std::array<int, 2> edges{edge_of(before), edge_of(after)};
+        if (edges[0] == edges[1] || !parts_two_faces(before) || !parts_two_faces(after) ||
+            tip_angle({before, after, -1, {}, true}) >= kWidestTip || live_.uses[before].curve.IsNull() ||
+            live_.uses[after].curve.IsNull()) {
+            return false;
+        }
+        const double own = tolerance(edges[0]) + tolerance(edges[1]);
+        const auto found = crossing(uses, {{{0.0, 0.5}, {0.0, 0.5}}}, 2);
+        if (!found) {
+            return false;
+        }
+        std::array<double, 2> t;
+        std::array<Vec3, 2> points;
+        std::array<bool, 2> tip_is_last;
+        for (int k = 0; k < 2; ++k) {
+            tip_is_last[k] = use_of(uses[k]).forward == (k == 0);
+            t[k] = parameter(edges[k], tip_is_last[k] ? 1.0 - (*found)[k] : (*found)[k]);
+            points[k] = curve(edges[k]).point(t[k]).point;
+        }
+        const Node& tip = topology_.nodes[edge(edges[0]).nodes[tip_is_last[0] ? 1 : 0]];
+        if ((points[0] - points[1]).norm() > own ||
+            (points[0] - tip.point).norm() <= std::max({own, tip.tolerance, topology_.detail})) {
+            return false;
+        }
+        const int face = use_of(before).face;
+        const int node = add_node(0.5 * (points[0] + points[1]), 0.5 * own, {2, face});
+        std::array<int, 2> pieces;
+        for (int k = 0; k < 2; ++k) {
+            const int second = divide(edges[k], t[k], node);
+            pieces[k] = tip_is_last[k] ? second : edges[k];
+        }
+        if (!alignment(pieces[0], pieces[1], own) || !alignment(pieces[1], pieces[0], own)) {
+            return false;
+        }
+        topology_.faults.push_back(topology_.name_of({2, face}) + ": " + topology_.name_of({1, edges[0]}) + " and " +
+                                   topology_.name_of({1, edges[1]}) +
+                                   " cross within their tolerances: up to there they count as one");
+        drop(loop, use_on(pieces[0], face));
+        drop(loop, use_on(pieces[1], face));
+        return join(pieces[0], pieces[1], own);
     }
 
     int use_on(int e, int face) const {
