@@ -2,6 +2,7 @@
 #include "geometry/occt/topology/spikes.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,9 @@ class Spikes : EdgeJoining {
 
   private:
     static constexpr double kWidestTip = 45.0 * kDegree;  // Radians: between its sides.
+    static constexpr double kMostCrossed = 0.5;           // Fraction of edges within which they may cross.
+    // Fraction of the shorter of two edges at whose end one triangle spans what is not told apart (unresolved_ends).
+    static constexpr double kSpanned = 0.02;
 
     /// Two neighbouring edges of a loop as the sides of a spike; edges shorter than the detail may lie between them.
     struct Sides {
@@ -66,7 +70,7 @@ class Spikes : EdgeJoining {
                 continue;
             }
             sides.shorter = loop.uses[k % n];
-            if (sides.tips.empty() && join_up_to_crossing(loop, sides.longer, sides.shorter)) {
+            if (sides.tips.empty() && join_crossing(loop, sides.longer, sides.shorter)) {
                 return true;
             }
             sides.beyond = loop.uses[(k + 1) % n];
@@ -191,33 +195,34 @@ class Spikes : EdgeJoining {
         return {uv.X(), uv.Y()};
     }
 
-    /// The fractions of two neighbouring edges, from their node on, at which their curves on the face cross within
-    /// `ranges`; the farthest such place but no farther than half of either edge.
-    std::optional<std::array<double, 2>> crossing(const std::array<int, 2>& uses,
-                                                  const std::array<std::array<double, 2>, 2>& ranges, int depth) const {
+    /// The fraction of the second of two neighbouring edges, from their node on, at which their curves on the face cross;
+    /// the farthest such place. Chords can cross where curves do not: their pieces are looked at once more.
+    std::optional<double> crossing(const std::array<int, 2>& uses,
+                                   const std::array<std::array<double, 2>, 2>& ranges = {{{0.0, kMostCrossed},
+                                                                                          {0.0, kMostCrossed}}},
+                                   int depth = 2) const {
         constexpr int kPieces = 32;  // of each range
-        std::array<std::array<Vec2, kPieces + 1>, 2> points;
-        const auto share = [&](int k, int i) {
+        const auto share = [&](std::size_t k, int i) {
             return ranges[k][0] + (ranges[k][1] - ranges[k][0]) * i / kPieces;
         };
-        for (int k = 0; k < 2; ++k) {
+        std::array<std::array<Vec2, kPieces + 1>, 2> points;
+        for (std::size_t k = 0; k < 2; ++k) {
             for (int i = 0; i <= kPieces; ++i) {
                 points[k][i] = image(uses[k], k == 0, share(k, i));
             }
         }
-        for (int i = kPieces - 1; i >= 0; --i) {
-            for (int j = kPieces - 1; j >= 0; --j) {
-                const auto& [a, b] = points;
-                if (!(orient2d(a[i], a[i + 1], b[j]) * orient2d(a[i], a[i + 1], b[j + 1]) < 0.0) ||
-                    !(orient2d(b[j], b[j + 1], a[i]) * orient2d(b[j], b[j + 1], a[i + 1]) < 0.0)) {
+        const auto& [a, b] = points;
+        for (int j = kPieces - 1; j >= 0; --j) {
+            for (int i = kPieces - 1; i >= 0; --i) {
+                if (orient2d(a[i], a[i + 1], b[j]) * orient2d(a[i], a[i + 1], b[j + 1]) >= 0 ||
+                    orient2d(b[j], b[j + 1], a[i]) * orient2d(b[j], b[j + 1], a[i + 1]) >= 0) {
                     continue;
                 }
-                if (depth == 0) {
-                    return std::array<double, 2>{share(0, i), share(1, j)};
-                }
-                // Chords can cross where curves do not.
-                if (const auto found = crossing(
-                        uses, {{{share(0, i), share(0, i + 1)}, {share(1, j), share(1, j + 1)}}}, depth - 1)) {
+                const auto found =
+                    depth == 0 ? std::optional<double>(share(1, j))
+                               : crossing(uses, {{{share(0, i), share(0, i + 1)}, {share(1, j), share(1, j + 1)}}},
+                                          depth - 1);
+                if (found) {
                     return found;
                 }
             }
@@ -225,51 +230,64 @@ class Spikes : EdgeJoining {
         return std::nullopt;
     }
 
-    /// Makes one edge of two neighbours up to the last place where they cross on the face, beside their node and within
-    /// their tolerances.
-    bool join_up_to_crossing(Loop& loop, int before, int after) {
-        const std::array<int, 2> uses{before, after};
+    /// Makes one edge of two neighbours that cross on the face beside their node, up to where they have left each other
+    /// by their tolerance.
+    bool join_crossing(Loop& loop, int before, int after) {
         const std::array<int, 2> edges{edge_of(before), edge_of(after)};
-        if (edges[0] == edges[1] || !parts_two_faces(before) || !parts_two_faces(after) ||
-            tip_angle({before, after, -1, {}, true}) >= kWidestTip || live_.uses[before].curve.IsNull() ||
-            live_.uses[after].curve.IsNull()) {
+        const auto has_curve = [&](int use) { return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull(); };
+        if (!parts_two_faces(before) || !parts_two_faces(after) || edges[0] == edges[1] || !has_curve(before) ||
+            !has_curve(after) || tip_angle({before, after, -1, {}, true}) >= kWidestTip) {
             return false;
         }
-        const double own = tolerance(edges[0]) + tolerance(edges[1]);
-        const auto found = crossing(uses, {{{0.0, 0.5}, {0.0, 0.5}}}, 2);
-        if (!found) {
+        const std::optional<double> crossed = crossing({before, after});
+        if (!crossed) {
             return false;
         }
-        std::array<double, 2> t;
-        std::array<Vec3, 2> points;
-        std::array<bool, 2> tip_is_last;
-        for (int k = 0; k < 2; ++k) {
-            tip_is_last[k] = use_of(uses[k]).forward == (k == 0);
-            t[k] = parameter(edges[k], tip_is_last[k] ? 1.0 - (*found)[k] : (*found)[k]);
-            points[k] = curve(edges[k]).point(t[k]).point;
-        }
-        const Node& tip = topology_.nodes[edge(edges[0]).nodes[tip_is_last[0] ? 1 : 0]];
-        if ((points[0] - points[1]).norm() > own ||
-            (points[0] - tip.point).norm() <= std::max({own, tip.tolerance, topology_.detail})) {
+        const std::array<bool, 2> tip_is_last{use_of(before).forward, !use_of(after).forward};
+        const auto point = [&](double share) {
+            return curve(edges[1]).point(parameter(edges[1], tip_is_last[1] ? 1.0 - share : share)).point;
+        };
+        const double tolerance = std::max(edge(edges[0]).tolerance, edge(edges[1]).tolerance);
+        const auto together = [&](double share) {
+            const Answer foot = nearest_on(edges[0], point(share), tolerance);
+            return foot.found() && foot.distance <= tolerance;
+        };
+        const Node& tip = topology_.nodes[static_cast<std::size_t>(edge(edges[0]).nodes[tip_is_last[0] ? 1 : 0])];
+        const double spanned = kSpanned * std::min(length(edges[0]), length(edges[1]));
+        if ((point(*crossed) - tip.point).norm() <= std::max({tolerance, tip.tolerance, topology_.detail, spanned})) {
             return false;
         }
+        for (int i = 1; i <= kSamples; ++i) {
+            if (!together(*crossed * i / kSamples)) {
+                return false;
+            }
+        }
+        double low = *crossed;
+        double high = kMostCrossed;
+        constexpr int kHalvings = 20;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = 0.5 * (low + high);
+            (together(middle) ? low : high) = middle;
+        }
+        const Answer foot = nearest_on(edges[0], point(low), tolerance);
         const int face = use_of(before).face;
-        const int node = add_node(0.5 * (points[0] + points[1]), 0.5 * own, {2, face});
+        const int node = add_node(0.5 * (point(low) + foot.point), tolerance, {2, face});
         std::array<int, 2> pieces;
         for (int k = 0; k < 2; ++k) {
-            const int second = divide(edges[k], t[k], node);
+            const double t = k == 0 ? foot.t : parameter(edges[1], tip_is_last[1] ? 1.0 - low : low);
+            const int second = divide(edges[k], t, node);
             pieces[k] = tip_is_last[k] ? second : edges[k];
-        }
-        if (!alignment(pieces[0], pieces[1], own) || !alignment(pieces[1], pieces[0], own)) {
-            return false;
         }
         topology_.faults.push_back(topology_.name_of({2, face}) + ": " + topology_.name_of({1, edges[0]}) + " and " +
                                    topology_.name_of({1, edges[1]}) +
-                                   " cross within their tolerances: up to there they count as one");
+                                   " cross where they meet: they count as one up to where they are " +
+                                   in_digits(tolerance, 4) + " mm apart, which is their tolerance");
         drop(loop, use_on(pieces[0], face));
         drop(loop, use_on(pieces[1], face));
-        return join(pieces[0], pieces[1], own);
+        return join(pieces[0], pieces[1]);
     }
+
+    double length(int e) const { return curve(e).length(edge(e).t0, edge(e).t1).distance; }
 
     int use_on(int e, int face) const {
         const std::vector<int>& uses = edge(e).uses;
