@@ -37,7 +37,6 @@ class Spikes : EdgeJoining {
 
   private:
     static constexpr double kWidestTip = 45.0 * kDegree;  // Radians: between its sides.
-    static constexpr double kMostCrossed = 0.5;           // Fraction of edges within which they may cross.
     // Fraction of the shorter of two edges at whose end one triangle spans what is not told apart (unresolved_ends).
     static constexpr double kSpanned = 0.02;
 
@@ -185,30 +184,50 @@ class Spikes : EdgeJoining {
         return true;
     }
 
-    /// The point in (u, v) of a use at a fraction of its edge from one of its ends: its last, or its first.
-    Vec2 image(int use, bool from_last, double share) const {
-        const PCurve& on_face = live_.uses[static_cast<std::size_t>(use)];
-        const bool from_high = use_of(use).forward == from_last;
-        const gp_Pnt2d uv =
-            on_face.curve->Value(from_high ? on_face.last + share * (on_face.first - on_face.last)
-                                           : on_face.first + share * (on_face.last - on_face.first));
+    /// Two neighbouring uses of a loop, seen from their node.
+    struct Tip {
+        std::array<int, 2> uses;
+        std::array<int, 2> edges;
+        std::array<bool, 2> at_last;  // whether the node is at the last parameter of the edge
+        double tolerance;             // the larger one of both edges, mm
+
+        double share(int k, double from_tip) const { return at_last[k] ? 1.0 - from_tip : from_tip; }
+    };
+
+    Vec3 point_of(const Tip& tip, int k, double share) const {
+        return curve(tip.edges[k]).point(parameter(tip.edges[k], tip.share(k, share))).point;
+    }
+
+    Vec2 image_of(const Tip& tip, int k, double share) const {
+        const PCurve& on_face = live_.uses[static_cast<std::size_t>(tip.uses[k])];
+        const double from_first = tip.share(k, share);
+        const gp_Pnt2d uv = on_face.curve->Value(on_face.first + from_first * (on_face.last - on_face.first));
         return {uv.X(), uv.Y()};
     }
 
-    /// The fraction of the second of two neighbouring edges, from their node on, at which their curves on the face cross;
-    /// the farthest such place. Chords can cross where curves do not: their pieces are looked at once more.
-    std::optional<double> crossing(const std::array<int, 2>& uses,
-                                   const std::array<std::array<double, 2>, 2>& ranges = {{{0.0, kMostCrossed},
-                                                                                          {0.0, kMostCrossed}}},
-                                   int depth = 2) const {
-        constexpr int kPieces = 32;  // of each range
-        const auto share = [&](std::size_t k, int i) {
-            return ranges[k][0] + (ranges[k][1] - ranges[k][0]) * i / kPieces;
-        };
+    std::optional<Tip> tip_between(int before, int after) const {
+        const auto has_curve = [&](int use) { return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull(); };
+        if (!parts_two_faces(before) || !parts_two_faces(after) || edge_of(before) == edge_of(after) ||
+            !has_curve(before) || !has_curve(after) || tip_angle({before, after, -1, {}, true}) >= kWidestTip) {
+            return std::nullopt;
+        }
+        const std::array<int, 2> edges{edge_of(before), edge_of(after)};
+        return Tip{{before, after},
+                   edges,
+                   {use_of(before).forward, !use_of(after).forward},
+                   std::max(edge(edges[0]).tolerance, edge(edges[1]).tolerance)};
+    }
+
+    /// The fraction of the second edge of a tip at which both curves cross on the face; the farthest such place. Chords
+    /// can cross where curves do not: their pieces are looked at again.
+    std::optional<double> crossing(const Tip& tip, const std::array<std::array<double, 2>, 2>& ranges,
+                                   int depth) const {
+        constexpr int kPieces = 32;  // Chords of each range.
+        const auto share = [&](int k, int i) { return ranges[k][0] + (ranges[k][1] - ranges[k][0]) * i / kPieces; };
         std::array<std::array<Vec2, kPieces + 1>, 2> points;
-        for (std::size_t k = 0; k < 2; ++k) {
+        for (int k = 0; k < 2; ++k) {
             for (int i = 0; i <= kPieces; ++i) {
-                points[k][i] = image(uses[k], k == 0, share(k, i));
+                points[k][i] = image_of(tip, k, share(k, i));
             }
         }
         const auto& [a, b] = points;
@@ -218,10 +237,10 @@ class Spikes : EdgeJoining {
                     orient2d(b[j], b[j + 1], a[i]) * orient2d(b[j], b[j + 1], a[i + 1]) >= 0) {
                     continue;
                 }
-                const auto found =
-                    depth == 0 ? std::optional<double>(share(1, j))
-                               : crossing(uses, {{{share(0, i), share(0, i + 1)}, {share(1, j), share(1, j + 1)}}},
-                                          depth - 1);
+                const std::optional<double> found =
+                    depth == 0
+                        ? share(1, j)
+                        : crossing(tip, {{{share(0, i), share(0, i + 1)}, {share(1, j), share(1, j + 1)}}}, depth - 1);
                 if (found) {
                     return found;
                 }
@@ -230,58 +249,66 @@ class Spikes : EdgeJoining {
         return std::nullopt;
     }
 
-    /// Makes one edge of two neighbours that cross on the face beside their node, up to where they have left each other
-    /// by their tolerance.
-    bool join_crossing(Loop& loop, int before, int after) {
-        const std::array<int, 2> edges{edge_of(before), edge_of(after)};
-        const auto has_curve = [&](int use) { return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull(); };
-        if (!parts_two_faces(before) || !parts_two_faces(after) || edges[0] == edges[1] || !has_curve(before) ||
-            !has_curve(after) || tip_angle({before, after, -1, {}, true}) >= kWidestTip) {
-            return false;
-        }
-        const std::optional<double> crossed = crossing({before, after});
+    /// Whether the second edge of a tip is within the tolerance of the first one at a fraction.
+    bool is_together(const Tip& tip, double share) const {
+        const Answer foot = nearest_on(tip.edges[0], point_of(tip, 1, share), tip.tolerance);
+        return foot.found() && foot.distance <= tip.tolerance;
+    }
+
+    /// The fraction of the second edge of a tip up to which both edges are one within their tolerance, if they cross on
+    /// the face on the way, and farther from their node than what else does not show there.
+    std::optional<double> indistinct(const Tip& tip) const {
+        constexpr double kMost = 0.5;  // Fraction of each edge.
+        constexpr int kHalvings = 20;
+        const std::optional<double> crossed = crossing(tip, {{{0.0, kMost}, {0.0, kMost}}}, 2);
         if (!crossed) {
-            return false;
+            return std::nullopt;
         }
-        const std::array<bool, 2> tip_is_last{use_of(before).forward, !use_of(after).forward};
-        const auto point = [&](double share) {
-            return curve(edges[1]).point(parameter(edges[1], tip_is_last[1] ? 1.0 - share : share)).point;
-        };
-        const double tolerance = std::max(edge(edges[0]).tolerance, edge(edges[1]).tolerance);
-        const auto together = [&](double share) {
-            const Answer foot = nearest_on(edges[0], point(share), tolerance);
-            return foot.found() && foot.distance <= tolerance;
-        };
-        const Node& tip = topology_.nodes[static_cast<std::size_t>(edge(edges[0]).nodes[tip_is_last[0] ? 1 : 0])];
-        const double spanned = kSpanned * std::min(length(edges[0]), length(edges[1]));
-        if ((point(*crossed) - tip.point).norm() <= std::max({tolerance, tip.tolerance, topology_.detail, spanned})) {
-            return false;
+        const Node& node = topology_.nodes[static_cast<std::size_t>(edge(tip.edges[0]).nodes[tip.at_last[0] ? 1 : 0])];
+        const double spanned = kSpanned * std::min(length(tip.edges[0]), length(tip.edges[1]));
+        if ((point_of(tip, 1, *crossed) - node.point).norm() <=
+            std::max({tip.tolerance, node.tolerance, topology_.detail, spanned})) {
+            return std::nullopt;
         }
         for (int i = 1; i <= kSamples; ++i) {
-            if (!together(*crossed * i / kSamples)) {
-                return false;
+            if (!is_together(tip, *crossed * i / kSamples)) {
+                return std::nullopt;
             }
         }
         double low = *crossed;
-        double high = kMostCrossed;
-        constexpr int kHalvings = 20;
+        double high = kMost;
         for (int i = 0; i < kHalvings; ++i) {
             const double middle = 0.5 * (low + high);
-            (together(middle) ? low : high) = middle;
+            (is_together(tip, middle) ? low : high) = middle;
         }
-        const Answer foot = nearest_on(edges[0], point(low), tolerance);
+        return low;
+    }
+
+    /// Makes one edge of two neighbours that cross on the face, up to where their tolerance tells them apart.
+    bool join_crossing(Loop& loop, int before, int after) {
+        const std::optional<Tip> tip = tip_between(before, after);
+        const std::optional<double> up_to = tip ? indistinct(*tip) : std::nullopt;
+        if (!up_to) {
+            return false;
+        }
         const int face = use_of(before).face;
-        const int node = add_node(0.5 * (point(low) + foot.point), tolerance, {2, face});
+        const Vec3 end = point_of(*tip, 1, *up_to);
+        const Answer foot = nearest_on(tip->edges[0], end, tip->tolerance);
+        const int node = add_node(0.5 * (end + foot.point), tip->tolerance, {2, face});
+        const std::array<double, 2> t{foot.t, parameter(tip->edges[1], tip->share(1, *up_to))};
         std::array<int, 2> pieces;
         for (int k = 0; k < 2; ++k) {
-            const double t = k == 0 ? foot.t : parameter(edges[1], tip_is_last[1] ? 1.0 - low : low);
-            const int second = divide(edges[k], t, node);
-            pieces[k] = tip_is_last[k] ? second : edges[k];
+            const int second = divide(tip->edges[k], t[k], node);
+            pieces[k] = tip->at_last[k] ? second : tip->edges[k];
         }
-        topology_.faults.push_back(topology_.name_of({2, face}) + ": " + topology_.name_of({1, edges[0]}) + " and " +
-                                   topology_.name_of({1, edges[1]}) +
-                                   " cross where they meet: they count as one up to where they are " +
-                                   in_digits(tolerance, 4) + " mm apart, which is their tolerance");
+        const double within = tolerance(pieces[0]) + tolerance(pieces[1]);
+        if (!alignment(pieces[0], pieces[1], within) || !alignment(pieces[1], pieces[0], within)) {
+            return false;
+        }
+        topology_.faults.push_back(topology_.name_of({2, face}) + ": " + topology_.name_of({1, tip->edges[0]}) +
+                                   " and " + topology_.name_of({1, tip->edges[1]}) +
+                                   " cross beside their vertex: they are one edge up to where they are " +
+                                   in_digits(tip->tolerance, 4) + " mm apart, which is their tolerance");
         drop(loop, use_on(pieces[0], face));
         drop(loop, use_on(pieces[1], face));
         return join(pieces[0], pieces[1]);
