@@ -178,10 +178,10 @@ bool EdgeJoining::join(int a, int b, double within) {
     return true;
 }
 
-int EdgeJoining::add_node(const Vec3& point, double tolerance, Entity of) {
+int EdgeJoining::add_node(const Vec3& point, double tolerance, Entity owner) {
     const int node = static_cast<int>(topology_.nodes.size());
     topology_.nodes.push_back({point, tolerance});
-    topology_.parts_of[0].push_back(topology_.of_shape(of));
+    topology_.parts_of[0].push_back(topology_.of_shape(owner));
     TopoDS_Vertex vertex;
     BRep_Builder().MakeVertex(vertex, to_pnt(point), tolerance);
     live_.nodes.push_back(vertex);

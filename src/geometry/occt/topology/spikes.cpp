@@ -258,9 +258,9 @@ class Spikes : EdgeJoining {
     /// The fraction of the second edge of a tip up to which both edges are one within their tolerance, if they cross on
     /// the face on the way, and farther from their node than what else does not show there.
     std::optional<double> indistinct(const Tip& tip) const {
-        constexpr double kMost = 0.5;  // Fraction of each edge.
+        constexpr double kMostOfEdge = 0.5;  // Fraction of each edge.
         constexpr int kHalvings = 20;
-        const std::optional<double> crossed = crossing(tip, {{{0.0, kMost}, {0.0, kMost}}}, 2);
+        const std::optional<double> crossed = crossing(tip, {{{0.0, kMostOfEdge}, {0.0, kMostOfEdge}}}, 2);
         if (!crossed) {
             return std::nullopt;
         }
@@ -276,7 +276,7 @@ class Spikes : EdgeJoining {
             }
         }
         double low = *crossed;
-        double high = kMost;
+        double high = kMostOfEdge;
         for (int i = 0; i < kHalvings; ++i) {
             const double middle = 0.5 * (low + high);
             (is_together(tip, middle) ? low : high) = middle;
