@@ -143,18 +143,18 @@ void EdgeDiscretisation::contract_short_edges(const geometry::Topology& topology
         const geometry::Edge& edge = topology.edges[e];
         const double length = length_of(points_[e]);
         double limit = grid_.shortest_side();
-        bool in_node = false;
-        if (edge.nodes[0] >= 0 && edge.nodes[1] >= 0) {
-            const geometry::Node& node = topology.nodes[edge.nodes[0]];
-            in_node = edge.nodes[0] == edge.nodes[1] &&
-                      std::all_of(points_[e].begin(), points_[e].end(),
-                                  [&](const Vec3& p) { return (p - node.point).norm() <= node.tolerance; });
-            if (edge.nodes[0] != edge.nodes[1]) {
-                // Modellers treat nodes as one point if balls around them with the smaller of both tolerances meet.
-                limit = std::max(limit, 2.0 * std::min(node.tolerance, topology.nodes[edge.nodes[1]].tolerance));
-            }
+        if (edge.nodes[0] >= 0 && edge.nodes[1] >= 0 && edge.nodes[0] != edge.nodes[1]) {
+            // Modellers treat nodes as one point if balls around them with the smaller of both tolerances meet.
+            limit = std::max(limit, 2.0 * std::min(topology.nodes[edge.nodes[0]].tolerance,
+                                                   topology.nodes[edge.nodes[1]].tolerance));
         }
-        if (edge.degenerate || in_node || length < limit) {
+        const auto in_node = [&](const Vec3& p) {
+            const geometry::Node& node = topology.nodes[edge.nodes[0]];
+            return (p - node.point).norm() <= node.tolerance;
+        };
+        const bool closed = edge.nodes[0] >= 0 && edge.nodes[0] == edge.nodes[1];
+        if (edge.degenerate || length < limit ||
+            (closed && std::all_of(points_[e].begin(), points_[e].end(), in_node))) {
             collapse(static_cast<int>(e), edge);
         }
     }

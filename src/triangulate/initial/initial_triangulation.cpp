@@ -16,17 +16,11 @@ constexpr RoundLimits kLimits{32, 16};
 
 // The edges that were contracted at a vertex of a face without a triangulation.
 std::vector<int> contracted_around_failures(const InitialTriangulation& result, const geometry::Topology& topology) {
-    const auto vertices_of = [&](int e, std::set<int>& vertices) {
-        for (const int node : topology.edges[e].nodes) {
-            if (node >= 0) {
-                vertices.insert(result.chains.vertex_of_node(node));
-            }
-        }
-    };
     std::set<int> around;
     for (const auto& failure : result.failures) {
         for (const int e : topology.edges_of(failure.first)) {
-            vertices_of(e, around);
+            const EdgePolyline& chain = result.chains.chain(e);
+            around.insert({chain.vertices.front(), chain.vertices.back()});
         }
     }
     std::vector<int> found;
