@@ -31,6 +31,9 @@ class DisjointSets {
         up(std::max(a, b)) = std::min(a, b);
     }
 
+    /// Adds a member, as a set of its own.
+    void add() { parent_.push_back(static_cast<Index>(parent_.size())); }
+
     /// Makes i a set of its own again. All members of its former set must be reset as well.
     void reset(Index i) { up(i) = i; }
 

@@ -230,6 +230,9 @@ Result mesh_shape(const Task& task, const std::vector<geometry::Fingerprint>& ke
     StageTimer& clock = task.costs.clock();
     SampledTriangulation first =
         initial_or_sampled(task.session, task.grid, options, task.chord, restore, task.progress, clock);
+    if (restore != nullptr && !first.faces.failures.empty()) {
+        return mesh_shape(task, keys, nullptr, left);
+    }
     check_failures(first.faces, topology, options);
     ClassifiedMesh surface = assemble(first.faces, topology);
     first.faces.faces = {};  // samples may be many

@@ -57,7 +57,9 @@ double length_of(const std::vector<Vec3>& points) {
 
 }  // namespace
 
-EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SinglePrecisionGrid& grid) : grid_(grid) {
+EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SinglePrecisionGrid& grid,
+                                       const std::set<int>& kept)
+    : grid_(grid) {
     const geometry::Topology& topology = session.topology();
     chains_.resize(topology.edges.size());
     points_.resize(topology.edges.size());
@@ -68,7 +70,7 @@ EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SingleP
     for (std::size_t e = 0; e < chains_.size(); ++e) {
         lengths.push_back(chains_[e].collapsed ? 0.0 : length_of(points_[e]));
     }
-    contracted_ = contractible_edges(topology, points_, lengths);
+    contracted_ = contractible_edges(topology, points_, lengths, kept);
     for (const int e : contracted_) {
         collapse(e, topology.edges[e]);
         lengths[static_cast<std::size_t>(e)] = 0.0;
@@ -146,7 +148,13 @@ void EdgeDiscretisation::contract_short_edges(const geometry::Topology& topology
             limit = std::max(limit, 2.0 * std::min(topology.nodes[edge.nodes[0]].tolerance,
                                                    topology.nodes[edge.nodes[1]].tolerance));
         }
-        if (edge.degenerate || length < limit) {
+        const auto in_node = [&](const Vec3& p) {
+            const geometry::Node& node = topology.nodes[edge.nodes[0]];
+            return (p - node.point).norm() <= node.tolerance;
+        };
+        const bool closed = edge.nodes[0] >= 0 && edge.nodes[0] == edge.nodes[1];
+        if (edge.degenerate || length < limit ||
+            (closed && std::all_of(points_[e].begin(), points_[e].end(), in_node))) {
             collapse(static_cast<int>(e), edge);
         }
     }

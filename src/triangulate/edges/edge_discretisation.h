@@ -31,8 +31,8 @@ class EdgeDiscretisation {
     /// where the edge is still within the tolerance of the node at its end: modellers leave end artefacts there, and
     /// curves on faces that cross those of other edges.
     /// Edges shorter than the detail of the topology are contracted to a vertex where that is safe
-    /// (contractible_edges).
-    EdgeDiscretisation(geometry::Session& session, const SinglePrecisionGrid& grid);
+    /// (contractible_edges), other than those that are `kept`.
+    EdgeDiscretisation(geometry::Session& session, const SinglePrecisionGrid& grid, const std::set<int>& kept = {});
 
     const std::vector<ChainVertex>& vertices() const { return vertices_; }
     const EdgePolyline& chain(int edge) const { return chains_[edge]; }

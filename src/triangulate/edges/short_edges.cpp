@@ -28,11 +28,12 @@ class ShortEdges {
         }
     }
 
-    std::vector<int> run() {
+    std::vector<int> run(const std::set<int>& kept) {
         std::vector<std::pair<double, int>> order;
         for (int e = 0; e < static_cast<int>(lengths_.size()); ++e) {
             const geometry::Edge& edge = topology_.edges[e];
-            if (!is_vertex(e) && lengths_[e] < topology_.detail && edge.nodes[0] >= 0 && edge.nodes[1] >= 0) {
+            if (!is_vertex(e) && lengths_[e] < topology_.detail && edge.nodes[0] >= 0 && edge.nodes[1] >= 0 &&
+                kept.count(e) == 0) {
                 order.emplace_back(lengths_[e], e);
             }
         }
@@ -146,8 +147,8 @@ class ShortEdges {
 }  // namespace
 
 std::vector<int> contractible_edges(const geometry::Topology& topology, const std::vector<std::vector<Vec3>>& points,
-                                    const std::vector<double>& lengths) {
-    return ShortEdges(topology, points, lengths).run();
+                                    const std::vector<double>& lengths, const std::set<int>& kept) {
+    return ShortEdges(topology, points, lengths).run(kept);
 }
 
 }  // namespace mq::triangulate

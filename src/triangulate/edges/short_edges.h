@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "geometry/topology.h"
@@ -17,7 +18,8 @@ namespace mq::triangulate {
 /// 1997, edge collapse).
 /// @param points  of every edge's polyline, mm
 /// @param lengths  of the polylines, mm; 0: the edge is a vertex already
+/// @param kept  edges that are left as they are in any case
 std::vector<int> contractible_edges(const geometry::Topology& topology, const std::vector<std::vector<Vec3>>& points,
-                                    const std::vector<double>& lengths);
+                                    const std::vector<double>& lengths, const std::set<int>& kept);
 
 }  // namespace mq::triangulate

@@ -175,7 +175,8 @@ struct Joint {
 std::array<int, 2> add_run(FaceBoundary& border, SiteMerger& merger, const Run& run, double reach, const Joint& before,
                            const Joint& after) {
     const std::size_t n = run.points.size();
-    const double own = 0.25 * end_reach(border, run);
+    // A point in space has one image, if it is no larger than the tolerances allow.
+    const double own = (run.collapsed ? 1.0 : 0.25) * end_reach(border, run);
     std::vector<int> ids(n);
     for (std::size_t i = 0; i < n; ++i) {
         const bool end = i == 0 || i + 1 == n;

@@ -20,6 +20,7 @@ struct InitialTriangulation {
     std::vector<std::pair<int, std::string>> failures;  ///< faces without a triangulation, and the reasons
 };
 
+/// Edges that were contracted at a face which cannot be triangulated then are kept, and all begins again.
 InitialTriangulation triangulate_initially(geometry::Session& session, const SinglePrecisionGrid& grid,
                                            Progress& progress);
 

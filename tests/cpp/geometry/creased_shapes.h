@@ -78,4 +78,33 @@ inline TopoDS_Shape wing_with_flat_ends() {
         .Shape();
 }
 
+/// Another one, whose trailing edge is sharp in the middle of the span and widens to both ends: its patches are
+/// triangles, with a side that is a point.
+inline TopoDS_Shape wing_with_a_sharp_middle() {
+    TColgp_Array2OfPnt poles(1, 5, 1, 7);
+    TColStd_Array1OfReal u_knots(1, 5);
+    TColStd_Array1OfReal v_knots(1, 7);
+    TColStd_Array1OfInteger u_multiplicities(1, 5);
+    TColStd_Array1OfInteger v_multiplicities(1, 7);
+    linear_knots(u_knots, u_multiplicities);
+    linear_knots(v_knots, v_multiplicities);
+    for (int i = 1; i <= 5; ++i) {
+        const bool middle = i == 1 || i == 5;
+        const double chord = i < 3 ? 12.0 : i == 3 ? 9.0 : 6.0;
+        const double span = i < 3 ? 0.0 : i == 3 ? 12.0 : 24.0;
+        const double half = middle ? 0.0 : 0.1 * chord;
+        const double edge = middle || i == 3 ? 0.0 : 0.02 * chord;
+        poles(i, 1) = gp_Pnt(chord, span, 0.0);
+        poles(i, 2) = gp_Pnt(chord, span, -edge);
+        poles(i, 3) = gp_Pnt(0.4 * chord, span, -half);
+        poles(i, 4) = gp_Pnt(0.0, span, 0.0);
+        poles(i, 5) = gp_Pnt(0.4 * chord, span, half);
+        poles(i, 6) = gp_Pnt(chord, span, edge);
+        poles(i, 7) = poles(i, 1);
+    }
+    return BRepBuilderAPI_MakeFace(
+               new Geom_BSplineSurface(poles, u_knots, v_knots, u_multiplicities, v_multiplicities, 1, 1), 1e-7)
+        .Shape();
+}
+
 }  // namespace mq::geometry

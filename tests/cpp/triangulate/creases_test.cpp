@@ -48,6 +48,18 @@ TEST(CreasedParts, PatchesWithoutAreaLeaveNothingBehind) {
     }
 }
 
+TEST(CreasedParts, PatchesWithASideThatIsAPointAreCutInTheOrderThatKeepsTheirEdges) {
+    TriangulateOptions options;
+    options.min_angle = 25.0;
+    options.chord_height_relative = 0.001;
+    const Result result = cut_and_mesh(geometry::wing_with_a_sharp_middle(), options);
+    EXPECT_TRUE(result.report.closed && result.report.oriented && result.report.manifold);
+    EXPECT_EQ(result.report.self_intersections, 0);
+    EXPECT_EQ(result.report.euler, 2);
+    EXPECT_GE(result.report.min_angle_unexempted, 25.0);
+    EXPECT_LE(result.report.max_chord_height, 0.024);
+}
+
 TEST(CreasedParts, LocalSizesHoldOnAllPieces) {
     TriangulateOptions options;
     options.local_sizes = {{2, 0, 0.3}};

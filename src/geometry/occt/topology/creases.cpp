@@ -2,6 +2,7 @@
 #include "geometry/occt/topology/creases.h"
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
@@ -20,6 +21,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
@@ -84,13 +86,30 @@ class FaceDivide<Standard_Boolean (ShapeUpgrade_FaceDivide::*)(Area...)> final :
 
 using DivideAtCreases = FaceDivide<decltype(&ShapeUpgrade_FaceDivide::SplitSurface)>;
 
+/// How a face is cut, in the order in which it is tried. Both directions at once fail if lines cross in a line that is
+/// a single point; where the side of a piece is such a line, OpenCASCADE mixes up edges in one of both orders.
+enum class Way { UFirst, VFirst, UFirstUnchecked, Uncut };
+using Ways = std::map<Handle(Geom_Surface), Way>;  // UFirst where there is none
+
 /// The shape after several cuts, and the pieces of its sub-shapes.
 class Cuts {
   public:
-    Cuts(const TopoDS_Shape& shape, const Surfaces& uncut) : result_(shape) {
-        // Cutting in both directions at once fails if lines cross in a line that is a single point.
-        divide(0, uncut);
+    Cuts(const TopoDS_Shape& shape, const Ways& ways) : result_(shape) {
+        Surfaces uncut;
+        Surfaces later;
+        for (const auto& [surface, way] : ways) {
+            if (way == Way::Uncut) {
+                uncut.insert(surface);
+            }
+            if (way == Way::Uncut || way == Way::VFirst) {
+                later.insert(surface);
+            }
+        }
+        divide(0, later);
         divide(1, uncut);
+        if (later.size() > uncut.size()) {
+            divide(0, uncut);
+        }
     }
     const TopoDS_Shape& result() const { return result_; }
     TopoDS_Shape pieces_of(TopoDS_Shape part) const {
@@ -175,21 +194,25 @@ bool ends_are_on_edges(const TopoDS_Shape& pieces, double tolerance) {
     return true;
 }
 
-bool is_whole(const TopoDS_Shape& face, const TopoDS_Shape& pieces) {
+/// @param checked  whether OpenCASCADE's checks must find nothing wrong with the pieces that is not wrong with the face
+bool is_whole(const TopoDS_Shape& face, const TopoDS_Shape& pieces, bool checked) {
     // Largest relative change of the area by a correct cut.
     constexpr double kOfArea = 1e-3;
     const double area = parameter_area(face);
     return std::abs(parameter_area(pieces) - area) <= kOfArea * std::abs(area) &&
-           ends_are_on_edges(pieces, largest_tolerance(face));
+           ends_are_on_edges(pieces, largest_tolerance(face)) &&
+           (!checked || BRepCheck_Analyzer(pieces).IsValid() || !BRepCheck_Analyzer(face).IsValid());
 }
 
-/// @return the numbers of faces whose pieces do not cover them
-std::vector<int> badly_cut(const OrderedShape& whole, const Cuts& cuts) {
-    std::vector<int> bad;
+/// @return the numbers of faces whose pieces do not cover them, and how each was cut
+std::map<int, Way> badly_cut(const OrderedShape& whole, const Cuts& cuts, const Ways& ways) {
+    std::map<int, Way> bad;
     for (int i = 1; i <= whole.faces.Extent(); ++i) {
         const TopoDS_Shape pieces = cuts.pieces_of(whole.faces(i));
-        if (!pieces.IsSame(whole.faces(i)) && !is_whole(whole.faces(i), pieces)) {
-            bad.push_back(i);
+        const auto found = ways.find(surface_of(TopoDS::Face(whole.faces(i))));
+        const Way way = found == ways.end() ? Way::UFirst : found->second;
+        if (!pieces.IsSame(whole.faces(i)) && !is_whole(whole.faces(i), pieces, way < Way::UFirstUnchecked)) {
+            bad.emplace(i, way);
         }
     }
     return bad;
@@ -197,20 +220,22 @@ std::vector<int> badly_cut(const OrderedShape& whole, const Cuts& cuts) {
 
 /// Divides faces except those that their pieces do not cover, which are named in `left`.
 OrderedShape cut_where_possible(const OrderedShape& whole, std::string& left) {
-    Surfaces uncut;
+    Ways ways;
     for (;;) {
-        const Cuts cuts(whole.shape, uncut);
-        const std::vector<int> bad = badly_cut(whole, cuts);
+        const Cuts cuts(whole.shape, ways);
+        const std::map<int, Way> bad = badly_cut(whole, cuts, ways);
         if (bad.empty()) {
             return number_pieces(whole, cuts.result(), [&](const TopoDS_Shape& part) { return cuts.pieces_of(part); });
         }
-        const std::size_t before = uncut.size();
-        for (const int face : bad) {
-            uncut.insert(surface_of(TopoDS::Face(whole.faces(face))));
-            left += (left.empty() ? "" : ", ") + name_of(Entity{2, face - 1});
-        }
-        if (uncut.size() == before) {
-            return whole;
+        for (const auto& [face, way] : bad) {
+            if (way == Way::Uncut) {
+                return whole;
+            }
+            const Way next = static_cast<Way>(static_cast<int>(way) + 1);
+            ways[surface_of(TopoDS::Face(whole.faces(face)))] = next;
+            if (next == Way::Uncut) {
+                left += (left.empty() ? "" : ", ") + name_of(Entity{2, face - 1});
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 #include "geometry/occt/topology/edge_joining.h"
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRep_Builder.hxx>
 #include <Precision.hxx>
 #include <algorithm>
 #include <numeric>
@@ -175,6 +176,20 @@ bool EdgeJoining::join(int a, int b, double within) {
     edge(a).tolerance = std::max({edge(a).tolerance, edge(b).tolerance, along->distance});
     edge(b).uses.clear();
     return true;
+}
+
+int EdgeJoining::add_node(const Vec3& point, double tolerance, Entity owner) {
+    const int node = static_cast<int>(topology_.nodes.size());
+    topology_.nodes.push_back({point, tolerance});
+    topology_.parts_of[0].push_back(topology_.of_shape(owner));
+    TopoDS_Vertex vertex;
+    BRep_Builder().MakeVertex(vertex, to_pnt(point), tolerance);
+    live_.nodes.push_back(vertex);
+    nodes_.add();
+    if (!topology_.joined_nodes.empty()) {
+        topology_.joined_nodes.push_back(node);
+    }
+    return node;
 }
 
 int EdgeJoining::divide(int e, double t, int node) {

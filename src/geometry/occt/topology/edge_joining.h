@@ -33,6 +33,8 @@ class EdgeJoining {
     /// the faces lie on each other there. Nothing if a use has no curve on its face.
     std::optional<double> dihedral_angle(int use, int other) const;
 
+    /// A new node that belongs to an entity of the shape (Topology::parts_of). @param tolerance  mm
+    int add_node(const Vec3& point, double tolerance, Entity owner);
     /// Divides an edge at its parameter `t`, where it gets the node: the edge keeps the first piece.
     /// @return the second piece, a new edge (Topology::parts_of)
     int divide(int e, double t, int node);

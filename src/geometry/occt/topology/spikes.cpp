@@ -2,11 +2,13 @@
 #include "geometry/occt/topology/spikes.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "base/angle.h"
 #include "base/message.h"
+#include "base/predicates.h"
 #include "geometry/detail.h"
 #include "geometry/occt/topology/edge_joining.h"
 
@@ -35,6 +37,8 @@ class Spikes : EdgeJoining {
 
   private:
     static constexpr double kWidestTip = 45.0 * kDegree;  // Radians: between its sides.
+    // Fraction of the shorter of two edges at whose end one triangle spans what is not told apart (unresolved_ends).
+    static constexpr double kSpanned = 0.02;
 
     /// Two neighbouring edges of a loop as the sides of a spike; edges shorter than the detail may lie between them.
     struct Sides {
@@ -65,6 +69,9 @@ class Spikes : EdgeJoining {
                 continue;
             }
             sides.shorter = loop.uses[k % n];
+            if (sides.tips.empty() && join_crossing(loop, sides.longer, sides.shorter)) {
+                return true;
+            }
             sides.beyond = loop.uses[(k + 1) % n];
             const Sides other{sides.shorter, sides.longer, loop.uses[(i + n - 1) % n], sides.tips, false};
             for (const Sides& both : {sides, other}) {
@@ -176,6 +183,138 @@ class Spikes : EdgeJoining {
         }
         return true;
     }
+
+    /// Two neighbouring uses of a loop, seen from their node.
+    struct Tip {
+        std::array<int, 2> uses;
+        std::array<int, 2> edges;
+        std::array<bool, 2> at_last;  // whether the node is at the last parameter of the edge
+        double tolerance;             // the larger one of both edges, mm
+
+        double share(int k, double from_tip) const { return at_last[k] ? 1.0 - from_tip : from_tip; }
+    };
+
+    Vec3 point_of(const Tip& tip, int k, double share) const {
+        return curve(tip.edges[k]).point(parameter(tip.edges[k], tip.share(k, share))).point;
+    }
+
+    Vec2 image_of(const Tip& tip, int k, double share) const {
+        const PCurve& on_face = live_.uses[static_cast<std::size_t>(tip.uses[k])];
+        const double from_first = tip.share(k, share);
+        const gp_Pnt2d uv = on_face.curve->Value(on_face.first + from_first * (on_face.last - on_face.first));
+        return {uv.X(), uv.Y()};
+    }
+
+    std::optional<Tip> tip_between(int before, int after) const {
+        const auto has_curve = [&](int use) { return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull(); };
+        if (!parts_two_faces(before) || !parts_two_faces(after) || edge_of(before) == edge_of(after) ||
+            !has_curve(before) || !has_curve(after) || tip_angle({before, after, -1, {}, true}) >= kWidestTip) {
+            return std::nullopt;
+        }
+        const std::array<int, 2> edges{edge_of(before), edge_of(after)};
+        return Tip{{before, after},
+                   edges,
+                   {use_of(before).forward, !use_of(after).forward},
+                   std::max(edge(edges[0]).tolerance, edge(edges[1]).tolerance)};
+    }
+
+    /// The fraction of the second edge of a tip at which both curves cross on the face; the farthest such place. Chords
+    /// can cross where curves do not: their pieces are looked at again.
+    std::optional<double> crossing(const Tip& tip, const std::array<std::array<double, 2>, 2>& ranges,
+                                   int depth) const {
+        constexpr int kPieces = 32;  // Chords of each range.
+        const auto share = [&](int k, int i) { return ranges[k][0] + (ranges[k][1] - ranges[k][0]) * i / kPieces; };
+        std::array<std::array<Vec2, kPieces + 1>, 2> points;
+        for (int k = 0; k < 2; ++k) {
+            for (int i = 0; i <= kPieces; ++i) {
+                points[k][i] = image_of(tip, k, share(k, i));
+            }
+        }
+        const auto& [a, b] = points;
+        for (int j = kPieces - 1; j >= 0; --j) {
+            for (int i = kPieces - 1; i >= 0; --i) {
+                if (orient2d(a[i], a[i + 1], b[j]) * orient2d(a[i], a[i + 1], b[j + 1]) >= 0 ||
+                    orient2d(b[j], b[j + 1], a[i]) * orient2d(b[j], b[j + 1], a[i + 1]) >= 0) {
+                    continue;
+                }
+                const std::optional<double> found =
+                    depth == 0
+                        ? share(1, j)
+                        : crossing(tip, {{{share(0, i), share(0, i + 1)}, {share(1, j), share(1, j + 1)}}}, depth - 1);
+                if (found) {
+                    return found;
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Whether the second edge of a tip is within the tolerance of the first one at a fraction.
+    bool is_together(const Tip& tip, double share) const {
+        const Answer foot = nearest_on(tip.edges[0], point_of(tip, 1, share), tip.tolerance);
+        return foot.found() && foot.distance <= tip.tolerance;
+    }
+
+    /// The fraction of the second edge of a tip up to which both edges are one within their tolerance, if they cross on
+    /// the face on the way, and farther from their node than what else does not show there.
+    std::optional<double> indistinct(const Tip& tip) const {
+        constexpr double kMostOfEdge = 0.5;  // Fraction of each edge.
+        constexpr int kHalvings = 20;
+        const std::optional<double> crossed = crossing(tip, {{{0.0, kMostOfEdge}, {0.0, kMostOfEdge}}}, 2);
+        if (!crossed) {
+            return std::nullopt;
+        }
+        const Node& node = topology_.nodes[static_cast<std::size_t>(edge(tip.edges[0]).nodes[tip.at_last[0] ? 1 : 0])];
+        const double spanned = kSpanned * std::min(length(tip.edges[0]), length(tip.edges[1]));
+        if ((point_of(tip, 1, *crossed) - node.point).norm() <=
+            std::max({tip.tolerance, node.tolerance, topology_.detail, spanned})) {
+            return std::nullopt;
+        }
+        for (int i = 1; i <= kSamples; ++i) {
+            if (!is_together(tip, *crossed * i / kSamples)) {
+                return std::nullopt;
+            }
+        }
+        double low = *crossed;
+        double high = kMostOfEdge;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = 0.5 * (low + high);
+            (is_together(tip, middle) ? low : high) = middle;
+        }
+        return low;
+    }
+
+    /// Makes one edge of two neighbours that cross on the face, up to where their tolerance tells them apart.
+    bool join_crossing(Loop& loop, int before, int after) {
+        const std::optional<Tip> tip = tip_between(before, after);
+        const std::optional<double> up_to = tip ? indistinct(*tip) : std::nullopt;
+        if (!up_to) {
+            return false;
+        }
+        const int face = use_of(before).face;
+        const Vec3 end = point_of(*tip, 1, *up_to);
+        const Answer foot = nearest_on(tip->edges[0], end, tip->tolerance);
+        const int node = add_node(0.5 * (end + foot.point), tip->tolerance, {2, face});
+        const std::array<double, 2> t{foot.t, parameter(tip->edges[1], tip->share(1, *up_to))};
+        std::array<int, 2> pieces;
+        for (int k = 0; k < 2; ++k) {
+            const int second = divide(tip->edges[k], t[k], node);
+            pieces[k] = tip->at_last[k] ? second : tip->edges[k];
+        }
+        const double within = tolerance(pieces[0]) + tolerance(pieces[1]);
+        if (!alignment(pieces[0], pieces[1], within) || !alignment(pieces[1], pieces[0], within)) {
+            return false;
+        }
+        topology_.faults.push_back(topology_.name_of({2, face}) + ": " + topology_.name_of({1, tip->edges[0]}) +
+                                   " and " + topology_.name_of({1, tip->edges[1]}) +
+                                   " cross beside their vertex: they are one edge up to where they are " +
+                                   in_digits(tip->tolerance, 4) + " mm apart, which is their tolerance");
+        drop(loop, use_on(pieces[0], face));
+        drop(loop, use_on(pieces[1], face));
+        return join(pieces[0], pieces[1]);
+    }
+
+    double length(int e) const { return curve(e).length(edge(e).t0, edge(e).t1).distance; }
 
     int use_on(int e, int face) const {
         const std::vector<int>& uses = edge(e).uses;

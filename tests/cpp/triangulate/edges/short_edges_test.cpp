@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <gp_Ax1.hxx>
 
@@ -72,6 +76,32 @@ TEST(ShortEdges, EveryEdgeStaysWithoutADetail) {
     geometry::Session session(engine, model);
     const SinglePrecisionGrid grid(model->topology().box);
     EXPECT_TRUE(EdgeDiscretisation(session, grid).contracted().empty());
+}
+
+/// Beside a square with a corner cut off, whose short side is contracted, a face with the same two vertices but a side
+/// of its own between them, which may not be: its neighbours meet at 20 degrees.
+TEST(ShortEdges, AnEdgeStaysWhereItsFaceCouldNotBeTriangulatedWithoutIt) {
+    const double cut = 0.5 * kDetail;
+    const auto vertex = [](double x, double y) { return BRepBuilderAPI_MakeVertex(gp_Pnt(x, y, 0.0)).Vertex(); };
+    const auto line = [](const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
+        return BRepBuilderAPI_MakeEdge(from, to).Edge();
+    };
+    const TopoDS_Vertex a = vertex(10.0, 10.0 - cut);
+    const TopoDS_Vertex b = vertex(10.0 - cut, 10.0);
+    const TopoDS_Vertex corner = vertex(0.0, 0.0);
+    const TopoDS_Vertex low = vertex(10.0, 0.0);
+    const TopoDS_Vertex left = vertex(0.0, 10.0);
+    const TopoDS_Vertex far = vertex(16.0, 20.0);
+    const TopoDS_Vertex farther = vertex(20.0, 16.0);
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(
+        both, geometry::planar_face({line(corner, low), line(low, a), line(a, b), line(b, left), line(left, corner)}));
+    builder.Add(both, geometry::planar_face({line(b, a), line(a, farther), line(farther, far), line(far, b)}));
+    const Detailed part(both);
+    EXPECT_TRUE(part.initial.failures.empty());
+    EXPECT_TRUE(part.initial.chains.contracted().empty());
 }
 
 /// The strip beside a short edge of the base is thinner than the detail along its whole length.

@@ -2,9 +2,13 @@
 #include "triangulate/initial/initial_triangulation.h"
 
 #include <BRepBuilderAPI_GTransform.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <Geom2d_Line.hxx>
 #include <Geom_BezierCurve.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS_Compound.hxx>
@@ -347,6 +351,70 @@ TEST(InitialTriangulation, HooksBeyondTheToleranceOfTheirNodeAreLeftOut) {
         BRep_Builder().UpdateVertex(TopoDS::Vertex(it.Current()), 1e-4);
     }
     const Case c({"hooked", make_shape_model(face), 0, false});
+    EXPECT_TRUE(c.initial.failures.empty());
+    ASSERT_EQ(c.initial.faces.size(), 1u);
+    EXPECT_FALSE(c.initial.faces[0].triangles.empty());
+    expect_links(c, 0);
+}
+
+/// A square of side 1 with a closed edge of radius 0.01 at one of its vertices, within the tolerance of this.
+TEST(InitialTriangulation, AClosedEdgeWithinTheToleranceOfItsVertexIsAPoint) {
+    const auto vertex = [](double x, double y) { return BRepBuilderAPI_MakeVertex(gp_Pnt(x, y, 0.0)).Vertex(); };
+    const std::array<TopoDS_Vertex, 4> corners{vertex(0.0, 0.0), vertex(1.0, 0.0), vertex(1.0, 1.0), vertex(0.0, 1.0)};
+    BRep_Builder builder;
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (std::size_t i = 0; i < 4; ++i) {
+        builder.Add(wire, BRepBuilderAPI_MakeEdge(corners[i], corners[(i + 1) % 4]).Edge());
+    }
+    const gp_Circ around(gp_Ax2(gp_Pnt(1.0, 0.01, 0.0), gp::DZ(), gp_Dir(0.0, -1.0, 0.0)), 0.01);
+    builder.Add(wire, BRepBuilderAPI_MakeEdge(around, corners[1], corners[1]).Edge());
+    builder.UpdateVertex(corners[1], 0.05);
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), wire).Face();
+    const Case c({"closed", make_shape_model(face), 0, false});
+    EXPECT_TRUE(c.initial.failures.empty());
+    const auto& edges = c.topology().edges;
+    const auto closed = std::find_if(edges.begin(), edges.end(),
+                                     [](const geometry::Edge& edge) { return edge.nodes[0] == edge.nodes[1]; });
+    ASSERT_NE(closed, edges.end());
+    EXPECT_TRUE(c.initial.chains.chain(static_cast<int>(closed - edges.begin())).collapsed);
+    expect_links(c, 0);
+}
+
+/// On a cylinder of radius 1, a border with a degenerate edge that runs on along the next edge, and back, within the
+/// tolerance of its vertex.
+TEST(InitialTriangulation, ADegenerateEdgeWithinTheToleranceOfItsVertexHasOneImage) {
+    const Handle(Geom_CylindricalSurface) cylinder = new Geom_CylindricalSurface(gp_Ax3(), 1.0);
+    const auto image = [](double u, double v) { return gp_Pnt2d(u, v); };
+    const std::array<gp_Pnt2d, 5> at{image(0.0, 0.0), image(1.0, 0.0), image(1.0, 1.0), image(0.0, 0.98),
+                                     image(0.0, 1.0)};
+    std::array<TopoDS_Vertex, 4> corners;
+    BRep_Builder builder;
+    for (std::size_t i = 0; i < 4; ++i) {
+        builder.MakeVertex(corners[i], cylinder->Value(at[i].X(), at[i].Y()), i == 3 ? 0.05 : 1e-7);
+    }
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (std::size_t i = 0; i < 5; ++i) {
+        const gp_Pnt2d& from = at[i];
+        const gp_Pnt2d& to = at[(i + 1) % 5];
+        const Handle(Geom2d_Line) line = new Geom2d_Line(from, gp_Dir2d(gp_Vec2d(from, to)));
+        TopoDS_Edge edge;
+        builder.MakeEdge(edge);
+        builder.UpdateEdge(edge, line, cylinder, TopLoc_Location(), i == 2 ? 0.05 : 1e-7);
+        builder.Add(edge, corners[i == 4 ? 3 : i].Oriented(TopAbs_FORWARD));
+        builder.Add(edge, corners[i == 3 ? 3 : (i + 1) % 5 % 4].Oriented(TopAbs_REVERSED));
+        builder.Range(edge, 0.0, from.Distance(to));
+        builder.Degenerated(edge, i == 3);
+        if (i != 3) {
+            BRepLib::BuildCurve3d(edge);
+        }
+        builder.Add(wire, edge);
+    }
+    TopoDS_Face face;
+    builder.MakeFace(face, cylinder, 1e-7);
+    builder.Add(face, wire);
+    const Case c({"overlapping", make_shape_model(face), 0, false});
     EXPECT_TRUE(c.initial.failures.empty());
     ASSERT_EQ(c.initial.faces.size(), 1u);
     EXPECT_FALSE(c.initial.faces[0].triangles.empty());

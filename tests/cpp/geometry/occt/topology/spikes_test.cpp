@@ -4,6 +4,8 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS_Shell.hxx>
 #include <algorithm>
 #include <cmath>
@@ -69,6 +71,31 @@ TopoDS_Shell tapering(double length, double at_one, double at_zero) {
     builder.Add(shell, planar_face(edges));
     builder.Add(shell, planar_face({shorter, line(tip, left), line(left, low), line(low, end), beyond}));
     builder.Add(shell, planar_face({longer, line(foot, risen), line(risen, tip)}));
+    return shell;
+}
+
+/// A triangle in the plane z = 0 between y = 0 and a curve that leaves it at the origin, dips 0.001 mm below it as far
+/// as x = 0.64, and ends at (10, 3). Beyond the curve lies a face in the plane, beyond y = 0 one that rises.
+TopoDS_Shell crossing_beside_a_vertex(double tolerance) {
+    const TopoDS_Vertex tip = vertex(0.0, 0.0, 0.0);
+    const TopoDS_Vertex low = vertex(10.0, 0.0, 0.0);
+    const TopoDS_Vertex high = vertex(10.0, 3.0, 0.0);
+    const TopoDS_Vertex top = vertex(0.0, 3.0, 0.0);
+    const TopoDS_Vertex risen = vertex(10.0, -1.0, 1.0);
+    TColgp_Array1OfPnt poles(1, 4);
+    poles(1) = gp_Pnt(0.0, 0.0, 0.0);
+    poles(2) = gp_Pnt(2.5, -0.01, 0.0);
+    poles(3) = gp_Pnt(6.0, 0.0, 0.0);
+    poles(4) = gp_Pnt(10.0, 3.0, 0.0);
+    const TopoDS_Edge straight = line(tip, low);
+    const TopoDS_Edge curved = BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles), tip, high).Edge();
+    TopoDS_Shell shell;
+    BRep_Builder builder;
+    builder.UpdateEdge(curved, tolerance);
+    builder.MakeShell(shell);
+    builder.Add(shell, planar_face({straight, line(low, high), curved}));
+    builder.Add(shell, planar_face({curved, line(high, top), line(top, tip)}));
+    builder.Add(shell, planar_face({straight, line(low, risen), line(risen, tip)}));
     return shell;
 }
 
@@ -153,6 +180,33 @@ TEST(Spikes, WiderOnesStayAndThoseBetweenFacesThatLieOnEachOther) {
     EXPECT_FALSE(has_spike(wide->topology()));
     const auto folded = make_shape_model(spiked(1e-3, M_PI - 0.1), nullptr, Creases::Keep, finely());
     EXPECT_FALSE(has_spike(folded->topology()));
+}
+
+TEST(Spikes, EdgesThatCrossBesideTheirVertexAreOneUpToTheirTolerance) {
+    const double tolerance = 5e-3;
+    const auto model = make_shape_model(crossing_beside_a_vertex(tolerance), nullptr, Creases::Keep, finely());
+    const Topology& topology = model->topology();
+    ASSERT_EQ(topology.faults.size(), 1U);
+    EXPECT_EQ(topology.faults[0].find("Face1: Edge"), 0U) << topology.faults[0];
+    EXPECT_NE(
+        topology.faults[0].find("cross beside their vertex: they are one edge up to where they are 0.005 mm apart"),
+        std::string::npos);
+    EXPECT_EQ(topology.faces[0].loops.front().uses.size(), 3U);
+    ASSERT_EQ(topology.nodes.size(), 6U);
+    const Vec3& tip = topology.nodes.back().point;
+    EXPECT_GT(tip.x(), 0.7);  // 0.64 is where they cross
+    EXPECT_LT(tip.x(), 1.5);
+    EXPECT_NEAR(tip.y(), 0.5 * tolerance, 1e-4);
+    const auto between = std::count_if(topology.edges.begin(), topology.edges.end(), [&](const Edge& edge) {
+        return edge.uses.size() == 2 && topology.uses[static_cast<std::size_t>(edge.uses[0])].face > 0 &&
+               topology.uses[static_cast<std::size_t>(edge.uses[1])].face > 0;
+    });
+    EXPECT_EQ(between, 1);
+}
+
+TEST(Spikes, EdgesThatCrossByMoreThanTheirToleranceStay) {
+    const auto model = make_shape_model(crossing_beside_a_vertex(1e-7), nullptr, Creases::Keep, finely());
+    EXPECT_EQ(model->topology().nodes.size(), 5U);
 }
 
 }  // namespace
