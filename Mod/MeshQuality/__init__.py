@@ -26,6 +26,7 @@ Meshes for scripts
     clearance     the distances between the bodies of an assembly                        -> ClearanceReport
     draft         draft and undercuts against the direction in which a mould opens       -> DraftMap
     voids         closed cavities, from which nothing comes out                          -> VoidReport
+    deviation     signed distances of a mesh, scan or point cloud from CAD or another mesh, aligned before -> DeviationMap
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
@@ -89,6 +90,8 @@ _LAZY = {
     "ClearanceReport": "MeshQuality.core.inspect.clearance",
     "draft": "MeshQuality.core.inspect.draft",
     "DraftMap": "MeshQuality.core.inspect.draft",
+    "deviation": "MeshQuality.core.inspect.deviation",
+    "DeviationMap": "MeshQuality.core.inspect.deviation",
     "voids": "MeshQuality.core.inspect.voids",
     "VoidReport": "MeshQuality.core.inspect.voids",
     "curve": "MeshQuality.core.curving",

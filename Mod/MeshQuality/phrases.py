@@ -59,6 +59,7 @@ GAP_NOT_DECIDED = "smallest gap between {length2} and {length3} (requested {leng
                   "max. deviation of {length5} may decide it, unless the gap is just as wide."
 LOW_DRAFT = ("less draft than {number}° on 1 face.", "less draft than {number}° on {count} faces.")
 UNDERCUTS = ("1 face has undercuts.", "{count} faces have undercuts.")
+BEYOND_TOLERANCE = "max. deviation {length} (allowed {length2}): {number} % of the points are beyond."
 HAS_VOIDS = ("1 closed void.", "{count} closed voids.")
 BODIES_OVERLAP = ("1 pair of bodies overlaps.", "{count} pairs of bodies overlap.")
 BODY_OVERLAPS, BODY_INSIDE = "{name} and {name2} overlap.", "{name} lies inside {name2}."
@@ -85,7 +86,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, THIN_WALL, NARROW_GAP, WALL_NOT_DECIDED, GAP_NOT_DECIDED, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, THIN_WALL, NARROW_GAP, WALL_NOT_DECIDED, GAP_NOT_DECIDED, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, BEYOND_TOLERANCE, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
@@ -189,6 +190,8 @@ IS_NULL_HIDDEN = "{name} is null: it has no geometry; what is hidden in a contai
 IS_NULL = "{name} is null: it has no geometry"
 NO_FACES = "{name} has no faces (its type is {name2}): give a solid, a shell or faces"
 NO_TRIANGLES = "{name} has no triangles"
+NOT_ALIGNED = "{name} cannot be aligned with {name2}: after {count} steps its points are {length} off (root mean square). Move it " \
+              "near to where it belongs and align it from there, give pairs of points, or check its unit"
 NO_SUCH_ELEMENT = "local_sizes names {value}, but {name} does not hold that: select it again in the 3D view"
 SOURCE_DELETED = "Source is empty: the source was deleted; choose another one, or delete this mesh"
 SOURCE_GONE = "The source was deleted. Close this panel."
@@ -198,7 +201,7 @@ ERRORS = (
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
     TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
     *fault_phrases.TEXTS, *label_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
-    IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
+    IS_NULL, NO_FACES, NO_TRIANGLES, NOT_ALIGNED, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
 # Errors of patches, files and cases for meshers of flows.
 PATCH_NAME = "{value} is not possible as the name of a patch: give a text that is not empty, without blanks at its ends"
