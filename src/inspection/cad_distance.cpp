@@ -249,9 +249,14 @@ class CadDistance::Search {
         const std::int32_t face = mesh.triangle_face[t];
         const Answer found = answerer_.answer(Query::face_nearest(face, point_, uv.x(), uv.y()));
         starts_.push_back({face, found.found() ? found.point : from.point});
-        if (found.found() && found.distance < least_ && is_on_face(found, from)) {
-            take(found, face,
-                 found.normal.squaredNorm() > 0.5 ? found.normal : cad_.mesh_.pseudonormal(from.triangle, from.point));
+        if (found.found() && found.distance < least_) {
+            const int side = side_of(found, from);
+            const bool is_foot = is_perpendicular(found);
+            // A search that ends at the bounds of a surface has found a point of an edge; at a crease inside of a face
+            // the triangles say what is outside.
+            if (side > 0 || (side == 0 && is_foot)) {
+                take(found, face, is_foot ? found.normal : cad_.mesh_.pseudonormal(from.triangle, from.point));
+            }
         }
     }
 
@@ -304,13 +309,22 @@ class CadDistance::Search {
         edge_ = -1;
     }
 
-    bool is_on_face(const Answer& found, const ClosestPoint& from) const {
+    /// 1 inside of the face of a triangle, 0 on its border, -1 outside.
+    int side_of(const Answer& found, const ClosestPoint& from) const {
         if ((found.point - from.point).norm() <= cad_.interior_[static_cast<std::size_t>(from.triangle)]) {
-            return true;
+            return 1;
         }
         const std::int32_t face = cad_.mesh_.mesh().triangle_face[static_cast<std::size_t>(from.triangle)];
         const Answer side = answerer_.answer(Query::face_contains(face, found.u, found.v, kBorder));
-        return side.found() && side.side >= 0;
+        return side.found() ? side.side : -1;
+    }
+
+    /// Whether the way from the surface to the point is along its normal.
+    bool is_perpendicular(const Answer& found) const {
+        constexpr double kAngle = 1e-6;
+        const Vec3 way = point_ - found.point;
+        const Vec3 aside = way - way.dot(found.normal) * found.normal;
+        return found.normal.squaredNorm() > 0.5 && aside.norm() <= kAngle * (way.norm() + cad_.deviation_);
     }
 
     /// Whether a projection from a triangle would end where one did already.
