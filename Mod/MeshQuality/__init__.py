@@ -34,6 +34,7 @@ Objects of the document, which follow what they are made of
     add_offset, add_hollow   solids grown, shrunk, and made walls of
     add_wrap            a closed surface around objects
     add_inspection      thickness, clearance, draft or voids of a solid, measured anew after each edit, against a limit
+    add_deviation       a scan or mesh in the colours of its deviation from a part, measured anew after each edit
     add_cured_mesh      valid elements of a FEM mesh that another program made
     update              gives such an object other options, and computes it
     set_patches         names groups of faces, for files
@@ -114,6 +115,7 @@ _LAZY = {
     "add_hollow": "MeshQuality.features.hollow",
     "add_wrap": "MeshQuality.features.wrap",
     "add_inspection": "MeshQuality.features.inspection",
+    "add_deviation": "MeshQuality.features.deviation",
     "export_curved_mesh": "MeshQuality.features.export",
     "export_mesh": "MeshQuality.features.export",
     "write_openfoam_case": "MeshQuality.features.cfd",

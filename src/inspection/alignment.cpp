@@ -25,6 +25,7 @@ constexpr int kMostSteps = 100;
 constexpr int kMostExactSteps = 20;
 constexpr double kOutlier = 3.0;        ///< robust standard deviations
 constexpr double kDeviations = 1.4826;  ///< standard deviations of a normal distribution in its median absolute value
+constexpr double kRestOnMesh = 1.0;     ///< likewise with distances from facets, which are rough
 constexpr double kRest = 0.05;          ///< a step shorter than this fraction of its standard error is the last one
 constexpr double kFinest = 1e-9;        ///< a step shorter than this fraction of the size is the last one
 constexpr double kMostRms = 0.02;       ///< fraction of the size: points farther off do not fit
@@ -198,8 +199,8 @@ class Fit {
   public:
     Fit(const AlignmentTarget& target, Progress& progress) : target_(target), progress_(progress) {}
 
-    /// Steps until one is short, or `most`; returns the last one.
-    Step run(const std::vector<Vec3>& points, const DistancesOf& distances_of, int most, bool keep_all,
+    /// Steps until one is shorter than a fraction of its standard error, `most` at most; returns the last one.
+    Step run(const std::vector<Vec3>& points, const DistancesOf& distances_of, int most, double rest, bool keep_all,
              Alignment& found) const {
         Step step;
         found.converged = false;
@@ -208,7 +209,7 @@ class Fit {
             const std::vector<Vec3> now = moved(points, found.motion);
             step = step_from(now, distances_of(now), target_.size, keep_all);
             ++found.iterations;
-            found.converged = step.of_error <= kRest || step.length <= kFinest * target_.size;
+            found.converged = step.of_error <= rest || step.length <= kFinest * target_.size;
             found.motion = after(step.motion, found.motion);
         }
         found.rms = step.rms;
@@ -263,7 +264,7 @@ class Fit {
     Pose improved(const std::vector<Vec3>& points, const RigidMotion& start, int steps) const {
         Alignment found;
         found.motion = start;
-        const Step last = run(points, target_.by_mesh, steps, false, found);
+        const Step last = run(points, target_.by_mesh, steps, kRestOnMesh, false, found);
         return {found.motion, last.score};
     }
 
@@ -309,16 +310,16 @@ Alignment align(const std::vector<Vec3>& points, const AlignmentTarget& target, 
         for (const PointPair& pair : pairs) {
             own.push_back(pair[0]);
         }
-        fit.run(own, target.exact, kMostSteps, true, found);
+        fit.run(own, target.exact, kMostSteps, kRest, true, found);
     } else {
         if (how == Align::Any) {
             found.motion = fit.best_pose(points);
         }
         progress.advance(0.3);
-        fit.run(every(points, kManyPoints), target.by_mesh, kMostSteps, false, found);
+        fit.run(every(points, kManyPoints), target.by_mesh, kMostSteps, kRestOnMesh, false, found);
         progress.advance(0.6);
         if (found.converged && found.rms <= kMostRms * target.size) {
-            fit.run(points, target.exact, kMostExactSteps, false, found);
+            fit.run(points, target.exact, kMostExactSteps, kRest, false, found);
         }
     }
     found.converged = found.converged && found.rms <= kMostRms * target.size;

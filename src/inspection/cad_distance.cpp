@@ -19,8 +19,8 @@ using mesh::ClosestPoint;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// mm: points of a surface this near to the border of a face are on the face (OpenCASCADE's least distance).
-constexpr double kBorder = 1e-7;
+/// mm: points of a surface this near to the border of a face are on it.
+constexpr double kBorder = 1e-9;
 /// Projections from different triangles of one face at most.
 constexpr std::size_t kMostStarts = 8;
 

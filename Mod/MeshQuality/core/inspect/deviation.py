@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import options, phrases
 from ...compat import extension
-from ...errors import Error, InvalidInput
+from ...errors import InvalidInput
 from ...listing import Public
 from ..meshes.surface_mesh import SurfaceMesh, surface_of
 from ..operands.operands import is_arrays, part_of
@@ -269,23 +269,44 @@ def deviation(points, reference, tolerance=None, align=False, pairs=None, scale=
     ends = _ends_of(pairs, how)
     label, given, triangles = points_of(points)
     given = given * _scale_of(scale)
-    if not len(given) or not np.isfinite(given).all():
-        raise InvalidInput(f"{label} has no points" if not len(given) else
-                           f"{label} has points whose coordinates are no numbers: leave these out")
-    target = SolidSource(reference)
+    return measured(Scan(label, given, triangles), SolidSource(reference), values["tolerance"], how, ends, progress)
+
+
+@dataclass(frozen=True)
+class Scan:
+    """The points that are measured: how errors call them, float64 (N, 3) in mm, and int32 (T, 3), empty for points."""
+
+    label: str
+    points: np.ndarray
+    triangles: np.ndarray
+
+
+def measured(scan, target, tolerance, how, ends, progress):
+    """The DeviationMap of a Scan from a SolidSource; any thread may call it. `ends` are two arrays of pairs."""
+    points = scan.points
+    if not len(points) or not np.isfinite(points).all():
+        raise InvalidInput(phrases.Text(phrases.POINTS_NO_NUMBERS if len(points) else phrases.NO_POINTS, name=scan.label))
     surface = target.mesh(None if target.shape is None else _RELATIVE * target.size, None, part_of(progress, 0.0, _MESHING))
     module = extension()
-    kind = {"none": "none", "3-2-1": "three_two_one"}.get(how, how)
+    kind = {"3-2-1": "three_two_one"}.get(how, how)
     try:
-        core = module.measure_deviation(given, surface, target.shape, getattr(module.Align, kind), *ends,
-                                        _fitted(given, triangles), part_of(progress, _MESHING, 1.0))
-    except Error as error:
+        core = module.measure_deviation(points, surface, target.shape, getattr(module.Align, kind), *ends,
+                                        _fitted(points, scan.triangles), part_of(progress, _MESHING, 1.0))
+    except InvalidInput as error:
         raise target.named(error) from error
     if how != "none" and not core.converged:
-        raise InvalidInput(phrases.Text(phrases.NOT_ALIGNED, name=label, name2=target.label, count=str(core.iterations),
+        raise InvalidInput(phrases.Text(phrases.NOT_ALIGNED, name=scan.label, name2=target.label, count=str(core.iterations),
                                         length=f"{core.rms:.4g} mm"))
-    return DeviationMap(core, given, triangles, values["tolerance"], surface.report.bridge if target.shape is not None else "",
-                        how != "none")
+    bridge = surface.report.bridge if target.shape is not None else ""
+    return DeviationMap(core, points, scan.triangles, tolerance, bridge, how != "none")
+
+
+NO_PAIRS = (np.zeros((0, 3)), np.zeros((0, 3)))
+
+
+def has_points(source):
+    """Whether a document object, or a path to one, is a mesh or a point cloud."""
+    return convert.is_mesh(source) or hasattr(getattr(frames.leaf_of(source), "Points", None), "CountPoints")
 
 
 def points_of(source):
@@ -301,12 +322,12 @@ def points_of(source):
         label = "the mesh" if is_arrays(source) or isinstance(source, SurfaceMesh) else convert.label_of(source)
         return label, surface.vertices + surface.origin, np.array(surface.triangles)
     leaf = frames.leaf_of(source) if frames.is_object(source) else source
-    cloud = getattr(leaf, "Points", leaf)
-    if hasattr(cloud, "CountPoints") and not hasattr(cloud, "CountFacets"):
+    cloud = leaf if hasattr(leaf, "CountPoints") else getattr(leaf, "Points", None)
+    if hasattr(cloud, "CountPoints"):
         points = np.array([tuple(point) for point in cloud.Points]).reshape(-1, 3)
         if frames.is_object(source):
             points = convert.moved(points, frames.frame_of(source))
-        return convert.label_of(source).replace("the shape", "the points"), points, nothing
+        return convert.label_of(source) if frames.is_object(source) else "the point cloud", points, nothing
     raise InvalidInput(f"a mesh, points or an array (N, 3) are needed, not {type(source).__name__}: take a shape as the reference")
 
 
@@ -315,7 +336,7 @@ def _ends_of(pairs, how):
     if how not in _PAIRS:
         if pairs is not None:
             raise InvalidInput(f'pairs have no effect with align={how!r}: give align="pairs" or "3-2-1"')
-        return np.zeros((0, 3)), np.zeros((0, 3))
+        return NO_PAIRS
     try:
         ends = np.array(pairs, dtype=np.float64)
     except (TypeError, ValueError):
