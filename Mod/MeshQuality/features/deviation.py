@@ -73,6 +73,11 @@ class DeviationObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
         return phrases.Text(phrases.DEVIATION_OF_TWO)
 
     @classmethod
+    def called_with(cls, names):
+        """The scan and the part."""
+        return ", ".join(names)
+
+    @classmethod
     def read(cls, sources):
         """The argument of compute, read from the document."""
         if None in sources:

@@ -83,8 +83,8 @@ TEST(CadDistance, IsThatOfTheFormulaOnCoarseMeshesToo) {
             EXPECT_EQ(found.by_mesh, 0u);
             for (std::size_t k = 0; k < points.size(); ++k) {
                 const double expected = solid.distance(points[k]);
-                EXPECT_NEAR(std::abs(found.distances[k].value), std::abs(expected), 2e-9) << points[k].transpose();
-                if (std::abs(expected) > 2e-9) {
+                EXPECT_NEAR(std::abs(found.distances[k].value), std::abs(expected), 1e-7) << points[k].transpose();
+                if (std::abs(expected) > 1e-7) {
                     EXPECT_GT(found.distances[k].value * expected, 0.0) << points[k].transpose();
                 }
                 EXPECT_GE(found.distances[k].face, 0);
