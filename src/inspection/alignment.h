@@ -43,7 +43,7 @@ struct Alignment {
 
 /// What points are aligned with.
 struct AlignmentTarget {
-    DistancesOf by_mesh;  ///< of its mesh: fast
+    DistancesOf by_mesh;  ///< to its mesh: fast
     DistancesOf exact;
     std::vector<Vec3> surface;  ///< points spread evenly over it
     double size = 0.0;          ///< mm, the largest dimension

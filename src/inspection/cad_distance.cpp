@@ -21,6 +21,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// mm: points of a surface this near to the border of a face are on it.
 constexpr double kBorder = 1e-9;
+/// Vertices of the mesh lie on the faces; a projection farther off than this fraction of the deviation is not the
+/// nearest.
+constexpr double kNearEnough = 0.1;
 /// Projections from different triangles of one face at most.
 constexpr std::size_t kMostStarts = 8;
 
@@ -32,6 +35,47 @@ Vec3 weights_of(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     }
     const double at_b = (p - a).cross(c - a).dot(normal) / square, at_c = (b - a).cross(p - a).dot(normal) / square;
     return {1.0 - at_b - at_c, at_b, at_c};
+}
+
+/// The projections of the vertices of a face onto it: a walk from each vertex to its neighbours, for which its
+/// parameters are a good guess.
+/// @param enough  mm: what is farther off than this is sought on the whole face
+std::vector<Answer> projections_of_neighbours(Answerer& answerer, int face, const std::vector<Vec3>& points,
+                                              const std::vector<mesh::Triangle>& triangles, double enough) {
+    const mesh::VertexStars stars(triangles, points.size());
+    std::vector<Answer> answers(points.size());
+    std::vector<char> known(points.size(), 0);
+    const auto project = [&](std::size_t v, const Answer& beside) {
+        Answer found;
+        if (beside.found()) {
+            found = answerer.answer(Query::face_nearest(face, points[v], beside.u, beside.v));
+        }
+        if (!found.found() || found.distance > enough) {
+            const Answer global = answerer.answer(Query::face_nearest_global(face, points[v]));
+            found = global.found() && (!found.found() || global.distance < found.distance) ? global : found;
+        }
+        answers[v] = found;
+        known[v] = 1;
+    };
+    for (std::size_t first = 0; first < points.size(); ++first) {
+        if (known[first] != 0) {
+            continue;
+        }
+        project(first, Answer());
+        std::vector<std::size_t> walk{first};
+        for (std::size_t k = 0; k < walk.size(); ++k) {
+            for (const std::uint32_t corner : stars[walk[k]]) {
+                for (const std::int32_t v : triangles[corner / 3]) {
+                    const auto next = static_cast<std::size_t>(v);
+                    if (known[next] == 0) {
+                        project(next, answers[walk[k]]);
+                        walk.push_back(next);
+                    }
+                }
+            }
+        }
+    }
+    return answers;
 }
 
 double longest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -67,7 +111,6 @@ void CadDistance::find_parameters(geometry::Session& session) {
     });
 }
 
-/// Walks over the vertices of a face, from each to its neighbours, for which its parameters are a good guess.
 void CadDistance::find_parameters_of(Answerer& answerer, int face, const std::vector<std::int32_t>& triangles) {
     const mesh::TriangleMesh& mesh = mesh_.mesh();
     std::vector<std::int32_t> vertices;
@@ -86,40 +129,12 @@ void CadDistance::find_parameters_of(Answerer& answerer, int face, const std::ve
             corners[i] = static_cast<std::int32_t>(place_of(mesh.triangles[t][i]));
         }
     }
-    const mesh::VertexStars stars(local, vertices.size());
-    std::vector<Answer> answers(vertices.size());
-    std::vector<char> known(vertices.size(), 0);
-    const auto project = [&](std::size_t v, const Answer* beside) {
-        const Vec3& p = mesh.vertices[vertices[v]];
-        Answer found;
-        if (beside != nullptr) {
-            found = answerer.answer(Query::face_nearest(face, p, beside->u, beside->v));
-        }
-        if (!found.found() || found.distance > 0.1 * deviation_) {
-            const Answer global = answerer.answer(Query::face_nearest_global(face, p));
-            found = global.found() && (!found.found() || global.distance < found.distance) ? global : found;
-        }
-        answers[v] = found;
-        known[v] = 1;
-    };
-    for (std::size_t first = 0; first < vertices.size(); ++first) {
-        if (known[first] != 0) {
-            continue;
-        }
-        project(first, nullptr);
-        std::vector<std::size_t> walk{first};
-        for (std::size_t k = 0; k < walk.size(); ++k) {
-            for (const std::uint32_t corner : stars[walk[k]]) {
-                for (const std::int32_t v : local[corner / 3]) {
-                    const auto next = static_cast<std::size_t>(v);
-                    if (known[next] == 0) {
-                        project(next, answers[walk[k]].found() ? &answers[walk[k]] : nullptr);
-                        walk.push_back(next);
-                    }
-                }
-            }
-        }
+    std::vector<Vec3> points;
+    for (const std::int32_t v : vertices) {
+        points.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
     }
+    const std::vector<Answer> answers =
+        projections_of_neighbours(answerer, face, points, local, kNearEnough * deviation_);
     for (std::size_t k = 0; k < triangles.size(); ++k) {
         const auto t = static_cast<std::size_t>(triangles[k]);
         for (int i = 0; i < 3; ++i) {
@@ -251,11 +266,11 @@ class CadDistance::Search {
         starts_.push_back({face, found.found() ? found.point : from.point});
         if (found.found() && found.distance < least_) {
             const int side = side_of(found, from);
-            const bool is_foot = is_perpendicular(found);
+            const bool is_across = is_along_normal(found);
             // A search that ends at the bounds of a surface has found a point of an edge; at a crease inside of a face
             // the triangles say what is outside.
-            if (side > 0 || (side == 0 && is_foot)) {
-                take(found, face, is_foot ? found.normal : cad_.mesh_.pseudonormal(from.triangle, from.point));
+            if (side > 0 || (side == 0 && is_across)) {
+                take(found, face, is_across ? found.normal : cad_.mesh_.pseudonormal(from.triangle, from.point));
             }
         }
     }
@@ -298,7 +313,7 @@ class CadDistance::Search {
   private:
     struct Start {
         std::int32_t face;
-        Vec3 end;  ///< of its projection
+        Vec3 end;  ///< where its projection is
     };
 
     void take(const Answer& found, std::int32_t face, const Vec3& normal) {
@@ -320,7 +335,7 @@ class CadDistance::Search {
     }
 
     /// Whether the way from the surface to the point is along its normal.
-    bool is_perpendicular(const Answer& found) const {
+    bool is_along_normal(const Answer& found) const {
         constexpr double kAngle = 1e-6;
         const Vec3 way = point_ - found.point;
         const Vec3 aside = way - way.dot(found.normal) * found.normal;

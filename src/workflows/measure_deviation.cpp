@@ -13,7 +13,7 @@ inspection::Deviation measure_deviation(geometry::Engine& engine, const std::vec
                                         const triangulate::Result& reference, const TopoDS_Shape* shape,
                                         const inspection::DeviationOptions& options, Progress& progress) {
     // mm a mm: vertices are rounded to single precision.
-    constexpr double kRounding = 2.5e-7;
+    constexpr double kVertexRounding = 2.5e-7;
     mesh::TriangleMesh mesh = reference.mesh;
     Box box;
     for (Vec3& p : mesh.vertices) {
@@ -29,7 +29,7 @@ inspection::Deviation measure_deviation(geometry::Engine& engine, const std::vec
     geometry::Session session(engine, model, &progress);
     const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
     // The distances that the report knows are those of samples: twice the largest one is beyond all others.
-    const double deviation = 2.0 * std::max(reference.report.max_chord_height, 0.0) + kRounding * largest;
+    const double deviation = 2.0 * std::max(reference.report.max_chord_height, 0.0) + kVertexRounding * largest;
     return inspection::measure_deviation(points, mesh, &session, deviation, options, progress);
 }
 

@@ -207,6 +207,12 @@ def parser(batched="triangulate"):
     _add_single(commands, "voids", "find closed cavities",
                 "Finds the closed cavities of a CAD shape or a mesh, from which nothing comes out, and their volumes.\n"
                 "Exit status 3 with --strict where there are some.")
+    _add_deviation(commands)
+    _add_batch(commands, batched)
+    return top
+
+
+def _add_deviation(commands):
     one = _add_single(commands, "deviation", "measure how far a scan is from a part",
                       "Measures the signed distance of each vertex of a mesh, or of each point of a text file, from a CAD shape or\n"
                       "another mesh: positive outside. Exit status 3 with --strict where points are beyond --tolerance.")
@@ -214,8 +220,6 @@ def parser(batched="triangulate"):
                      help=f"the CAD file or mesh that is measured against: {' '.join(CAD_SUFFIXES + MESH_SUFFIXES)}")
     _add_mesh_scale(one)
     one.add_argument("--csv", metavar="FILE.csv", help="file for the deviation of each point")
-    _add_batch(commands, batched)
-    return top
 
 
 def _places(text):

@@ -128,6 +128,8 @@ class Scale:
         """float64: 0 where bad, 1 where good; not a number where a value is infinite and not bad."""
         if self.measure.low_is_bad:
             values = np.where(np.isposinf(values), np.nan, values)
+        if self.measure.is_signed:
+            return np.interp(values, (self.low, 0.0, self.high), (1.0, GREEN, 0.0))
         if self.bound is not None:
             inside = 1.0 - (1.0 - GREEN) * np.asarray(values) / self.bound
             return np.where(inside >= GREEN * (1.0 - 1e-9), inside, 0.0)
