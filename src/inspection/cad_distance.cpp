@@ -25,7 +25,7 @@ constexpr double kBorder = 1e-9;
 /// nearest.
 constexpr double kNearEnough = 0.1;
 /// Projections from different triangles of one face at most.
-constexpr std::size_t kMostStarts = 8;
+constexpr std::size_t kMostStarts = 24;
 
 Vec3 weights_of(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = (b - a).cross(c - a);
@@ -263,7 +263,7 @@ class CadDistance::Search {
         const Vec2 uv = weights[0] * cad_.uv_[t][0] + weights[1] * cad_.uv_[t][1] + weights[2] * cad_.uv_[t][2];
         const std::int32_t face = mesh.triangle_face[t];
         const Answer found = answerer_.answer(Query::face_nearest(face, point_, uv.x(), uv.y()));
-        starts_.push_back({face, found.found() ? found.point : from.point});
+        starts_.push_back({face, from.point, found.found() ? found.point : from.point});
         if (found.found() && found.distance < least_) {
             const int side = side_of(found, from);
             const bool is_across = is_along_normal(found);
@@ -313,7 +313,8 @@ class CadDistance::Search {
   private:
     struct Start {
         std::int32_t face;
-        Vec3 end;  ///< where its projection is
+        Vec3 begin;  ///< the triangle's point
+        Vec3 end;    ///< its projection
     };
 
     void take(const Answer& found, std::int32_t face, const Vec3& normal) {
@@ -348,13 +349,12 @@ class CadDistance::Search {
         const mesh::Triangle& v = mesh.triangles[static_cast<std::size_t>(from.triangle)];
         const std::int32_t face = mesh.triangle_face[static_cast<std::size_t>(from.triangle)];
         const double edge = longest_edge(mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]);
-        // The radius in which the ball around the point that is larger by twice the deviation meets a plane.
-        const double wide = std::sqrt(4.0 * cad_.deviation_ * (from.distance + cad_.deviation_));
         std::size_t count = 0;
         for (const Start& start : starts_) {
             if (start.face == face) {
+                const double apart = std::min((start.begin - from.point).norm(), (start.end - from.point).norm());
                 if (cad_.is_elementary_[static_cast<std::size_t>(face)] != 0 || ++count == kMostStarts ||
-                    (start.end - from.point).norm() <= 2.0 * std::max(edge, wide)) {
+                    apart <= edge) {
                     return true;
                 }
             }
