@@ -17,6 +17,7 @@ Meshes for scripts
     wrap          the outer surface of objects, however dirty, without narrow openings     -> WrapMesh
     repair        a closed mesh without faults from one that has some                    -> BooleanMesh
     improve       the same surface with better triangles                                 -> SurfaceMesh
+    simplify      the same surface with fewer triangles, within a proven distance        -> SimplifiedMesh
     quality       measures any mesh                                                      -> MeshReport
     read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
                   curve takes such meshes, too: of prisms and hexahedra -> CurvedElementMesh
@@ -80,6 +81,8 @@ _LAZY = {
     "repair": "MeshQuality.core.repair",
     "add_repaired_mesh": "MeshQuality.features.repaired_mesh",
     "improve": "MeshQuality.core.improvement",
+    "simplify": "MeshQuality.core.simplification",
+    "SimplifiedMesh": "MeshQuality.core.simplification",
     "add_improved_mesh": "MeshQuality.features.improved_mesh",
     "certify": "MeshQuality.core.certify.certification",
     "MeshCertificate": "MeshQuality.core.certify.certification",

@@ -35,7 +35,7 @@ constexpr double kForward = 0.95;
 /// Sample points along a side of a moved triangle.
 constexpr int kSamples = 4;
 /// Bounds of distances are proven to this fraction of the tolerance.
-constexpr double kFineness = 0.02;
+constexpr double kFineness = 0.2;
 /// Blocks along the largest side, which are simplified in parallel.
 constexpr double kBlocks = 8.0;
 
@@ -70,7 +70,8 @@ class Simplification {
                 break;
             }
         }
-        result.deviation = bound();
+        // What is not far is proven to be within the tolerance, which may be less than a bound of this fineness.
+        result.deviation = result.rounds < kRounds ? std::min(bound(), options_.tolerance) : bound();
     }
 
     mesh::TriangleMesh mesh(const mesh::TriangleMesh& given) const {
