@@ -27,8 +27,8 @@ namespace {
 
 /// Rounds at most; in the last one no edge is collapsed.
 constexpr int kRounds = 12;
-/// The sum of squared distances from planes up to which edges are collapsed, as a multiple of the tolerance squared:
-/// the sum grows with the number of planes, and the proof decides.
+/// The root of the sum of squared distances from planes up to which edges are collapsed in the first round, as a
+/// multiple of the tolerance: the sum grows with the number of planes, and the proof decides. Halved in each round.
 constexpr double kPlaneSum = 6.0;
 /// Fraction of the tolerance within which sample points of moved triangles are: the proof comes afterwards.
 constexpr double kForward = 0.95;
@@ -56,12 +56,13 @@ class Simplification {
 
     void run(SimplifiedSurface& result) {
         contour::CollapseLimits limits;
-        limits.distance = kPlaneSum * options_.tolerance;
+        limits.distance = 2.0 * kPlaneSum * options_.tolerance;
         limits.border = options_.tolerance;
-        limits.accepts = [this](const Corners& c) { return is_free(c) && is_near(c); };
+        limits.accepts = [this](const Corners& c) { return is_near(c); };
         for (result.rounds = 1; result.rounds <= kRounds; ++result.rounds) {
             now_ = start_;
             progress_.stage("simplifying", 0.0, 0.7);
+            limits.distance = std::max(limits.distance / 2.0, options_.tolerance);
             if (result.rounds < kRounds) {
                 collapse(limits);
             }
@@ -132,7 +133,7 @@ class Simplification {
             fixed_.push_back(std::any_of(t.begin(), t.end(), [&](std::int32_t v) { return on_border[v] != 0; }) ? 1
                                                                                                                 : 0);
         }
-        has_border_ = std::find(fixed_.begin(), fixed_.end(), 1) != fixed_.end();
+        has_fixed_ = std::find(fixed_.begin(), fixed_.end(), 1) != fixed_.end();
     }
 
     contour::Contour contour_of(const mesh::TriangleMesh& given) {
@@ -163,7 +164,7 @@ class Simplification {
     }
 
     void collapse(contour::CollapseLimits limits) {
-        if (has_border_) {
+        if (has_fixed_) {
             limits.fixed = fixed_;
             contour::collapse_edges(now_, planes_, limits, progress_);
         } else {
@@ -171,14 +172,6 @@ class Simplification {
         }
     }
 
-    /// Whether a triangle is outside of all regions that stay as they were.
-    bool is_free(const Corners& c) const {
-        Box box;
-        for (const Vec3& p : c) {
-            box.add(p);
-        }
-        return std::none_of(kept_.begin(), kept_.end(), [&](const Box& kept) { return kept.meets(box); });
-    }
     /// Whether sample points of a triangle are within a fraction of the tolerance of the given surface.
     bool is_near(const Corners& c) const {
         std::int32_t guess = searched_.tree.nearest(c[0]).triangle;
@@ -209,24 +202,30 @@ class Simplification {
         return all;
     }
 
-    /// Adds boxes around what is too far from the other surface, in which nothing is to change; false where there is
-    /// nothing.
+    /// Fixes the given triangles around what is too far from the other surface; false where there is nothing.
     bool keep_what_is_far() {
-        const std::size_t before = kept_.size();
         const offset::SearchedSurface found(now_.points, now_.triangles);
-        add_far(given_corners(), found);
-        add_far(own_corners(), searched_);
-        return kept_.size() > before;
-    }
-    void add_far(const std::vector<Corners>& all, const offset::SearchedSurface& other) {
-        for (const std::int32_t t :
-             offset::triangles_beyond(all, other, 0.0, options_.tolerance, kFineness * options_.tolerance, progress_)) {
-            Box box;
-            for (const Vec3& p : all[static_cast<std::size_t>(t)]) {
-                box.add(p);
-            }
-            kept_.push_back(box);
+        std::vector<std::int32_t> far = beyond(given_corners(), found);
+        for (const std::int32_t t : beyond(own_corners(), searched_)) {
+            far.push_back(now_.source[static_cast<std::size_t>(t)]);
         }
+        std::vector<char> around(points_.size(), 0);
+        for (const std::int32_t t : far) {
+            for (const std::int32_t v : triangles_[static_cast<std::size_t>(t)]) {
+                around[static_cast<std::size_t>(v)] = 1;
+            }
+        }
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            const Triangle& c = triangles_[t];
+            if (around[c[0]] != 0 || around[c[1]] != 0 || around[c[2]] != 0) {
+                fixed_[t] = 1;
+                has_fixed_ = true;
+            }
+        }
+        return !far.empty();
+    }
+    std::vector<std::int32_t> beyond(const std::vector<Corners>& all, const offset::SearchedSurface& other) const {
+        return offset::triangles_beyond(all, other, 0.0, options_.tolerance, kFineness * options_.tolerance, progress_);
     }
 
     double bound() const {
@@ -242,12 +241,11 @@ class Simplification {
     const std::vector<Vec3> points_;         ///< as given, in single precision
     const offset::SearchedSurface searched_;
     Box box_;
-    std::vector<char> fixed_;  ///< by triangle: whether it has a vertex on an open border
-    bool has_border_ = false;
+    std::vector<char> fixed_;  ///< by triangle: whether it is at an open border, or where simplifying went too far
+    bool has_fixed_ = false;
     std::vector<contour::Crossing> planes_;  ///< by given triangle
     contour::Contour start_;
     contour::Contour now_;
-    std::vector<Box> kept_;  ///< where nothing is changed
 };
 
 }  // namespace

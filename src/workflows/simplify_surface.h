@@ -22,7 +22,7 @@ struct SimplifiedSurface {
 
 /// Collapses edges of a mesh without CAD, as contour::simplify does, as long as sample points of each moved triangle
 /// are within the tolerance of the given surface. Then all points of both surfaces are proven to be within it of the
-/// other one; around triangles for which that fails the given ones are kept, and it begins anew.
+/// other one; given triangles around those for which that fails are fixed, and it begins anew.
 ///
 /// The result has the topology of the given mesh, is closed where that is, and none of its triangles meet but those
 /// that did; the triangles at open borders stay.
