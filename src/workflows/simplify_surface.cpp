@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -27,15 +28,17 @@ namespace {
 
 /// Rounds at most; in the last one no edge is collapsed.
 constexpr int kRounds = 12;
-/// The root of the sum of squared distances from planes up to which edges are collapsed in the first round, as a
-/// multiple of the tolerance: the sum grows with the number of planes, and the proof decides. Halved in each round.
+/// Rounds with the same distance from planes; in each further one it is halved.
+constexpr int kFullRounds = 5;
+/// The root of the sum of squared distances from planes up to which edges are collapsed, as a
+/// multiple of the tolerance: the sum grows with the number of planes, and the proof decides.
 constexpr double kPlaneSum = 6.0;
 /// Fraction of the tolerance within which sample points of moved triangles are: the proof comes afterwards.
-constexpr double kForward = 0.95;
+constexpr double kForward = 0.93;
 /// Sample points along a side of a moved triangle.
 constexpr int kSamples = 4;
 /// Bounds of distances are proven to this fraction of the tolerance.
-constexpr double kFineness = 0.2;
+constexpr double kFineness = 0.04;
 /// Blocks along the largest side, which are simplified in parallel.
 constexpr double kBlocks = 8.0;
 
@@ -56,13 +59,15 @@ class Simplification {
 
     void run(SimplifiedSurface& result) {
         contour::CollapseLimits limits;
-        limits.distance = 2.0 * kPlaneSum * options_.tolerance;
+        limits.distance = kPlaneSum * options_.tolerance;
         limits.border = options_.tolerance;
-        limits.accepts = [this](const Corners& c) { return is_near(c); };
+        limits.accepts = [this](const Corners& c, std::int32_t patch) { return is_near(c, patch); };
         for (result.rounds = 1; result.rounds <= kRounds; ++result.rounds) {
             now_ = start_;
             progress_.stage("simplifying", 0.0, 0.7);
-            limits.distance = std::max(limits.distance / 2.0, options_.tolerance);
+            if (result.rounds > kFullRounds) {
+                limits.distance = std::max(limits.distance / 2.0, options_.tolerance);
+            }
             if (result.rounds < kRounds) {
                 collapse(limits);
             }
@@ -152,6 +157,13 @@ class Simplification {
         contour.triangles = triangles_;
         std::int32_t count = 0;
         contour.patch = smooth.number(count);
+        std::vector<std::vector<std::int32_t>> of_patch(static_cast<std::size_t>(count));
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            of_patch[static_cast<std::size_t>(contour.patch[t])].push_back(static_cast<std::int32_t>(t));
+        }
+        for (const std::vector<std::int32_t>& patch : of_patch) {
+            trees_.push_back(std::make_unique<mesh::NearestTree>(points_, triangles_, patch));
+        }
         for (std::size_t t = 0; t < triangles_.size(); ++t) {
             contour::Crossing plane;
             plane.on_input = points_[triangles_[t][0]];
@@ -172,13 +184,15 @@ class Simplification {
         }
     }
 
-    /// Whether sample points of a triangle are within a fraction of the tolerance of the given surface.
-    bool is_near(const Corners& c) const {
-        std::int32_t guess = searched_.tree.nearest(c[0]).triangle;
+    /// Whether sample points of a triangle are within a fraction of the tolerance of its patch of the given surface: so
+    /// borders between patches stay, too, where the surface beside them is plane.
+    bool is_near(const Corners& c, std::int32_t patch) const {
+        const mesh::NearestTree& tree = *trees_[static_cast<std::size_t>(patch)];
+        std::int32_t guess = tree.nearest(c[0]).triangle;
         for (int i = 0; i <= kSamples; ++i) {
             for (int j = 0; i + j <= kSamples; ++j) {
                 const Vec3 p = (i * c[0] + j * c[1] + (kSamples - i - j) * c[2]) / kSamples;
-                guess = searched_.tree.any_within(p, kForward * options_.tolerance, guess);
+                guess = tree.any_within(p, kForward * options_.tolerance, guess);
                 if (guess < 0) {
                     return false;
                 }
@@ -243,7 +257,8 @@ class Simplification {
     Box box_;
     std::vector<char> fixed_;  ///< by triangle: whether it is at an open border, or where simplifying went too far
     bool has_fixed_ = false;
-    std::vector<contour::Crossing> planes_;  ///< by given triangle
+    std::vector<contour::Crossing> planes_;                  ///< by given triangle
+    std::vector<std::unique_ptr<mesh::NearestTree>> trees_;  ///< of the given triangles of each patch
     contour::Contour start_;
     contour::Contour now_;
 };
