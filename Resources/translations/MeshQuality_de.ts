@@ -739,6 +739,10 @@
         <source>none: points are measured where they are; near: they are fitted to the reference from there; any: from any pose, by principal axes first</source>
         <translation>none: Punkte werden dort gemessen, wo sie sind; near: sie werden von dort aus in die Referenz eingepasst; any: aus jeder Lage, zuerst nach den Hauptachsen</translation>
     </message>
+    <message>
+        <source>Largest distance between the given mesh and the simplified one; 0: size / 1000</source>
+        <translation>Größter Abstand zwischen dem gegebenen und dem vereinfachten Netz; 0: Größe / 1000</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -4469,6 +4473,14 @@
     <message>
         <source>{name} is no mesh and no point cloud: choose a scan, and the part that it is measured against</source>
         <translation>{name} ist weder ein Netz noch eine Punktwolke: Wählen Sie einen Scan und das Teil, gegen das er gemessen wird</translation>
+    </message>
+    <message>
+        <source>Largest distance between the given mesh and the simplified one</source>
+        <translation>Größter Abstand zwischen dem gegebenen und dem vereinfachten Netz</translation>
+    </message>
+    <message>
+        <source>the mesh is not manifold and oriented at {count} edges or triangles: repair it first</source>
+        <translation>Das Netz ist an {count} Kanten oder Dreiecken nicht mannigfaltig und ausgerichtet: Reparieren Sie es zuerst</translation>
     </message>
 </context>
 <context>
