@@ -258,7 +258,7 @@ class Simplification {
     std::vector<char> fixed_;  ///< by triangle: whether it is at an open border, or where simplifying went too far
     bool has_fixed_ = false;
     std::vector<contour::Crossing> planes_;                  ///< by given triangle
-    std::vector<std::unique_ptr<mesh::NearestTree>> trees_;  ///< of the given triangles of each patch
+    std::vector<std::unique_ptr<mesh::NearestTree>> trees_;  ///< by patch: its given triangles
     contour::Contour start_;
     contour::Contour now_;
 };
