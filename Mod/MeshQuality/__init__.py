@@ -17,6 +17,7 @@ Meshes for scripts
     wrap          the outer surface of objects, however dirty, without narrow openings     -> WrapMesh
     repair        a closed mesh without faults from one that has some                    -> BooleanMesh
     improve       the same surface with better triangles                                 -> SurfaceMesh
+    simplify      the same surface with fewer triangles, within a proven distance        -> SimplifiedMesh
     quality       measures any mesh                                                      -> MeshReport
     read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
                   curve takes such meshes, too: of prisms and hexahedra -> CurvedElementMesh
@@ -26,6 +27,7 @@ Meshes for scripts
     clearance     the distances between the bodies of an assembly                        -> ClearanceReport
     draft         draft and undercuts against the direction in which a mould opens       -> DraftMap
     voids         closed cavities, from which nothing comes out                          -> VoidReport
+    deviation     signed distances of a mesh, scan or point cloud from CAD or another mesh, aligned before -> DeviationMap
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
@@ -33,6 +35,7 @@ Objects of the document, which follow what they are made of
     add_offset, add_hollow   solids grown, shrunk, and made walls of
     add_wrap            a closed surface around objects
     add_inspection      thickness, clearance, draft or voids of a solid, measured anew after each edit, against a limit
+    add_deviation       a scan or mesh in the colours of its deviation from a part, measured anew after each edit
     add_cured_mesh      valid elements of a FEM mesh that another program made
     update              gives such an object other options, and computes it
     set_patches         names groups of faces, for files
@@ -78,6 +81,8 @@ _LAZY = {
     "repair": "MeshQuality.core.repair",
     "add_repaired_mesh": "MeshQuality.features.repaired_mesh",
     "improve": "MeshQuality.core.improvement",
+    "simplify": "MeshQuality.core.simplification",
+    "SimplifiedMesh": "MeshQuality.core.simplification",
     "add_improved_mesh": "MeshQuality.features.improved_mesh",
     "certify": "MeshQuality.core.certify.certification",
     "MeshCertificate": "MeshQuality.core.certify.certification",
@@ -89,6 +94,8 @@ _LAZY = {
     "ClearanceReport": "MeshQuality.core.inspect.clearance",
     "draft": "MeshQuality.core.inspect.draft",
     "DraftMap": "MeshQuality.core.inspect.draft",
+    "deviation": "MeshQuality.core.inspect.deviation",
+    "DeviationMap": "MeshQuality.core.inspect.deviation",
     "voids": "MeshQuality.core.inspect.voids",
     "VoidReport": "MeshQuality.core.inspect.voids",
     "curve": "MeshQuality.core.curving",
@@ -111,6 +118,7 @@ _LAZY = {
     "add_hollow": "MeshQuality.features.hollow",
     "add_wrap": "MeshQuality.features.wrap",
     "add_inspection": "MeshQuality.features.inspection",
+    "add_deviation": "MeshQuality.features.deviation",
     "export_curved_mesh": "MeshQuality.features.export",
     "export_mesh": "MeshQuality.features.export",
     "write_openfoam_case": "MeshQuality.features.cfd",

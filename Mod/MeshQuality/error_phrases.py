@@ -71,6 +71,7 @@ ERRORS = {
     # Meshes.
     "body_empty": "body {count} has no triangles",
     "mesh_empty": "the mesh has no triangles",
+    "not_simplified": "the mesh is not manifold and oriented at {count} edges or triangles: repair it first",
     "no_distance": "one of the two meshes has no triangles: there is no distance between them",
     "vertex_not_finite": "vertex {count} has a coordinate that is not a finite number",
     "node_not_finite": "node {count} has a coordinate that is not a finite number",

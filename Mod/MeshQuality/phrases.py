@@ -59,6 +59,7 @@ GAP_NOT_DECIDED = "smallest gap between {length2} and {length3} (requested {leng
                   "max. deviation of {length5} may decide it, unless the gap is just as wide."
 LOW_DRAFT = ("less draft than {number}° on 1 face.", "less draft than {number}° on {count} faces.")
 UNDERCUTS = ("1 face has undercuts.", "{count} faces have undercuts.")
+BEYOND_TOLERANCE = "max. deviation {length} (allowed {length2}): {number} % of the points are beyond."
 HAS_VOIDS = ("1 closed void.", "{count} closed voids.")
 BODIES_OVERLAP = ("1 pair of bodies overlaps.", "{count} pairs of bodies overlap.")
 BODY_OVERLAPS, BODY_INSIDE = "{name} and {name2} overlap.", "{name} lies inside {name2}."
@@ -85,7 +86,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, THIN_WALL, NARROW_GAP, WALL_NOT_DECIDED, GAP_NOT_DECIDED, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, THIN_WALL, NARROW_GAP, WALL_NOT_DECIDED, GAP_NOT_DECIDED, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, BEYOND_TOLERANCE, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
@@ -111,6 +112,7 @@ NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
 HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {volume}, {number} % of the " \
                 "volume"
 STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
+FITTED = "aligned: root mean square {length} of {count} points"
 SMALLEST_WALL = "smallest thickness {length}"
 SMALLEST_GAP = "smallest gap {length}"
 NO_WALLS = "no two sides face each other: there is no smallest thickness or gap"
@@ -197,6 +199,12 @@ IS_NULL_HIDDEN = "{name} is null: it has no geometry; what is hidden in a contai
 IS_NULL = "{name} is null: it has no geometry"
 NO_FACES = "{name} has no faces (its type is {name2}): give a solid, a shell or faces"
 NO_TRIANGLES = "{name} has no triangles"
+NO_POINTS = "{name} has no points"
+POINTS_NO_NUMBERS = "{name} has points whose coordinates are no numbers: leave these out"
+DEVIATION_OF_TWO = "Sources is incomplete: choose a scan, and the part that it is measured against"
+POINTS_NEEDED = "{name} is no mesh and no point cloud: choose a scan, and the part that it is measured against"
+NOT_ALIGNED = "{name} cannot be aligned with {name2}: after {count} steps its points are {length} off (root mean square). Move it " \
+              "near to where it belongs and align it from there, give pairs of points, or check its unit"
 NO_SUCH_ELEMENT = "local_sizes names {value}, but {name} does not hold that: select it again in the 3D view"
 SOURCE_DELETED = "Source is empty: the source was deleted; choose another one, or delete this mesh"
 SOURCE_GONE = "The source was deleted. Close this panel."
@@ -206,7 +214,7 @@ ERRORS = (
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
     TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
     *fault_phrases.TEXTS, *label_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
-    IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
+    IS_NULL, NO_FACES, NO_TRIANGLES, NO_POINTS, POINTS_NO_NUMBERS, DEVIATION_OF_TWO, POINTS_NEEDED, NOT_ALIGNED, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
 # Errors of patches, files and cases for meshers of flows.
 PATCH_NAME = "{value} is not possible as the name of a patch: give a text that is not empty, without blanks at its ends"
@@ -359,7 +367,7 @@ def flat(phrases):
 
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, TARGET_NOT_DECIDED, *LEFT_OUT, *CURING, *flat(EXPORTED))
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, FITTED, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, TARGET_NOT_DECIDED, *LEFT_OUT, *CURING, *flat(EXPORTED))
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *flat((*CORE_ERRORS.values(), *NOTES.values())), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

@@ -8,6 +8,8 @@ STAGES = {
     "preparing the solids": "preparing the solids",
     "measuring the thickness": "measuring the thickness",
     "measuring the clearance": "measuring the clearance",
+    "preparing the reference": "preparing the part that is measured against",
+    "aligning": "aligning the points",
     "measuring the draft": "measuring the draft",
     "meshing shapes": "meshing the shapes",
     "initial triangulation": "initial triangulation",

@@ -683,6 +683,70 @@
         <source>Corners of faces below the smallest angle: keep them, each with one triangle of that angle; or cut them off by a twentieth of the distance, where the faces beside them allow it</source>
         <translation>Ecken von Flächen unter dem kleinsten Winkel: behalten, jede mit einem Dreieck dieses Winkels; oder um ein Zwanzigstel des Abstands abschneiden, wo die Flächen daneben es erlauben</translation>
     </message>
+    <message>
+        <source>How large they are there, and the nearest CAD face</source>
+        <translation>Wie groß sie dort sind, und die nächste CAD-Fläche</translation>
+    </message>
+    <message>
+        <source>Largest distance between the given mesh and the simplified one; 0: size / 1000</source>
+        <translation>Größter Abstand zwischen dem gegebenen und dem vereinfachten Netz; 0: Größe / 1000</translation>
+    </message>
+    <message>
+        <source>Number of points that were measured</source>
+        <translation>Zahl der gemessenen Punkte</translation>
+    </message>
+    <message>
+        <source>Percentage of the points within the tolerance; 100 without one</source>
+        <translation>Anteil der Punkte innerhalb der Toleranz in Prozent; ohne Toleranz 100</translation>
+    </message>
+    <message>
+        <source>Points farther from the reference than this, outside or inside, are reported; 0: no limit</source>
+        <translation>Punkte, die außen oder innen weiter von der Referenz entfernt sind, werden gemeldet; 0: keine Grenze</translation>
+    </message>
+    <message>
+        <source>Root mean square of the distances of the points that were aligned, without outliers</source>
+        <translation>Quadratisches Mittel der Abstände der ausgerichteten Punkte, ohne Ausreißer</translation>
+    </message>
+    <message>
+        <source>The deviation of each triangle, mm: the largest of its corners</source>
+        <translation>Die Abweichung jedes Dreiecks in mm: die größte seiner Ecken</translation>
+    </message>
+    <message>
+        <source>The largest deviation inside, below 0</source>
+        <translation>Die größte Abweichung nach innen, kleiner als 0</translation>
+    </message>
+    <message>
+        <source>The largest deviation outside</source>
+        <translation>Die größte Abweichung nach außen</translation>
+    </message>
+    <message>
+        <source>The largest distance of a point, outside or inside</source>
+        <translation>Der größte Abstand eines Punkts, außen oder innen</translation>
+    </message>
+    <message>
+        <source>The mean of all deviations</source>
+        <translation>Das Mittel aller Abweichungen</translation>
+    </message>
+    <message>
+        <source>The motion by which the points were aligned before</source>
+        <translation>Die Bewegung, mit der die Punkte vorher ausgerichtet wurden</translation>
+    </message>
+    <message>
+        <source>The root mean square of all deviations</source>
+        <translation>Das quadratische Mittel aller Abweichungen</translation>
+    </message>
+    <message>
+        <source>The scan, a mesh or a point cloud, and the part or mesh that it is measured against</source>
+        <translation>Der Scan, ein Netz oder eine Punktwolke, und das Teil oder Netz, gegen das er gemessen wird</translation>
+    </message>
+    <message>
+        <source>Where deviations are largest</source>
+        <translation>Wo die Abweichungen am größten sind</translation>
+    </message>
+    <message>
+        <source>none: points are measured where they are; near: they are fitted to the reference from there; any: from any pose, by principal axes first</source>
+        <translation>none: Punkte werden dort gemessen, wo sie sind; near: sie werden von dort aus in die Referenz eingepasst; any: aus jeder Lage, zuerst nach den Hauptachsen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -4390,6 +4454,98 @@
         <source>keep</source>
         <translation>behalten</translation>
     </message>
+    <message>
+        <source>The colours end at ± {0}.</source>
+        <translation>Die Farben enden bei ± {0}.</translation>
+    </message>
+    <message>
+        <source>Deviation from the part</source>
+        <translation>Abweichung vom Teil</translation>
+    </message>
+    <message>
+        <source>Signed distance from the part: red outside, blue inside.</source>
+        <translation>Abstand vom Teil mit Vorzeichen: außen rot, innen blau.</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Best fit from any pose</source>
+        <translation>Einpassen aus jeder Lage</translation>
+    </message>
+    <message>
+        <source>Best fit from here</source>
+        <translation>Einpassen von hier aus</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Largest distance between the given mesh and the simplified one</source>
+        <translation>Größter Abstand zwischen dem gegebenen und dem vereinfachten Netz</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Points farther from the reference than this, outside or inside, are reported</source>
+        <translation>Punkte, die außen oder innen weiter von der Referenz entfernt sind, werden gemeldet</translation>
+    </message>
+    <message>
+        <source>Sources is incomplete: choose a scan, and the part that it is measured against</source>
+        <translation>Sources ist unvollständig: Wählen Sie einen Scan und das Teil, gegen das er gemessen wird</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>aligned: root mean square {length} of {count} points</source>
+        <translation>ausgerichtet: quadratisches Mittel {length} von {count} Punkten</translation>
+    </message>
+    <message>
+        <source>aligning the points</source>
+        <translation>Punkte werden ausgerichtet</translation>
+    </message>
+    <message>
+        <source>max. deviation {length} (allowed {length2}): {number} % of the points are beyond.</source>
+        <translation>max. Abweichung {length} (erlaubt {length2}): {number} % der Punkte liegen darüber.</translation>
+    </message>
+    <message>
+        <source>none: points are measured where they are; near: they are fitted to the reference from there; any: from any pose, by principal axes first</source>
+        <translation>none: Punkte werden dort gemessen, wo sie sind; near: sie werden von dort aus in die Referenz eingepasst; any: aus jeder Lage, zuerst nach den Hauptachsen</translation>
+    </message>
+    <message>
+        <source>preparing the part that is measured against</source>
+        <translation>Teil, gegen das gemessen wird, wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>the mesh is not manifold and oriented at {count} edges or triangles: repair it first</source>
+        <translation>Das Netz ist an {count} Kanten oder Dreiecken nicht mannigfaltig und ausgerichtet: Reparieren Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>{name} cannot be aligned with {name2}: after {count} steps its points are {length} off (root mean square). Move it near to where it belongs and align it from there, give pairs of points, or check its unit</source>
+        <translation>{name} lässt sich nicht an {name2} ausrichten: nach {count} Schritten liegen die Punkte {length} daneben (quadratisches Mittel). Schieben Sie es in die Nähe seiner Lage und richten Sie es von dort aus, geben Sie Punktpaare an oder prüfen Sie die Einheit</translation>
+    </message>
+    <message>
+        <source>{name} deviation</source>
+        <translation>{name} Abweichung</translation>
+    </message>
+    <message>
+        <source>{name} has no points</source>
+        <translation>{name} hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>{name} has points whose coordinates are no numbers: leave these out</source>
+        <translation>{name} hat Punkte, deren Koordinaten keine Zahlen sind: Lassen Sie diese weg</translation>
+    </message>
+    <message>
+        <source>{name} is no mesh and no point cloud: choose a scan, and the part that it is measured against</source>
+        <translation>{name} ist weder ein Netz noch eine Punktwolke: Wählen Sie einen Scan und das Teil, gegen das er gemessen wird</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>
@@ -4590,6 +4746,17 @@
     <message>
         <source>Mesh the selected shapes with curved elements, each proven valid</source>
         <translation>Ausgewählte Formen mit gekrümmten Elementen vernetzen, jedes nachweislich gültig</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Deviation</name>
+    <message>
+        <source>Colour the selected scan, a mesh or points, by its signed distance from the selected part, aligned before if asked</source>
+        <translation>Den gewählten Scan, ein Netz oder Punkte, nach dem Abstand vom gewählten Teil färben, mit Vorzeichen, auf Wunsch vorher ausgerichtet</translation>
+    </message>
+    <message>
+        <source>Deviation...</source>
+        <translation>Abweichung...</translation>
     </message>
 </context>
 <context>

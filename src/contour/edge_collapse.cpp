@@ -364,8 +364,8 @@ class EdgeCollapse {
     }
     /// Whether the limits accept all moved triangles.
     bool is_accepted(const Candidate& edge) const {
-        return !limits_.accepts || all_of_moved(edge, [&](std::int32_t, const std::array<Vec3, 3>& moved) {
-            return limits_.accepts(moved);
+        return !limits_.accepts || all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
+            return limits_.accepts(moved, surface_.patch[t]);
         });
     }
     /// The corners of a triangle with the ends at the new place.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -11,8 +12,8 @@
 
 namespace mq::contour {
 
-/// Whether a triangle with these corners is accepted.
-using TriangleFilter = std::function<bool(const std::array<Vec3, 3>&)>;
+/// Whether a triangle with these corners, of this patch, is accepted.
+using TriangleFilter = std::function<bool(const std::array<Vec3, 3>&, std::int32_t patch)>;
 
 /// The conditions on collapses of edges.
 struct CollapseLimits {

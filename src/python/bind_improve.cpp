@@ -2,11 +2,13 @@
 #include <pybind11/stl.h>
 
 #include <memory>
+#include <utility>
 
 #include "python/bindings.h"
 #include "python/bound_fields.h"
 #include "python/progress_watch.h"
 #include "workflows/improve_surface.h"
+#include "workflows/simplify_surface.h"
 
 namespace py = pybind11;
 
@@ -24,6 +26,16 @@ std::shared_ptr<Surface> improve_surface(const Surface& given, const ImproveOpti
     });
 }
 
+/// (Surface, mm: bound of the deviation)
+py::tuple simplify_surface(const Surface& given, double tolerance, double feature_angle, const py::object& progress) {
+    workflows::SimplifyOptions options;
+    options.tolerance = tolerance;
+    options.feature_angle = feature_angle;
+    workflows::SimplifiedSurface found =
+        watch(progress, [&](Progress& handle) { return workflows::simplify_surface(given.mesh, options, handle); });
+    return py::make_tuple(std::make_shared<Surface>(std::move(found.surface)), found.deviation);
+}
+
 }  // namespace
 
 void bind_improve(py::module_& m) {
@@ -32,6 +44,9 @@ void bind_improve(py::module_& m) {
     bind_fields(bound);
     m.def("improve", &improve_surface, py::arg("surface"), py::arg("options"), py::arg("progress") = py::none(),
           "A Surface with better triangles on the surface that is given.");
+    m.def("simplify", &simplify_surface, py::arg("surface"), py::arg("tolerance"), py::arg("feature_angle"),
+          py::arg("progress") = py::none(),
+          "(Surface with fewer triangles, mm: how far it deviates at most, both ways)");
 }
 
 }  // namespace mq::python

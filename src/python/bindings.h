@@ -17,6 +17,7 @@ void bind_errors(pybind11::module_& m);
 void bind_freecad_mesh(pybind11::module_& m);
 void bind_improve(pybind11::module_& m);
 void bind_inspection(pybind11::module_& m);
+void bind_deviation(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);
 #ifdef MESHQUALITY_SCHEDULE_TRACE
 void bind_schedule(pybind11::module_& m);

@@ -288,6 +288,20 @@ class Pictures(gui_helpers.GuiTest):
         self.picture_of_panel(panel, "panel_inspection")
         panel.reject()
 
+    def test_deviation_of_a_scan(self):
+        part = self.bracket()
+        exact = mq.triangulate(part, max_edge=1.0)
+        x, y, z = np.array(exact.vertices).T
+        off = 0.12 * np.sin(x / 11) * np.cos(y / 9) + 0.3 * np.exp(-((x - x.mean()) ** 2 + (y - y.min()) ** 2 + (z - z.mean()) ** 2) / 60)
+        scan = self.document.addObject("Mesh::Feature", "Scan")
+        scan.Mesh = mq.SurfaceMesh(extension().surface_from_arrays(exact.vertices + off[:, None] * (0.5, -1.0, 0.7), exact.triangles)).to_mesh()
+        panel = quality_panel.open_panel(mq.add_deviation(scan, part, tolerance=0.2))
+        self.until(lambda: panel.values is not None)
+        panel.edges.setChecked(False)
+        self.seen_from("deviation", -0.8, -1, 0.9)
+        self.picture_of_panel(panel, "panel_deviation")
+        panel.reject()
+
     def housing(self):
         """An assembly: a tub with a hole, a lid on a crack, and a motor that does not touch the tub."""
         tub = Part.makeBox(60, 40, 24).cut(Part.makeBox(54, 34, 24, FreeCAD.Vector(3, 3, 3)))

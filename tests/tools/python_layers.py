@@ -37,7 +37,7 @@ CORE = [
     ["elements", "patches"],
     ["formats"],
     ["meshes"],
-    ["triangulation", "improvement", "quality", "fem"],
+    ["triangulation", "improvement", "simplification", "quality", "fem"],
     ["curved", "certify"],
     ["operands", "verify"],
     ["booleans", "curving", "inspect"],

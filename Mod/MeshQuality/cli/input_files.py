@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the files of a job hold: shapes, objects, meshes, and what names in them mean."""
 
+import re
+
 import FreeCAD
+import numpy as np
 
 import MeshQuality as mq
-from MeshQuality.cli.parser import MESH_SUFFIXES
+from MeshQuality.cli.parser import MESH_SUFFIXES, POINT_SUFFIXES
 from MeshQuality.compat import extension
 from MeshQuality.core.sources import convert, hidden_parts
 
@@ -171,6 +174,24 @@ def read_mesh(path):
     if mesh.CountFacets == 0:
         raise mq.InvalidInput(f"cannot read '{path}': it holds no triangles")
     return mesh
+
+
+def read_points(path):
+    """What deviation takes of a file: the Mesh.Mesh of a mesh, or the float64 (N, 3) of a text with a point a line.
+
+    Columns are apart by blanks, commas or semicolons; lines that do not begin with three numbers, such as heads, are left out.
+    """
+    if not path.lower().endswith(POINT_SUFFIXES):
+        return read_mesh(path)
+    number = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+    try:
+        with open(path, encoding="latin-1") as stream:
+            found = re.findall(rf"^[ \t]*({number})[ \t,;]+({number})[ \t,;]+({number})(?![\d.])", stream.read(), re.MULTILINE)
+    except OSError as error:
+        raise mq.InvalidInput(f"cannot read '{path}': {_one_line(error)}") from error
+    if not found:
+        raise mq.InvalidInput(f"cannot read '{path}': it holds no points, which are lines of three numbers")
+    return np.array(found, dtype=np.float64)
 
 
 def mesh_of(mesh):

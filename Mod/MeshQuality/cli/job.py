@@ -10,7 +10,8 @@ import MeshQuality as mq
 from MeshQuality import files, limits
 from MeshQuality.cli import input_files
 from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
-from MeshQuality.cli.input_files import mesh_of, read_mesh, read_operand, read_shape, read_shape_and_objects, sizes_in
+from MeshQuality.cli.input_files import (mesh_of, read_mesh, read_operand, read_points, read_shape, read_shape_and_objects,
+                                        sizes_in)
 from MeshQuality.cli.output_file import patches_of, write_curved, writing_of, written
 from MeshQuality.cli.progress_line import end_progress_line, progress_line
 from MeshQuality.cli.report_fields import WRAP_FIELDS, plain, report_fields
@@ -163,6 +164,17 @@ def voids(job):
     return found, f"searched {_count(len(found.mesh.triangles), 'triangle')}", verdict.of_voids(found)
 
 
+def deviation(job):
+    """Likewise."""
+    found = mq.deviation(read_points(job["input"]), read_operand(job["reference"], job.get("object")), **job["options"],
+                         scale=job["mesh_scale"], progress=progress_line())
+    where = ""
+    if job.get("csv"):
+        found.write_csv(job["csv"])
+        where = f", written to {job['csv']}"
+    return found, f"measured {_count(len(found.values), 'point')}{where}", verdict.of_deviation(found)
+
+
 def verify(job):
     """Likewise; each fault is a finding."""
     found = mq.verify(job["input"], job.get("mesh"), progress_line())
@@ -185,8 +197,8 @@ def run(job):
     try:
         report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
                                          "quality": quality, "certify": certify, "verify": verify, "thickness": thickness,
-                                         "clearance": clearance, "draft": draft, "voids": voids, "offset": offset,
-                                         "hollow": hollow, "wrap": wrap}[job["command"]](job)
+                                         "clearance": clearance, "draft": draft, "voids": voids, "deviation": deviation,
+                                         "offset": offset, "hollow": hollow, "wrap": wrap}[job["command"]](job)
     except mq.InvalidInput as error:
         return _failure(USAGE, error)
     except files.DiskFull as error:

@@ -6,7 +6,7 @@ import os
 
 from .. import files, formats, options
 from ..errors import Error
-from .parser import CAD_SUFFIXES, ELEMENT_SUFFIXES, INPUTS, OUTPUTS, TABLES, WITH_PATCHES
+from .parser import CAD_SUFFIXES, ELEMENT_SUFFIXES, INPUTS, MESH_SUFFIXES, OUTPUTS, TABLES, WITH_PATCHES
 
 STANDARD = "-"
 
@@ -19,7 +19,7 @@ def job_of(arguments):
     """
     job = vars(arguments).copy()
     command = job["command"]
-    for name in ("input", "shape", "mesh", "save", "csv", "output"):
+    for name in ("input", "shape", "mesh", "reference", "save", "csv", "output"):
         if job.get(name):
             job[name] = _absolute(job[name])
     job["inputs"] = [_absolute(path) for path in job.get("inputs") or [job["input"]]]
@@ -27,7 +27,8 @@ def job_of(arguments):
         require_input(path, INPUTS[command], job["input_format"])
     require_input(job.get("shape"), CAD_SUFFIXES, job["input_format"])
     require_input(job.get("mesh"), ELEMENT_SUFFIXES, job["input_format"])
-    if (job["inputs"] + [job.get("shape"), job.get("mesh")]).count(STANDARD) > 1:
+    require_input(job.get("reference"), CAD_SUFFIXES + MESH_SUFFIXES, job["input_format"])
+    if (job["inputs"] + [job.get("shape"), job.get("mesh"), job.get("reference")]).count(STANDARD) > 1:
         raise Error("standard input, -, can be read once only: name a file for the others")
     if len(job["inputs"]) == 1 and command == "boolean":
         raise Error("a Boolean needs two inputs or more")

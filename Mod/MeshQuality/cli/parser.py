@@ -14,6 +14,7 @@ from ..version import __version__
 
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
 MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
+POINT_SUFFIXES = (".xyz", ".asc", ".txt", ".csv", ".pts")  # a line a point; more columns than three are left out
 ELEMENT_SUFFIXES = tuple(READABLE)  # extensions of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
@@ -21,9 +22,9 @@ INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SU
           "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
           "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
           "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES,
-          "wrap": MESH_SUFFIXES + CAD_SUFFIXES}
+          "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": ()}
+           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": (), "deviation": ()}
 WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
@@ -31,6 +32,7 @@ TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*opt
           "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
           "verify": (), "thickness": options.inspection.THICKNESS, "clearance": options.inspection.CLEARANCE,
           "draft": options.inspection.DRAFT, "voids": options.inspection.VOIDS,
+          "deviation": options.inspection.DEVIATION,
           "offset": options.offset.OFFSET, "hollow": options.offset.HOLLOW,
           "wrap": options.wrap.WRAP}
 _FLAT_HEADING = {"Display": "Flat triangles"}
@@ -124,6 +126,11 @@ examples:
 examples:
   meshquality voids print.stl --strict
 """,
+    "deviation": """
+examples:
+  meshquality deviation scan.stl --reference part.step --align any --tolerance 0.1 --strict
+  meshquality deviation points.xyz --reference part.step --mesh-scale 25.4 --csv deviation.csv --json
+""",
     "batch": """
 examples:
   meshquality batch parts/ -o out/ --chord-height-relative 0.002
@@ -200,8 +207,19 @@ def parser(batched="triangulate"):
     _add_single(commands, "voids", "find closed cavities",
                 "Finds the closed cavities of a CAD shape or a mesh, from which nothing comes out, and their volumes.\n"
                 "Exit status 3 with --strict where there are some.")
+    _add_deviation(commands)
     _add_batch(commands, batched)
     return top
+
+
+def _add_deviation(commands):
+    one = _add_single(commands, "deviation", "measure how far a scan is from a part",
+                      "Measures the signed distance of each vertex of a mesh, or of each point of a text file, from a CAD shape or\n"
+                      "another mesh: positive outside. Exit status 3 with --strict where points are beyond --tolerance.")
+    one.add_argument("--reference", metavar="FILE", required=True,
+                     help=f"the CAD file or mesh that is measured against: {' '.join(CAD_SUFFIXES + MESH_SUFFIXES)}")
+    _add_mesh_scale(one)
+    one.add_argument("--csv", metavar="FILE.csv", help="file for the deviation of each point")
 
 
 def _places(text):
@@ -250,7 +268,7 @@ def _add_single(commands, name, title, description):
     output = " [-o FILE]" if OUTPUTS[name] else ""
     one = _new(commands, name, title, description, inputs + output)
     kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file", ELEMENT_SUFFIXES: "mesh file",
-            (".json",): "certificate"}.get(INPUTS[name],
+            (".json",): "certificate", MESH_SUFFIXES + POINT_SUFFIXES: "mesh or file of points"}.get(INPUTS[name],
                                                                       "mesh or CAD file")
     text = f"{kind}: {' '.join(INPUTS[name])}; -: standard input"
     if name in WITH_INPUTS:

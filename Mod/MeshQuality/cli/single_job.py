@@ -23,7 +23,7 @@ def _use_stand_ins(job, folder, deadline):
     Returns {path of the file: what to call it}.
     """
     names = {}
-    for given in {*job["inputs"], job.get("shape"), job.get("mesh")} - {None}:
+    for given in {*job["inputs"], job.get("shape"), job.get("mesh"), job.get("reference")} - {None}:
         suffix = "." + job["input_format"] if given == STANDARD else os.path.splitext(given)[1]
         path = os.path.join(folder, f"input{len(names)}{suffix.lower()}")
         if given == STANDARD:
@@ -35,7 +35,7 @@ def _use_stand_ins(job, folder, deadline):
         else:
             continue
         job["inputs"] = [path if name == given else name for name in job["inputs"]]
-        for name in ("input", "shape", "mesh"):
+        for name in ("input", "shape", "mesh", "reference"):
             if job.get(name) == given:
                 job[name] = path
     return names

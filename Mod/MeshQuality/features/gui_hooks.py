@@ -42,8 +42,10 @@ class Windowless:
     def show_faces(self, obj, colours):
         """Shows the faces of an object with a shape in colours: red, green, blue from 0 to 255, in place of its sources."""
 
-    def show_values(self, obj, values):
-        """Colours the triangles of an object by thicknesses in mm; None: it has one colour."""
+    def show_values(self, obj, values, limit=None):
+        """Colours the triangles of an object by thicknesses in mm, or by deviations between -limit and limit; None: it has one
+        colour.
+        """
 
     def file_progress(self, title):
         """A context whose value is what triangulate takes as progress, for work on the main thread that a window shows."""

@@ -9,9 +9,10 @@ import Part
 
 from ..compat import why_no_extension
 from ..core.curving import holds_elements
+from ..core.inspect.deviation import has_points
 from ..core.sources import convert, frames
 from ..errors import Error
-from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
+from ..features import (boolean, cured_mesh, curved_mesh, deviation, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
                         offset, quality_mesh, repaired_mesh, wrap)
 from . import help_pages, quality_data
 from .panel_operation import Operation, name_of
@@ -237,6 +238,26 @@ class Inspect(Offset):
     KEYS = "Q, K"
 
 
+class Deviation(Boolean):
+    KIND = deviation.DeviationObject
+    NAME = KIND.COMMAND
+    TEXT = "Deviation"
+    TIP = "Colour the selected scan, a mesh or points, by its signed distance from the selected part, aligned before if asked"
+    KEYS = "Q, D"
+
+    def panel(self, operations, **values):
+        return MeshPanel(operations, afterwards=quality_panel.open_panel, **values)
+
+    def selected(self):
+        """The scan and the part, in whatever order they were selected; of two meshes the first one is the scan."""
+        found = [source for source in _selected() if _has_shape(source) or has_points(source)]
+        scans = [source for source in found if has_points(source)]
+        one_document = len({frames.object_of(source).Document for source in found}) == 1
+        if len(found) != 2 or not scans or not one_document:
+            return []
+        return [scans[0], found[1] if scans[0] == found[0] else found[0]]
+
+
 class Improve(_Command):
     KIND = improved_mesh.ImprovedMesh
     NAME = KIND.COMMAND
@@ -403,7 +424,7 @@ def _has_shape(source):
 # By task: the title of a submenu, or none, and its commands.
 _MENUS = (
     (QT_TRANSLATE_NOOP("Workbench", "Mesh"), (Triangulate, Quick, Curve, FemMesh)),
-    (QT_TRANSLATE_NOOP("Workbench", "Check"), (Analyse, Thickness, Inspect)),
+    (QT_TRANSLATE_NOOP("Workbench", "Check"), (Analyse, Thickness, Inspect, Deviation)),
     (QT_TRANSLATE_NOOP("Workbench", "Repair and combine"), (Repair, Improve, Cure, Boolean, Wrap)),
     (QT_TRANSLATE_NOOP("Workbench", "Print"), (Offset, Hollow)),
     (QT_TRANSLATE_NOOP("Workbench", "CFD and FEM"), (Patches, FlowCase, CfdSurface)),

@@ -4,7 +4,7 @@
 from ..compat import PlainState
 from ..features.curved_mesh import CurvedMeshObject
 from ..features.gui_hooks import Windowless
-from . import background_recompute, file_progress, visibility, mesh_view, preferences, thickness_colours, translation
+from . import background_recompute, file_progress, visibility, mesh_view, preferences, translation, value_colours
 
 
 class Window(Windowless):
@@ -49,9 +49,9 @@ class Window(Windowless):
         """As visibility.show_faces."""
         visibility.show_faces(obj, colours)
 
-    def show_values(self, obj, values):
-        """As thickness_colours.show."""
-        thickness_colours.show(obj, values)
+    def show_values(self, obj, values, limit=None):
+        """As value_colours.show."""
+        value_colours.show(obj, values, limit)
 
     def file_progress(self, title):
         """As file_progress.shown."""

@@ -19,6 +19,7 @@ from ..core.patches.patches import patches_of
 from ..core.sources import convert, frames
 from ..errors import InvalidInput
 from ..features import mesh_object
+from ..features.deviation import colour_limit, is_of_points
 from ..features.properties import exempt_reasons
 from .patch_colours import division_of
 from .quantities import Unit, in_locale, number_of, value_of
@@ -58,9 +59,18 @@ class Measure:
         """Whether small numbers are the bad ones."""
         return self.bad is not None and self.bad < self.good
 
+    @property
+    def is_signed(self):
+        """Whether numbers are bad on both sides of 0."""
+        return self.bad is not None and self.bad == -self.good
+
+    def badness(self, values):
+        """Numbers that grow the worse the values are."""
+        return np.abs(values) if self.is_signed else -values if self.low_is_bad else values
+
     def order(self, values):
         """Indices of the elements, the worst first; the lower index where they are alike."""
-        return np.argsort(values if self.low_is_bad else -values, kind="stable")
+        return np.argsort(-self.badness(values), kind="stable")
 
 
 class Scale:
@@ -118,6 +128,8 @@ class Scale:
         """float64: 0 where bad, 1 where good; not a number where a value is infinite and not bad."""
         if self.measure.low_is_bad:
             values = np.where(np.isposinf(values), np.nan, values)
+        if self.measure.is_signed:
+            return np.interp(values, (self.low, 0.0, self.high), (1.0, GREEN, 0.0))
         if self.bound is not None:
             inside = 1.0 - (1.0 - GREEN) * np.asarray(values) / self.bound
             return np.where(inside >= GREEN * (1.0 - 1e-9), inside, 0.0)
@@ -136,6 +148,11 @@ DISTANCE = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Max. deviation"),
     QT_TRANSLATE_NOOP("MeshQuality", "Largest distance between each triangle and the source."),
     None, None, 0.0, lambda data, progress: data.distances(progress))
+# Red outside, green on the surface, blue inside; ends at the tolerance, see deviation_scale.
+DEVIATION = Measure(
+    QT_TRANSLATE_NOOP("MeshQuality", "Deviation from the part"),
+    QT_TRANSLATE_NOOP("MeshQuality", "Signed distance from the part: red outside, blue inside."),
+    None, 1.0, -1.0, lambda data, _: data.deviations)
 # Ends at twice the median, as what is thick depends on the part: see thickness_scale.
 THICKNESS = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Wall thickness"),
@@ -158,6 +175,11 @@ def thickness_scale(values):
     """The Scale of thicknesses: up to twice the median, as what is thick depends on the part."""
     finite = values[np.isfinite(values)]
     return Scale(replace(THICKNESS, good=2.0 * float(np.median(finite)) if len(finite) else 1.0), values)
+
+
+def deviation_scale(limit):
+    """The Scale of deviations between -limit and limit, mm."""
+    return Scale(replace(DEVIATION, bad=limit, good=-limit), np.zeros(0))
 
 
 @dataclass(frozen=True)
@@ -233,6 +255,9 @@ class QualityData:
             self.measures = [JACOBIAN, DISTORTION]
             self._prepare = partial(self._take_curved, taken_from(source),
                                     property_of(obj, "ShownDeviation").Value)
+        elif is_of_points(obj):
+            self.measures, self.deviations, self._limit = [DEVIATION], np.array(obj.Deviations), colour_limit(obj)
+            self._prepare = partial(self._take_flat, convert.MeshCopy(source), list(obj.FaceRuns))
         else:
             self.measures = [MIN_ANGLE, ASPECT, DISTORTION, *([DISTANCE] if self._shape is not None else []), THICKNESS]
             self._prepare = partial(self._take_flat, convert.MeshCopy(source),
@@ -329,6 +354,8 @@ class QualityData:
         """The Scale of these values of a measure."""
         if measure is THICKNESS:
             return thickness_scale(values)
+        if measure is DEVIATION:
+            return deviation_scale(self._limit)
         return Scale(measure, values, self.bound if measure is DISTANCE else None)
 
     def distances(self, progress=None):
@@ -357,8 +384,9 @@ class QualityData:
         finite = np.where(np.isfinite(values), values, 0.0)[order]
         sums = np.add.reduceat(finite, starts)
         known = np.maximum(np.add.reduceat(np.isfinite(values[order]).astype(int), starts), 1)
-        extreme = np.minimum if measure.low_is_bad else np.maximum
-        worst = extreme.reduceat(values[order], starts)
+        # The first element of each face in the order of faces, and in each the worst first.
+        by_face = np.lexsort((-measure.badness(values), self.group))
+        worst = values[by_face][starts]
         rows = [FaceRow(int(f), self.patches[f] if self.patches else f"Face{f + 1}", int(n), float(w), float(s / k))
                 for f, n, w, s, k in zip(faces, counts, worst, sums, known) if f >= 0]
         return [rows[i] for i in measure.order(np.array([row.worst for row in rows]))]

@@ -41,6 +41,16 @@ DRAFT = (
 )
 VOIDS = (_TOLERANCE,)
 
+ALIGNMENTS = ("none", "near", "any")
+DEVIATION = (
+    Option("tolerance", float, None, unit="mm", low=0.0, group="Deviation", title="Tolerance", unset="no limit",
+           help="Points farther from the reference than this, outside or inside, are reported"),
+    Option("align", str, "none", choices=ALIGNMENTS, group="Deviation", title="Alignment",
+           choice_titles=("None", "Best fit from here", "Best fit from any pose"),
+           help="none: points are measured where they are; near: they are fitted to the reference from there; any: from any pose, by "
+                "principal axes first"),
+)
+
 # Of document objects, which hold one of these checks.
 CHECKS = ("thickness", "clearance", "draft", "voids")
 PULL_DIRECTIONS = ("x", "-x", "y", "-y", "z", "-z")

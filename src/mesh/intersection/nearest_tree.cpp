@@ -197,4 +197,20 @@ std::int32_t NearestTree::any_within(const Vec3& p, double distance, std::int32_
     return found;
 }
 
+void NearestTree::all_within(const Vec3& p, double distance, std::vector<ClosestPoint>& found) const {
+    found.clear();
+    const double bound_squared = distance * distance;
+    for_each_near(p, bound_squared, [&](std::int32_t triangle) {
+        const Vec3 q = nearest_on(triangle, p);
+        const double squared = (q - p).squaredNorm();
+        if (squared <= bound_squared) {
+            found.push_back({triangle, q, std::sqrt(squared)});
+        }
+        return true;
+    });
+    std::sort(found.begin(), found.end(), [](const ClosestPoint& a, const ClosestPoint& b) {
+        return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
+    });
+}
+
 }  // namespace mq::mesh

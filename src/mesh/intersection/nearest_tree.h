@@ -38,6 +38,9 @@ class NearestTree : public AabbTree {
     /// Any triangle at most `distance` away (mm); -1: none. It is `guess`, a triangle of the tree, if that is near
     /// enough.
     std::int32_t any_within(const Vec3& p, double distance, std::int32_t guess) const;
+    /// Replaces `found` by all triangles at most `distance` away (mm), each with its point nearest to p: nearest first,
+    /// of equally near ones the one with the lowest index.
+    void all_within(const Vec3& p, double distance, std::vector<ClosestPoint>& found) const;
 
   private:
     static constexpr std::size_t kWidth = 4;

@@ -77,7 +77,7 @@ class ContouredOffset {
         contour::CollapseLimits limits;
         limits.distance = ContouredOffsetTuning::kSimplification * tolerance_;
         limits.border = limits.distance;
-        limits.accepts = [this](const std::array<Vec3, 3>& c) { return is_free(c) && is_near(c); };
+        limits.accepts = [this](const std::array<Vec3, 3>& c, std::int32_t) { return is_free(c) && is_near(c); };
         const double block = box().largest_side() / ContouredOffsetTuning::kBlocks;
         std::vector<double> wrong;
         for (int round = 1; round <= ContouredOffsetTuning::kRounds; ++round) {

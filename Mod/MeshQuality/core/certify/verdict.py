@@ -393,6 +393,16 @@ def of_voids(found):
     return [Finding(counted_sentence(phrases.HAS_VOIDS, len(found.voids)), faces)] if found.voids else []
 
 
+def of_deviation(found):
+    """Findings of a DeviationMap: its largest deviation, where that is beyond its tolerance, and the faces that have such points."""
+    if found.tolerance is None or found.max_deviation <= found.tolerance:
+        return []
+    beyond = tuple(face.face for face in found.by_face if face.within < 1.0)
+    largest, limit = _told_apart(found.max_deviation, found.tolerance)
+    return [Finding(_sentence(phrases.BEYOND_TOLERANCE, length=f"{largest} mm", length2=f"{limit} mm",
+                              number=_number(100.0 * (1.0 - found.within()))), beyond)]
+
+
 def of_certificate(certificate):
     """Findings of a MeshCertificate."""
     found = []

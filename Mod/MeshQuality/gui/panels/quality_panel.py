@@ -15,7 +15,7 @@ from ...core.sources import convert, frames
 from ...errors import Error
 from .. import jobs, visibility
 from ..fem_quality_data import FemQualityData
-from ..quality_data import DISTANCE, THICKNESS, Histogram, QualityData, Scale
+from ..quality_data import DEVIATION, DISTANCE, THICKNESS, Histogram, QualityData, Scale
 from ..quantities import count_text
 from ..translation import translated
 from ..view import badge, colour_scale
@@ -268,6 +268,8 @@ class QualityPanel:
 
     def _meaning(self, measure):
         words = translate("MeshQuality", measure.help)
+        if measure is DEVIATION:
+            return words + " " + translate("MeshQuality", "The colours end at ± {0}.").format(self.scale.text(self.scale.high))
         if measure is not DISTANCE or measure.title in self._own_ranges:
             return words
         if self.data.bound is None:
@@ -391,6 +393,8 @@ def _alignment(column):
 
 def _command(measure):
     """The name and the text of the command that begins with this measure."""
+    if measure is DEVIATION:
+        return "MeshQuality_Deviation", "Deviation"
     return ("MeshQuality_Thickness", "Wall thickness") if measure is THICKNESS else ("MeshQuality_Analyse", "Analyse quality")
 
 

@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "inspection/cad_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "geometry/elementary/surface.h"
+
+namespace mq::inspection {
+
+using geometry::Answer;
+using geometry::Answerer;
+using geometry::Query;
+using mesh::ClosestPoint;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// mm: points of a surface this near to the border of a face are on it.
+constexpr double kBorder = 1e-9;
+/// Vertices of the mesh lie on the faces; a projection farther off than this fraction of the deviation is not the
+/// nearest.
+constexpr double kNearEnough = 0.1;
+/// Projections from different triangles of one face at most.
+constexpr std::size_t kMostStarts = 24;
+
+Vec3 weights_of(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 normal = (b - a).cross(c - a);
+    const double square = normal.squaredNorm();
+    if (!(square > 0.0)) {
+        return {1.0, 0.0, 0.0};
+    }
+    const double at_b = (p - a).cross(c - a).dot(normal) / square, at_c = (b - a).cross(p - a).dot(normal) / square;
+    return {1.0 - at_b - at_c, at_b, at_c};
+}
+
+/// The projections of the vertices of a face onto it: a walk from each vertex to its neighbours, for which its
+/// parameters are a good guess.
+/// @param enough  mm: what is farther off than this is sought on the whole face
+std::vector<Answer> projections_of_neighbours(Answerer& answerer, int face, const std::vector<Vec3>& points,
+                                              const std::vector<mesh::Triangle>& triangles, double enough) {
+    const mesh::VertexStars stars(triangles, points.size());
+    std::vector<Answer> answers(points.size());
+    std::vector<char> known(points.size(), 0);
+    const auto project = [&](std::size_t v, const Answer& beside) {
+        Answer found;
+        if (beside.found()) {
+            found = answerer.answer(Query::face_nearest(face, points[v], beside.u, beside.v));
+        }
+        if (!found.found() || found.distance > enough) {
+            const Answer global = answerer.answer(Query::face_nearest_global(face, points[v]));
+            found = global.found() && (!found.found() || global.distance < found.distance) ? global : found;
+        }
+        answers[v] = found;
+        known[v] = 1;
+    };
+    for (std::size_t first = 0; first < points.size(); ++first) {
+        if (known[first] != 0) {
+            continue;
+        }
+        project(first, Answer());
+        std::vector<std::size_t> walk{first};
+        for (std::size_t k = 0; k < walk.size(); ++k) {
+            for (const std::uint32_t corner : stars[walk[k]]) {
+                for (const std::int32_t v : triangles[corner / 3]) {
+                    const auto next = static_cast<std::size_t>(v);
+                    if (known[next] == 0) {
+                        project(next, answers[walk[k]]);
+                        walk.push_back(next);
+                    }
+                }
+            }
+        }
+    }
+    return answers;
+}
+
+double longest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+}
+
+}  // namespace
+
+CadDistance::CadDistance(geometry::Session& session, const MeshDistance& mesh, double deviation)
+    : mesh_(mesh), topology_(session.topology()), deviation_(deviation) {
+    for (const geometry::Face& face : topology_.faces) {
+        const char* const elementary[] = {"plane", "cylinder", "cone", "sphere", "torus"};
+        is_elementary_.push_back(std::any_of(std::begin(elementary), std::end(elementary),
+                                             [&](const char* kind) { return std::strcmp(kind, face.surface) == 0; }));
+    }
+    find_parameters(session);
+    find_interior();
+    divide_edges(session);
+    sum_normals_at_nodes();
+}
+
+void CadDistance::find_parameters(geometry::Session& session) {
+    const mesh::TriangleMesh& mesh = mesh_.mesh();
+    uv_.resize(mesh.triangles.size(), {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()});
+    normal_.resize(mesh.triangles.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
+    std::vector<std::vector<std::int32_t>> of_face(topology_.faces.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        of_face[static_cast<std::size_t>(mesh.triangle_face[t])].push_back(static_cast<std::int32_t>(t));
+    }
+    session.run_parallel(static_cast<int>(of_face.size()), [&](Answerer& answerer, int face) {
+        session.check();
+        find_parameters_of(answerer, face, of_face[static_cast<std::size_t>(face)]);
+    });
+}
+
+void CadDistance::find_parameters_of(Answerer& answerer, int face, const std::vector<std::int32_t>& triangles) {
+    const mesh::TriangleMesh& mesh = mesh_.mesh();
+    std::vector<std::int32_t> vertices;
+    for (const std::int32_t t : triangles) {
+        vertices.insert(vertices.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const auto place_of = [&](std::int32_t v) {
+        return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+    };
+    std::vector<mesh::Triangle> local;
+    for (const std::int32_t t : triangles) {
+        mesh::Triangle& corners = local.emplace_back();
+        for (int i = 0; i < 3; ++i) {
+            corners[i] = static_cast<std::int32_t>(place_of(mesh.triangles[t][i]));
+        }
+    }
+    std::vector<Vec3> points;
+    for (const std::int32_t v : vertices) {
+        points.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
+    }
+    const std::vector<Answer> answers =
+        projections_of_neighbours(answerer, face, points, local, kNearEnough * deviation_);
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+        const auto t = static_cast<std::size_t>(triangles[k]);
+        for (int i = 0; i < 3; ++i) {
+            const Answer& at = answers[static_cast<std::size_t>(local[k][i])];
+            uv_[t][i] = Vec2(at.u, at.v);
+            normal_[t][i] = at.normal;
+        }
+        unwrap(face, uv_[t]);
+    }
+}
+
+/// Puts the parameters of a triangle's corners on one turn of a periodic surface.
+void CadDistance::unwrap(int face, std::array<Vec2, 3>& corners) const {
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+        const double period = topology_.faces[static_cast<std::size_t>(face)].period[static_cast<std::size_t>(axis)];
+        for (std::size_t i = 1; i < 3 && period > 0.0; ++i) {
+            corners[i][axis] = geometry::branch_nearest(corners[i][axis], corners[0][axis], period);
+        }
+    }
+}
+
+/// A triangle with all corners inside of its face has others of that face around it. As angles are bounded, those are
+/// about as large, so that a fraction of its shortest edge is within the face.
+void CadDistance::find_interior() {
+    constexpr double kFraction = 0.2;
+    const mesh::TriangleMesh& mesh = mesh_.mesh();
+    interior_.resize(mesh.triangles.size(), 0.0F);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const mesh::Triangle& v = mesh.triangles[t];
+        const bool inside =
+            std::all_of(v.begin(), v.end(), [&](std::int32_t i) { return mesh.vertex_entity[i][0] == 2; });
+        if (inside) {
+            const Vec3 &a = mesh.vertices[v[0]], &b = mesh.vertices[v[1]], &c = mesh.vertices[v[2]];
+            const double height = (b - a).cross(c - a).norm() / longest_edge(a, b, c);
+            interior_[t] = static_cast<float>(kFraction * height);
+        }
+    }
+}
+
+void CadDistance::divide_edges(geometry::Session& session) {
+    for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
+        if (!topology_.edges[e].degenerate) {
+            divide(session, static_cast<int>(e));
+        }
+    }
+    if (!edge_segments_.empty()) {
+        edge_tree_.emplace_back(edge_points_, edge_segments_);
+    }
+}
+
+/// Divides an edge into pieces that deviate from it by no more than the mesh does.
+void CadDistance::divide(geometry::Session& session, int edge) {
+    constexpr int kPieces = 8;
+    constexpr int kPiecesOfSpan = 2;
+    constexpr int kMostPieces = 4096;
+    const geometry::Edge& data = topology_.edges[static_cast<std::size_t>(edge)];
+    int count = std::max(kPieces, kPiecesOfSpan * static_cast<int>(data.spans.bounds.size()));
+    for (bool again = true; again;) {
+        const auto at = [&](double i) { return data.t0 + (data.t1 - data.t0) * i / count; };
+        geometry::Engine::Batch batch;
+        for (int i = 0; i <= 2 * count; ++i) {
+            batch.push_back(Query::edge_point(edge, at(0.5 * i)));
+        }
+        const geometry::Engine::Answers points = session.ask(std::move(batch));
+        if (!std::all_of(points.begin(), points.end(), [](const Answer& a) { return a.found(); })) {
+            return;
+        }
+        const auto point = [&](int i) -> const Vec3& { return points[static_cast<std::size_t>(i)].point; };
+        double largest = 0.0;
+        for (int i = 0; i < count; ++i) {
+            largest = std::max(largest, (point(2 * i + 1) - 0.5 * (point(2 * i) + point(2 * i + 2))).norm());
+        }
+        again = largest > deviation_ && count < kMostPieces;
+        if (again) {
+            const double factor = std::clamp(1.1 * std::sqrt(largest / deviation_), 2.0, 64.0);
+            count = std::min(kMostPieces, static_cast<int>(std::ceil(factor * count)));
+            continue;
+        }
+        edge_deviation_ = std::max(edge_deviation_, 2.0 * largest);
+        const auto first = static_cast<std::int32_t>(edge_points_.size());
+        for (int i = 0; i <= count; ++i) {
+            edge_points_.push_back(point(2 * i));
+            if (i < count) {
+                edge_segments_.push_back({first + i, first + i + 1, first + i + 1});
+                pieces_.push_back({edge, at(i), at(i + 1)});
+            }
+        }
+    }
+}
+
+/// The pseudonormal of a node: the normals of its faces, weighted by the angles of their triangles there.
+void CadDistance::sum_normals_at_nodes() {
+    const mesh::TriangleMesh& mesh = mesh_.mesh();
+    node_normal_.resize(topology_.nodes.size(), Vec3::Zero());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (int i = 0; i < 3; ++i) {
+            const auto& [dimension, node] = mesh.vertex_entity[mesh.triangles[t][i]];
+            if (dimension != 0) {
+                continue;
+            }
+            const Vec3& apex = mesh.vertices[mesh.triangles[t][i]];
+            const Vec3 a = mesh.vertices[mesh.triangles[t][(i + 1) % 3]] - apex;
+            const Vec3 b = mesh.vertices[mesh.triangles[t][(i + 2) % 3]] - apex;
+            const Vec3 plane = a.cross(b);
+            // Where the surface has no normal, as at the apex of a cone, that of the triangle stands for it.
+            const Vec3 normal = normal_[t][i].squaredNorm() > 0.5 ? normal_[t][i] : Vec3(plane.normalized());
+            node_normal_[static_cast<std::size_t>(node)] += std::atan2(plane.norm(), a.dot(b)) * normal;
+        }
+    }
+}
+
+/// The search for the point of the model that is nearest to one point.
+class CadDistance::Search {
+  public:
+    Search(const CadDistance& cad, Answerer& answerer, const Vec3& point)
+        : cad_(cad), answerer_(answerer), point_(point) {}
+
+    double least() const { return least_; }
+
+    /// Projects the point onto the face of a triangle, from the triangle's point nearest to it.
+    void project(const ClosestPoint& from) {
+        const auto t = static_cast<std::size_t>(from.triangle);
+        const mesh::TriangleMesh& mesh = cad_.mesh_.mesh();
+        const mesh::Triangle& v = mesh.triangles[t];
+        const Vec3 weights = weights_of(from.point, mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]);
+        const Vec2 uv = weights[0] * cad_.uv_[t][0] + weights[1] * cad_.uv_[t][1] + weights[2] * cad_.uv_[t][2];
+        const std::int32_t face = mesh.triangle_face[t];
+        const Answer found = answerer_.answer(Query::face_nearest(face, point_, uv.x(), uv.y()));
+        starts_.push_back({face, from.point, found.found() ? found.point : from.point});
+        if (found.found() && found.distance < least_) {
+            const int side = side_of(found, from);
+            const bool is_across = is_along_normal(found);
+            // A search that ends at the bounds of a surface has found a point of an edge; at a crease inside of a face
+            // the triangles say what is outside.
+            if (side > 0 || (side == 0 && is_across)) {
+                take(found, face, is_across ? found.normal : cad_.mesh_.pseudonormal(from.triangle, from.point));
+            }
+        }
+    }
+
+    /// Projects the point onto the faces of triangles, except from those near which a projection ended already.
+    void project_all(const std::vector<ClosestPoint>& candidates) {
+        for (const ClosestPoint& from : candidates) {
+            if (from.distance <= least_ + cad_.deviation_ && !is_known(from)) {
+                project(from);
+            }
+        }
+    }
+
+    /// Projects the point onto the pieces of edges that can be nearer than what is known.
+    void project_on_edges(const std::vector<ClosestPoint>& candidates) {
+        for (const ClosestPoint& from : candidates) {
+            if (from.distance - cad_.edge_deviation_ >= least_) {
+                break;
+            }
+            const Piece& piece = cad_.pieces_[static_cast<std::size_t>(from.triangle)];
+            const Answer found = answerer_.answer(
+                Query::edge_nearest(piece.edge, point_, 0.5 * (piece.low + piece.high), piece.low, piece.high));
+            if (found.found() && found.distance < least_ * (1.0 - 1e-12)) {
+                take(found, -1, Vec3::Zero());
+                edge_ = piece.edge;
+                parameter_ = found.t;
+            }
+        }
+    }
+
+    SignedDistance result() {
+        if (edge_ >= 0) {
+            look_around_edge();
+        }
+        SignedDistance found = signed_distance(point_, nearest_, normal_);
+        found.face = face_;
+        return found;
+    }
+
+  private:
+    struct Start {
+        std::int32_t face;
+        Vec3 begin;  ///< the triangle's point
+        Vec3 end;    ///< its projection
+    };
+
+    void take(const Answer& found, std::int32_t face, const Vec3& normal) {
+        least_ = found.distance;
+        nearest_ = found.point;
+        face_ = face;
+        normal_ = normal;
+        edge_ = -1;
+    }
+
+    /// 1 inside of the face of a triangle, 0 on its border, -1 outside.
+    int side_of(const Answer& found, const ClosestPoint& from) const {
+        if ((found.point - from.point).norm() <= cad_.interior_[static_cast<std::size_t>(from.triangle)]) {
+            return 1;
+        }
+        const std::int32_t face = cad_.mesh_.mesh().triangle_face[static_cast<std::size_t>(from.triangle)];
+        const Answer side = answerer_.answer(Query::face_contains(face, found.u, found.v, kBorder));
+        return side.found() ? side.side : -1;
+    }
+
+    /// Whether the way from the surface to the point is along its normal.
+    bool is_along_normal(const Answer& found) const {
+        constexpr double kAngle = 1e-6;
+        const Vec3 way = point_ - found.point;
+        const Vec3 aside = way - way.dot(found.normal) * found.normal;
+        return found.normal.squaredNorm() > 0.5 && aside.norm() <= kAngle * (way.norm() + cad_.deviation_);
+    }
+
+    /// Whether a projection from a triangle would end where one did already.
+    bool is_known(const ClosestPoint& from) const {
+        const mesh::TriangleMesh& mesh = cad_.mesh_.mesh();
+        const mesh::Triangle& v = mesh.triangles[static_cast<std::size_t>(from.triangle)];
+        const std::int32_t face = mesh.triangle_face[static_cast<std::size_t>(from.triangle)];
+        const double edge = longest_edge(mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]);
+        std::size_t count = 0;
+        for (const Start& start : starts_) {
+            if (start.face == face) {
+                const double apart = std::min((start.begin - from.point).norm(), (start.end - from.point).norm());
+                if (cad_.is_elementary_[static_cast<std::size_t>(face)] != 0 || ++count == kMostStarts ||
+                    apart <= edge) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /// The face and the normal at a point of an edge: the sum of the normals of its faces, or the node's at its ends.
+    void look_around_edge() {
+        constexpr double kEnd = 1e-9;
+        const geometry::Edge& edge = cad_.topology_.edges[static_cast<std::size_t>(edge_)];
+        const double end = kEnd * (edge.t1 - edge.t0);
+        Vec3 sum = Vec3::Zero();
+        for (const int use : edge.uses) {
+            const Answer at = answerer_.answer(Query::use_on_face(use, parameter_));
+            const std::int32_t face = cad_.topology_.uses[static_cast<std::size_t>(use)].face;
+            sum += at.normal;
+            face_ = face_ < 0 || face < face_ ? face : face_;
+        }
+        const int node = parameter_ <= edge.t0 + end ? edge.nodes[0] : parameter_ >= edge.t1 - end ? edge.nodes[1] : -1;
+        const bool at_node = node >= 0 && !cad_.node_normal_[static_cast<std::size_t>(node)].isZero(0.0);
+        normal_ = at_node ? cad_.node_normal_[static_cast<std::size_t>(node)] : sum;
+    }
+
+    const CadDistance& cad_;
+    Answerer& answerer_;
+    const Vec3 point_;
+    std::vector<Start> starts_;
+    double least_ = kInfinity;
+    Vec3 nearest_ = Vec3::Zero();
+    Vec3 normal_ = Vec3::Zero();
+    std::int32_t face_ = -1;
+    int edge_ = -1;  ///< the edge with the nearest point; -1: it is inside of a face
+    double parameter_ = 0.0;
+};
+
+SignedDistance CadDistance::at(Answerer& answerer, const Vec3& point, std::int32_t guess, std::size_t& by_mesh) const {
+    const ClosestPoint near = mesh_.nearest(point, guess);
+    Search search(*this, answerer, point);
+    search.project(near);
+    const double reach = std::min(search.least(), near.distance + deviation_) + deviation_;
+    thread_local std::vector<ClosestPoint> candidates;
+    mesh_.tree().all_within(point, reach, candidates);
+    search.project_all(candidates);
+    if (!edge_tree_.empty()) {
+        const double bound = std::min(search.least(), near.distance + deviation_) + edge_deviation_;
+        edge_tree_.front().all_within(point, bound, candidates);
+        search.project_on_edges(candidates);
+    }
+    if (!(search.least() <= near.distance + 2.0 * deviation_)) {
+        ++by_mesh;
+        return mesh_.at(point, near.triangle);
+    }
+    SignedDistance found = search.result();
+    found.triangle = near.triangle;
+    return found;
+}
+
+}  // namespace mq::inspection

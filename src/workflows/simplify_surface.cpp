@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "workflows/simplify_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "base/disjoint_sets.h"
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "contour/simplification.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "mesh/edge_table.h"
+#include "mesh/intersection/self_intersection.h"
+#include "mesh/quality/mesh_report.h"
+#include "mesh/weld_vertices.h"
+#include "offset/proof/distance_bounds.h"
+
+namespace mq::workflows {
+
+using mesh::Corners;
+using mesh::Triangle;
+
+namespace {
+
+/// Rounds at most; in the last one no edge is collapsed.
+constexpr int kRounds = 12;
+/// Rounds with the same distance from planes; in each further one it is halved.
+constexpr int kFullRounds = 5;
+/// The root of the sum of squared distances from planes up to which edges are collapsed, as a
+/// multiple of the tolerance: the sum grows with the number of planes, and the proof decides.
+constexpr double kPlaneSum = 6.0;
+/// Fraction of the tolerance within which sample points of moved triangles are: the proof comes afterwards.
+constexpr double kForward = 0.93;
+/// Sample points along a side of a moved triangle.
+constexpr int kSamples = 4;
+/// Bounds of distances are proven to this fraction of the tolerance.
+constexpr double kFineness = 0.04;
+/// Blocks along the largest side, which are simplified in parallel.
+constexpr double kBlocks = 8.0;
+
+class Simplification {
+  public:
+    Simplification(const mesh::TriangleMesh& given, const SimplifyOptions& options, Progress& progress)
+        : options_(options),
+          progress_(progress),
+          triangles_(welded(given)),
+          points_(rounded(given.vertices)),
+          searched_(points_, triangles_) {
+        for (const Vec3& p : points_) {
+            box_.add(p);
+        }
+        find_border();
+        start_ = contour_of(given);
+    }
+
+    void run(SimplifiedSurface& result) {
+        contour::CollapseLimits limits;
+        limits.distance = kPlaneSum * options_.tolerance;
+        limits.border = options_.tolerance;
+        limits.accepts = [this](const Corners& c, std::int32_t patch) { return is_near(c, patch); };
+        for (result.rounds = 1; result.rounds <= kRounds; ++result.rounds) {
+            now_ = start_;
+            progress_.stage("simplifying", 0.0, 0.7);
+            if (result.rounds > kFullRounds) {
+                limits.distance = std::max(limits.distance / 2.0, options_.tolerance);
+            }
+            if (result.rounds < kRounds) {
+                collapse(limits);
+            }
+            progress_.stage("proving the distance", 0.7, 0.9);
+            if (!keep_what_is_far()) {
+                break;
+            }
+        }
+        // What is not far is proven to be within the tolerance, which may be less than a bound of this fineness.
+        result.deviation = result.rounds < kRounds ? std::min(bound(), options_.tolerance) : bound();
+    }
+
+    mesh::TriangleMesh mesh(const mesh::TriangleMesh& given) const {
+        mesh::TriangleMesh found;
+        found.origin = given.origin;
+        found.vertices = now_.points;
+        found.triangles = now_.triangles;
+        for (std::size_t t = 0; t < now_.triangles.size() && !given.triangle_face.empty(); ++t) {
+            found.triangle_face.push_back(given.triangle_face[static_cast<std::size_t>(now_.source[t])]);
+        }
+        return found;
+    }
+
+  private:
+    static std::vector<Triangle> welded(const mesh::TriangleMesh& given) {
+        const std::vector<std::int32_t> lowest = mesh::equal_vertices(rounded(given.vertices));
+        std::vector<Triangle> triangles = given.triangles;
+        for (Triangle& t : triangles) {
+            for (std::int32_t& v : t) {
+                v = lowest[static_cast<std::size_t>(v)];
+            }
+        }
+        return triangles;
+    }
+    static std::vector<Vec3> rounded(const std::vector<Vec3>& points) {
+        std::vector<Vec3> single;
+        single.reserve(points.size());
+        for (const Vec3& p : points) {
+            single.push_back(to_single(p));
+        }
+        return single;
+    }
+
+    Corners corners(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
+    Vec3 normal(const Triangle& t) const {
+        return (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]).normalized();
+    }
+
+    /// Which triangles have a vertex on an open border.
+    /// @throws InvalidInput where an edge has not one triangle or two that run along it in opposite ways
+    void find_border() {
+        std::vector<char> on_border(points_.size(), 0);
+        std::size_t bad = 0;
+        mesh::EdgeTable(triangles_, points_.size())
+            .for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
+                const auto runs_up = [&](std::uint32_t corner) { return triangles_[corner / 3][corner % 3] == low; };
+                if (last - first == 1) {
+                    on_border[static_cast<std::size_t>(low)] = on_border[static_cast<std::size_t>(high)] = 1;
+                } else if (last - first > 2 || runs_up(first[0]) == runs_up(first[1])) {
+                    ++bad;
+                }
+            });
+        bad += static_cast<std::size_t>(std::count_if(triangles_.begin(), triangles_.end(), mesh::is_collapsed));
+        if (bad > 0) {
+            throw InvalidInput(phrases::kNotSimplified, {{"count", bad}});
+        }
+        for (const Triangle& t : triangles_) {
+            fixed_.push_back(std::any_of(t.begin(), t.end(), [&](std::int32_t v) { return on_border[v] != 0; }) ? 1
+                                                                                                                : 0);
+        }
+        has_fixed_ = std::find(fixed_.begin(), fixed_.end(), 1) != fixed_.end();
+    }
+
+    contour::Contour contour_of(const mesh::TriangleMesh& given) {
+        DisjointSets<std::int32_t> smooth(triangles_.size());
+        const double cosine = std::cos(options_.feature_angle * M_PI / 180.0);
+        mesh::EdgeTable(triangles_, points_.size())
+            .for_each([&](std::int32_t, std::int32_t, const std::uint32_t* first, const std::uint32_t* last) {
+                const std::uint32_t a = first[0] / 3, b = last[-1] / 3;
+                const bool one_face = given.triangle_face.empty() || given.triangle_face[a] == given.triangle_face[b];
+                if (one_face && normal(triangles_[a]).dot(normal(triangles_[b])) >= cosine) {
+                    smooth.unite(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b));
+                }
+            });
+        contour::Contour contour;
+        contour.points = points_;
+        contour.triangles = triangles_;
+        std::int32_t count = 0;
+        contour.patch = smooth.number(count);
+        std::vector<std::vector<std::int32_t>> of_patch(static_cast<std::size_t>(count));
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            of_patch[static_cast<std::size_t>(contour.patch[t])].push_back(static_cast<std::int32_t>(t));
+        }
+        for (const std::vector<std::int32_t>& patch : of_patch) {
+            trees_.push_back(std::make_unique<mesh::NearestTree>(points_, triangles_, patch));
+        }
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            contour::Crossing plane;
+            plane.on_input = points_[triangles_[t][0]];
+            plane.normal = normal(triangles_[t]);
+            planes_.push_back(plane);
+            contour.source.push_back(static_cast<std::int32_t>(t));
+            contour.plane.push_back(plane.normal.allFinite() ? static_cast<std::int32_t>(t) : -1);
+        }
+        return contour;
+    }
+
+    void collapse(contour::CollapseLimits limits) {
+        if (has_fixed_) {
+            limits.fixed = fixed_;
+            contour::collapse_edges(now_, planes_, limits, progress_);
+        } else {
+            contour::simplify(now_, planes_, limits, box_.largest_side() / kBlocks, progress_);
+        }
+    }
+
+    /// Whether sample points of a triangle are within a fraction of the tolerance of its patch of the given surface: so
+    /// borders between patches stay, too, where the surface beside them is plane.
+    bool is_near(const Corners& c, std::int32_t patch) const {
+        const mesh::NearestTree& tree = *trees_[static_cast<std::size_t>(patch)];
+        std::int32_t guess = tree.nearest(c[0]).triangle;
+        for (int i = 0; i <= kSamples; ++i) {
+            for (int j = 0; i + j <= kSamples; ++j) {
+                const Vec3 p = (i * c[0] + j * c[1] + (kSamples - i - j) * c[2]) / kSamples;
+                guess = tree.any_within(p, kForward * options_.tolerance, guess);
+                if (guess < 0) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    std::vector<Corners> given_corners() const {
+        std::vector<Corners> all;
+        for (const Triangle& t : triangles_) {
+            all.push_back(corners(t));
+        }
+        return all;
+    }
+    std::vector<Corners> own_corners() const {
+        std::vector<Corners> all;
+        for (const Triangle& t : now_.triangles) {
+            all.push_back({now_.points[t[0]], now_.points[t[1]], now_.points[t[2]]});
+        }
+        return all;
+    }
+
+    /// Fixes the given triangles around what is too far from the other surface; false where there is nothing.
+    bool keep_what_is_far() {
+        const offset::SearchedSurface found(now_.points, now_.triangles);
+        std::vector<std::int32_t> far = beyond(given_corners(), found);
+        for (const std::int32_t t : beyond(own_corners(), searched_)) {
+            far.push_back(now_.source[static_cast<std::size_t>(t)]);
+        }
+        std::vector<char> around(points_.size(), 0);
+        for (const std::int32_t t : far) {
+            for (const std::int32_t v : triangles_[static_cast<std::size_t>(t)]) {
+                around[static_cast<std::size_t>(v)] = 1;
+            }
+        }
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            const Triangle& c = triangles_[t];
+            if (around[c[0]] != 0 || around[c[1]] != 0 || around[c[2]] != 0) {
+                fixed_[t] = 1;
+                has_fixed_ = true;
+            }
+        }
+        return !far.empty();
+    }
+    std::vector<std::int32_t> beyond(const std::vector<Corners>& all, const offset::SearchedSurface& other) const {
+        return offset::triangles_beyond(all, other, 0.0, options_.tolerance, kFineness * options_.tolerance, progress_);
+    }
+
+    double bound() const {
+        const offset::SearchedSurface found(now_.points, now_.triangles);
+        const double fineness = kFineness * options_.tolerance;
+        return std::max(offset::deviation_from_distance(given_corners(), found, 0.0, fineness, progress_).bound,
+                        offset::deviation_from_distance(own_corners(), searched_, 0.0, fineness, progress_).bound);
+    }
+
+    const SimplifyOptions& options_;
+    Progress& progress_;
+    const std::vector<Triangle> triangles_;  ///< as given, vertices in one place as one
+    const std::vector<Vec3> points_;         ///< as given, in single precision
+    const offset::SearchedSurface searched_;
+    Box box_;
+    std::vector<char> fixed_;  ///< by triangle: whether it is at an open border, or where simplifying went too far
+    bool has_fixed_ = false;
+    std::vector<contour::Crossing> planes_;                  ///< by given triangle
+    std::vector<std::unique_ptr<mesh::NearestTree>> trees_;  ///< by patch: its given triangles
+    contour::Contour start_;
+    contour::Contour now_;
+};
+
+}  // namespace
+
+SimplifiedSurface simplify_surface(const mesh::TriangleMesh& given, const SimplifyOptions& options,
+                                   Progress& progress) {
+    mesh::require_valid(given);
+    const Stopwatch watch_all;
+    SimplifiedSurface result;
+    StageTimer clock(result.surface.report.seconds);
+    Simplification simplification(given, options, progress);
+    simplification.run(result);
+    clock.end("simplifying");
+    result.surface.mesh = simplification.mesh(given);
+    progress.stage("measuring", 0.9, 1.0);
+    StageTimes seconds = std::move(result.surface.report.seconds);
+    result.surface.report = mesh::measure(result.surface.mesh, &progress);
+    result.surface.report.self_intersections =
+        static_cast<std::int64_t>(mesh::self_intersections(result.surface.mesh.vertices, result.surface.mesh.triangles,
+                                                           mesh::kMostCounted, &progress)
+                                      .size());
+    result.surface.report.seconds = std::move(seconds);
+    result.surface.report.cpu_seconds = watch_all.cpu();
+    return result;
+}
+
+}  // namespace mq::workflows
