@@ -55,7 +55,7 @@ struct TriangulateOptions {
     double growth = 0.0;            ///< largest ratio of lengths of neighbouring edges, more than 1; 0: no bound
     Insertion insertion = Insertion::OffCentre;
     KeepEdges keep_edges = KeepEdges::All;
-    double feature_angle = 10.0;       ///< degrees, 0 < a <= 40; an edge is smooth if the faces' normals differ by less
+    double feature_angle = 10.0;  ///< degrees, 0 < a <= 40; an edge is smooth if the faces' normals differ by less
     Corners corners = Corners::Keep;
     std::size_t max_triangles = 0;     ///< 0: 5 million
     bool allow_missing_faces = false;  ///< mesh the other faces of a shape if some fail, and name those in the report
