@@ -95,6 +95,16 @@ class CornerCuts : EdgeJoining {
                             [&](int other) { return live_.uses[static_cast<std::size_t>(other)].of_neighbour; });
     }
 
+    /// Whether the face on the other side of a use has a pole in this node: its border would leave the pole.
+    bool pole_beside(int use, int node) const {
+        const Face& face = topology_.faces[static_cast<std::size_t>(use_of(opposite_use(use)).face)];
+        return std::any_of(face.loops.begin(), face.loops.end(), [&](const Loop& loop) {
+            return std::any_of(loop.uses.begin(), loop.uses.end(), [&](int other) {
+                return edge(edge_of(other)).degenerate && edge(edge_of(other)).nodes[0] == node;
+            });
+        });
+    }
+
     /// The point of the edge of a use at this distance from its end (mm), or from its start.
     Answer point_at(int use, bool from_end, double distance) const {
         const Edge& whole = edge(edge_of(use));
@@ -106,6 +116,10 @@ class CornerCuts : EdgeJoining {
     std::optional<Cut> cut_between(int first, int second) const {
         if (first == second || !parts_two_faces(first) || !parts_two_faces(second) ||
             edge_of(first) == edge_of(second) || is_short(edge_of(first)) || is_short(edge_of(second))) {
+            return std::nullopt;
+        }
+        const int corner = edge(edge_of(first)).nodes[use_of(first).forward ? 1 : 0];
+        if (pole_beside(first, corner) || pole_beside(second, corner)) {
             return std::nullopt;
         }
         const auto length = [&](int use) {

@@ -11,8 +11,8 @@ namespace mq::geometry {
 /// then enclose that angle, so that no triangle in the corner has to be below the bound.
 ///
 /// A corner stays if the edges do not open to the detail before their middles, or if the faces on their other sides
-/// would lie on each other beside the joined piece. `topology.faults` names the corners that are cut off. The new nodes
-/// are the last ones; the tolerance of each is its distance from the edges.
+/// have a pole there, or would lie on each other beside the joined piece. `topology.faults` names the corners that are
+/// cut off. The new nodes are the last ones; the tolerance of each is its distance from the edges.
 /// @throws Cancelled
 void cut_narrow_corners(Topology& topology, ShapeMap& live, const Progress* progress);
 
