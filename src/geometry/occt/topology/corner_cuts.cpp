@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/topology/corner_cuts.h"
 
-#include <BRep_Builder.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +12,6 @@
 #include "base/angle.h"
 #include "base/message.h"
 #include "geometry/detail.h"
-#include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/topology/edge_joining.h"
 
 namespace mq::geometry {
@@ -65,7 +63,8 @@ class CornerCuts : EdgeJoining {
         return cuts;
     }
 
-    void apply(const Cut& cut, int node) {
+    void apply(const Cut& cut) {
+        const int node = add_node(cut.middle, cut.half_width, {1, cut.edges[0]});
         std::array<int, 2> tips{};
         for (std::size_t k = 0; k < 2; ++k) {
             const bool tip_is_last = cut.forward[k] == (k == 0);
@@ -200,23 +199,11 @@ void cut_narrow_corners(Topology& topology, ShapeMap& live, const Progress* prog
     if (!(topology.detail > 0.0)) {
         return;
     }
-    const std::vector<CornerCuts::Cut> cuts = CornerCuts(topology, live).find(progress);
-    const int first = static_cast<int>(topology.nodes.size());
-    for (const CornerCuts::Cut& cut : cuts) {
-        topology.parts_of[0].push_back(topology.of_shape({1, cut.edges[0]}));
-        topology.nodes.push_back({cut.middle, cut.half_width});
-        TopoDS_Vertex vertex;
-        BRep_Builder().MakeVertex(vertex, to_pnt(cut.middle), cut.half_width);
-        live.nodes.push_back(vertex);
-        if (!topology.joined_nodes.empty()) {
-            topology.joined_nodes.push_back(static_cast<int>(topology.nodes.size()) - 1);
-        }
+    CornerCuts corners(topology, live);
+    for (const CornerCuts::Cut& cut : corners.find(progress)) {
+        corners.apply(cut);
     }
-    CornerCuts apply(topology, live);
-    for (std::size_t i = 0; i < cuts.size(); ++i) {
-        apply.apply(cuts[i], first + static_cast<int>(i));
-    }
-    apply.rename();
+    corners.rename();
 }
 
 }  // namespace mq::geometry
