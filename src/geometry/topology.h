@@ -107,7 +107,9 @@ struct Topology {
     bool sewn = false;       ///< faces without a shell are joined where borders lie together within `detail`
     bool imprinted = false;  ///< faces of two solids that lie on each other are one face
     std::vector<Joined> joined;
-    std::vector<int> joined_nodes;    ///< by node: the node with which it was joined; empty: no nodes are joined
+    std::vector<int> joined_nodes;  ///< by node: the node with which it was joined; empty: no nodes are joined
+    /// Nodes where narrow corners of faces were cut off, each as far from its edges as its tolerance says.
+    std::vector<int> cut_corners;
     std::vector<std::string> faults;  ///< faults of the model by the kernel's own checks, naming entities
     /// By dimension, for the entities after the shape's own: the entity of the shape to which each belongs. A piece of
     /// an edge or a face belongs to the whole one, a crease to its face, the end of a crease to the edge or face on

@@ -23,9 +23,7 @@ using geometry::Query;
 // Least radius of the innermost shell in shortest lengths: any longer piece can be cut on a shell such that both parts
 // are long enough, so that all edges of a corner can follow.
 constexpr double kAboveFloor = 2.6;
-// Least distance of a node from its edges where a corner was cut off, in details: half of one but for rounding.
-constexpr double kOfDetail = 0.45;
-// Length of the innermost pieces there, in widths: they enclose 29 degrees and more.
+// Length of the innermost pieces where a corner was cut off, in widths: they enclose 29 degrees and more.
 constexpr double kOfWidth = 1.8;
 constexpr double kOnShell = 1.01;  // tolerance of the intersection of a curve with a shell
 
@@ -57,14 +55,13 @@ SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes, double boun
         radius = std::max(radius, kAboveFloor * work.shortest_allowed());
     }
     const geometry::Topology& topology = work.session.topology();
-    for (int v = 0; v < work.mesh.vertex_count(); ++v) {
-        const mesh::VertexEntity entity = work.mesh.vertex(v).entity;
-        const bool added = entity[0] == 0 && static_cast<std::size_t>(entity[1]) >= topology.own_count(0);
-        const double half_width = added ? topology.nodes[static_cast<std::size_t>(entity[1])].tolerance : 0.0;
-        if (half_width > kOfDetail * topology.detail) {
+    for (int v = 0; v < work.mesh.vertex_count() && !topology.cut_corners.empty(); ++v) {
+        const auto [dimension, node] = work.mesh.vertex(v).entity;
+        const std::vector<int>& cut = topology.cut_corners;
+        if (dimension == 0 && std::find(cut.begin(), cut.end(), node) != cut.end()) {
+            double& radius = shells_.innermost[static_cast<std::size_t>(v)];
+            radius = std::min(radius, kOfWidth * 2.0 * topology.nodes[static_cast<std::size_t>(node)].tolerance);
             cut_.insert(v);
-            shells_.innermost[static_cast<std::size_t>(v)] =
-                std::min(shells_.innermost[static_cast<std::size_t>(v)], kOfWidth * 2.0 * half_width);
         }
     }
     for (int s = 0; s < work.mesh.segment_count(); ++s) {

@@ -30,7 +30,7 @@ TEST(Cusps, OpenWithoutLeavingTheCad) {
         EXPECT_GE(repairs.cusps, 2) << order;
         EXPECT_EQ(repairs.invalid_after, 0) << order;
         // Opening costs about 0.005 h^2 / R of the edges at the cusp, whatever the order.
-        const double allowed = order <= 3 ? plain : 1e-6;
+        const double allowed = order <= 3 ? 1.01 * plain : 1e-6;
         EXPECT_LE(placed.editor.rms_deviation(live_triangles(placed.surface)), allowed) << order;
     }
 }

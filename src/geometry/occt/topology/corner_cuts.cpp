@@ -65,6 +65,7 @@ class CornerCuts : EdgeJoining {
 
     void apply(const Cut& cut) {
         const int node = add_node(cut.middle, cut.half_width, {1, cut.edges[0]});
+        topology_.cut_corners.push_back(node);
         std::array<int, 2> tips{};
         for (std::size_t k = 0; k < 2; ++k) {
             const bool tip_is_last = cut.forward[k] == (k == 0);
