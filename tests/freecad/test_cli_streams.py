@@ -190,6 +190,7 @@ class Api(unittest.TestCase):
         "clearance": {"bodies", "progress"},
         "draft": {"source", "progress"},
         "voids": {"source", "progress"},
+        "deviation": {"points", "pairs", "scale", "align", "progress"},  # --mesh-scale, and words for align
         "offset": {"source", "progress"},
         "hollow": {"source", "progress"},
         "wrap": {"objects", "progress"},
