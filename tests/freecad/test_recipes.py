@@ -167,6 +167,31 @@ class Recipes(helpers.DocumentTest):
         self.assertEqual((self.names["mesh"].blocks[0].kind, self.names["mesh"].faults), ("tetrahedron", ()))
         self.assertEqual([rows.shape[1] for rows in self.names["faces"]], [6])
 
+    def test_deviation(self):
+        part = self.names["part"] = self.document.addObject("Part::Box", "Block")
+        part.Length, part.Width, part.Height = 10, 8, 6
+        self.document.recompute()
+        measured = mq.triangulate(part, max_edge=1.0)
+        scan = self.names["scan"] = self.document.getObject("Scan")
+        scan.Mesh = Mesh.Mesh([tuple(corner + 0.3) for triangle in measured.triangles for corner in measured.vertices[triangle]])
+        self.follow("docs/use/deviation.md")
+        self.assertLess(abs(self.names["found"].max_deviation), 1e-4)
+        self.assertEqual(os.listdir("."), ["deviation.csv"])
+        self.assertEqual(self.names["obj"].Certificate, "met")
+
+    def test_export(self):
+        document = FreeCAD.newDocument("Printer")
+        for name in ("Assembly", "Body"):
+            document.addObject("Part::Box", name)
+        document.recompute()
+        document.saveAs(os.path.join(os.getcwd(), "printer.FCStd"))
+        FreeCAD.closeDocument(document.Name)
+        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/MeshQuality")
+        self.addCleanup(settings.RemInt, "ExportFineness")
+        self.follow("docs/use/export.md")
+        self.addCleanup(FreeCAD.closeDocument, self.names["document"].Name)
+        self.assertEqual(sorted(os.listdir(".")), ["bracket.inp", "printer.3mf", "printer.FCStd"])
+
     def test_to_repair(self):
         self.follow("docs/use/repair.md")
         self.assertGreaterEqual(self.names["better"].report.min_angle, 25)

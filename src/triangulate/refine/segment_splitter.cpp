@@ -48,7 +48,7 @@ SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes, double boun
     : work_(work),
       floors_(work, bound),
       guard_apexes_(guard_apexes),
-      step_(bound > 0.0 ? 1.0 / std::tan(bound + RefinementTuning::kLadderMargin) : 0.0),
+      step_(guard_apexes && bound > 0.0 ? 1.0 / std::tan(bound + RefinementTuning::kLadderMargin) : 0.0),
       ladders_(ladders(work.mesh)),
       shells_(corner_shells(work.mesh)) {
     for (double& radius : shells_.innermost) {

@@ -23,8 +23,8 @@ namespace mq::triangulate {
 class SegmentSplitter {
   public:
     /// To be constructed before refinement: measures the innermost shells around all CAD nodes. With `guard_apexes`,
-    /// seams that end in a guarded apex are not split for the sake of angles (see ApexRings).
-    /// `bound` as for FaceSizeFloors.
+    /// seams that end in a guarded apex are not split for the sake of angles (see ApexRings), and edges are rails of
+    /// ladders. `bound` as for FaceSizeFloors.
     explicit SegmentSplitter(Workspace& work, bool guard_apexes = true, double bound = 0.0);
 
     /// Evaluates Φ_encroached for the apexes of the triangles beside the segment, except where the face is too narrow
