@@ -80,7 +80,7 @@ class GradedFan {
     }
 
   private:
-    struct Corner2 {
+    struct PolygonCorner {
         Vec2 place;
         int site = -1;
     };
@@ -232,7 +232,7 @@ class GradedFan {
 
     // Fills the space between the fan and the rim of the cavity: cuts off the best ear as long as there is one.
     bool fill_around() {
-        std::vector<Corner2> polygon;
+        std::vector<PolygonCorner> polygon;
         const auto add = [&](int site) { polygon.push_back({flat(corner_at(site).point), site}); };
         std::map<int, int> next;  // by site on the rim
         for (const int side : disc_->rim) {
@@ -266,15 +266,15 @@ class GradedFan {
     }
 
     // As `quality`, for the triangle of a corner of the polygon and its neighbours; 0 also if it cannot be cut off.
-    double quality_of_ear(const std::vector<Corner2>& polygon, std::size_t i) const {
+    double quality_of_ear(const std::vector<PolygonCorner>& polygon, std::size_t i) const {
         const std::size_t n = polygon.size();
-        const Corner2& a = polygon[(i + n - 1) % n];
-        const Corner2& b = polygon[i];
-        const Corner2& c = polygon[(i + 1) % n];
+        const PolygonCorner& a = polygon[(i + n - 1) % n];
+        const PolygonCorner& b = polygon[i];
+        const PolygonCorner& c = polygon[(i + 1) % n];
         const double result = quality(a.site, b.site, c.site);
         const bool doubled = n > 3 && a.site >= 0 && c.site >= 0 &&
                              work_.maxmin.joined(mesh_.site(a.site).vertex, mesh_.site(c.site).vertex);
-        const auto blocks = [&](const Corner2& d) {
+        const auto blocks = [&](const PolygonCorner& d) {
             return &d != &a && &d != &b && &d != &c && contains({a.place, b.place, c.place}, d.place);
         };
         return !(result > 0.0) || doubled || std::any_of(polygon.begin(), polygon.end(), blocks) ? 0.0 : result;
@@ -309,8 +309,8 @@ class GradedFan {
     const std::vector<int>& star_;
     double bound_;                               // radians
     Vec3 middle_;                                // the point around which the fan lies
-    Vec3 along_ = Vec3::Zero();                  // unit vectors of the plane of the fan
-    Vec3 across_ = Vec3::Zero();                 //
+    Vec3 along_ = Vec3::Zero();                  // unit vector in the plane of the fan, towards its first side
+    Vec3 across_ = Vec3::Zero();                 // the other one, counter-clockwise from it
     std::vector<SurfacePoint> points_;           // the new vertices, counter-clockwise
     std::optional<Cavity> disc_;                 // the triangles that are replaced
     std::vector<std::array<int, 3>> triangles_;  // that replace them: sites

@@ -49,7 +49,7 @@ SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes, double boun
       floors_(work, bound),
       guard_apexes_(guard_apexes),
       step_(guard_apexes && bound > 0.0 ? 1.0 / std::tan(bound + RefinementTuning::kLadderMargin) : 0.0),
-      ladders_(ladders(work.mesh)),
+      ladders_(step_ > 0.0 ? ladders(work.mesh) : std::set<std::array<int, 2>>()),
       shells_(corner_shells(work.mesh)) {
     for (double& radius : shells_.innermost) {
         radius = std::max(radius, kAboveFloor * work.shortest_allowed());

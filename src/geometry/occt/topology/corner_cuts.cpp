@@ -65,7 +65,6 @@ class CornerCuts : EdgeJoining {
 
     void apply(const Cut& cut) {
         const int node = add_node(cut.middle, cut.half_width, {1, cut.edges[0]});
-        topology_.cut_corners.push_back(node);
         std::array<int, 2> tips{};
         for (std::size_t k = 0; k < 2; ++k) {
             const bool tip_is_last = cut.forward[k] == (k == 0);
@@ -73,26 +72,31 @@ class CornerCuts : EdgeJoining {
             const int second = divide(e, cut.t[k], node);
             tips[k] = tip_is_last ? second : e;
         }
+        const double within = 2.0 * topology_.detail;
+        if (!alignment(tips[0], tips[1], within) || !alignment(tips[1], tips[0], within)) {
+            return;  // apart between the corner and the cut: both edges have a node more
+        }
+        topology_.cut_corners.push_back(node);
         topology_.faults.push_back(topology_.name_of({2, cut.face}) + ": its narrow corner between " +
                                    topology_.name_of({1, tips[0]}) + " and " + topology_.name_of({1, tips[1]}) +
                                    " is cut off where it is " + in_digits(2.0 * cut.half_width, 4) + " mm wide");
         for (const int tip : tips) {
-            drop(cut.face, tip);
+            const int use = use_on(tip, cut.face);
+            for (Loop& loop : topology_.faces[static_cast<std::size_t>(cut.face)].loops) {
+                drop(loop, use);
+            }
         }
-        join(tips[0], tips[1], 2.0 * topology_.detail);
+        join(tips[0], tips[1], within);
     }
 
     void rename() { rename_nodes(); }
 
   private:
-    const EdgeUse& use_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)]; }
-
-    /// Whether the edge of a use bounds another face, too, and was not joined with others.
-    bool parts_two_faces(int use) const {
+    /// Whether the edge of a use was joined with others, whose parameters differ.
+    bool is_joined(int use) const {
         const std::vector<int>& uses = edge(edge_of(use)).uses;
-        return is_side(edge_of(use)) && use_of(opposite_use(use)).face != use_of(use).face &&
-               std::none_of(uses.begin(), uses.end(),
-                            [&](int other) { return live_.uses[static_cast<std::size_t>(other)].of_neighbour; });
+        return std::any_of(uses.begin(), uses.end(),
+                           [&](int other) { return live_.uses[static_cast<std::size_t>(other)].of_neighbour; });
     }
 
     /// Whether the face on the other side of a use has a pole in this node: its border would leave the pole.
@@ -114,25 +118,22 @@ class CornerCuts : EdgeJoining {
     }
 
     std::optional<Cut> cut_between(int first, int second) const {
-        if (first == second || !parts_two_faces(first) || !parts_two_faces(second) ||
-            edge_of(first) == edge_of(second) || is_short(edge_of(first)) || is_short(edge_of(second))) {
+        if (first == second || !parts_two_faces(first) || !parts_two_faces(second) || is_joined(first) ||
+            is_joined(second) || edge_of(first) == edge_of(second) || is_short(edge_of(first)) ||
+            is_short(edge_of(second))) {
             return std::nullopt;
         }
         const int corner = edge(edge_of(first)).nodes[use_of(first).forward ? 1 : 0];
         if (pole_beside(first, corner) || pole_beside(second, corner)) {
             return std::nullopt;
         }
-        const auto length = [&](int use) {
-            const Edge& whole = edge(edge_of(use));
-            return curve(edge_of(use)).length(whole.t0, whole.t1).distance;
-        };
         const auto width = [&](double distance) -> std::optional<double> {
             const Answer a = point_at(first, true, distance);
             const Answer b = point_at(second, false, distance);
             return a.found() && b.found() ? std::optional<double>((a.point - b.point).norm()) : std::nullopt;
         };
         double low = 0.0;
-        double high = 0.5 * std::min(length(first), length(second));
+        double high = 0.5 * std::min(length(edge_of(first)), length(edge_of(second)));
         const std::optional<double> widest = width(high);
         // At least as narrow as the corners that keep no bound: twice the detail away it is as wide as the detail.
         const std::optional<double> beside =
@@ -181,16 +182,6 @@ class CornerCuts : EdgeJoining {
             }
         }
         return cut.edges[k];
-    }
-
-    void drop(int face, int e) {
-        std::vector<int>& uses = edge(e).uses;
-        const auto at = std::find_if(uses.begin(), uses.end(), [&](int use) { return use_of(use).face == face; });
-        const int use = *at;
-        uses.erase(at);
-        for (Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
-            loop.uses.erase(std::remove(loop.uses.begin(), loop.uses.end(), use), loop.uses.end());
-        }
     }
 };
 

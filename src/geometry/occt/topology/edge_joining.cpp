@@ -60,6 +60,21 @@ void EdgeJoining::unite(int a, int b) {
     nodes_.unite(a, b);
 }
 
+int EdgeJoining::use_on(int e, int face) const {
+    const std::vector<int>& uses = edge(e).uses;
+    return *std::find_if(uses.begin(), uses.end(), [&](int use) { return use_of(use).face == face; });
+}
+
+void EdgeJoining::drop(Loop& loop, int use) {
+    std::vector<int>& uses = edge(edge_of(use)).uses;
+    uses.erase(std::remove(uses.begin(), uses.end(), use), uses.end());
+    loop.uses.erase(std::remove(loop.uses.begin(), loop.uses.end(), use), loop.uses.end());
+}
+
+bool EdgeJoining::parts_two_faces(int use) const {
+    return is_side(edge_of(use)) && use_of(opposite_use(use)).face != use_of(use).face;
+}
+
 double EdgeJoining::tolerance(int e) const {
     return 2.0 * std::max(topology_.edges[static_cast<std::size_t>(e)].tolerance, Precision::Confusion());
 }

@@ -51,6 +51,14 @@ class EdgeJoining {
     Edge& edge(int e) { return topology_.edges[static_cast<std::size_t>(e)]; }
     const Edge& edge(int e) const { return topology_.edges[static_cast<std::size_t>(e)]; }
     int edge_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)].edge; }
+    const EdgeUse& use_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)]; }
+    /// The use of an edge on a face.
+    int use_on(int e, int face) const;
+    /// Takes a use out of a loop, and off its edge.
+    void drop(Loop& loop, int use);
+    double length(int e) const { return curve(e).length(edge(e).t0, edge(e).t1).distance; }  ///< mm
+    /// Whether the edge of a use bounds another face, too.
+    bool parts_two_faces(int use) const;
     /// Twice the tolerance of an edge, mm.
     double tolerance(int e) const;
     /// Whether an edge between two nodes is shorter than the detail, and has a curve on all of its faces.

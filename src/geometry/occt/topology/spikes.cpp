@@ -55,8 +55,6 @@ class Spikes : EdgeJoining {
         double within;  // largest distance between the sides of the spike, mm
     };
 
-    const EdgeUse& use_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)]; }
-
     bool remove_one(Loop& loop) {
         const std::size_t n = loop.uses.size();
         for (std::size_t i = 0; i < n; ++i) {
@@ -110,11 +108,6 @@ class Spikes : EdgeJoining {
             return std::nullopt;
         }
         return Spike{sides, node, foot.t, within};
-    }
-
-    /// Whether the edge of a use bounds another face, too.
-    bool parts_two_faces(int use) const {
-        return is_side(edge_of(use)) && use_of(opposite_use(use)).face != use_of(use).face;
     }
 
     /// Radians: the angle between the directions in which both edges leave the tip.
@@ -312,19 +305,6 @@ class Spikes : EdgeJoining {
         drop(loop, use_on(pieces[0], face));
         drop(loop, use_on(pieces[1], face));
         return join(pieces[0], pieces[1]);
-    }
-
-    double length(int e) const { return curve(e).length(edge(e).t0, edge(e).t1).distance; }
-
-    int use_on(int e, int face) const {
-        const std::vector<int>& uses = edge(e).uses;
-        return *std::find_if(uses.begin(), uses.end(), [&](int use) { return use_of(use).face == face; });
-    }
-
-    void drop(Loop& loop, int use) {
-        std::vector<int>& uses = edge(edge_of(use)).uses;
-        uses.erase(std::remove(uses.begin(), uses.end(), use), uses.end());
-        loop.uses.erase(std::remove(loop.uses.begin(), loop.uses.end(), use), loop.uses.end());
     }
 
     const Progress* progress_;
