@@ -20,7 +20,7 @@ namespace {
 
 class CornerCuts : EdgeJoining {
   public:
-    using EdgeJoining::EdgeJoining;
+    CornerCuts(Topology& topology, ShapeMap& live, double below) : EdgeJoining(topology, live), below_(below) {}
 
     /// The place at which the edges of two neighbouring uses of a loop are the detail apart.
     struct Cut {
@@ -135,9 +135,8 @@ class CornerCuts : EdgeJoining {
         double low = 0.0;
         double high = 0.5 * std::min(length(edge_of(first)), length(edge_of(second)));
         const std::optional<double> widest = width(high);
-        // At least as narrow as the corners that keep no bound: twice the detail away it is as wide as the detail.
-        const std::optional<double> beside =
-            width(topology_.detail / (2.0 * std::sin(0.5 * DetailCorners::kLeastAngle)));
+        // Edges that meet at this angle are a detail apart there.
+        const std::optional<double> beside = width(topology_.detail / (2.0 * std::sin(0.5 * below_)));
         if (!widest || *widest < topology_.detail || !beside || *beside >= topology_.detail) {
             return std::nullopt;
         }
@@ -183,15 +182,17 @@ class CornerCuts : EdgeJoining {
         }
         return cut.edges[k];
     }
+
+    double below_;  // radians
 };
 
 }  // namespace
 
-void cut_narrow_corners(Topology& topology, ShapeMap& live, const Progress* progress) {
+void cut_narrow_corners(Topology& topology, ShapeMap& live, double below, const Progress* progress) {
     if (!(topology.detail > 0.0)) {
         return;
     }
-    CornerCuts corners(topology, live);
+    CornerCuts corners(topology, live, below);
     for (const CornerCuts::Cut& cut : corners.find(progress)) {
         corners.apply(cut);
     }
