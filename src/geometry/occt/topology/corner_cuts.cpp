@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -47,16 +47,19 @@ class CornerCuts : EdgeJoining {
             }
         }
         std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.depth > b.depth; });
-        std::set<std::array<int, 2>> taken;  // edges, and their ends
+        std::map<std::array<int, 2>, double> taken;  // the depth by edge and end
         const auto conflicts = [&](const Cut& cut) {
             std::array<std::array<int, 2>, 2> ends;
             for (std::size_t k = 0; k < 2; ++k) {
                 ends[k] = {cut.edges[k], cut.forward[k] == (k == 0) ? 1 : 0};
+                const auto [e, end] = ends[k];
+                const auto opposite = taken.find({e, 1 - end});
+                if (taken.count(ends[k]) > 0 ||
+                    (opposite != taken.end() && opposite->second + cut.depth > deepest(e))) {
+                    return true;
+                }
             }
-            if (taken.count(ends[0]) > 0 || taken.count(ends[1]) > 0) {
-                return true;
-            }
-            taken.insert(ends.begin(), ends.end());
+            taken.insert({{ends[0], cut.depth}, {ends[1], cut.depth}});
             return false;
         };
         cuts.erase(std::remove_if(cuts.begin(), cuts.end(), conflicts), cuts.end());
@@ -117,6 +120,12 @@ class CornerCuts : EdgeJoining {
             .at_distance(descending ? whole.t1 : whole.t0, descending ? whole.t0 : whole.t1, distance);
     }
 
+    /// The largest depth that leaves enough of an edge for pieces that open from the cut on.
+    double deepest(int e) const {
+        constexpr double kRest = 4.0;  // details
+        return length(e) - kRest * topology_.detail;
+    }
+
     std::optional<Cut> cut_between(int first, int second) const {
         if (first == second || !parts_two_faces(first) || !parts_two_faces(second) || is_joined(first) ||
             is_joined(second) || edge_of(first) == edge_of(second) || is_short(edge_of(first)) ||
@@ -133,8 +142,8 @@ class CornerCuts : EdgeJoining {
             return a.found() && b.found() ? std::optional<double>((a.point - b.point).norm()) : std::nullopt;
         };
         double low = 0.0;
-        double high = 0.5 * std::min(length(edge_of(first)), length(edge_of(second)));
-        const std::optional<double> widest = width(high);
+        double high = std::min(deepest(edge_of(first)), deepest(edge_of(second)));
+        const std::optional<double> widest = high > 0.0 ? width(high) : std::nullopt;
         // Edges that meet at this angle are a detail apart there.
         const std::optional<double> beside = width(topology_.detail / (2.0 * std::sin(0.5 * below_)));
         if (!widest || *widest < topology_.detail || !beside || *beside >= topology_.detail) {
