@@ -55,7 +55,7 @@ class CornerCuts : EdgeJoining {
                 const auto [e, end] = ends[k];
                 const auto opposite = taken.find({e, 1 - end});
                 if (taken.count(ends[k]) > 0 ||
-                    (opposite != taken.end() && opposite->second + cut.depth > deepest(e))) {
+                    (opposite != taken.end() && opposite->second + cut.depth + topology_.detail > length(e))) {
                     return true;
                 }
             }
@@ -126,6 +126,43 @@ class CornerCuts : EdgeJoining {
         return length(e) - kRest * topology_.detail;
     }
 
+    /// The distance between the edges of two uses at a distance (mm) from their common corner.
+    std::optional<double> width(int first, int second, double distance) const {
+        const Answer a = point_at(first, true, distance);
+        const Answer b = point_at(second, false, distance);
+        return a.found() && b.found() ? std::optional<double>((a.point - b.point).norm()) : std::nullopt;
+    }
+
+    /// The least distance from their corner at which the edges of two uses are the detail apart, mm. None: they enclose
+    /// more than the angle, or do not open.
+    std::optional<double> depth_of(int first, int second) const {
+        const auto narrow = [&](double distance) {
+            const std::optional<double> here = width(first, second, distance);
+            return here && *here < topology_.detail;
+        };
+        const double most = std::min(deepest(edge_of(first)), deepest(edge_of(second)));
+        // Edges that meet at this angle are a detail apart there.
+        if (!(most > 0.0) || !narrow(topology_.detail / (2.0 * std::sin(0.5 * below_)))) {
+            return std::nullopt;
+        }
+        constexpr int kSteps = 16;  // the edges can meet again at their other ends
+        int step = 1;
+        while (step <= kSteps && narrow(most * step / kSteps)) {
+            ++step;
+        }
+        if (step > kSteps) {
+            return std::nullopt;
+        }
+        double low = most * (step - 1) / kSteps;
+        double high = most * step / kSteps;
+        constexpr int kHalvings = 50;
+        for (int n = 0; n < kHalvings && high - low > 1e-6 * high; ++n) {
+            const double middle = 0.5 * (low + high);
+            (narrow(middle) ? low : high) = middle;
+        }
+        return low;
+    }
+
     std::optional<Cut> cut_between(int first, int second) const {
         if (first == second || !parts_two_faces(first) || !parts_two_faces(second) || is_joined(first) ||
             is_joined(second) || edge_of(first) == edge_of(second) || is_short(edge_of(first)) ||
@@ -136,28 +173,13 @@ class CornerCuts : EdgeJoining {
         if (pole_beside(first, corner) || pole_beside(second, corner)) {
             return std::nullopt;
         }
-        const auto width = [&](double distance) -> std::optional<double> {
-            const Answer a = point_at(first, true, distance);
-            const Answer b = point_at(second, false, distance);
-            return a.found() && b.found() ? std::optional<double>((a.point - b.point).norm()) : std::nullopt;
-        };
-        double low = 0.0;
-        double high = std::min(deepest(edge_of(first)), deepest(edge_of(second)));
-        const std::optional<double> widest = high > 0.0 ? width(high) : std::nullopt;
-        // Edges that meet at this angle are a detail apart there.
-        const std::optional<double> beside = width(topology_.detail / (2.0 * std::sin(0.5 * below_)));
-        if (!widest || *widest < topology_.detail || !beside || *beside >= topology_.detail) {
+        const std::optional<double> depth = depth_of(first, second);
+        if (!depth || !stays_open(first, second, *depth)) {
             return std::nullopt;
         }
-        constexpr int kHalvings = 50;
-        for (int n = 0; n < kHalvings && high - low > 1e-6 * high; ++n) {
-            const double middle = 0.5 * (low + high);
-            const std::optional<double> here = width(middle);
-            (here && *here < topology_.detail ? low : high) = middle;
-        }
-        const Answer a = point_at(first, true, low);
-        const Answer b = point_at(second, false, low);
-        if (!a.found() || !b.found() || !stays_open(first, second, low)) {
+        const Answer a = point_at(first, true, *depth);
+        const Answer b = point_at(second, false, *depth);
+        if (!a.found() || !b.found()) {
             return std::nullopt;
         }
         return Cut{use_of(first).face,
@@ -166,7 +188,7 @@ class CornerCuts : EdgeJoining {
                    {a.t, b.t},
                    0.5 * (a.point + b.point),
                    0.5 * (a.point - b.point).norm(),
-                   low};
+                   *depth};
     }
 
     /// Whether the faces on the other sides of the edges do not lie on each other half-way from the corner to the cut.
