@@ -42,8 +42,8 @@ class CutCorners(unittest.TestCase):
                 volume = np.einsum("ij,ij->", a, np.cross(b, c)) / 6.0
                 self.assertAlmostEqual(volume / part.Volume, 1.0, delta=1e-6)
 
-    def test_by_itself_only_those_below_five_degrees_are_cut_off(self):
-        for degrees, others in ((0.5, "cut"), (4.9, "cut"), (5.2, "keep"), (20, "keep")):
+    def test_by_itself_only_those_below_two_degrees_are_cut_off(self):
+        for degrees, others in ((0.5, "cut"), (1.9, "cut"), (2.1, "keep"), (20, "keep")):
             with self.subTest(degrees=degrees):
                 part = roof(degrees)
                 mesh = mq.triangulate(part, chord_height_relative=2e-3)

@@ -47,7 +47,7 @@ enum class Corners {
 
 /// Radians: the angle below which corners of faces are cut off unless the caller says otherwise. Triangles below it
 /// serve no solver, and fans around them need several dozen triangles.
-inline constexpr double kNarrowestKept = 5.0 * kDegree;
+inline constexpr double kNarrowestKept = 2.0 * kDegree;
 
 struct TriangulateOptions {
     double min_angle = 25.0;             ///< degrees, 0 <= a <= 34; 0: no bound
