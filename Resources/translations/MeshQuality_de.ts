@@ -4447,10 +4447,6 @@
         <translation>Schmale Ecken</translation>
     </message>
     <message>
-        <source>cut off</source>
-        <translation>abschneiden</translation>
-    </message>
-    <message>
         <source>keep</source>
         <translation>behalten</translation>
     </message>
@@ -4545,6 +4541,14 @@
     <message>
         <source>{name} is no mesh and no point cloud: choose a scan, and the part that it is measured against</source>
         <translation>{name} ist weder ein Netz noch eine Punktwolke: Wählen Sie einen Scan und das Teil, gegen das er gemessen wird</translation>
+    </message>
+    <message>
+        <source>cut off below 2 degrees</source>
+        <translation>unter 2 Grad abgeschnitten</translation>
+    </message>
+    <message>
+        <source>cut off below 30 degrees</source>
+        <translation>unter 30 Grad abgeschnitten</translation>
     </message>
 </context>
 <context>

@@ -68,7 +68,8 @@ const Names<triangulate::Insertion> kInsertions{{triangulate::Insertion::OffCent
                                                 {triangulate::Insertion::Circumcentre, "paper"}};
 const Names<triangulate::KeepEdges> kKeepEdges{{triangulate::KeepEdges::All, "all"},
                                                {triangulate::KeepEdges::Feature, "feature"}};
-const Names<triangulate::Corners> kCorners{{triangulate::Corners::Keep, "keep"}, {triangulate::Corners::Cut, "cut"}};
+const Names<triangulate::Corners> kCorners{
+    {triangulate::Corners::Auto, "auto"}, {triangulate::Corners::Keep, "keep"}, {triangulate::Corners::Cut, "cut"}};
 const Names<triangulate::Method> kMethods{{triangulate::Method::Refine, "refine"},
                                           {triangulate::Method::Star, "star"},
                                           {triangulate::Method::Sprinkle, "sprinkle"}};

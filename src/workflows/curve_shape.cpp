@@ -177,7 +177,7 @@ CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, cons
     progress.stage("reading the shape", 0.0, 0.0);
     const auto model = model_of(engine, shape, geometry::Creases::Cut,
                                 {[&](const Box& box) { return straight.detail_of(box); }, straight.sew,
-                                 straight.imprint, straight.corners == triangulate::Corners::Cut},
+                                 straight.imprint, straight.corners_cut_below()},
                                 progress);
     clock.end("reading the shape");
     CurvedMesh mesh = best_of_attempts(engine, model, straight, options, progress);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""mq.triangulate(corners="cut"): narrow corners of faces that are taken off."""
+"""mq.triangulate(corners=...): narrow corners of faces that are taken off."""
 
 import math
 import unittest
@@ -29,7 +29,7 @@ class CutCorners(unittest.TestCase):
         for degrees in (0.5, 2, 10, 20):
             with self.subTest(degrees=degrees):
                 part = roof(degrees)
-                kept = mq.triangulate(part, chord_height_relative=2e-3).report
+                kept = mq.triangulate(part, chord_height_relative=2e-3, corners="keep").report
                 self.assertEqual(len(kept.exempt), 1)
                 mesh = mq.triangulate(part, chord_height_relative=2e-3, corners="cut")
                 report = mesh.report
@@ -41,6 +41,19 @@ class CutCorners(unittest.TestCase):
                 a, b, c = (mesh.vertices[column] for column in mesh.triangles.T)
                 volume = np.einsum("ij,ij->", a, np.cross(b, c)) / 6.0
                 self.assertAlmostEqual(volume / part.Volume, 1.0, delta=1e-6)
+
+    def test_by_itself_only_those_below_two_degrees_are_cut_off(self):
+        for degrees, others in ((0.5, "cut"), (1.9, "cut"), (2.1, "keep"), (20, "keep")):
+            with self.subTest(degrees=degrees):
+                part = roof(degrees)
+                mesh = mq.triangulate(part, chord_height_relative=2e-3)
+                same = mq.triangulate(part, chord_height_relative=2e-3, corners=others)
+                self.assertEqual(len(mesh.report.exempt), 0 if others == "cut" else 1)
+                np.testing.assert_array_equal(mesh.vertices, same.vertices)
+
+    def test_where_angles_have_no_bound_nothing_is_cut_off(self):
+        mesh = mq.triangulate(roof(2), chord_height_relative=2e-3, method="star", polish=False)
+        self.assertFalse(any("is cut off" in str(note) for note in mesh.report.notes))
 
     def test_a_corner_between_faces_that_would_fold_on_each_other_stays(self):
         corners = [FreeCAD.Vector(0, 0, 0), FreeCAD.Vector(20, 0, 0), FreeCAD.Vector(20, 1, 0)]

@@ -15,7 +15,7 @@ from .sources import hidden_parts
 def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None, max_edge=None, min_edge=None,
                 method="refine", max_triangles=None, progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
-                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, corners="keep", cache=None,
+                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, corners="auto", cache=None,
                 sew=True, imprint=False, overlap="refuse", evaluation="fast", patches=None, patch_rest=None, threads=0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
@@ -39,7 +39,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            smoothly, so that tiny edges and slivers between such edges cost no triangles;
                            report.spanning then names the triangles that lie on several faces
     feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than this all along
-    corners                of faces, narrower than 30 degrees: "keep"; "cut": off, by a twentieth of the distance asked for
+    corners                of faces: "auto": those below 2 degrees are cut off, by a twentieth of the distance asked for; "cut":
+                           those below 30 degrees; "keep"
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
     imprint                solids that share an area get the same triangles on both sides; see report.contacts

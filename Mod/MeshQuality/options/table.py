@@ -313,8 +313,8 @@ TRIANGULATE = (
     Option("feature_angle", float, 10.0, unit="degrees", low=0.0, high=40.0,
            title="Feature angle", rare=True, only_with=("keep_edges", ("feature",)),
            help="With keep_edges = feature: edges are smooth where the surface turns by less than this"),
-    Option("corners", str, "keep", choices=("keep", "cut"), title="Narrow corners", rare=True,
-           choice_titles=("keep", "cut off"),
+    Option("corners", str, "auto", choices=("auto", "keep", "cut"), title="Narrow corners", rare=True,
+           choice_titles=("cut off below 2 degrees", "keep", "cut off below 30 degrees"),
            help="Corners of faces below the smallest angle: keep them, each with one triangle of that angle; or cut them off "
                 "by a twentieth of the distance, where the faces beside them allow it"),
     Option("max_triangles", int, None, low=1, high=2**31 - 1, above=False, group="Size", title="Triangle limit",

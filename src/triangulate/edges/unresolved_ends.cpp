@@ -146,8 +146,6 @@ void keep_open(geometry::Session& session, std::vector<FaceCorner> corners, std:
     const geometry::Topology& topology = session.topology();
     const std::set<int> joined = joined_nodes(topology);
     const double reach = DetailCorners::kReach * topology.detail;
-    // A margin, as the distance was measured from a place up to a detail away from the node.
-    const double least = DetailCorners::kLeastAngle - 1.0 / DetailCorners::kReach;
     const auto elsewhere = [&](const FaceCorner& corner) {
         const bool apart = !corner.at_one_node(topology);  // the edges between are contracted
         const auto closed = [&](int e) { return topology.edges[e].nodes[0] == topology.edges[e].nodes[1]; };
@@ -171,7 +169,7 @@ void keep_open(geometry::Session& session, std::vector<FaceCorner> corners, std:
         for (int k = 0; k < 2; ++k, at += 2) {
             ways[k] = (at[0].found() ? at[0] : at[1]).point - topology.nodes[corner.node(topology, k)].point;
         }
-        for (int k = 0; k < 2 && angle_between(ways[0], ways[1]) >= least; ++k) {
+        for (int k = 0; k < 2 && angle_between(ways[0], ways[1]) >= DetailCorners::kLeastAngle; ++k) {
             double& known = radii[corner.edge[k]][corner.end[k]];
             known = std::max(known, reach);
         }

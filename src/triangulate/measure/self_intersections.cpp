@@ -5,6 +5,7 @@
 #include <iterator>
 #include <set>
 
+#include "base/disjoint_sets.h"
 #include "mesh/intersection/self_intersection.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
@@ -20,6 +21,14 @@ SelfIntersections::SelfIntersections(Workspace& work) : work_(work) {
             }
         }
     }
+    DisjointSets<int> sheets(topology.faces.size());
+    for (const geometry::Edge& edge : topology.edges) {
+        for (const int use : edge.uses) {
+            sheets.unite(topology.uses[edge.uses.front()].face, topology.uses[use].face);
+        }
+    }
+    int count = 0;
+    sheet_of_face_ = sheets.number(count);
 }
 
 // Whether neither face belongs to a volume.
@@ -31,6 +40,9 @@ bool SelfIntersections::one_volume(const Faces& faces) const {
     const geometry::Topology& topology = work_.session.topology();
     if (topology.of_shape({2, faces.first}) == topology.of_shape({2, faces.second})) {
         return true;
+    }
+    if (loose(faces)) {
+        return sheet_of_face_[faces.first] == sheet_of_face_[faces.second];
     }
     const std::vector<int>& a = volumes_of_face_[faces.first];
     const std::vector<int>& b = volumes_of_face_[faces.second];

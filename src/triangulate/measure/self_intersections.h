@@ -12,17 +12,17 @@
 
 namespace mq::triangulate {
 
-/// Finds triangles that meet elsewhere than in their common vertices and edges. Triangles of one volume, or of one
-/// face, must not. Entities that nothing joins, such as different solids or loose faces, may touch, and their chords
-/// may cross (see BodyContacts).
+/// Finds triangles that meet elsewhere than in their common vertices and edges. Triangles of one volume, of one face,
+/// or of loose faces that edges join to a sheet, must not. Entities that nothing joins, such as different solids or
+/// single faces, may touch, and their chords may cross (see BodyContacts).
 class SelfIntersections {
   public:
     using Faces = std::pair<int, int>;  ///< in ascending order; equal if a face meets itself
 
     explicit SelfIntersections(Workspace& work);
 
-    /// Returns the pairs within one volume. Exact (see mesh::self_intersections); searched once as long as the mesh
-    /// does not change.
+    /// Returns the pairs within one volume or sheet. Exact (see mesh::self_intersections); searched once as long as the
+    /// mesh does not change.
     /// @throws Cancelled
     const std::vector<std::array<int, 2>>& pairs();
     /// Returns the pairs of loose faces that cross deeper than triangles that deviate from their faces by at most
@@ -47,6 +47,7 @@ class SelfIntersections {
 
     Workspace& work_;
     std::vector<std::vector<int>> volumes_of_face_;
+    std::vector<int> sheet_of_face_;          // faces with common edges, whether or not a volume holds them
     std::vector<std::array<int, 2>> pairs_;   // pairs within one volume
     std::vector<std::array<int, 2>> others_;  // crossing pairs of entities that nothing joins
     bool incomplete_ = false;

@@ -298,7 +298,7 @@ bool AngleRefinement::request_finer_chords(int a, int b, int vertex) {
 bool AngleRefinement::slender_apex(int h) const {
     constexpr std::size_t kLeastTriangles = 3;  // triangles; fewer do not surround a point
     const auto fan = apex_fan(work_.mesh, h, kLeastTriangles);
-    return fan && fan->sum < static_cast<double>(kLeastTriangles) * bound_;
+    return fan && fan->closed && fan->sum < static_cast<double>(kLeastTriangles) * bound_;
 }
 
 bool AngleRefinement::insert_apex_ring(const QueuedTriangle& bad) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/angle.h"
 #include "base/vec.h"
 #include "geometry/evaluation.h"
 #include "triangulate/work_mesh/size_bounds.h"
@@ -39,9 +40,14 @@ enum class KeepEdges {
 
 /// What becomes of corners of faces that are narrower than the bound on angles.
 enum class Corners {
+    Auto,  ///< those below kNarrowestKept are cut off, the others keep one triangle with the angle of the shape
     Keep,  ///< each keeps one triangle with the angle of the shape
-    Cut,   ///< they are cut off where they are a detail wide, and keep the bound, where the faces beside allow it
+    Cut,   ///< all are cut off where they are a detail wide, and keep the bound, where the faces beside allow it
 };
+
+/// Radians: the angle below which corners of faces are cut off unless the caller says otherwise. Triangles below it
+/// serve no solver, and fans around them need several dozen triangles.
+inline constexpr double kNarrowestKept = 2.0 * kDegree;
 
 struct TriangulateOptions {
     double min_angle = 25.0;             ///< degrees, 0 <= a <= 34; 0: no bound
@@ -56,7 +62,7 @@ struct TriangulateOptions {
     Insertion insertion = Insertion::OffCentre;
     KeepEdges keep_edges = KeepEdges::All;
     double feature_angle = 10.0;  ///< degrees, 0 < a <= 40; an edge is smooth if the faces' normals differ by less
-    Corners corners = Corners::Keep;
+    Corners corners = Corners::Auto;
     std::size_t max_triangles = 0;     ///< 0: 5 million
     bool allow_missing_faces = false;  ///< mesh the other faces of a shape if some fail, and name those in the report
     bool sew = true;                   ///< join faces without a shell where their borders lie together
@@ -88,6 +94,9 @@ struct TriangulateOptions {
     /// The length below which edges and faces of a shape of this box show neither at the requested tolerance nor at the
     /// requested sizes, mm.
     double detail_of(const Box& box) const;
+    /// Radians: the angle below which corners of faces are cut off. With Corners::Auto none are where the angles have
+    /// no bound, or as Aftosmis 1999 leaves them.
+    double corners_cut_below() const;
     /// Checks all options. @throws InvalidInput naming the option, its value and its range.
     void validate() const;
 };

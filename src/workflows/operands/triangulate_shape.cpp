@@ -56,7 +56,7 @@ Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
     std::shared_ptr<geometry::Model> model;
     progress.stage("reading the shape", 0.0, 0.0);
     const geometry::VirtualTopology join{[&](const Box& box) { return options.detail_of(box); }, options.sew,
-                                         options.imprint, options.corners == triangulate::Corners::Cut};
+                                         options.imprint, options.corners_cut_below()};
     engine.run(
         [&] { model = geometry::make_shape_model(shape, &progress, geometry::Creases::Cut, join, options.evaluation); },
         &progress);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -20,7 +20,7 @@ namespace {
 
 class CornerCuts : EdgeJoining {
   public:
-    using EdgeJoining::EdgeJoining;
+    CornerCuts(Topology& topology, ShapeMap& live, double below) : EdgeJoining(topology, live), below_(below) {}
 
     /// The place at which the edges of two neighbouring uses of a loop are the detail apart.
     struct Cut {
@@ -47,16 +47,19 @@ class CornerCuts : EdgeJoining {
             }
         }
         std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.depth > b.depth; });
-        std::set<std::array<int, 2>> taken;  // edges, and their ends
+        std::map<std::array<int, 2>, double> taken;  // the depth by edge and end
         const auto conflicts = [&](const Cut& cut) {
             std::array<std::array<int, 2>, 2> ends;
             for (std::size_t k = 0; k < 2; ++k) {
                 ends[k] = {cut.edges[k], cut.forward[k] == (k == 0) ? 1 : 0};
+                const auto [e, end] = ends[k];
+                const auto opposite = taken.find({e, 1 - end});
+                if (taken.count(ends[k]) > 0 ||
+                    (opposite != taken.end() && opposite->second + cut.depth + topology_.detail > length(e))) {
+                    return true;
+                }
             }
-            if (taken.count(ends[0]) > 0 || taken.count(ends[1]) > 0) {
-                return true;
-            }
-            taken.insert(ends.begin(), ends.end());
+            taken.insert({{ends[0], cut.depth}, {ends[1], cut.depth}});
             return false;
         };
         cuts.erase(std::remove_if(cuts.begin(), cuts.end(), conflicts), cuts.end());
@@ -117,6 +120,49 @@ class CornerCuts : EdgeJoining {
             .at_distance(descending ? whole.t1 : whole.t0, descending ? whole.t0 : whole.t1, distance);
     }
 
+    /// The largest depth that leaves enough of an edge for pieces that open from the cut on.
+    double deepest(int e) const {
+        constexpr double kRest = 4.0;  // details
+        return length(e) - kRest * topology_.detail;
+    }
+
+    /// The distance between the edges of two uses at a distance (mm) from their common corner.
+    std::optional<double> width(int first, int second, double distance) const {
+        const Answer a = point_at(first, true, distance);
+        const Answer b = point_at(second, false, distance);
+        return a.found() && b.found() ? std::optional<double>((a.point - b.point).norm()) : std::nullopt;
+    }
+
+    /// The least distance from their corner at which the edges of two uses are the detail apart, mm. None: they enclose
+    /// more than the angle, or do not open.
+    std::optional<double> depth_of(int first, int second) const {
+        const auto narrow = [&](double distance) {
+            const std::optional<double> here = width(first, second, distance);
+            return here && *here < topology_.detail;
+        };
+        const double most = std::min(deepest(edge_of(first)), deepest(edge_of(second)));
+        // Edges that meet at this angle are a detail apart there.
+        if (!(most > 0.0) || !narrow(topology_.detail / (2.0 * std::sin(0.5 * below_)))) {
+            return std::nullopt;
+        }
+        constexpr int kSteps = 16;  // the edges can meet again at their other ends
+        int step = 1;
+        while (step <= kSteps && narrow(most * step / kSteps)) {
+            ++step;
+        }
+        if (step > kSteps) {
+            return std::nullopt;
+        }
+        double low = most * (step - 1) / kSteps;
+        double high = most * step / kSteps;
+        constexpr int kHalvings = 50;
+        for (int n = 0; n < kHalvings && high - low > 1e-6 * high; ++n) {
+            const double middle = 0.5 * (low + high);
+            (narrow(middle) ? low : high) = middle;
+        }
+        return low;
+    }
+
     std::optional<Cut> cut_between(int first, int second) const {
         if (first == second || !parts_two_faces(first) || !parts_two_faces(second) || is_joined(first) ||
             is_joined(second) || edge_of(first) == edge_of(second) || is_short(edge_of(first)) ||
@@ -127,29 +173,13 @@ class CornerCuts : EdgeJoining {
         if (pole_beside(first, corner) || pole_beside(second, corner)) {
             return std::nullopt;
         }
-        const auto width = [&](double distance) -> std::optional<double> {
-            const Answer a = point_at(first, true, distance);
-            const Answer b = point_at(second, false, distance);
-            return a.found() && b.found() ? std::optional<double>((a.point - b.point).norm()) : std::nullopt;
-        };
-        double low = 0.0;
-        double high = 0.5 * std::min(length(edge_of(first)), length(edge_of(second)));
-        const std::optional<double> widest = width(high);
-        // At least as narrow as the corners that keep no bound: twice the detail away it is as wide as the detail.
-        const std::optional<double> beside =
-            width(topology_.detail / (2.0 * std::sin(0.5 * DetailCorners::kLeastAngle)));
-        if (!widest || *widest < topology_.detail || !beside || *beside >= topology_.detail) {
+        const std::optional<double> depth = depth_of(first, second);
+        if (!depth || !stays_open(first, second, *depth)) {
             return std::nullopt;
         }
-        constexpr int kHalvings = 50;
-        for (int n = 0; n < kHalvings && high - low > 1e-6 * high; ++n) {
-            const double middle = 0.5 * (low + high);
-            const std::optional<double> here = width(middle);
-            (here && *here < topology_.detail ? low : high) = middle;
-        }
-        const Answer a = point_at(first, true, low);
-        const Answer b = point_at(second, false, low);
-        if (!a.found() || !b.found() || !stays_open(first, second, low)) {
+        const Answer a = point_at(first, true, *depth);
+        const Answer b = point_at(second, false, *depth);
+        if (!a.found() || !b.found()) {
             return std::nullopt;
         }
         return Cut{use_of(first).face,
@@ -158,7 +188,7 @@ class CornerCuts : EdgeJoining {
                    {a.t, b.t},
                    0.5 * (a.point + b.point),
                    0.5 * (a.point - b.point).norm(),
-                   low};
+                   *depth};
     }
 
     /// Whether the faces on the other sides of the edges do not lie on each other half-way from the corner to the cut.
@@ -183,15 +213,17 @@ class CornerCuts : EdgeJoining {
         }
         return cut.edges[k];
     }
+
+    double below_;  // radians
 };
 
 }  // namespace
 
-void cut_narrow_corners(Topology& topology, ShapeMap& live, const Progress* progress) {
+void cut_narrow_corners(Topology& topology, ShapeMap& live, double below, const Progress* progress) {
     if (!(topology.detail > 0.0)) {
         return;
     }
-    CornerCuts corners(topology, live);
+    CornerCuts corners(topology, live, below);
     for (const CornerCuts::Cut& cut : corners.find(progress)) {
         corners.apply(cut);
     }
