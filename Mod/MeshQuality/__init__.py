@@ -19,6 +19,7 @@ Meshes for scripts
     improve       the same surface with better triangles                                 -> SurfaceMesh
     simplify      the same surface with fewer triangles, within a proven distance        -> SimplifiedMesh
     quality       measures any mesh                                                      -> MeshReport
+    measures      Verdict's and OpenFOAM's measures of each element: skew, warpage, scaled Jacobian ... -> MeasureTable
     read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
                   curve takes such meshes, too: of prisms and hexahedra -> CurvedElementMesh
     certify       proves which elements of any mesh are valid                            -> MeshCertificate
@@ -78,6 +79,8 @@ _LAZY = {
     "triangulate": "MeshQuality.core.triangulation",
     "MeshCache": "MeshQuality.core.triangulation",
     "quality": "MeshQuality.core.quality",
+    "measures": "MeshQuality.core.measures",
+    "MeasureTable": "MeshQuality.core.measures",
     "repair": "MeshQuality.core.repair",
     "add_repaired_mesh": "MeshQuality.features.repaired_mesh",
     "improve": "MeshQuality.core.improvement",

@@ -4546,6 +4546,94 @@
         <source>{name} is no mesh and no point cloud: choose a scan, and the part that it is measured against</source>
         <translation>{name} ist weder ein Netz noch eine Punktwolke: Wählen Sie einen Scan und das Teil, gegen das er gemessen wird</translation>
     </message>
+    <message>
+        <source>Aspect ratio</source>
+        <translation>Seitenverhältnis (Verdict)</translation>
+    </message>
+    <message>
+        <source>Longest edge over the size of the inscribed circle or ball, by Verdict: 1 = regular.</source>
+        <translation>Längste Kante zur Größe des Inkreises oder der Inkugel, nach Verdict: 1 = regelmäßig.</translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian of the corners</source>
+        <translation>Jacobi-Determinante der Ecken</translation>
+    </message>
+    <message>
+        <source>By Verdict: 1 = regular, ≤ 0 = folded.</source>
+        <translation>Nach Verdict: 1 = regelmäßig, ≤ 0 = gefaltet.</translation>
+    </message>
+    <message>
+        <source>Equiangle skew</source>
+        <translation>Winkelverzerrung</translation>
+    </message>
+    <message>
+        <source>How far angles are from those of the regular element: 0 = none, 1 = flat.</source>
+        <translation>Abweichung der Winkel von denen der regelmäßigen Form: 0 = keine, 1 = flach.</translation>
+    </message>
+    <message>
+        <source>Largest angle</source>
+        <translation>Größter Winkel</translation>
+    </message>
+    <message>
+        <source>Between two sides of an element; near 180° it is flat.</source>
+        <translation>Zwischen zwei Seiten; nahe 180° ist die Form flach.</translation>
+    </message>
+    <message>
+        <source>Skew</source>
+        <translation>Schiefe der Achsen</translation>
+    </message>
+    <message>
+        <source>Cosine of the angle between the axes of quadrilaterals and hexahedra: 0 = square.</source>
+        <translation>Kosinus des Winkels zwischen den Achsen von Vierecken und Hexaedern: 0 = rechtwinklig.</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Verjüngung</translation>
+    </message>
+    <message>
+        <source>Difference of opposite sides of quadrilaterals and hexahedra: 0 = none.</source>
+        <translation>Unterschied gegenüberliegender Seiten von Vierecken und Hexaedern: 0 = keiner.</translation>
+    </message>
+    <message>
+        <source>Warpage</source>
+        <translation>Verwindung</translation>
+    </message>
+    <message>
+        <source>Of quadrilaterals, also as faces of volumes: 0 = flat.</source>
+        <translation>Von Vierecken, auch als Flächen von Volumen: 0 = eben.</translation>
+    </message>
+    <message>
+        <source>Non-orthogonality</source>
+        <translation>Nichtorthogonalität</translation>
+    </message>
+    <message>
+        <source>OpenFOAM's: angle between a face and the line between the centres of its elements; 70° is much.</source>
+        <translation>Nach OpenFOAM: Winkel zwischen einer Fläche und der Linie durch die Mitten ihrer Elemente; 70° ist viel.</translation>
+    </message>
+    <message>
+        <source>Skewness</source>
+        <translation>Schiefe</translation>
+    </message>
+    <message>
+        <source>OpenFOAM&apos;s: how far that line misses the middle of the face; 4 is much.</source>
+        <translation>Nach OpenFOAM: wie weit diese Linie die Mitte der Fläche verfehlt; 4 ist viel.</translation>
+    </message>
+    <message>
+        <source>Save values...</source>
+        <translation>Werte speichern...</translation>
+    </message>
+    <message>
+        <source>Write all measures of each element into a table, as CSV</source>
+        <translation>Alle Maße der Dreiecke oder Volumen in eine Tabelle schreiben, als CSV</translation>
+    </message>
+    <message>
+        <source>Save values</source>
+        <translation>Werte speichern</translation>
+    </message>
+    <message>
+        <source>Saved: {0}</source>
+        <translation>Gespeichert: {0}</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>

@@ -184,6 +184,7 @@ class Api(unittest.TestCase):
         "boolean": {"a", "b", "progress"},
         "improve": {"mesh", "progress"},
         "quality": {"mesh", "progress"},
+        "measures": {"mesh"},
         "certify": {"mesh", "progress"},
         "verify": {"certificate", "progress"},
         "thickness": {"source", "progress"},

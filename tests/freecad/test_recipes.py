@@ -62,6 +62,10 @@ class Recipes(helpers.DocumentTest):
         kinds = [type(obj.Proxy).__name__ for obj in names["document"].Objects if hasattr(obj, "Proxy")]
         self.assertEqual(kinds, ["QualityMesh", "CurvedMeshObject", "MeshBoolean", "HollowObject"])
 
+    def test_measuring(self):
+        self.follow("docs/use/measures.md")
+        self.assertEqual(os.listdir("."), ["measures.csv"])
+
     def test_improving(self):
         self.follow("docs/use/improve.md")
         self.assertGreaterEqual(self.names["better"].report.min_angle, 25)

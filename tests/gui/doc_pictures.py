@@ -18,7 +18,7 @@ import MeshQuality as mq
 from MeshQuality import exchange
 from MeshQuality.compat import extension
 from MeshQuality.core.sources import convert
-from MeshQuality.gui import commands, curved_view, quality_data
+from MeshQuality.gui import commands, curved_view, element_measures, quality_data
 from MeshQuality.gui.panels import quality_panel
 from MeshQuality.gui.panels.mesh_panel import MeshPanel
 
@@ -64,6 +64,20 @@ class Pictures(gui_helpers.GuiTest):
         self.until(lambda: not panel.scene.flight.active)
         gui_helpers.wait(0.3)
         self.saved("given_fem_mesh", DOCS)
+        panel.reject()
+
+    def test_measures(self):
+        source = self.document.addObject("Part::Feature", "Shaft")
+        source.Shape = cantilever.bracket()
+        self.document.recompute()
+        obj = mq.add_fem_mesh(source, max_edge=4.0)
+        panel = quality_panel.open_panel(obj)
+        self.until(lambda: panel.values is not None)
+        measure = element_measures.MEASURES["non_orthogonality"]
+        panel.measures.setCurrentIndex(panel.data.measures.index(measure))
+        self.until(lambda: panel.measure is measure)
+        self.picture("measures", DOCS)
+        self.picture_of_panel(panel, "panel_measures")
         panel.reject()
 
     def bracket(self):

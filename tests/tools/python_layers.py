@@ -41,7 +41,7 @@ CORE = [
     ["curved", "certify"],
     ["operands", "verify"],
     ["booleans", "curving", "inspect"],
-    ["offsetting", "repair", "solid_expression", "wrapping"],
+    ["measures", "offsetting", "repair", "solid_expression", "wrapping"],
 ]
 
 

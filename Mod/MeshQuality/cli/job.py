@@ -13,6 +13,7 @@ from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
 from MeshQuality.cli.input_files import (mesh_of, read_mesh, read_operand, read_points, read_shape, read_shape_and_objects,
                                         sizes_in)
 from MeshQuality.cli.output_file import patches_of, write_curved, writing_of, written
+from MeshQuality.cli.parser import MESH_SUFFIXES
 from MeshQuality.cli.progress_line import end_progress_line, progress_line
 from MeshQuality.cli.report_fields import WRAP_FIELDS, plain, report_fields
 from MeshQuality.core.certify import verdict
@@ -23,12 +24,21 @@ _GRACE = 30  # seconds beyond the limit, after which it ends without its owner
 # What is said without findings; some commands have no options that request anything.
 _ALL_MET = "all requested limits are met"
 _NO_FINDING = {**dict.fromkeys(("quality", "certify"), "no limits were requested, and no faults were found"),
+               "measures": "no limits were requested",
                "voids": "there are none",
                "verify": "all of it holds"}
 
 
 def _count(number, noun):
     return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def _table_written(job, found):
+    """Writes the table of what was found, if asked for; says where, for the sentence to end with."""
+    if not job.get("csv"):
+        return ""
+    found.write_csv(job["csv"])
+    return f", written to {job['csv']}"
 
 
 def triangulate(job):
@@ -112,6 +122,12 @@ def quality(job):
         verdict.of_measured(mesh, report, shape is None or verdict.must_be_closed(shape))
 
 
+def measures(job):
+    """Likewise; there are no findings, as nothing was requested."""
+    found = mq.measures(read_mesh(job["input"]) if job["input"].lower().endswith(MESH_SUFFIXES) else job["input"])
+    return found, f"measured {_count(len(found), 'element')} of {job['input']}{_table_written(job, found)}", []
+
+
 def certify(job):
     """Likewise."""
     shape = read_shape(job["shape"], job.get("object")) if job.get("shape") else None
@@ -127,11 +143,7 @@ def certify(job):
 def thickness(job):
     """Likewise."""
     found = mq.thickness(read_operand(job["input"], job.get("object")), **job["options"], progress=progress_line())
-    where = ""
-    if job.get("csv"):
-        found.write_csv(job["csv"])
-        where = f", written to {job['csv']}"
-    return found, f"measured {_count(len(found.values), 'triangle')}{where}", verdict.of_thickness(found)
+    return found, f"measured {_count(len(found.values), 'triangle')}{_table_written(job, found)}", verdict.of_thickness(found)
 
 
 def clearance(job):
@@ -151,11 +163,7 @@ def draft(job):
     """Likewise."""
     found = mq.draft(read_operand(job["input"], job.get("object")), job["pull_direction"], **job["options"],
                      progress=progress_line())
-    where = ""
-    if job.get("csv"):
-        found.write_csv(job["csv"])
-        where = f", written to {job['csv']}"
-    return found, f"measured {_count(len(found.areas), 'triangle')}{where}", verdict.of_draft(found)
+    return found, f"measured {_count(len(found.areas), 'triangle')}{_table_written(job, found)}", verdict.of_draft(found)
 
 
 def voids(job):
@@ -168,11 +176,7 @@ def deviation(job):
     """Likewise."""
     found = mq.deviation(read_points(job["input"]), read_operand(job["reference"], job.get("object")), **job["options"],
                          scale=job["mesh_scale"], progress=progress_line())
-    where = ""
-    if job.get("csv"):
-        found.write_csv(job["csv"])
-        where = f", written to {job['csv']}"
-    return found, f"measured {_count(len(found.values), 'point')}{where}", verdict.of_deviation(found)
+    return found, f"measured {_count(len(found.values), 'point')}{_table_written(job, found)}", verdict.of_deviation(found)
 
 
 def verify(job):
@@ -196,7 +200,7 @@ def run(job):
     input_files.left_out.clear()
     try:
         report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
-                                         "quality": quality, "certify": certify, "verify": verify, "thickness": thickness,
+                                         "quality": quality, "measures": measures, "certify": certify, "verify": verify, "thickness": thickness,
                                          "clearance": clearance, "draft": draft, "voids": voids, "deviation": deviation,
                                          "offset": offset, "hollow": hollow, "wrap": wrap}[job["command"]](job)
     except mq.InvalidInput as error:

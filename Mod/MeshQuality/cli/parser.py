@@ -18,19 +18,20 @@ POINT_SUFFIXES = (".xyz", ".asc", ".txt", ".csv", ".pts")  # a line a point; mor
 ELEMENT_SUFFIXES = tuple(READABLE)  # extensions of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
-          "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
+          "quality": MESH_SUFFIXES, "measures": MESH_SUFFIXES + ELEMENT_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
           "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
           "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
           "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES,
           "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": (), "deviation": ()}
+           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES,
+           **dict.fromkeys(("quality", "measures", "certify", "verify", "thickness", "clearance", "draft", "voids", "deviation"), ())}
 WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*options.CURVE, options.THREADS),
-          "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
-          "verify": (), "thickness": options.inspection.THICKNESS, "clearance": options.inspection.CLEARANCE,
+          "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "measures": (),
+          "certify": (), "verify": (), "thickness": options.inspection.THICKNESS, "clearance": options.inspection.CLEARANCE,
           "draft": options.inspection.DRAFT, "voids": options.inspection.VOIDS,
           "deviation": options.inspection.DEVIATION,
           "offset": options.offset.OFFSET, "hollow": options.offset.HOLLOW,
@@ -93,6 +94,11 @@ examples:
 examples:
   meshquality quality part.stl
   meshquality quality part.stl --shape part.step --json
+""",
+    "measures": """
+examples:
+  meshquality measures part.stl
+  meshquality measures mesh.msh --csv measures.csv --json
 """,
     "certify": """
 examples:
@@ -179,6 +185,7 @@ def parser(batched="triangulate"):
     one = _add_single(commands, "quality", "measure the quality of a mesh",
                       "Measures a mesh: topology, angles, and its distance to a shape if given.")
     one.add_argument("--shape", metavar="CAD", help="CAD file to measure the distance to")
+    _add_measures(commands)
     one = _add_single(commands, "certify", "prove which elements of any mesh are valid",
                       "Proves which elements of a mesh that any program made are valid: triangles, quadrilaterals,\n"
                       "tetrahedra, prisms, pyramids and hexahedra of orders 1 to 5.")
@@ -210,6 +217,13 @@ def parser(batched="triangulate"):
     _add_deviation(commands)
     _add_batch(commands, batched)
     return top
+
+
+def _add_measures(commands):
+    one = _add_single(commands, "measures", "measure each element as Verdict and OpenFOAM do",
+                      "Measures each element of a mesh: edge ratio, aspect ratio, scaled Jacobian, equiangle skew, angles, skew, taper and\n"
+                      "warpage as Verdict defines them, and of volumes OpenFOAM's non-orthogonality and skewness.")
+    one.add_argument("--csv", metavar="FILE.csv", help="file for the measures of each element")
 
 
 def _add_deviation(commands):
@@ -268,7 +282,7 @@ def _add_single(commands, name, title, description):
     output = " [-o FILE]" if OUTPUTS[name] else ""
     one = _new(commands, name, title, description, inputs + output)
     kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file", ELEMENT_SUFFIXES: "mesh file",
-            (".json",): "certificate", MESH_SUFFIXES + POINT_SUFFIXES: "mesh or file of points"}.get(INPUTS[name],
+            (".json",): "certificate", MESH_SUFFIXES + ELEMENT_SUFFIXES: "mesh file", MESH_SUFFIXES + POINT_SUFFIXES: "mesh or file of points"}.get(INPUTS[name],
                                                                       "mesh or CAD file")
     text = f"{kind}: {' '.join(INPUTS[name])}; -: standard input"
     if name in WITH_INPUTS:
@@ -285,7 +299,7 @@ def _add_single(commands, name, title, description):
     if name in WITH_PATCHES:
         _add_writing(one, with_patches=True, with_interfaces=name == "triangulate")
     _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
-    if name not in ("improve", "verify"):
+    if name not in ("improve", "verify", "measures"):
         one.add_argument("--object", metavar="NAME",
                          help="name or label of the object to take from an FCStd file; default: all "
                               "final ones")

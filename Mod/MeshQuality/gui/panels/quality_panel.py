@@ -24,6 +24,7 @@ from .faults_box import AROUND, FaultsBox
 from .histogram import HistogramView
 from .mesh_panel import title_of
 from .range_box import RangeBox
+from .saving_box import SavingBox
 from .task_form import Form, Message, narrow
 
 translate = FreeCAD.Qt.translate
@@ -125,10 +126,11 @@ class QualityPanel:
         self.faults = FaultsBox()
         if not self.data.curved:
             self.tabs.addTab(self.faults, translate("MeshQuality", "Faults"))
+        self.saving = SavingBox(self._save_values, lambda: self._label)
         layout = QtGui.QVBoxLayout(self.form)
         layout.setContentsMargins(0, 0, 0, 0)
         for widget in (of, self.measures, self.meaning, self.summary, self.warning, self.histogram, self.range, self.hint,
-                       self.tabs, self.edges):
+                       self.tabs, self.edges, self.saving):
             layout.addWidget(widget)
         self._show_numbers(False)
         self.histogram.picked.connect(self._pick_bar)
@@ -139,6 +141,7 @@ class QualityPanel:
         self.worst.itemClicked.connect(lambda _: self._pick_worst(self.worst.currentRow()))
         self.faces.itemSelectionChanged.connect(self._pick_face)
         self.edges.toggled.connect(self._draw_edges)
+        self.saving.told.connect(lambda text, error: self.warning.say(text, error=error))
 
     def getStandardButtons(self):
         return flags(QtGui.QDialogButtonBox.Close)
@@ -167,6 +170,7 @@ class QualityPanel:
         self.ended = True
         FreeCAD.removeDocumentObserver(self)
         self.faults.end()
+        self.saving.end()
         if self._job is not None and self._job.active:
             self._job.cancel()
         if gone:
@@ -198,7 +202,7 @@ class QualityPanel:
         self._show_numbers(False)
 
     def _show_numbers(self, shown):
-        for widget in (self.histogram, self.range, self.hint, self.worst, self.faces):
+        for widget in (self.histogram, self.range, self.hint, self.worst, self.faces, self.saving):
             widget.setVisible(shown)
 
     def _tell(self, job):
@@ -368,6 +372,11 @@ class QualityPanel:
         jobs.queue().add(jobs.Job(
             translate("MeshQuality", "Draw edges"), lambda progress: self.data.lines, lambda lines: self._draw_edges(),
             lambda: not self.ended and self.edges.isChecked(), quiet=True))
+
+    def _save_values(self, path, progress):
+        """Writes the table of all measures, with what else was shown; any thread may call it."""
+        table, shown = self.data.table, {title: found.values for title, found in self._found.items()}
+        table.write_csv(path, {title: values for title, values in shown.items() if len(values) == len(table)})
 
     def _say(self, text):
         self.summary.setText(text)
