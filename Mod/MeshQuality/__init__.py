@@ -33,6 +33,7 @@ Meshes for scripts
 
 Objects of the document, which follow what they are made of
     add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_repaired_mesh, add_improved_mesh
+    add_simplified_mesh  a mesh with fewer triangles
     add_offset, add_hollow   solids grown, shrunk, and made walls of
     add_wrap            a closed surface around objects
     add_inspection      thickness, clearance, draft or voids of a solid, measured anew after each edit, against a limit
@@ -87,6 +88,7 @@ _LAZY = {
     "simplify": "MeshQuality.core.simplification",
     "SimplifiedMesh": "MeshQuality.core.simplification",
     "add_improved_mesh": "MeshQuality.features.improved_mesh",
+    "add_simplified_mesh": "MeshQuality.features.simplified_mesh",
     "certify": "MeshQuality.core.certify.certification",
     "MeshCertificate": "MeshQuality.core.certify.certification",
     "verify": "MeshQuality.core.verify.verification",

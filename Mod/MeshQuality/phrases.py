@@ -112,6 +112,7 @@ NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
 HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {volume}, {number} % of the " \
                 "volume"
 STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
+SIMPLIFIED = "{count} of {count2} triangles are left; no point of either surface is farther than {length} from the other one"
 FITTED = "aligned: root mean square {length} of {count} points"
 SMALLEST_WALL = "smallest thickness {length}"
 SMALLEST_GAP = "smallest gap {length}"
@@ -367,7 +368,7 @@ def flat(phrases):
 
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, FITTED, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, TARGET_NOT_DECIDED, *LEFT_OUT, *CURING, *flat(EXPORTED))
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, FITTED, SIMPLIFIED, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, TARGET_NOT_DECIDED, *LEFT_OUT, *CURING, *flat(EXPORTED))
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *flat((*CORE_ERRORS.values(), *NOTES.values())), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

@@ -747,6 +747,14 @@
         <source>none: points are measured where they are; near: they are fitted to the reference from there; any: from any pose, by principal axes first</source>
         <translation>none: Punkte werden dort gemessen, wo sie sind; near: sie werden von dort aus in die Referenz eingepasst; any: aus jeder Lage, zuerst nach den Hauptachsen</translation>
     </message>
+    <message>
+        <source>No point of either surface is farther from the other one, proven</source>
+        <translation>Kein Punkt einer der beiden Oberflächen ist weiter von der anderen entfernt, bewiesen</translation>
+    </message>
+    <message>
+        <source>Number of triangles of the given mesh</source>
+        <translation>Anzahl der Dreiecke des gegebenen Netzes</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -4634,6 +4642,14 @@
         <source>Saved: {0}</source>
         <translation>Gespeichert: {0}</translation>
     </message>
+    <message>
+        <source>{count} of {count2} triangles are left; no point of either surface is farther than {length} from the other one</source>
+        <translation>{count} von {count2} Dreiecken bleiben; kein Punkt einer der beiden Oberflächen ist weiter als {length} von der anderen entfernt</translation>
+    </message>
+    <message>
+        <source>{name} simplified</source>
+        <translation>{name} vereinfacht</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>
@@ -4988,6 +5004,17 @@
     <message>
         <source>Repair mesh...</source>
         <translation>Netz reparieren...</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Simplify</name>
+    <message>
+        <source>Fewer triangles for the selected meshes, within a distance that is proven; sharp edges stay</source>
+        <translation>Weniger Dreiecke für die gewählten Netze, in bewiesenem Abstand; scharfe Kanten bleiben</translation>
+    </message>
+    <message>
+        <source>Simplify...</source>
+        <translation>Vereinfachen...</translation>
     </message>
 </context>
 <context>

@@ -183,6 +183,7 @@ class Api(unittest.TestCase):
         "curve": {"shape_or_mesh", "shape", "progress"},
         "boolean": {"a", "b", "progress"},
         "improve": {"mesh", "progress"},
+        "simplify": {"mesh", "progress"},
         "quality": {"mesh", "progress"},
         "measures": {"mesh"},
         "certify": {"mesh", "progress"},

@@ -70,6 +70,10 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/improve.md")
         self.assertGreaterEqual(self.names["better"].report.min_angle, 25)
 
+    def test_simplifying(self):
+        self.follow("docs/use/simplify.md")
+        self.assertLess(self.names["small"].report.triangles, self.names["mesh"].CountFacets)
+
     def test_quality_meshes(self):
         self.follow("docs/use/quality-mesh.md")
 

@@ -66,6 +66,19 @@ class Pictures(gui_helpers.GuiTest):
         self.saved("given_fem_mesh", DOCS)
         panel.reject()
 
+    def test_simplify(self):
+        """Two meshes side by side, with their edges."""
+        source = self.bracket()
+        given = mq.add_quality_mesh(source, max_edge=4.0)
+        simple = mq.add_simplified_mesh(given, tolerance=0.1)
+        self.document.recompute()
+        copy = self.document.addObject("Mesh::Feature", "Given")
+        copy.Mesh = given.Mesh.copy()
+        copy.Placement.Base = FreeCAD.Vector(0, 60, 0)
+        for obj in (copy, simple):
+            obj.ViewObject.DisplayMode = "Flat Lines"
+        self.picture("simplify", DOCS)
+
     def test_measures(self):
         source = self.document.addObject("Part::Feature", "Shaft")
         source.Shape = cantilever.bracket()

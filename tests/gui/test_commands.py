@@ -291,8 +291,8 @@ class Commands(gui_helpers.PanelTest):
         both = {"Offset", "Hollow", "Wrap", "Inspect"}
         in_place = {"Analyse", "Patches", "Export", "FlowCase", "CfdSurface"}  # of the mesh that is seen in place of the box
         for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh", *both, *in_place}), ((), set()),
-                                 ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Deviation", "Update", *both}),
-                                 ((curved,), {"Improve", "Update", *in_place, *both})):
+                                 ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Simplify", "Deviation", "Update", *both}),
+                                 ((curved,), {"Improve", "Simplify", "Update", *in_place, *both})):
             self.select(*chosen)
             added = []
             with mock.patch.object(workbench, "appendContextMenu", create=True,

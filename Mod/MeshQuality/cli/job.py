@@ -113,6 +113,15 @@ def improve(job):
         verdict.of_improvement(mesh, given.report.closed)
 
 
+def simplify(job):
+    """Likewise, and what is proven."""
+    given = mesh_of(read_mesh(job["input"]))
+    mesh = mq.simplify(given, **job["options"], progress=progress_line())
+    report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
+    return report, f"{report.triangles} of {_count(given.report.triangles, 'triangle')}{where}, proven to deviate by {mesh.deviation:.4g} mm at " \
+                   "most", verdict.of_simplification(mesh, given.report.closed), {"deviation": mesh.deviation}
+
+
 def quality(job):
     """Likewise; a mesh is to be watertight unless the shape is not."""
     mesh = mesh_of(read_mesh(job["input"]))
@@ -199,7 +208,7 @@ def run(job):
     """The job's result as plain data; never raises."""
     input_files.left_out.clear()
     try:
-        report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
+        report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve, "simplify": simplify,
                                          "quality": quality, "measures": measures, "certify": certify, "verify": verify, "thickness": thickness,
                                          "clearance": clearance, "draft": draft, "voids": voids, "deviation": deviation,
                                          "offset": offset, "hollow": hollow, "wrap": wrap}[job["command"]](job)

@@ -17,20 +17,20 @@ MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
 POINT_SUFFIXES = (".xyz", ".asc", ".txt", ".csv", ".pts")  # a line a point; more columns than three are left out
 ELEMENT_SUFFIXES = tuple(READABLE)  # extensions of meshes that other programs made
 
-INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
+INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES, "simplify": MESH_SUFFIXES,
           "quality": MESH_SUFFIXES, "measures": MESH_SUFFIXES + ELEMENT_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
           "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
           "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
           "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES,
           "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES}
-OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
+OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES, "simplify": SUFFIXES,
            "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES,
            **dict.fromkeys(("quality", "measures", "certify", "verify", "thickness", "clearance", "draft", "voids", "deviation"), ())}
 WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*options.CURVE, options.THREADS),
-          "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "measures": (),
+          "improve": options.IMPROVE, "simplify": options.simplify.SIMPLIFY, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "measures": (),
           "certify": (), "verify": (), "thickness": options.inspection.THICKNESS, "clearance": options.inspection.CLEARANCE,
           "draft": options.inspection.DRAFT, "voids": options.inspection.VOIDS,
           "deviation": options.inspection.DEVIATION,
@@ -89,6 +89,10 @@ examples:
     "improve": """
 examples:
   meshquality improve scan.stl -o better.ply --min-angle 30
+""",
+    "simplify": """
+examples:
+  meshquality simplify scan.stl -o lighter.stl --tolerance 0.05
 """,
     "quality": """
 examples:
@@ -182,6 +186,8 @@ def parser(batched="triangulate"):
     _add_wrap(commands)
     _add_single(commands, "improve", "improve the triangles of a mesh",
                 "Improves the triangles of a mesh on its own surface; sharp edges stay.")
+    _add_single(commands, "simplify", "fewer triangles within a proven distance",
+                "The same surface with fewer triangles: no point of either is farther than the tolerance from the other one, proven.")
     one = _add_single(commands, "quality", "measure the quality of a mesh",
                       "Measures a mesh: topology, angles, and its distance to a shape if given.")
     one.add_argument("--shape", metavar="CAD", help="CAD file to measure the distance to")
@@ -299,7 +305,7 @@ def _add_single(commands, name, title, description):
     if name in WITH_PATCHES:
         _add_writing(one, with_patches=True, with_interfaces=name == "triangulate")
     _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
-    if name not in ("improve", "verify", "measures"):
+    if name not in ("improve", "simplify", "verify", "measures"):
         one.add_argument("--object", metavar="NAME",
                          help="name or label of the object to take from an FCStd file; default: all "
                               "final ones")

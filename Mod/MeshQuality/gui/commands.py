@@ -13,7 +13,7 @@ from ..core.inspect.deviation import has_points
 from ..core.sources import convert, frames
 from ..errors import Error
 from ..features import (boolean, cured_mesh, curved_mesh, deviation, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
-                        offset, quality_mesh, repaired_mesh, wrap)
+                        offset, quality_mesh, repaired_mesh, simplified_mesh, wrap)
 from . import help_pages, quality_data
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
@@ -269,6 +269,14 @@ class Improve(_Command):
         return [source for source in _selected() if convert.is_mesh(source)]
 
 
+class Simplify(Improve):
+    KIND = simplified_mesh.SimplifiedMeshObject
+    NAME = KIND.COMMAND
+    TEXT = "Simplify"
+    TIP = "Fewer triangles for the selected meshes, within a distance that is proven; sharp edges stay"
+    KEYS = "Q, L"
+
+
 class Repair(_Command):
     KIND = repaired_mesh.RepairedMesh
     NAME = KIND.COMMAND
@@ -425,7 +433,7 @@ def _has_shape(source):
 _MENUS = (
     (QT_TRANSLATE_NOOP("Workbench", "Mesh"), (Triangulate, Quick, Curve, FemMesh)),
     (QT_TRANSLATE_NOOP("Workbench", "Check"), (Analyse, Thickness, Inspect, Deviation)),
-    (QT_TRANSLATE_NOOP("Workbench", "Repair and combine"), (Repair, Improve, Cure, Boolean, Wrap)),
+    (QT_TRANSLATE_NOOP("Workbench", "Repair and combine"), (Repair, Improve, Simplify, Cure, Boolean, Wrap)),
     (QT_TRANSLATE_NOOP("Workbench", "Print"), (Offset, Hollow)),
     (QT_TRANSLATE_NOOP("Workbench", "CFD and FEM"), (Patches, FlowCase, CfdSurface)),
     (QT_TRANSLATE_NOOP("Workbench", "Export"), (Export,)),

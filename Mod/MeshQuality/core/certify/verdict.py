@@ -159,6 +159,11 @@ def of_improvement(mesh, closed, progress=None):
     return [*angles(mesh), *topology(mesh.report, closed, mesh), *_crossing_pairs(mesh, progress)]
 
 
+def of_simplification(mesh, closed, progress=None):
+    """Likewise of a SimplifiedMesh, of which no angles are requested."""
+    return [*topology(mesh.report, closed, mesh), *_crossing_pairs(mesh, progress)]
+
+
 def of_boolean(mesh):
     """Findings of a BooleanMesh. An empty one has none."""
     report = mesh.report
