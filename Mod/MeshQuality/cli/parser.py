@@ -184,10 +184,7 @@ def parser(batched="triangulate"):
                 "is closed and free of self-intersections.")
     _add_offsets(commands)
     _add_wrap(commands)
-    _add_single(commands, "improve", "improve the triangles of a mesh",
-                "Improves the triangles of a mesh on its own surface; sharp edges stay.")
-    _add_single(commands, "simplify", "fewer triangles within a proven distance",
-                "The same surface with fewer triangles: no point of either is farther than the tolerance from the other one, proven.")
+    _add_changed_meshes(commands)
     one = _add_single(commands, "quality", "measure the quality of a mesh",
                       "Measures a mesh: topology, angles, and its distance to a shape if given.")
     one.add_argument("--shape", metavar="CAD", help="CAD file to measure the distance to")
@@ -223,6 +220,13 @@ def parser(batched="triangulate"):
     _add_deviation(commands)
     _add_batch(commands, batched)
     return top
+
+
+def _add_changed_meshes(commands):
+    _add_single(commands, "improve", "improve the triangles of a mesh",
+                "Improves the triangles of a mesh on its own surface; sharp edges stay.")
+    _add_single(commands, "simplify", "fewer triangles within a proven distance",
+                "The same surface with fewer triangles: no point of either is farther than the tolerance from the other one, proven.")
 
 
 def _add_measures(commands):
