@@ -40,6 +40,7 @@ Objects of the document, which follow what they are made of
     add_deviation       a scan or mesh in the colours of its deviation from a part, measured anew after each edit
     add_cured_mesh      valid elements of a FEM mesh that another program made
     update              gives such an object other options, and computes it
+    write_report        a page with pictures on an object, or on what a function returned
     set_patches         names groups of faces, for files
     suggested_patches   groups that the document knows: labels, colours, references of an analysis
     export_mesh         writes its mesh into a file, with its patches; export_curved_mesh: of a curved mesh
@@ -130,6 +131,7 @@ _LAZY = {
     "add_cfd_surface": "MeshQuality.features.cfd_surface",
     "set_patches": "MeshQuality.features.transactions",
     "suggested_patches": "MeshQuality.core.patches.patch_names",
+    "write_report": "MeshQuality.features.report",
     "update": "MeshQuality.features.transactions",
     "ElementMesh": "MeshQuality.core.meshes.element_mesh",
     "read_mesh": "MeshQuality.core.meshes.element_mesh",

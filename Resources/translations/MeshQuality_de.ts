@@ -4650,6 +4650,122 @@
         <source>{name} simplified</source>
         <translation>{name} vereinfacht</translation>
     </message>
+    <message>
+        <source>Save report...</source>
+        <translation>Bericht speichern...</translation>
+    </message>
+    <message>
+        <source>Write a page with pictures, figures, faces and places, as HTML</source>
+        <translation>Eine Seite mit Bildern, Zahlen, Flächen und Stellen schreiben, als HTML</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>All requested limits are met</source>
+        <translation>Alle geforderten Grenzen sind eingehalten</translation>
+    </message>
+    <message>
+        <source>By face</source>
+        <translation>Nach Fläche</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Crossing pairs of triangles</source>
+        <translation>Paare von Dreiecken, die sich schneiden</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>Grey: no value there.</source>
+        <translation>Grau: dort ist kein Wert.</translation>
+    </message>
+    <message>
+        <source>Manifold</source>
+        <translation>Mannigfaltig</translation>
+    </message>
+    <message>
+        <source>Max. deviation, proven</source>
+        <translation>Max. Abweichung, bewiesen</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>No limits were requested</source>
+        <translation>Es waren keine Grenzen gefordert</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <source>Report: {name}</source>
+        <translation>Bericht: {name}</translation>
+    </message>
+    <message>
+        <source>Requested</source>
+        <translation>Gefordert</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the vertices (float64) and triangles (int32)</source>
+        <translation>SHA-256 der Ecken (float64) und Dreiecke (int32)</translation>
+    </message>
+    <message>
+        <source>Target not decided</source>
+        <translation>Ziel nicht entschieden</translation>
+    </message>
+    <message>
+        <source>Target not met</source>
+        <translation>Ziel nicht erreicht</translation>
+    </message>
+    <message>
+        <source>The whole report</source>
+        <translation>Der ganze Bericht</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Versions and digest</source>
+        <translation>Versionen und Prüfsumme</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>{count} of {count2} are shown.</source>
+        <translation>{count} von {count2} sind gezeigt.</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>
@@ -5004,6 +5120,17 @@
     <message>
         <source>Repair mesh...</source>
         <translation>Netz reparieren...</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_SaveReport</name>
+    <message>
+        <source>Save report...</source>
+        <translation>Bericht speichern...</translation>
+    </message>
+    <message>
+        <source>Write a page with pictures of the selected mesh or inspection: what was requested and found, by face, and where it is poor</source>
+        <translation>Eine Seite mit Bildern des gewählten Netzes oder der Prüfung schreiben: was gefordert war und gefunden wurde, nach Fläche, und wo es schlecht ist</translation>
     </message>
 </context>
 <context>

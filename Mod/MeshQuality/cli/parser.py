@@ -37,6 +37,8 @@ TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*opt
           "offset": options.offset.OFFSET, "hollow": options.offset.HOLLOW,
           "wrap": options.wrap.WRAP}
 _FLAT_HEADING = {"Display": "Flat triangles"}
+# Commands that have a page with pictures of what they made or measured.
+WITH_PAGES = ("triangulate", "curve", "improve", "simplify", "quality", "boolean", "offset", "hollow", "wrap", "thickness", "draft", "deviation")
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
 STATUS = ("Exit status: 0 done, 1 failed, 2 bad usage or input, 3 with --strict: done, but a requested limit is not "
@@ -315,6 +317,9 @@ def _add_single(commands, name, title, description):
                               "final ones")
     one.add_argument("--json", action="store_true",
                      help="print the report as one JSON object on stdout")
+    if name in WITH_PAGES:
+        one.add_argument("--report", dest="page", metavar="FILE.html",
+                         help="file for a page with pictures, what was requested and found, a histogram, faces and places")
     running = one.add_argument_group("limits")
     running.add_argument("--time-limit", type=float, metavar="SECONDS",
                          help="end with status 1 after this time, reading and checks included (default: none)")
@@ -393,6 +398,8 @@ def _add_batch(commands, batched):
                          help="time limit for each part (default: 600)")
     running.add_argument("--memory-limit", type=float, default=4.0, metavar="GIB",
                          help="memory limit for each part (default: 4)")
+    one.add_argument("--reports", action="store_true",
+                     help="write a page with pictures for each part, too, below OUT/reports/; report.html has links to them")
     running.add_argument("--dashboard", action="store_true",
                          help="show Dask's dashboard at http://127.0.0.1:8787 while it runs, to all users of this "
                               "machine")

@@ -50,7 +50,7 @@ class SimplifiedMeshObject(mesh_object.SegmentedMesh, improved_mesh.ImprovedMesh
         given = SurfaceMesh(surface)
         mesh = simplify(given, **values, progress=progress)
         closed = given.report.closed
-        return mesh, mesh.to_mesh(), closed, verdict.of_simplification(mesh, closed, progress), len(triangles)
+        return mesh, mesh.to_mesh(), closed, verdict.of_improvement(mesh, closed, progress), len(triangles)
 
     def take(self, obj, result):
         """Shows the mesh and its report."""

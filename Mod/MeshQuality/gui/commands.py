@@ -14,7 +14,7 @@ from ..core.sources import convert, frames
 from ..errors import Error
 from ..features import (boolean, cured_mesh, curved_mesh, deviation, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
                         offset, quality_mesh, repaired_mesh, simplified_mesh, wrap)
-from . import help_pages, quality_data
+from . import help_pages, quality_data, saving
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
@@ -302,6 +302,17 @@ class Export(_OfOneMesh):
         return _if_one(lambda source: convert.is_mesh(source) or export.holds_fem_mesh(source))
 
 
+class SaveReport(Export):
+    NAME = "MeshQuality_Report"
+    TEXT = "Save report"
+    TIP = "Write a page with pictures of the selected mesh or inspection: what was requested and found, by face, and where it is poor"
+    KEYS = "Q, Z"
+
+    def Activated(self):
+        saving.save_report(self.selected()[0], lambda text, is_error: (
+            FreeCAD.Console.PrintError if is_error else FreeCAD.Console.PrintMessage)(text + "\n"))
+
+
 class FlowCase(_OfOneMesh):
     PANEL = CasePanel
     NAME = "MeshQuality_FlowCase"
@@ -436,7 +447,7 @@ _MENUS = (
     (QT_TRANSLATE_NOOP("Workbench", "Repair and combine"), (Repair, Improve, Simplify, Cure, Boolean, Wrap)),
     (QT_TRANSLATE_NOOP("Workbench", "Print"), (Offset, Hollow)),
     (QT_TRANSLATE_NOOP("Workbench", "CFD and FEM"), (Patches, FlowCase, CfdSurface)),
-    (QT_TRANSLATE_NOOP("Workbench", "Export"), (Export,)),
+    (QT_TRANSLATE_NOOP("Workbench", "Export"), (Export, SaveReport)),
     ("", (Update,)),
     (QT_TRANSLATE_NOOP("Workbench", "Help"), (FirstSteps, Example)),
 )

@@ -10,6 +10,7 @@ import numpy as np
 from .. import fault_phrases, phrases
 from ..compat import extension, property_of
 from ..core.certify.faults import find_faults
+from ..core.colour_scale import GREEN
 from ..core.curving import holds_elements, taken_from
 from ..core.inspect.thickness import thickness
 from ..core.measures import MeasureTable
@@ -25,7 +26,6 @@ from .element_measures import measures_of
 from .patch_colours import division_of
 from .quality_measure import Measure
 from .quantities import Unit, in_locale, number_of, value_of
-from .view.colour_scale import GREEN
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP

@@ -1,57 +1,48 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The buttons of the quality view that save what it shows."""
 
-import os
-
 import FreeCAD
-import FreeCADGui
 from PySide import QtCore, QtGui
 
-from .. import jobs
-from ..translation import translated
+from .. import saving
 
 translate = FreeCAD.Qt.translate
 
 
 class SavingBox(QtGui.QWidget):
-    """A button that saves the values of all elements as a table. What became of it is told by `told`: a text, and whether it is an
-    error.
+    """A button that saves the values of all elements as a table, and one for the report. What became of it is told by `told`: a text,
+    and whether it is an error.
 
-    work  work(path, progress), called on another thread: writes the table
-    name  called for the name of the file that is suggested, without a folder
+    source  the document object, or a link to one
+    name    the name of the files that is suggested, without a folder
+    work    work(path), called on another thread: writes the table
     """
 
     told = QtCore.Signal(str, bool)
 
-    def __init__(self, work, name):
+    def __init__(self, source, name, work):
         super().__init__()
-        self._work, self._name, self.job = work, name, None
+        self._source, self._name, self._work, self.job = source, name, work, None
         self.values = QtGui.QPushButton(translate("MeshQuality", "Save values..."))
         self.values.setToolTip(translate("MeshQuality", "Write all measures of each element into a table, as CSV"))
         self.values.clicked.connect(self._save_values)
+        self.report = QtGui.QPushButton(translate("MeshQuality", "Save report..."))
+        self.report.setToolTip(translate("MeshQuality", "Write a page with pictures, figures, faces and places, as HTML"))
+        self.report.clicked.connect(self._save_report)
         layout = QtGui.QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.values)
+        layout.addWidget(self.report)
         layout.addStretch()
 
     def _save_values(self):
-        path = self._asked_for(translate("MeshQuality", "Save values"), ".csv", "CSV (*.csv)")
+        title = translate("MeshQuality", "Save values")
+        path = saving.asked_path(title, self._name, ".csv", "CSV (*.csv)")
         if path:
-            self._start(translate("MeshQuality", "Save values"), path, lambda progress: self._work(path, progress))
+            self.job = saving.start(title, path, lambda progress: self._work(path), self.told.emit)
 
-    def _asked_for(self, title, suffix, kinds):
-        """The path that the user gives, with the extension; empty: none."""
-        path = QtGui.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), title, self._name() + suffix, kinds)[0]
-        return path if not path or path.lower().endswith(suffix) else path + suffix
-
-    def _start(self, title, path, work):
-        self.job = jobs.queue().add(jobs.Job(title, work, lambda _: self._say(
-            translate("MeshQuality", "Saved: {0}").format(os.path.basename(path)))))
-        job = self.job
-        job.ended.connect(lambda: job.error and self._say(translated(job.error), True))
-
-    def _say(self, text, error=False):
-        self.told.emit(text, error)
+    def _save_report(self):
+        self.job = saving.save_report(self._source, self.told.emit)
 
     def end(self):
         """The panel closes: what is being written is written."""
