@@ -14,6 +14,7 @@ Meshes for scripts
     Solid         the same by operators, in sequences that are rounded once: (a - b) | c
     offset        a solid grown or shrunk by a distance                                  -> OffsetMesh
     hollow        a solid of which a wall is left, with openings                         -> OffsetMesh
+    cam           a mesh for machining, never inside a solid or never outside            -> CamMesh
     wrap          the outer surface of objects, however dirty, without narrow openings     -> WrapMesh
     repair        a closed mesh without faults from one that has some                    -> BooleanMesh
     improve       the same surface with better triangles                                 -> SurfaceMesh
@@ -35,6 +36,7 @@ Objects of the document, which follow what they are made of
     add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_repaired_mesh, add_improved_mesh
     add_simplified_mesh  a mesh with fewer triangles
     add_offset, add_hollow   solids grown, shrunk, and made walls of
+    add_cam_mesh        a mesh of a solid on one side of it, for machining
     add_wrap            a closed surface around objects
     add_inspection      thickness, clearance, draft or voids of a solid, measured anew after each edit, against a limit
     add_deviation       a scan or mesh in the colours of its deviation from a part, measured anew after each edit
@@ -113,6 +115,9 @@ _LAZY = {
     "offset": "MeshQuality.core.offsetting",
     "hollow": "MeshQuality.core.offsetting",
     "OffsetMesh": "MeshQuality.core.offsetting",
+    "cam": "MeshQuality.core.machining",
+    "CamMesh": "MeshQuality.core.machining",
+    "add_cam_mesh": "MeshQuality.features.cam_mesh",
     "wrap": "MeshQuality.core.wrapping",
     "WrapMesh": "MeshQuality.core.wrapping",
     "add_quality_mesh": "MeshQuality.features.quality_mesh",

@@ -196,6 +196,7 @@ class Api(unittest.TestCase):
         "offset": {"source", "progress"},
         "hollow": {"source", "progress"},
         "wrap": {"objects", "progress"},
+        "cam": {"source", "progress"},
     }
 
     def test_every_option_of_the_api_is_there_under_its_name(self):

@@ -70,6 +70,10 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/improve.md")
         self.assertGreaterEqual(self.names["better"].report.min_angle, 25)
 
+    def test_machining(self):
+        self.follow("docs/use/cam.md")
+        self.assertGreater(self.names["mesh"].nearest, 0.0)
+
     def test_reporting(self):
         self.follow("docs/use/report.md")
         self.assertEqual(sorted(os.listdir(".")), ["body.html", "mesh.html", "walls.html"])

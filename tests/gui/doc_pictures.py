@@ -66,6 +66,31 @@ class Pictures(gui_helpers.GuiTest):
         self.saved("given_fem_mesh", DOCS)
         panel.reject()
 
+    def test_cam_mesh(self):
+        """The panel beside the mesh."""
+        source = self.document.addObject("Part::Feature", "Part")
+        box = Part.makeBox(60, 40, 20)
+        source.Shape = box.makeFillet(5, box.Edges)
+        obj = mq.add_cam_mesh(source, tolerance=0.1)
+        obj.ViewObject.DisplayMode = "Flat Lines"
+        FreeCADGui.Selection.clearSelection()
+        panel = MeshPanel([commands.CamMesh().editing(obj)], editing=True)
+        FreeCADGui.Control.showDialog(panel)
+        self.picture("cam_mesh", DOCS)
+        view = QtGui.QImage(os.path.join(DOCS, "cam_mesh.png"))
+        gui_helpers.wait(0.5)
+        panel.form.setFixedWidth(260)
+        gui_helpers.wait(0.3)
+        form = panel.form.grab().toImage()
+        both = QtGui.QImage(form.width() + view.width(), max(form.height(), view.height()), QtGui.QImage.Format_RGB32)
+        both.fill(QtCore.Qt.white)
+        painter = QtGui.QPainter(both)
+        painter.drawImage(0, 0, form)
+        painter.drawImage(form.width(), 0, view)
+        painter.end()
+        both.save(os.path.join(DOCS, "cam_mesh.png"))
+        panel.reject()
+
     def test_simplify(self):
         """Two meshes side by side, with their edges."""
         source = self.bracket()

@@ -42,6 +42,7 @@ CORE = [
     ["operands", "verify"],
     ["booleans", "curving", "inspect"],
     ["measures", "offsetting", "repair", "solid_expression", "wrapping"],
+    ["machining"],
     ["reporting"],
 ]
 

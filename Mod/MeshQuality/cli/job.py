@@ -93,6 +93,15 @@ def hollow(job):
                                           openings=job.get("openings"), progress=progress_line()))
 
 
+def cam(job):
+    """Likewise, and between which distances from the solid the mesh is."""
+    mesh = mq.cam(read_operand(job["input"], job.get("object")), **job["options"], progress=progress_line())
+    job["shown"] = mesh, None
+    report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
+    return report, f"{_count(report.triangles, 'triangle')}{where}, proven to be {mesh.nearest:.4g} to {mesh.farthest:.4g} mm {mesh.side} of the " \
+                   "part", verdict.topology(report, True, mesh), {"side": mesh.side, "nearest": mesh.nearest, "farthest": mesh.farthest}
+
+
 def wrap(job):
     """Likewise, and what the report of a Boolean lacks. Places that are to stay dry are findings where they do not."""
     sources = [read_operand(path, job.get("object")) for path in job["inputs"]]
@@ -231,7 +240,7 @@ def run(job):
         report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve, "simplify": simplify,
                                          "quality": quality, "measures": measures, "certify": certify, "verify": verify, "thickness": thickness,
                                          "clearance": clearance, "draft": draft, "voids": voids, "deviation": deviation,
-                                         "offset": offset, "hollow": hollow, "wrap": wrap}[job["command"]](job)
+                                         "offset": offset, "hollow": hollow, "wrap": wrap, "cam": cam}[job["command"]](job)
         text += _write_page(job, findings) if job.get("page") else ""
     except mq.InvalidInput as error:
         return _failure(USAGE, error)

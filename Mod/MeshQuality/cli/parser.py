@@ -22,9 +22,9 @@ INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SU
           "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
           "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
           "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES,
-          "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES}
+          "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "cam": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES, "simplify": SUFFIXES,
-           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES,
+           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "cam": SUFFIXES,
            **dict.fromkeys(("quality", "measures", "certify", "verify", "thickness", "clearance", "draft", "voids", "deviation"), ())}
 WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
@@ -35,10 +35,10 @@ TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*opt
           "draft": options.inspection.DRAFT, "voids": options.inspection.VOIDS,
           "deviation": options.inspection.DEVIATION,
           "offset": options.offset.OFFSET, "hollow": options.offset.HOLLOW,
-          "wrap": options.wrap.WRAP}
+          "wrap": options.wrap.WRAP, "cam": options.cam.CAM}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 # Commands that have a page with pictures of what they made or measured.
-WITH_PAGES = ("triangulate", "curve", "improve", "simplify", "quality", "boolean", "offset", "hollow", "wrap", "thickness", "draft", "deviation")
+WITH_PAGES = ("triangulate", "curve", "improve", "simplify", "quality", "boolean", "offset", "hollow", "wrap", "cam", "thickness", "draft", "deviation")
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
 STATUS = ("Exit status: 0 done, 1 failed, 2 bad usage or input, 3 with --strict: done, but a requested limit is not "
@@ -82,6 +82,11 @@ examples:
 examples:
   meshquality hollow part.step --thickness 2 -o shell.stl
   meshquality hollow cup.step --thickness 1.2 --openings Face3,Face5 -o cup.stl --strict
+""",
+    "cam": """
+examples:
+  meshquality cam part.step --tolerance 0.05 -o part.stl
+  meshquality cam core.step --tolerance 0.1 --side inside -o core.stl
 """,
     "wrap": """
 examples:
@@ -270,6 +275,9 @@ def _add_offsets(commands):
 
 
 def _add_wrap(commands):
+    _add_single(commands, "cam", "a mesh for machining on one side of a solid",
+                "A mesh of a CAD shape or a mesh that is never inside of it, so that a tool that touches the mesh does not cut into the\n"
+                "part, or never outside. Which side it is on is proven, as its distance is.")
     one = _add_single(commands, "wrap", "close the outer surface of objects that need not be clean",
                       "The outer surface of one or several CAD shapes and meshes, which may overlap, be open, or have gaps: all\n"
                       "that a ball as wide as the gap can touch from outside. The result is closed and free of\n"

@@ -10,7 +10,6 @@ from ..errors import Error
 from .mesh_view import MeshView
 from .view import edge_detail
 from .view.coin_fields import fill, unlit
-from .view.colour_scale import colours_of
 
 MODE = "Curved"
 PLAIN, JACOBIAN = "Nothing", "Scaled Jacobian"
