@@ -5,6 +5,7 @@ import numpy as np
 from pivy import coin
 
 from ..compat import SHAPE_COLOURS, property_of, shape_colour
+from ..core.colour_scale import colours_of
 from ..core.curving import loader_of
 from ..errors import Error
 from .mesh_view import MeshView
