@@ -2,7 +2,6 @@
 """The document object "Deviation": a scan in the colours of its deviation from a part, measured anew after each edit."""
 
 import hashlib
-import json
 
 import FreeCAD
 import numpy as np
@@ -14,7 +13,7 @@ from ..core.inspect import deviation
 from ..core.meshes.surface_mesh import SurfaceMesh
 from ..core.operands.operands import Operands
 from ..core.operands.solid_surfaces import SolidSource
-from ..core.sources import convert, frames
+from ..core.sources import convert
 from ..errors import InvalidInput
 from . import boolean, mesh_object, properties
 from .gui_hooks import window
