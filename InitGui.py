@@ -13,10 +13,10 @@ class MeshQualityWorkbench(FreeCADGui.Workbench):
         import MeshGui  # noqa: F401
         from MeshQuality.gui import commands
 
-        groups = commands.register()
-        for title, names in groups:
+        for title, names in commands.register():
             self.appendMenu(["Mesh Quality", title] if title else ["Mesh Quality"], names)
-        self.appendToolbar("Mesh Quality", commands.in_one_row(names for _, names in groups))
+        for title, names in commands.toolbars():
+            self.appendToolbar(title, names)
 
     def ContextMenu(self, recipient):
         from MeshQuality.gui import commands

@@ -14,11 +14,13 @@ Meshes for scripts
     Solid         the same by operators, in sequences that are rounded once: (a - b) | c
     offset        a solid grown or shrunk by a distance                                  -> OffsetMesh
     hollow        a solid of which a wall is left, with openings                         -> OffsetMesh
+    cam           a mesh for machining, never inside a solid or never outside            -> CamMesh
     wrap          the outer surface of objects, however dirty, without narrow openings     -> WrapMesh
     repair        a closed mesh without faults from one that has some                    -> BooleanMesh
     improve       the same surface with better triangles                                 -> SurfaceMesh
     simplify      the same surface with fewer triangles, within a proven distance        -> SimplifiedMesh
     quality       measures any mesh                                                      -> MeshReport
+    measures      Verdict's and OpenFOAM's measures of each element: skew, warpage, scaled Jacobian ... -> MeasureTable
     read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
                   curve takes such meshes, too: of prisms and hexahedra -> CurvedElementMesh
     certify       proves which elements of any mesh are valid                            -> MeshCertificate
@@ -32,12 +34,15 @@ Meshes for scripts
 
 Objects of the document, which follow what they are made of
     add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_repaired_mesh, add_improved_mesh
+    add_simplified_mesh  a mesh with fewer triangles
     add_offset, add_hollow   solids grown, shrunk, and made walls of
+    add_cam_mesh        a mesh of a solid on one side of it, for machining
     add_wrap            a closed surface around objects
     add_inspection      thickness, clearance, draft or voids of a solid, measured anew after each edit, against a limit
     add_deviation       a scan or mesh in the colours of its deviation from a part, measured anew after each edit
     add_cured_mesh      valid elements of a FEM mesh that another program made
     update              gives such an object other options, and computes it
+    write_report        a page with pictures on an object, or on what a function returned
     set_patches         names groups of faces, for files
     suggested_patches   groups that the document knows: labels, colours, references of an analysis
     export_mesh         writes its mesh into a file, with its patches; export_curved_mesh: of a curved mesh
@@ -78,12 +83,15 @@ _LAZY = {
     "triangulate": "MeshQuality.core.triangulation",
     "MeshCache": "MeshQuality.core.triangulation",
     "quality": "MeshQuality.core.quality",
+    "measures": "MeshQuality.core.measures",
+    "MeasureTable": "MeshQuality.core.measures",
     "repair": "MeshQuality.core.repair",
     "add_repaired_mesh": "MeshQuality.features.repaired_mesh",
     "improve": "MeshQuality.core.improvement",
     "simplify": "MeshQuality.core.simplification",
     "SimplifiedMesh": "MeshQuality.core.simplification",
     "add_improved_mesh": "MeshQuality.features.improved_mesh",
+    "add_simplified_mesh": "MeshQuality.features.simplified_mesh",
     "certify": "MeshQuality.core.certify.certification",
     "MeshCertificate": "MeshQuality.core.certify.certification",
     "verify": "MeshQuality.core.verify.verification",
@@ -107,6 +115,9 @@ _LAZY = {
     "offset": "MeshQuality.core.offsetting",
     "hollow": "MeshQuality.core.offsetting",
     "OffsetMesh": "MeshQuality.core.offsetting",
+    "cam": "MeshQuality.core.machining",
+    "CamMesh": "MeshQuality.core.machining",
+    "add_cam_mesh": "MeshQuality.features.cam_mesh",
     "wrap": "MeshQuality.core.wrapping",
     "WrapMesh": "MeshQuality.core.wrapping",
     "add_quality_mesh": "MeshQuality.features.quality_mesh",
@@ -125,6 +136,7 @@ _LAZY = {
     "add_cfd_surface": "MeshQuality.features.cfd_surface",
     "set_patches": "MeshQuality.features.transactions",
     "suggested_patches": "MeshQuality.core.patches.patch_names",
+    "write_report": "MeshQuality.features.report",
     "update": "MeshQuality.features.transactions",
     "ElementMesh": "MeshQuality.core.meshes.element_mesh",
     "read_mesh": "MeshQuality.core.meshes.element_mesh",

@@ -3,6 +3,6 @@
 FreeCAD."""
 
 LABELS = {word: f"{{name}} {word}" for word in (
-    "quality mesh", "curved mesh", "FEM mesh", "cured mesh", "improved", "repaired", "inspection", "deviation", "offset", "hollow", "wrap",
-    "CFD surface", "union", "intersection", "difference", "symmetric difference")}
+    "quality mesh", "curved mesh", "FEM mesh", "cured mesh", "improved", "simplified", "repaired", "inspection", "deviation", "offset", "hollow", "wrap",
+    "CFD surface", "CAM mesh", "union", "intersection", "difference", "symmetric difference")}
 TEXTS = tuple(LABELS.values())

@@ -17,7 +17,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from . import fault_phrases, label_phrases
+from . import fault_phrases, label_phrases, report_phrases
 from .error_phrases import ERRORS as CORE_ERRORS
 from .note_phrases import NOTES
 from .stage_names import STAGES
@@ -112,6 +112,9 @@ NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
 HOLLOW_SEALED = "a closed void is sealed inside, from which resin, powder or air cannot leave; it saves {volume}, {number} % of the " \
                 "volume"
 STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
+NEVER_INSIDE = "never inside the part: every point of the mesh is {length} to {length2} outside of it"
+NEVER_OUTSIDE = "never outside the part: every point of the mesh is {length} to {length2} inside of it"
+SIMPLIFIED = "{count} of {count2} triangles are left; no point of either surface is farther than {length} from the other one"
 FITTED = "aligned: root mean square {length} of {count} points"
 SMALLEST_WALL = "smallest thickness {length}"
 SMALLEST_GAP = "smallest gap {length}"
@@ -213,7 +216,7 @@ ERRORS = (
     IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES, FEM_BESIDE, FEM_BESIDE_ANY,
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
     TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
-    *fault_phrases.TEXTS, *label_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
+    *fault_phrases.TEXTS, *label_phrases.TEXTS, *report_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES, NO_TRIANGLES, NO_POINTS, POINTS_NO_NUMBERS, DEVIATION_OF_TWO, POINTS_NEEDED, NOT_ALIGNED, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
 # Errors of patches, files and cases for meshers of flows.
@@ -367,7 +370,7 @@ def flat(phrases):
 
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, FITTED, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, TARGET_NOT_DECIDED, *LEFT_OUT, *CURING, *flat(EXPORTED))
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-2], *OVERLAPS, *NOT_PROVEN_APART, OVERLAPS_HINT, NOTHING_LEFT, HOLLOW_SEALED, STAYS_WHOLE, FITTED, SIMPLIFIED, NEVER_INSIDE, NEVER_OUTSIDE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, TARGET_NOT_DECIDED, *LEFT_OUT, *CURING, *flat(EXPORTED))
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *flat((*CORE_ERRORS.values(), *NOTES.values())), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

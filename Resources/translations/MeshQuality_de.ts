@@ -747,6 +747,34 @@
         <source>none: points are measured where they are; near: they are fitted to the reference from there; any: from any pose, by principal axes first</source>
         <translation>none: Punkte werden dort gemessen, wo sie sind; near: sie werden von dort aus in die Referenz eingepasst; any: aus jeder Lage, zuerst nach den Hauptachsen</translation>
     </message>
+    <message>
+        <source>Every point of the mesh is at least this far from the surface of the part, on its side; proven</source>
+        <translation>Jeder Punkt des Netzes ist mindestens so weit von der Oberfläche des Teils entfernt, auf seiner Seite; bewiesen</translation>
+    </message>
+    <message>
+        <source>Largest distance between the mesh and the part, on one side of it</source>
+        <translation>Größter Abstand zwischen dem Netz und dem Teil, auf einer Seite des Teils</translation>
+    </message>
+    <message>
+        <source>No point of either surface is farther from the other one, proven</source>
+        <translation>Kein Punkt einer der beiden Oberflächen ist weiter von der anderen entfernt, bewiesen</translation>
+    </message>
+    <message>
+        <source>No point of the mesh is farther from the surface of the part; proven</source>
+        <translation>Kein Punkt des Netzes ist weiter von der Oberfläche des Teils entfernt; bewiesen</translation>
+    </message>
+    <message>
+        <source>Number of triangles of the given mesh</source>
+        <translation>Anzahl der Dreiecke des gegebenen Netzes</translation>
+    </message>
+    <message>
+        <source>The object whose solid is machined</source>
+        <translation>Das Objekt, dessen Körper gefräst wird</translation>
+    </message>
+    <message>
+        <source>outside: a tool that touches the mesh never cuts into the part; inside: the mesh never sticks out of it</source>
+        <translation>Nie im Teil: ein Werkzeug, das das Netz berührt, schneidet nie in das Teil; nie außerhalb: das Netz ragt nie heraus</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -4550,6 +4578,250 @@
         <source>cut off below 30 degrees</source>
         <translation>unter 30 Grad abgeschnitten</translation>
     </message>
+    <message>
+        <source>Aspect ratio</source>
+        <translation>Seitenverhältnis (Verdict)</translation>
+    </message>
+    <message>
+        <source>Longest edge over the size of the inscribed circle or ball, by Verdict: 1 = regular.</source>
+        <translation>Längste Kante zur Größe des Inkreises oder der Inkugel, nach Verdict: 1 = regelmäßig.</translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian of the corners</source>
+        <translation>Jacobi-Determinante der Ecken</translation>
+    </message>
+    <message>
+        <source>By Verdict: 1 = regular, ≤ 0 = folded.</source>
+        <translation>Nach Verdict: 1 = regelmäßig, ≤ 0 = gefaltet.</translation>
+    </message>
+    <message>
+        <source>Equiangle skew</source>
+        <translation>Winkelverzerrung</translation>
+    </message>
+    <message>
+        <source>How far angles are from those of the regular element: 0 = none, 1 = flat.</source>
+        <translation>Abweichung der Winkel von denen der regelmäßigen Form: 0 = keine, 1 = flach.</translation>
+    </message>
+    <message>
+        <source>Largest angle</source>
+        <translation>Größter Winkel</translation>
+    </message>
+    <message>
+        <source>Between two sides of an element; near 180° it is flat.</source>
+        <translation>Zwischen zwei Seiten; nahe 180° ist die Form flach.</translation>
+    </message>
+    <message>
+        <source>Skew</source>
+        <translation>Schiefe der Achsen</translation>
+    </message>
+    <message>
+        <source>Cosine of the angle between the axes of quadrilaterals and hexahedra: 0 = square.</source>
+        <translation>Kosinus des Winkels zwischen den Achsen von Vierecken und Hexaedern: 0 = rechtwinklig.</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Verjüngung</translation>
+    </message>
+    <message>
+        <source>Difference of opposite sides of quadrilaterals and hexahedra: 0 = none.</source>
+        <translation>Unterschied gegenüberliegender Seiten von Vierecken und Hexaedern: 0 = keiner.</translation>
+    </message>
+    <message>
+        <source>Warpage</source>
+        <translation>Verwindung</translation>
+    </message>
+    <message>
+        <source>Of quadrilaterals, also as faces of volumes: 0 = flat.</source>
+        <translation>Von Vierecken, auch als Flächen von Volumen: 0 = eben.</translation>
+    </message>
+    <message>
+        <source>Non-orthogonality</source>
+        <translation>Nichtorthogonalität</translation>
+    </message>
+    <message>
+        <source>OpenFOAM's: angle between a face and the line between the centres of its elements; 70° is much.</source>
+        <translation>Nach OpenFOAM: Winkel zwischen einer Fläche und der Linie durch die Mitten ihrer Elemente; 70° ist viel.</translation>
+    </message>
+    <message>
+        <source>Skewness</source>
+        <translation>Schiefe</translation>
+    </message>
+    <message>
+        <source>OpenFOAM&apos;s: how far that line misses the middle of the face; 4 is much.</source>
+        <translation>Nach OpenFOAM: wie weit diese Linie die Mitte der Fläche verfehlt; 4 ist viel.</translation>
+    </message>
+    <message>
+        <source>Save values...</source>
+        <translation>Werte...</translation>
+    </message>
+    <message>
+        <source>Write all measures of each element into a table, as CSV</source>
+        <translation>Alle Maße der Dreiecke oder Volumen in eine Tabelle schreiben, als CSV</translation>
+    </message>
+    <message>
+        <source>Save report...</source>
+        <translation>Bericht speichern...</translation>
+    </message>
+    <message>
+        <source>Write a page with pictures, figures, faces and places, as HTML</source>
+        <translation>Eine Seite mit Bildern, Zahlen, Flächen und Stellen schreiben, als HTML</translation>
+    </message>
+    <message>
+        <source>Save values</source>
+        <translation>Werte speichern</translation>
+    </message>
+    <message>
+        <source>Saved: {0}</source>
+        <translation>Gespeichert: {0}</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>All requested limits are met</source>
+        <translation>Alle geforderten Grenzen sind eingehalten</translation>
+    </message>
+    <message>
+        <source>By face</source>
+        <translation>Nach Fläche</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Crossing pairs of triangles</source>
+        <translation>Paare von Dreiecken, die sich schneiden</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>Grey: no value there.</source>
+        <translation>Grau: dort ist kein Wert.</translation>
+    </message>
+    <message>
+        <source>Largest distance between the mesh and the part, on one side of it</source>
+        <translation>Größter Abstand zwischen dem Netz und dem Teil, auf einer Seite des Teils</translation>
+    </message>
+    <message>
+        <source>Manifold</source>
+        <translation>Mannigfaltig</translation>
+    </message>
+    <message>
+        <source>Max. deviation, proven</source>
+        <translation>Max. Abweichung, bewiesen</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Never inside the part</source>
+        <translation>Nie im Teil</translation>
+    </message>
+    <message>
+        <source>Never outside the part</source>
+        <translation>Nie außerhalb des Teils</translation>
+    </message>
+    <message>
+        <source>No limits were requested</source>
+        <translation>Es waren keine Grenzen gefordert</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <source>Report: {name}</source>
+        <translation>Bericht: {name}</translation>
+    </message>
+    <message>
+        <source>Requested</source>
+        <translation>Gefordert</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the vertices (float64) and triangles (int32)</source>
+        <translation>SHA-256 der Ecken (float64) und Dreiecke (int32)</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Target not decided</source>
+        <translation>Ziel nicht entschieden</translation>
+    </message>
+    <message>
+        <source>Target not met</source>
+        <translation>Ziel nicht erreicht</translation>
+    </message>
+    <message>
+        <source>The whole report</source>
+        <translation>Der ganze Bericht</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Versions and digest</source>
+        <translation>Versionen und Prüfsumme</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
+    </message>
+    <message>
+        <source>never inside the part: every point of the mesh is {length} to {length2} outside of it</source>
+        <translation>nie im Teil: jeder Punkt des Netzes liegt {length} bis {length2} außerhalb</translation>
+    </message>
+    <message>
+        <source>never outside the part: every point of the mesh is {length} to {length2} inside of it</source>
+        <translation>nie außerhalb des Teils: jeder Punkt des Netzes liegt {length} bis {length2} innerhalb</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>outside: a tool that touches the mesh never cuts into the part; inside: the mesh never sticks out of it</source>
+        <translation>Nie im Teil: ein Werkzeug, das das Netz berührt, schneidet nie in das Teil; nie außerhalb: das Netz ragt nie heraus</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>{count} of {count2} are shown.</source>
+        <translation>{count} von {count2} sind gezeigt.</translation>
+    </message>
+    <message>
+        <source>{count} of {count2} triangles are left; no point of either surface is farther than {length} from the other one</source>
+        <translation>{count} von {count2} Dreiecken bleiben; kein Punkt einer der beiden Oberflächen ist weiter als {length} von der anderen entfernt</translation>
+    </message>
+    <message>
+        <source>{name} CAM mesh</source>
+        <translation>{name} CAM-Netz</translation>
+    </message>
+    <message>
+        <source>{name} simplified</source>
+        <translation>{name} vereinfacht</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>
@@ -4704,8 +4976,10 @@
         <translation>Netzqualität untersuchen...</translation>
     </message>
     <message>
-        <source>Colour the selected mesh by its quality and find its worst elements</source>
-        <translation>Färbt das gewählte Netz nach seiner Qualität und findet die schlechtesten Elemente</translation>
+        <source>Colour the selected mesh by its quality and find its worst elements
+Select one mesh or FEM mesh first.</source>
+        <translation>Färbt das gewählte Netz nach seiner Qualität und findet die schlechtesten Elemente
+Zuerst ein Netz oder FEM-Netz wählen.</translation>
     </message>
 </context>
 <context>
@@ -4715,8 +4989,23 @@
         <translation>Boolesche Netzoperation...</translation>
     </message>
     <message>
-        <source>Unite, intersect or subtract the selected meshes and shapes, in the order of selection</source>
-        <translation>Ausgewählte Netze und Formen vereinigen, schneiden oder abziehen, in der Reihenfolge der Auswahl</translation>
+        <source>Unite, intersect or subtract the selected meshes and shapes, in the order of selection
+Select two or more meshes or shapes first.</source>
+        <translation>Ausgewählte Netze und Formen vereinigen, schneiden oder abziehen, in der Reihenfolge der Auswahl
+Zuerst zwei oder mehr Netze oder Formen wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_CamMesh</name>
+    <message>
+        <source>CAM mesh...</source>
+        <translation>CAM-Netz...</translation>
+    </message>
+    <message>
+        <source>Mesh the selected solids for machining, never inside of them, so that no tool cuts into the part, or never outside
+Select one or more solids or closed meshes first.</source>
+        <translation>Die gewählten Körper zum Fräsen vernetzen, nie in ihnen, so dass kein Werkzeug in das Teil schneidet, oder nie außerhalb
+Zuerst einen oder mehrere Körper oder geschlossene Netze wählen.</translation>
     </message>
 </context>
 <context>
@@ -4726,8 +5015,10 @@
         <translation>CFD-Oberfläche</translation>
     </message>
     <message>
-        <source>Make a shape of the selected closed mesh, one face a patch, of which CfdOF takes the triangles</source>
-        <translation>Macht aus dem gewählten geschlossenen Netz eine Form mit einer Fläche je Patch, von der CfdOF die Dreiecke nimmt</translation>
+        <source>Make a shape of the selected closed mesh, one face a patch, of which CfdOF takes the triangles
+Select one closed mesh first.</source>
+        <translation>Macht aus dem gewählten geschlossenen Netz eine Form mit einer Fläche je Patch, von der CfdOF die Dreiecke nimmt
+Zuerst ein geschlossenes Netz wählen.</translation>
     </message>
 </context>
 <context>
@@ -4737,8 +5028,10 @@
         <translation>Prüfen und heilen...</translation>
     </message>
     <message>
-        <source>Prove which elements of the selected FEM mesh are valid, and make those valid that are not, on its part</source>
-        <translation>Beweisen, welche Elemente des ausgewählten FEM-Netzes gültig sind, und die übrigen auf dem Teil gültig machen</translation>
+        <source>Prove which elements of the selected FEM mesh are valid, and make those valid that are not, on its part
+Select one FEM mesh first, and its part where it does not name it.</source>
+        <translation>Beweisen, welche Elemente des ausgewählten FEM-Netzes gültig sind, und die übrigen auf dem Teil gültig machen
+Zuerst ein FEM-Netz wählen, und sein Teil, wo es dieses nicht nennt.</translation>
     </message>
 </context>
 <context>
@@ -4748,30 +5041,34 @@
         <translation>Gekrümmtes Netz...</translation>
     </message>
     <message>
-        <source>Mesh the selected shapes with curved elements, each proven valid</source>
-        <translation>Ausgewählte Formen mit gekrümmten Elementen vernetzen, jedes nachweislich gültig</translation>
+        <source>Mesh the selected shapes with curved elements, each proven valid
+Select one or more shapes first.</source>
+        <translation>Ausgewählte Formen mit gekrümmten Elementen vernetzen, jedes nachweislich gültig
+Zuerst eine oder mehrere Formen wählen.</translation>
     </message>
 </context>
 <context>
     <name>MeshQuality_Deviation</name>
     <message>
-        <source>Colour the selected scan, a mesh or points, by its signed distance from the selected part, aligned before if asked</source>
-        <translation>Den gewählten Scan, ein Netz oder Punkte, nach dem Abstand vom gewählten Teil färben, mit Vorzeichen, auf Wunsch vorher ausgerichtet</translation>
-    </message>
-    <message>
         <source>Deviation...</source>
         <translation>Abweichung...</translation>
     </message>
+    <message>
+        <source>Colour the selected scan, a mesh or points, by its signed distance from the selected part, aligned before if asked
+Select a mesh or points, and a part, first.</source>
+        <translation>Den gewählten Scan, ein Netz oder Punkte, nach dem Abstand vom gewählten Teil färben, mit Vorzeichen, auf Wunsch vorher ausgerichtet
+Zuerst ein Netz oder Punkte und ein Teil wählen.</translation>
+    </message>
 </context>
 <context>
-    <name>MeshQuality_Example</name>
+    <name>MeshQuality_Examples</name>
     <message>
-        <source>Open a new document with a pipe tee, to try the commands on</source>
-        <translation>Ein neues Dokument mit einem T-Stück öffnen, an dem sich die Befehle ausprobieren lassen</translation>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
     </message>
     <message>
-        <source>Example part</source>
-        <translation>Beispielteil</translation>
+        <source>Open two new documents: a pipe tee to mesh, and a scan with a bump and holes to inspect and repair</source>
+        <translation>Zwei neue Dokumente öffnen: ein T-Stück zum Vernetzen, und einen Scan mit einer Beule und Löchern zum Prüfen und Reparieren</translation>
     </message>
 </context>
 <context>
@@ -4781,8 +5078,10 @@
         <translation>Netz exportieren...</translation>
     </message>
     <message>
-        <source>Write the selected mesh into a file for a solver or a printer, with the names of its patches</source>
-        <translation>Schreibt das gewählte Netz mit den Namen seiner Patches in eine Datei für einen Löser oder Drucker</translation>
+        <source>Write the selected mesh into a file for a solver or a printer, with the names of its patches
+Select one mesh or FEM mesh first.</source>
+        <translation>Schreibt das gewählte Netz mit den Namen seiner Patches in eine Datei für einen Löser oder Drucker
+Zuerst ein Netz oder FEM-Netz wählen.</translation>
     </message>
 </context>
 <context>
@@ -4792,8 +5091,10 @@
         <translation>FEM-Netz...</translation>
     </message>
     <message>
-        <source>Mesh the selected shapes for FreeCAD&apos;s FEM workbench, in the active analysis</source>
-        <translation>Ausgewählte Formen für FreeCADs FEM-Arbeitsbereich vernetzen, in der aktiven Analyse</translation>
+        <source>Mesh the selected shapes for FreeCAD&apos;s FEM workbench, in the active analysis
+Select one or more shapes first.</source>
+        <translation>Ausgewählte Formen für FreeCADs FEM-Arbeitsbereich vernetzen, in der aktiven Analyse
+Zuerst eine oder mehrere Formen wählen.</translation>
     </message>
 </context>
 <context>
@@ -4814,8 +5115,10 @@
         <translation>OpenFOAM-Fall...</translation>
     </message>
     <message>
-        <source>Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it</source>
-        <translation>Schreibt einen Ordner, in dem OpenFOAM den Raum im gewählten Netz oder um es herum vernetzt</translation>
+        <source>Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it
+Select one mesh first.</source>
+        <translation>Schreibt einen Ordner, in dem OpenFOAM den Raum im gewählten Netz oder um es herum vernetzt
+Zuerst ein Netz wählen.</translation>
     </message>
 </context>
 <context>
@@ -4836,8 +5139,10 @@
         <translation>Aushöhlen...</translation>
     </message>
     <message>
-        <source>Leave a wall of the selected solids, for printing and casting; selected faces become openings</source>
-        <translation>Von den gewählten Körpern eine Wand übrig lassen, zum Drucken und Gießen; gewählte Flächen werden Öffnungen</translation>
+        <source>Leave a wall of the selected solids, for printing and casting; selected faces become openings
+Select one or more solids or closed meshes first, or faces of one solid.</source>
+        <translation>Von den gewählten Körpern eine Wand übrig lassen, zum Drucken und Gießen; gewählte Flächen werden Öffnungen
+Zuerst einen oder mehrere Körper oder geschlossene Netze wählen, oder Flächen eines Körpers.</translation>
     </message>
 </context>
 <context>
@@ -4847,8 +5152,10 @@
         <translation>Netz verbessern...</translation>
     </message>
     <message>
-        <source>Improve the triangles of the selected meshes on their surface; sharp edges stay</source>
-        <translation>Dreiecke der ausgewählten Netze auf ihrer Oberfläche verbessern; scharfe Kanten bleiben</translation>
+        <source>Improve the triangles of the selected meshes on their surface; sharp edges stay
+Select one or more meshes first.</source>
+        <translation>Dreiecke der ausgewählten Netze auf ihrer Oberfläche verbessern; scharfe Kanten bleiben
+Zuerst ein Netz oder mehrere Netze wählen.</translation>
     </message>
 </context>
 <context>
@@ -4858,74 +5165,114 @@
         <translation>Prüfung von Körpern...</translation>
     </message>
     <message>
-        <source>Measure walls, clearances, draft or closed voids of the selected solids again after each edit, against a limit</source>
-        <translation>Wände, Abstände, Entformungsschräge oder geschlossene Hohlräume der gewählten Körper nach jeder Änderung neu messen, gegen einen Grenzwert</translation>
+        <source>Measure walls, clearances, draft or closed voids of the selected solids again after each edit, against a limit
+Select one or more solids or closed meshes first.</source>
+        <translation>Wände, Abstände, Entformungsschräge oder geschlossene Hohlräume der gewählten Körper nach jeder Änderung neu messen, gegen einen Grenzwert
+Zuerst einen oder mehrere Körper oder geschlossene Netze wählen.</translation>
     </message>
 </context>
 <context>
     <name>MeshQuality_Offset</name>
     <message>
-        <source>Grow or shrink the selected solids by a distance; of shapes and of closed meshes</source>
-        <translation>Die gewählten Körper um einen Abstand wachsen oder schrumpfen lassen; von Formen und geschlossenen Netzen</translation>
-    </message>
-    <message>
         <source>Offset...</source>
         <translation>Versatz...</translation>
+    </message>
+    <message>
+        <source>Grow or shrink the selected solids by a distance; of shapes and of closed meshes
+Select one or more solids or closed meshes first.</source>
+        <translation>Die gewählten Körper um einen Abstand wachsen oder schrumpfen lassen; von Formen und geschlossenen Netzen
+Zuerst einen oder mehrere Körper oder geschlossene Netze wählen.</translation>
     </message>
 </context>
 <context>
     <name>MeshQuality_Patches</name>
     <message>
-        <source>Name groups of faces of the selected mesh, such as inlet and wall, for files</source>
-        <translation>Benennt Gruppen von Flächen des gewählten Netzes, etwa Einlass und Wand, für Dateien</translation>
-    </message>
-    <message>
         <source>Patches...</source>
         <translation>Patches...</translation>
+    </message>
+    <message>
+        <source>Name groups of faces of the selected mesh, such as inlet and wall, for files
+Select one mesh of a shape first.</source>
+        <translation>Benennt Gruppen von Flächen des gewählten Netzes, etwa Einlass und Wand, für Dateien
+Zuerst ein Netz einer Form wählen.</translation>
     </message>
 </context>
 <context>
     <name>MeshQuality_Quick</name>
     <message>
-        <source>Mesh the selected shape at once, with the values used last, and show its quality in colour</source>
-        <translation>Vernetzt die gewählte Form sofort mit den zuletzt benutzten Werten und zeigt ihre Qualität farbig</translation>
-    </message>
-    <message>
         <source>Quick mesh</source>
         <translation>Schnelles Netz</translation>
+    </message>
+    <message>
+        <source>Mesh the selected shape at once, with the values used last, and show its quality in colour
+Select one shape first.</source>
+        <translation>Vernetzt die gewählte Form sofort mit den zuletzt benutzten Werten und zeigt ihre Qualität farbig
+Zuerst eine Form wählen.</translation>
     </message>
 </context>
 <context>
     <name>MeshQuality_Repair</name>
     <message>
-        <source>List the faults of the selected mesh, show where they are, and make a closed mesh without them</source>
-        <translation>Die Fehler des gewählten Netzes auflisten und zeigen und ein geschlossenes Netz ohne sie erzeugen</translation>
-    </message>
-    <message>
         <source>Repair mesh...</source>
         <translation>Netz reparieren...</translation>
+    </message>
+    <message>
+        <source>List the faults of the selected mesh, show where they are, and make a closed mesh without them
+Select one mesh first.</source>
+        <translation>Die Fehler des gewählten Netzes auflisten und zeigen und ein geschlossenes Netz ohne sie erzeugen
+Zuerst ein Netz wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_SaveReport</name>
+    <message>
+        <source>Save report...</source>
+        <translation>Bericht speichern...</translation>
+    </message>
+    <message>
+        <source>Write a page with pictures of the selected mesh or inspection: what was requested and found, by face, and where it is poor
+Select one mesh or FEM mesh first.</source>
+        <translation>Eine Seite mit Bildern des gewählten Netzes oder der Prüfung schreiben: was gefordert war und gefunden wurde, nach Fläche, und wo es schlecht ist
+Zuerst ein Netz oder FEM-Netz wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Simplify</name>
+    <message>
+        <source>Fewer triangles for the selected meshes, within a distance that is proven; sharp edges stay
+Select one or more meshes first.</source>
+        <translation>Weniger Dreiecke für die gewählten Netze, in bewiesenem Abstand; scharfe Kanten bleiben
+Zuerst ein Netz oder mehrere Netze wählen.</translation>
+    </message>
+    <message>
+        <source>Simplify...</source>
+        <translation>Vereinfachen...</translation>
     </message>
 </context>
 <context>
     <name>MeshQuality_Thickness</name>
     <message>
-        <source>Colour the selected closed mesh by the thickness of its walls and find the thinnest</source>
-        <translation>Das gewählte geschlossene Netz nach der Dicke seiner Wände färben und die dünnsten finden</translation>
-    </message>
-    <message>
         <source>Wall thickness...</source>
         <translation>Wanddicke...</translation>
+    </message>
+    <message>
+        <source>Colour the selected closed mesh by the thickness of its walls and find the thinnest
+Select one closed mesh first.</source>
+        <translation>Das gewählte geschlossene Netz nach der Dicke seiner Wände färben und die dünnsten finden
+Zuerst ein geschlossenes Netz wählen.</translation>
     </message>
 </context>
 <context>
     <name>MeshQuality_Triangulate</name>
     <message>
-        <source>Mesh the selected shapes with a guaranteed smallest angle</source>
-        <translation>Vernetzt die gewählten Formen mit garantiertem kleinsten Winkel</translation>
-    </message>
-    <message>
         <source>Quality mesh...</source>
         <translation>Qualitätsnetz...</translation>
+    </message>
+    <message>
+        <source>Mesh the selected shapes with a guaranteed smallest angle
+Select one or more shapes first.</source>
+        <translation>Vernetzt die gewählten Formen mit garantiertem kleinsten Winkel
+Zuerst eine oder mehrere Formen wählen.</translation>
     </message>
 </context>
 <context>
@@ -4935,19 +5282,23 @@
         <translation>Netz aktualisieren</translation>
     </message>
     <message>
-        <source>Compute the selected meshes again where a source or an option has changed</source>
-        <translation>Ausgewählte Netze neu berechnen, wo sich eine Quelle oder Option geändert hat</translation>
+        <source>Compute the selected meshes again where a source or an option has changed
+Select one or more meshes of MeshQuality first.</source>
+        <translation>Ausgewählte Netze neu berechnen, wo sich eine Quelle oder Option geändert hat
+Zuerst ein Netz oder mehrere Netze von MeshQuality wählen.</translation>
     </message>
 </context>
 <context>
     <name>MeshQuality_Wrap</name>
     <message>
-        <source>Close the outer surface of the selected objects, which may overlap, be open or have gaps, for flow simulations</source>
-        <translation>Die äußere Oberfläche der gewählten Objekte schließen, die sich überlappen, offen sein oder Lücken haben dürfen, für Strömungsrechnungen</translation>
-    </message>
-    <message>
         <source>Wrap...</source>
         <translation>Umhüllen...</translation>
+    </message>
+    <message>
+        <source>Close the outer surface of the selected objects, which may overlap, be open or have gaps, for flow simulations
+Select two or more objects first.</source>
+        <translation>Die äußere Oberfläche der gewählten Objekte schließen, die sich überlappen, offen sein oder Lücken haben dürfen, für Strömungsrechnungen
+Zuerst zwei oder mehr Objekte wählen.</translation>
     </message>
 </context>
 <context>
@@ -4961,24 +5312,8 @@
         <translation>Vernetzen</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>Prüfen</translation>
-    </message>
-    <message>
-        <source>Repair and combine</source>
-        <translation>Reparieren und verbinden</translation>
-    </message>
-    <message>
         <source>Print</source>
         <translation>Drucken</translation>
-    </message>
-    <message>
-        <source>CFD and FEM</source>
-        <translation>CFD und FEM</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Help</source>
@@ -4987,6 +5322,30 @@
     <message>
         <source>Meshes of CAD shapes with guaranteed quality</source>
         <translation>Netze von CAD-Formen mit garantierter Qualität</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>Inspect</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Reparieren</translation>
+    </message>
+    <message>
+        <source>Hand over</source>
+        <translation>Weitergeben</translation>
+    </message>
+    <message>
+        <source>Mesh Quality: inspect and repair</source>
+        <translation>Netzqualität: prüfen und reparieren</translation>
+    </message>
+    <message>
+        <source>Mesh Quality: print and hand over</source>
+        <translation>Netzqualität: drucken und weitergeben</translation>
     </message>
 </context>
 </TS>

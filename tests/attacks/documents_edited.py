@@ -41,6 +41,7 @@ KINDS = {
     "curved": lambda scene: mq.add_curved_mesh(scene.source),
     "Boolean": lambda scene: mq.add_boolean(scene.source, scene.other, resolution=64),
     "improved": lambda scene: mq.add_improved_mesh(scene.rough),
+    "simplified": lambda scene: mq.add_simplified_mesh(scene.rough),
 }
 ODD = {
     "NaN": float("nan"), "-1": -1, "infinity": float("inf"), "1e300": 1e300, "2**70": 2**70, "a text": "x",

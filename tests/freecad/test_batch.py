@@ -27,7 +27,8 @@ import numpy as np
 import Part
 from test_cli import COMMAND, run
 
-from MeshQuality.batch import charts, cluster, command, freecad_pool, part, plan, report, table
+from MeshQuality import charts
+from MeshQuality.batch import cluster, command, freecad_pool, part, plan, report, table
 from MeshQuality.cli import job as cli_job
 from MeshQuality.cli.exit_status import DONE
 

@@ -183,7 +183,9 @@ class Api(unittest.TestCase):
         "curve": {"shape_or_mesh", "shape", "progress"},
         "boolean": {"a", "b", "progress"},
         "improve": {"mesh", "progress"},
+        "simplify": {"mesh", "progress"},
         "quality": {"mesh", "progress"},
+        "measures": {"mesh"},
         "certify": {"mesh", "progress"},
         "verify": {"certificate", "progress"},
         "thickness": {"source", "progress"},
@@ -194,6 +196,7 @@ class Api(unittest.TestCase):
         "offset": {"source", "progress"},
         "hollow": {"source", "progress"},
         "wrap": {"objects", "progress"},
+        "cam": {"source", "progress"},
     }
 
     def test_every_option_of_the_api_is_there_under_its_name(self):

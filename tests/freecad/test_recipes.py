@@ -62,9 +62,25 @@ class Recipes(helpers.DocumentTest):
         kinds = [type(obj.Proxy).__name__ for obj in names["document"].Objects if hasattr(obj, "Proxy")]
         self.assertEqual(kinds, ["QualityMesh", "CurvedMeshObject", "MeshBoolean", "HollowObject"])
 
+    def test_measuring(self):
+        self.follow("docs/use/measures.md")
+        self.assertEqual(os.listdir("."), ["measures.csv"])
+
     def test_improving(self):
         self.follow("docs/use/improve.md")
         self.assertGreaterEqual(self.names["better"].report.min_angle, 25)
+
+    def test_machining(self):
+        self.follow("docs/use/cam.md")
+        self.assertGreater(self.names["mesh"].nearest, 0.0)
+
+    def test_reporting(self):
+        self.follow("docs/use/report.md")
+        self.assertEqual(sorted(os.listdir(".")), ["body.html", "mesh.html", "walls.html"])
+
+    def test_simplifying(self):
+        self.follow("docs/use/simplify.md")
+        self.assertLess(self.names["small"].report.triangles, self.names["mesh"].CountFacets)
 
     def test_quality_meshes(self):
         self.follow("docs/use/quality-mesh.md")

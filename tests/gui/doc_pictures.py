@@ -18,7 +18,7 @@ import MeshQuality as mq
 from MeshQuality import exchange
 from MeshQuality.compat import extension
 from MeshQuality.core.sources import convert
-from MeshQuality.gui import commands, curved_view, quality_data
+from MeshQuality.gui import commands, curved_view, element_measures, quality_data
 from MeshQuality.gui.panels import quality_panel
 from MeshQuality.gui.panels.mesh_panel import MeshPanel
 
@@ -64,6 +64,58 @@ class Pictures(gui_helpers.GuiTest):
         self.until(lambda: not panel.scene.flight.active)
         gui_helpers.wait(0.3)
         self.saved("given_fem_mesh", DOCS)
+        panel.reject()
+
+    def test_cam_mesh(self):
+        """The panel beside the mesh."""
+        source = self.document.addObject("Part::Feature", "Part")
+        box = Part.makeBox(60, 40, 20)
+        source.Shape = box.makeFillet(5, box.Edges)
+        obj = mq.add_cam_mesh(source, tolerance=0.1)
+        obj.ViewObject.DisplayMode = "Flat Lines"
+        FreeCADGui.Selection.clearSelection()
+        panel = MeshPanel([commands.CamMesh().editing(obj)], editing=True)
+        FreeCADGui.Control.showDialog(panel)
+        self.picture("cam_mesh", DOCS)
+        view = QtGui.QImage(os.path.join(DOCS, "cam_mesh.png"))
+        gui_helpers.wait(0.5)
+        panel.form.setFixedWidth(260)
+        gui_helpers.wait(0.3)
+        form = panel.form.grab().toImage()
+        both = QtGui.QImage(form.width() + view.width(), max(form.height(), view.height()), QtGui.QImage.Format_RGB32)
+        both.fill(QtCore.Qt.white)
+        painter = QtGui.QPainter(both)
+        painter.drawImage(0, 0, form)
+        painter.drawImage(form.width(), 0, view)
+        painter.end()
+        both.save(os.path.join(DOCS, "cam_mesh.png"))
+        panel.reject()
+
+    def test_simplify(self):
+        """Two meshes side by side, with their edges."""
+        source = self.bracket()
+        given = mq.add_quality_mesh(source, max_edge=4.0)
+        simple = mq.add_simplified_mesh(given, tolerance=0.1)
+        self.document.recompute()
+        copy = self.document.addObject("Mesh::Feature", "Given")
+        copy.Mesh = given.Mesh.copy()
+        copy.Placement.Base = FreeCAD.Vector(0, 60, 0)
+        for obj in (copy, simple):
+            obj.ViewObject.DisplayMode = "Flat Lines"
+        self.picture("simplify", DOCS)
+
+    def test_measures(self):
+        source = self.document.addObject("Part::Feature", "Shaft")
+        source.Shape = cantilever.bracket()
+        self.document.recompute()
+        obj = mq.add_fem_mesh(source, max_edge=4.0)
+        panel = quality_panel.open_panel(obj)
+        self.until(lambda: panel.values is not None)
+        measure = element_measures.MEASURES["non_orthogonality"]
+        panel.measures.setCurrentIndex(panel.data.measures.index(measure))
+        self.until(lambda: panel.measure is measure)
+        self.picture("measures", DOCS)
+        self.picture_of_panel(panel, "panel_measures")
         panel.reject()
 
     def bracket(self):

@@ -274,7 +274,7 @@ class Commands(gui_helpers.PanelTest):
 
     def test_every_command_has_its_icon_and_its_own_shortcut(self):
         names = [name for name in FreeCADGui.listCommands()
-                 if name.startswith("MeshQuality_") and name not in (commands.FirstSteps.NAME, commands.Example.NAME)]
+                 if name.startswith("MeshQuality_") and name not in (commands.FirstSteps.NAME, commands.Examples.NAME)]
         self.assertGreaterEqual(len(names), 6)
         shortcuts = set()
         for name in names:
@@ -288,11 +288,11 @@ class Commands(gui_helpers.PanelTest):
         workbench = FreeCADGui.getWorkbench("MeshQualityWorkbench")
         box = self.box()
         curved = mq.add_curved_mesh(box)
-        both = {"Offset", "Hollow", "Wrap", "Inspect"}
-        in_place = {"Analyse", "Patches", "Export", "FlowCase", "CfdSurface"}  # of the mesh that is seen in place of the box
+        both = {"Offset", "Hollow", "CamMesh", "Wrap", "Inspect"}
+        in_place = {"Analyse", "Patches", "Export", "SaveReport", "FlowCase", "CfdSurface"}  # of the mesh that is seen in place of the box
         for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh", *both, *in_place}), ((), set()),
-                                 ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Deviation", "Update", *both}),
-                                 ((curved,), {"Improve", "Update", *in_place, *both})):
+                                 ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Simplify", "Deviation", "Update", *both}),
+                                 ((curved,), {"Improve", "Simplify", "Update", *in_place, *both})):
             self.select(*chosen)
             added = []
             with mock.patch.object(workbench, "appendContextMenu", create=True,

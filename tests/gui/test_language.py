@@ -134,7 +134,7 @@ class German(gui_helpers.PanelTest):
         net = mq.add_quality_mesh(sources[0])
         net.Label = "Netz"
         for command, chosen in ((commands.Triangulate, sources[:1]), (commands.Curve, sources[:1]),
-                                (commands.Boolean, sources), (commands.Improve, [net])):
+                                (commands.Boolean, sources), (commands.Improve, [net]), (commands.Simplify, [net])):
             panel = self.panel(command, *chosen)
             panel.options.more.setChecked(True)
             self.until(lambda made=panel: "..." not in made.estimate.text())

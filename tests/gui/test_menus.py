@@ -30,7 +30,7 @@ class Menus(gui_helpers.PanelTest):
     def test_the_menu_is_by_task(self):
         menu, = (menu for menu in FreeCADGui.getMainWindow().menuBar().findChildren(QtGui.QMenu) if menu.title() == "Mesh Quality")
         titles = [action.text() for action in menu.actions()]
-        self.assertEqual(titles, ["Mesh", "Check", "Repair and combine", "Print", "CFD and FEM", "Export", "Update mesh", "Help"])
+        self.assertEqual(titles, ["Mesh", "Solve", "Print", "Inspect", "Repair", "Hand over", "Update mesh", "Help"])
         listed = [command for _, group in commands._MENUS for command in group]
         self.assertEqual(len(listed), len(set(listed)))
         below, = (below for below in menu.findChildren(QtGui.QMenu) if below.title() == "Mesh")
@@ -40,9 +40,21 @@ class Menus(gui_helpers.PanelTest):
         gui_helpers.screen().save(os.path.join(gui_helpers.PICTURES, "menu.png"))
         menu.close()
 
-    def test_the_toolbar_has_a_separator_between_tasks(self):
-        toolbar = FreeCADGui.getMainWindow().findChild(QtGui.QToolBar, "Mesh Quality")
-        self.assertEqual(sum(action.isSeparator() for action in toolbar.actions()), len(commands._MENUS) - 1)
+    def test_three_toolbars_of_seven_buttons_at_most(self):
+        self.assertEqual(len(commands._TOOLBARS), 3)
+        for title, group in commands._TOOLBARS:
+            toolbar = FreeCADGui.getMainWindow().findChild(QtGui.QToolBar, title)
+            shown = [action.text() for action in toolbar.actions() if not action.isSeparator()]
+            self.assertEqual(shown, [command.TEXT + ("..." if command.ASKS else "") for command in group])
+            self.assertLessEqual(len(shown), 7)
+        listed = {command for _, group in commands._MENUS for command in group}
+        self.assertTrue({command for _, group in commands._TOOLBARS for command in group} <= listed)
+
+    def test_commands_say_what_is_to_be_selected(self):
+        for command in commands._COMMANDS:
+            self.assertRegex(command.NEEDS, r"^Select .* first.*\.$", command.NAME)
+            tip = FreeCADGui.Command.get(command.NAME).getInfo()["toolTip"]
+            self.assertIn(command.NEEDS, tip)
 
     def test_icons_of_different_commands_differ(self):
         """Each is at least as far from every other as a tenth of its pixels, at the size of toolbars."""
@@ -89,12 +101,18 @@ class Help(gui_helpers.PanelTest):
         pages.text.setSource(pages.text.source().resolved(help_pages.QtCore.QUrl("mesh-objects.md")))
         self.assertIn("Mesh objects in the document", pages.text.toPlainText())
 
-    def test_the_example_can_be_meshed_at_once(self):
-        FreeCADGui.runCommand("MeshQuality_Example")
-        document = FreeCAD.ActiveDocument
-        self.addCleanup(FreeCAD.closeDocument, document.Name)
+    def test_the_examples_can_be_meshed_measured_and_repaired_at_once(self):
+        FreeCADGui.runCommand("MeshQuality_Examples")
+        scanned, document = FreeCAD.getDocument("Scan"), FreeCAD.ActiveDocument
+        for opened in (scanned, document):
+            self.addCleanup(FreeCAD.closeDocument, opened.Name)
         part, = commands._selected()
         self.assertTrue(part.Shape.isValid() and len(part.Shape.Solids) == 1)
         mesh = mq.add_quality_mesh(part)
         self.assertEqual(mesh.Certificate, "met")
         self.assertTrue(mesh.Closed)
+        found = mq.add_deviation(scanned.Scan, scanned.Tee, tolerance=0.2, align="any")
+        self.assertTrue(0.4 < found.Highest.Value < 0.8)
+        self.assertGreater(found.Within, 90)
+        self.assertFalse(scanned.Scan.Mesh.isSolid())
+        self.assertTrue(mq.add_repaired_mesh(scanned.Scan).Closed)

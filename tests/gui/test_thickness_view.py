@@ -9,9 +9,10 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality.core import colour_scale
 from MeshQuality.gui import commands, quality_data
 from MeshQuality.gui.panels import quality_panel
-from MeshQuality.gui.view import colour_scale, legend
+from MeshQuality.gui.view import legend
 
 
 class ThicknessView(gui_helpers.PanelTest):

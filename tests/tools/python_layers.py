@@ -19,8 +19,8 @@ MAY_IMPORT = {
 }
 # By module, or package with all below it, its layer. `scripts` is the package itself, as `import MeshQuality` has it.
 LAYER = {
-    **dict.fromkeys(["errors", "version", "listing", "compat", "files", "formats", "limits", "scratch", "options", "error_phrases",
-                     "fault_phrases", "label_phrases", "note_phrases", "element_names", "phrases", "stage_names"], "foundation"),
+    **dict.fromkeys(["charts", "html_page", "errors", "version", "listing", "compat", "files", "formats", "limits", "scratch", "options", "error_phrases",
+                     "fault_phrases", "label_phrases", "note_phrases", "report_phrases", "element_names", "phrases", "stage_names"], "foundation"),
     "core": "core",
     "features": "features",
     "": "scripts",
@@ -33,7 +33,7 @@ LAYER = {
 }
 # The folders and modules of `core` in rows, low to high: each imports lower rows, and itself.
 CORE = [
-    ["sources"],
+    ["colour_scale", "sources"],
     ["elements", "patches"],
     ["formats"],
     ["meshes"],
@@ -41,7 +41,9 @@ CORE = [
     ["curved", "certify"],
     ["operands", "verify"],
     ["booleans", "curving", "inspect"],
-    ["offsetting", "repair", "solid_expression", "wrapping"],
+    ["measures", "offsetting", "repair", "solid_expression", "wrapping"],
+    ["machining"],
+    ["reporting"],
 ]
 
 

@@ -155,7 +155,7 @@ MESHING = [
     ("Mesh Quality", chosen("Mesh Quality"), ""),
     ("menu Mesh Quality", menu("Mesh Quality"), ""),
     ("Help", entry("Help"), ""),
-    ("Example part", entry("Example part"), ""),
+    ("Examples", entry("Examples"), ""),
     ("Quick mesh", tool("Quick mesh"), "part"),
 ]
 

@@ -39,8 +39,8 @@ def run(task, batch):
     entry["host"] = socket.gethostname()
     try:
         entry["digest"] = digest_of(task["path"], task["seconds"])
-        if task["output_path"]:
-            os.makedirs(os.path.dirname(task["output_path"]), exist_ok=True)
+        for path in filter(None, (task["output_path"], task.get("page_path"))):
+            os.makedirs(os.path.dirname(path), exist_ok=True)
     except OSError as error:
         state = "timeout" if isinstance(error, TimeoutError) else DISK if is_full(error) else "input"
         return {**entry, "digest": None, "output": None, "state": state, "error": str(error), "attempts": 0}
@@ -51,7 +51,9 @@ def run(task, batch):
         found["attempts"] = 2
     if found["state"] != "done":
         entry["output"] = None
-    elif entry["output"]:
+    elif task.get("page"):
+        entry["page"] = task["page"]
+    if entry["output"]:
         entry["output_size"] = os.path.getsize(task["output_path"])
         entry["output_digest"] = digest_of(task["output_path"])
     return {**entry, **found}
@@ -75,7 +77,7 @@ def _run(task, path, scratch, pool, fresh):
     ready = unfinished(output, task["suffix"], UNFINISHED_OF_BATCH) if output else None
     job = {"command": task["command"], "options": task["options"], "suffix": task["suffix"],
            "deviation": task["deviation"], "writing": task.get("writing", {}),
-           "inputs": [path], "input": path, "output": output,
+           "inputs": [path], "input": path, "output": output, "page": task.get("page_path"),
            "ready": ready, "scratch": scratch, "seconds": task["seconds"]}
     used = False
     try:

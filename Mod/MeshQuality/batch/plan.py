@@ -15,7 +15,7 @@ from ..errors import Error
 from ..files import kind_of
 from ..version import __version__
 
-MESHES = "meshes"
+MESHES, PAGES = "meshes", "reports"
 _LONGEST_NAME = 255  # bytes, of most file systems
 _DEFAULT_FORMAT = {"triangulate": "ply", "improve": "ply", "curve": "msh"}
 
@@ -43,34 +43,42 @@ class Plan:
     gibibytes: float
     deviation: float = None
     writing: dict = field(default_factory=dict)
+    pages: bool = False
 
     @property
     def key(self):
         """A digest of all that results depend on beside the part: command, options, format, version."""
-        more = [self.writing] if self.writing else []  # so that results of before have their key still
+        more = [*([self.writing] if self.writing else []), *(["pages"] if self.pages else [])]  # so that results of before have their key still
         said = json.dumps([self.command, self.options, self.suffix, self.deviation, __version__, *more],
                           sort_keys=True)
         return hashlib.sha256(said.encode()).hexdigest()[:16]
 
     def output_of(self, name):
         """The mesh of a part, relative to `out`; None without one. Names that are too long are cut."""
-        if not self.suffix:
-            return None
+        return f"{MESHES}/{self._file_of(name, self.suffix)}" if self.suffix else None
+
+    def page_of(self, name):
+        """Likewise the page with pictures of a part."""
+        return f"{PAGES}/{self._file_of(name, '.html')}" if self.pages else None
+
+    @staticmethod
+    def _file_of(name, suffix):
         folder, slash, leaf = name.rpartition("/")
-        if len(os.fsencode(leaf + self.suffix)) > _LONGEST_NAME:
+        if len(os.fsencode(leaf + suffix)) > _LONGEST_NAME:
             digest = hashlib.sha256(os.fsencode(leaf)).hexdigest()[:16]
             leaf = os.fsencode(leaf)[:_LONGEST_NAME - 30].decode(errors="ignore") + "~" + digest
-        return f"{MESHES}/{folder}{slash}{leaf}{self.suffix}"
+        return f"{folder}{slash}{leaf}{suffix}"
 
     def task(self, part):
         """All that a worker must know to do the part, as plain data."""
-        output = self.output_of(part.name)
+        output, page = self.output_of(part.name), self.page_of(part.name)
         return {
             "part": part.name, "path": str(self.folder / part.name), "size": part.size,
             "mtime_ns": part.mtime_ns, "key": self.key, "command": self.command,
             "options": self.options, "suffix": self.suffix, "deviation": self.deviation,
             "writing": self.writing, "output": output,
             "output_path": str(self.out / output) if output else None,
+            "page": page, "page_path": str(self.out / page) if page else None,
             "seconds": self.seconds, "bytes": int(self.gibibytes * 2**30),
         }
 
@@ -102,7 +110,7 @@ def plan_of(arguments):
         require_curved_output(job, suffix)
     writing = take_writing(vars(arguments).copy(), suffix) if command in WITH_PATCHES else {}
     return Plan(folder, out, command, job["options"], suffix,
-                arguments.time_limit, arguments.memory_limit, job["deviation"], writing)
+                arguments.time_limit, arguments.memory_limit, job["deviation"], writing, arguments.reports)
 
 
 def matches(name, patterns):
@@ -118,7 +126,7 @@ def find_parts(plan, patterns=None):
     not done. Raises Error where there are none.
     """
     known, found, named = INPUTS[plan.command], [], []
-    results = [status for status in map(_status, (plan.out, plan.out / MESHES)) if status]
+    results = [status for status in map(_status, (plan.out, plan.out / MESHES, plan.out / PAGES)) if status]
     for path, folders, names in os.walk(plan.folder):
         folders[:] = [name for name in folders if not name.startswith(".")
                       and not any(_is_same(os.path.join(path, name), result) for result in results)]

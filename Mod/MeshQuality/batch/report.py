@@ -7,9 +7,11 @@ from array import array
 from collections import Counter
 from dataclasses import dataclass
 
+from .. import charts, html_page
+from ..html_page import Markup, table_of, text_of
 from ..phrases import MET, NOT_MET
 from ..version import __version__
-from . import charts, table
+from . import table
 from .atomic_file import replacing
 
 NAME = "report.html"
@@ -92,6 +94,7 @@ class Findings:
         self.faulty, self.faulty_count = [], 0
         self.missed, self.missed_count, self.met_count = [], 0, 0
         self.seconds = 0.0
+        self.pages = []
 
     def add(self, entry):
         self.states[entry["state"]] += 1
@@ -109,6 +112,8 @@ class Findings:
                 self.values[i].append(value)
                 self._keep_worst(i, (-value if figure.worst == "high" else value, entry["part"],
                                      entry["output"]))
+        if isinstance(entry.get("page"), str):
+            self.pages.append((entry["part"], entry["page"]))
         report = entry["report"]
         self.met_count += report.get("verdict") == MET
         if report.get("verdict") == NOT_MET:
@@ -169,12 +174,12 @@ def page(plan, findings):
     return "\n".join([
         "<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width">',
-        f"<title>{_text(title)}</title><style>{_STYLE}</style></head><body>",
-        f"<h1>{_text(title)}</h1>",
-        f"<p>MeshQuality {__version__}. {_text(options)}. {findings.seconds:.0f} s of computation in total."
+        f"<title>{text_of(title)}</title><style>{_STYLE}</style></head><body>",
+        f"<h1>{text_of(title)}</h1>",
+        f"<p>MeshQuality {__version__}. {text_of(options)}. {findings.seconds:.0f} s of computation in total."
         "</p>",
         _states(findings.states, total), _charts(plan, findings), _causes(findings.causes),
-        _missed(findings), _worst(plan, findings), _faulty(findings), "</body></html>\n"])
+        _missed(findings), _worst(plan, findings), _faulty(findings), _pages(findings), "</body></html>\n"])
 
 
 def _states(states, total):
@@ -182,7 +187,7 @@ def _states(states, total):
              f'{states[state]}"></span>' for state in _STATES if states[state]]
     rows = [[_STATES[state], states[state], f"{100 * states[state] / total:.2f} %"]
             for state in _STATES if states[state]]
-    return f'<div class="bar">{"".join(parts)}</div>' + _table(["", "parts", "share"], rows)
+    return f'<div class="bar">{"".join(parts)}</div>' + table_of(["", "parts", "share"], rows)
 
 
 def _charts(plan, findings):
@@ -199,7 +204,7 @@ def _causes(causes):
     rows = [[_STATES[state], count, error, ", ".join(names)]
             for (state, _), (count, error, names)
             in sorted(causes.items(), key=lambda item: (-item[1][0], item[0]))]
-    return "<h2>Parts that failed, by cause</h2>" + _table(
+    return "<h2>Parts that failed, by cause</h2>" + table_of(
         ["state", "parts", "first error", "examples"], rows[:MOST_ROWS]) + _more(len(rows))
 
 
@@ -216,8 +221,8 @@ def _worst(plan, findings):
         rows = [[f"{value:.6g}", _link(part, output)] for value, part, output in worst
                 if (value > 0 if high else asked is None or value < asked)]
         if rows:
-            tables.append(f"<div><h3>{_text(figure.title)}, {'highest' if high else 'lowest'}</h3>"
-                          + _table(["", "part"], rows) + "</div>")
+            tables.append(f"<div><h3>{text_of(figure.title)}, {'highest' if high else 'lowest'}</h3>"
+                          + table_of(["", "part"], rows) + "</div>")
     return f'<h2>Worst parts</h2><div class="charts">{"".join(tables)}</div>'
 
 
@@ -229,7 +234,7 @@ def _missed(findings):
     if not findings.missed:
         return head
     rows = [[_link(part, output), text] for part, output, text in sorted(findings.missed)]
-    return head + _table(["part", "not met"], rows) + _more(findings.missed_count)
+    return head + table_of(["part", "not met"], rows) + _more(findings.missed_count)
 
 
 def _faulty(findings):
@@ -237,46 +242,28 @@ def _faulty(findings):
         return ""
     return (f"<h2>Meshes that are not closed, not oriented or not manifold "
             f"({findings.faulty_count})</h2><p>Shells and sets of loose faces that are open have open meshes.</p>"
-            + _table(["part", ""], sorted(findings.faulty, key=lambda row: (row[1] == _OPEN, row)))
+            + table_of(["part", ""], sorted(findings.faulty, key=lambda row: (row[1] == _OPEN, row)))
             + _more(findings.faulty_count))
 
 
-class _Markup(str):
-    """Text that is HTML already."""
+def _pages(findings):
+    """Links to the pages of all parts."""
+    if not findings.pages:
+        return ""
+    rows = "".join(f"<li>{_link(part, page)}</li>" for part, page in sorted(findings.pages))
+    return f'<h2>Reports of parts</h2><ul class="pages">{rows}</ul>'
 
 
 def _link(part, output):
     if not output:
         return part
     target = urllib.parse.quote(output, errors="surrogateescape")
-    return _Markup(f'<a href="{html.escape(target)}">{_text(part)}</a>')
+    return Markup(f'<a href="{html.escape(target)}">{text_of(part)}</a>')
 
 
-def _table(head, rows):
-    lines = ["<table><tr>" + "".join(f"<th>{_text(cell)}</th>" for cell in head) + "</tr>"]
-    for row in rows:
-        cells = (cell if isinstance(cell, _Markup) else _text(cell) for cell in row)
-        lines.append("<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>")
-    return "\n".join(lines) + "</table>"
-
-
-def _text(value):
-    return html.escape(str(value))
-
-
-_STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 80em; padding: 0 1em;
-       color: #222; background: #fff; }
-h1 { font-size: 1.5em; } h2 { font-size: 1.2em; margin-top: 2em; } h3 { font-size: 1em; }
-table { border-collapse: collapse; } td, th { text-align: left; padding: .15em 1em .15em 0;
-       border-bottom: 1px solid #ddd; vertical-align: top; overflow-wrap: anywhere; }
+_STYLE = html_page.STYLE + """
 .bar { display: flex; height: 1.2em; gap: 2px; margin: 1em 0; } .bar span { min-width: 3px; }
 .done { background: #3a7d44; } .input { background: #999; } .failed { background: #d98e04; }
 .crash { background: #b3261e; } .timeout { background: #7b4fa3; } .memory { background: #2b6cb0; }
-.lost { background: #000; } .disk { background: #666; } .todo { background: #e5e5e5; }
-.charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(24em, 1fr)); gap: 1.5em; }
-.chart { width: 100%; } .chart rect { fill: #3b6ea5; } .chart line { stroke: #555; }
-.chart .mark { stroke: #b3261e; stroke-dasharray: 4 3; }
-.chart text { font-size: 11px; fill: #444; text-anchor: middle; }
-.chart .y { text-anchor: end; } .chart .title { font-size: 12px; font-weight: 600; }
+.pages { columns: 24em; } .lost { background: #000; } .disk { background: #666; } .todo { background: #e5e5e5; }
 """

@@ -13,9 +13,12 @@ from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
 from MeshQuality.cli.input_files import (mesh_of, read_mesh, read_operand, read_points, read_shape, read_shape_and_objects,
                                         sizes_in)
 from MeshQuality.cli.output_file import patches_of, write_curved, writing_of, written
+from MeshQuality.cli.parser import MESH_SUFFIXES, TABLES
 from MeshQuality.cli.progress_line import end_progress_line, progress_line
 from MeshQuality.cli.report_fields import WRAP_FIELDS, plain, report_fields
 from MeshQuality.core.certify import verdict
+from MeshQuality.core.reporting import report as report_pages
+from MeshQuality.core.reporting.page import page_of
 from MeshQuality.phrases import Text, upper_first
 
 _GRACE = 30  # seconds beyond the limit, after which it ends without its owner
@@ -23,12 +26,21 @@ _GRACE = 30  # seconds beyond the limit, after which it ends without its owner
 # What is said without findings; some commands have no options that request anything.
 _ALL_MET = "all requested limits are met"
 _NO_FINDING = {**dict.fromkeys(("quality", "certify"), "no limits were requested, and no faults were found"),
+               "measures": "no limits were requested",
                "voids": "there are none",
                "verify": "all of it holds"}
 
 
 def _count(number, noun):
     return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def _table_written(job, found):
+    """Writes the table of what was found, if asked for; says where, for the sentence to end with."""
+    if not job.get("csv"):
+        return ""
+    found.write_csv(job["csv"])
+    return f", written to {job['csv']}"
 
 
 def triangulate(job):
@@ -39,6 +51,7 @@ def triangulate(job):
     how = writing_of(job, shape, objects)
     mesh = mq.triangulate(shape, **values, **patches_of(how), progress=progress_line())
     report, where = mesh.report, written(job, lambda path: mesh.write(path, **how))
+    job["shown"] = mesh, shape
     return report, _count(report.triangles, "triangle") + where, \
         verdict.of_triangulation(mesh, verdict.must_be_closed(shape), values, shape)
 
@@ -49,7 +62,7 @@ def curve(job):
     how = writing_of(job, shape, objects)
     mesh = mq.curve(shape, **job["options"], **patches_of(how), mesh=job.get("mesh"), mesh_scale=job.get("mesh_scale", 1.0),
                     progress=progress_line())
-    report = mesh.report
+    report, job["shown"] = mesh.report, (mesh, None)
     if isinstance(mesh, mq.CurvedElementMesh):
         where = written(job, lambda path: mesh.write(path, scale=how.get("scale", 1.0)))
         return report, f"{_count(report.elements, 'element')} of order {mesh.order}{where}", verdict.of_curved_elements(mesh)
@@ -62,6 +75,7 @@ def boolean(job):
     """Likewise."""
     sources = [read_operand(path, job.get("object")) for path in job["inputs"]]
     mesh = mq.boolean(sources, **job["options"], progress=progress_line())
+    job["shown"] = mesh, None
     report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
     return report, f"{_count(report.triangles, 'triangle')}{where}, {report.retained} of them unchanged from the " \
                    "operands", verdict.of_boolean(mesh)
@@ -79,6 +93,15 @@ def hollow(job):
                                           openings=job.get("openings"), progress=progress_line()))
 
 
+def cam(job):
+    """Likewise, and between which distances from the solid the mesh is."""
+    mesh = mq.cam(read_operand(job["input"], job.get("object")), **job["options"], progress=progress_line())
+    job["shown"] = mesh, None
+    report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
+    return report, f"{_count(report.triangles, 'triangle')}{where}, proven to be {mesh.nearest:.4g} to {mesh.farthest:.4g} mm {mesh.side} of the " \
+                   "part", verdict.topology(report, True, mesh), {"side": mesh.side, "nearest": mesh.nearest, "farthest": mesh.farthest}
+
+
 def wrap(job):
     """Likewise, and what the report of a Boolean lacks. Places that are to stay dry are findings where they do not."""
     sources = [read_operand(path, job.get("object")) for path in job["inputs"]]
@@ -90,6 +113,7 @@ def wrap(job):
 
 
 def _offset_written(job, mesh):
+    job["shown"] = mesh, None
     report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
     return report, f"{_count(report.triangles, 'triangle')}{where}", verdict.of_boolean(mesh)
 
@@ -98,9 +122,20 @@ def improve(job):
     """Likewise; the mesh is to be as closed as that before it."""
     given = mesh_of(read_mesh(job["input"]))
     mesh = mq.improve(given, **job["options"], progress=progress_line())
+    job["shown"] = mesh, None
     report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
     return report, _count(report.triangles, "triangle") + where, \
         verdict.of_improvement(mesh, given.report.closed)
+
+
+def simplify(job):
+    """Likewise, and what is proven."""
+    given = mesh_of(read_mesh(job["input"]))
+    mesh = mq.simplify(given, **job["options"], progress=progress_line())
+    job["shown"] = mesh, None
+    report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
+    return report, f"{report.triangles} of {_count(given.report.triangles, 'triangle')}{where}, proven to deviate by {mesh.deviation:.4g} mm at " \
+                   "most", verdict.of_improvement(mesh, given.report.closed), {"deviation": mesh.deviation}
 
 
 def quality(job):
@@ -108,8 +143,15 @@ def quality(job):
     mesh = mesh_of(read_mesh(job["input"]))
     shape = read_shape(job["shape"], job.get("object")) if job.get("shape") else None
     report = mq.quality(mesh, shape, progress_line())
+    job["shown"] = mesh, shape
     return report, f"measured {_count(report.triangles, 'triangle')} of {job['input']}", \
         verdict.of_measured(mesh, report, shape is None or verdict.must_be_closed(shape))
+
+
+def measures(job):
+    """Likewise; there are no findings, as nothing was requested."""
+    found = mq.measures(read_mesh(job["input"]) if job["input"].lower().endswith(MESH_SUFFIXES) else job["input"])
+    return found, f"measured {_count(len(found), 'element')} of {job['input']}{_table_written(job, found)}", []
 
 
 def certify(job):
@@ -127,11 +169,8 @@ def certify(job):
 def thickness(job):
     """Likewise."""
     found = mq.thickness(read_operand(job["input"], job.get("object")), **job["options"], progress=progress_line())
-    where = ""
-    if job.get("csv"):
-        found.write_csv(job["csv"])
-        where = f", written to {job['csv']}"
-    return found, f"measured {_count(len(found.values), 'triangle')}{where}", verdict.of_thickness(found)
+    job["shown"] = found, None
+    return found, f"measured {_count(len(found.values), 'triangle')}{_table_written(job, found)}", verdict.of_thickness(found)
 
 
 def clearance(job):
@@ -151,11 +190,8 @@ def draft(job):
     """Likewise."""
     found = mq.draft(read_operand(job["input"], job.get("object")), job["pull_direction"], **job["options"],
                      progress=progress_line())
-    where = ""
-    if job.get("csv"):
-        found.write_csv(job["csv"])
-        where = f", written to {job['csv']}"
-    return found, f"measured {_count(len(found.areas), 'triangle')}{where}", verdict.of_draft(found)
+    job["shown"] = found, None
+    return found, f"measured {_count(len(found.areas), 'triangle')}{_table_written(job, found)}", verdict.of_draft(found)
 
 
 def voids(job):
@@ -168,11 +204,8 @@ def deviation(job):
     """Likewise."""
     found = mq.deviation(read_points(job["input"]), read_operand(job["reference"], job.get("object")), **job["options"],
                          scale=job["mesh_scale"], progress=progress_line())
-    where = ""
-    if job.get("csv"):
-        found.write_csv(job["csv"])
-        where = f", written to {job['csv']}"
-    return found, f"measured {_count(len(found.values), 'point')}{where}", verdict.of_deviation(found)
+    job["shown"] = found, None
+    return found, f"measured {_count(len(found.values), 'point')}{_table_written(job, found)}", verdict.of_deviation(found)
 
 
 def verify(job):
@@ -180,6 +213,15 @@ def verify(job):
     found = mq.verify(job["input"], job.get("mesh"), progress_line())
     return found, f"verified {_count(found.elements, 'element')} of the certificate {job['input']}", \
         [verdict.Finding(upper_first(Text("{text}", text=f"{fault}."))) for fault in found.faults]
+
+
+def _write_page(job, findings):
+    """Writes the page of --report; says where, for the sentence to end with."""
+    source, shape = job["shown"]
+    content = report_pages.content_for(source, os.path.basename(job["inputs"][0]), shape, progress_line(), findings)
+    content.asked = report_pages.asked_rows(TABLES[job["command"]], job["options"])
+    report_pages.write_text(job["page"], page_of(content))
+    return f"; report in {job['page']}"
 
 
 def _failure(status, error, **more):
@@ -195,10 +237,11 @@ def run(job):
     """The job's result as plain data; never raises."""
     input_files.left_out.clear()
     try:
-        report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
-                                         "quality": quality, "certify": certify, "verify": verify, "thickness": thickness,
+        report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve, "simplify": simplify,
+                                         "quality": quality, "measures": measures, "certify": certify, "verify": verify, "thickness": thickness,
                                          "clearance": clearance, "draft": draft, "voids": voids, "deviation": deviation,
-                                         "offset": offset, "hollow": hollow, "wrap": wrap}[job["command"]](job)
+                                         "offset": offset, "hollow": hollow, "wrap": wrap, "cam": cam}[job["command"]](job)
+        text += _write_page(job, findings) if job.get("page") else ""
     except mq.InvalidInput as error:
         return _failure(USAGE, error)
     except files.DiskFull as error:

@@ -19,7 +19,7 @@ def job_of(arguments):
     """
     job = vars(arguments).copy()
     command = job["command"]
-    for name in ("input", "shape", "mesh", "reference", "save", "csv", "output"):
+    for name in ("input", "shape", "mesh", "reference", "save", "csv", "page", "output"):
         if job.get(name):
             job[name] = _absolute(job[name])
     job["inputs"] = [_absolute(path) for path in job.get("inputs") or [job["input"]]]
@@ -36,8 +36,11 @@ def job_of(arguments):
         _check_mesh_scale(job)
     if job.get("save"):
         _require_savable(job)
-    if job.get("csv"):
-        _require_folder(job["csv"])
+    for flag, path in (("--csv", job.get("csv")), ("--report", job.get("page"))):
+        if path:
+            _require_folder(flag, path)
+    if job.get("page") and os.path.splitext(job["page"])[1].lower() not in (".html", ".htm"):
+        raise Error(f"'{job['page']}' has no known extension: a report is .html")
     if command == "verify" and job["input"] == STANDARD and not job["mesh"]:
         raise Error("a certificate from standard input is in no folder: name the mesh with --mesh")
     job["options"] = take_options(job, TABLES[command])
@@ -70,10 +73,10 @@ def _require_savable(job):
         raise Error(f"'{path}' cannot be written: give the name of a file in a folder that is there")
 
 
-def _require_folder(path):
-    """Raises Error where a table cannot be written there."""
+def _require_folder(flag, path):
+    """Raises Error where a table or a page cannot be written there."""
     if path == STANDARD or os.path.isdir(path) or not os.path.isdir(os.path.dirname(path)):
-        raise Error(f"--csv {path} cannot be written: give the name of a file in a folder that is there")
+        raise Error(f"{flag} {path} cannot be written: give the name of a file in a folder that is there")
 
 
 def _absolute(path):

@@ -17,25 +17,28 @@ MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
 POINT_SUFFIXES = (".xyz", ".asc", ".txt", ".csv", ".pts")  # a line a point; more columns than three are left out
 ELEMENT_SUFFIXES = tuple(READABLE)  # extensions of meshes that other programs made
 
-INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
-          "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
+INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES, "simplify": MESH_SUFFIXES,
+          "quality": MESH_SUFFIXES, "measures": MESH_SUFFIXES + ELEMENT_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
           "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
           "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
           "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES,
-          "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES}
-OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": (), "deviation": ()}
+          "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "cam": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES}
+OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES, "simplify": SUFFIXES,
+           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "cam": SUFFIXES,
+           **dict.fromkeys(("quality", "measures", "certify", "verify", "thickness", "clearance", "draft", "voids", "deviation"), ())}
 WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*options.CURVE, options.THREADS),
-          "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
-          "verify": (), "thickness": options.inspection.THICKNESS, "clearance": options.inspection.CLEARANCE,
+          "improve": options.IMPROVE, "simplify": options.simplify.SIMPLIFY, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "measures": (),
+          "certify": (), "verify": (), "thickness": options.inspection.THICKNESS, "clearance": options.inspection.CLEARANCE,
           "draft": options.inspection.DRAFT, "voids": options.inspection.VOIDS,
           "deviation": options.inspection.DEVIATION,
           "offset": options.offset.OFFSET, "hollow": options.offset.HOLLOW,
-          "wrap": options.wrap.WRAP}
+          "wrap": options.wrap.WRAP, "cam": options.cam.CAM}
 _FLAT_HEADING = {"Display": "Flat triangles"}
+# Commands that have a page with pictures of what they made or measured.
+WITH_PAGES = ("triangulate", "curve", "improve", "simplify", "quality", "boolean", "offset", "hollow", "wrap", "cam", "thickness", "draft", "deviation")
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
 STATUS = ("Exit status: 0 done, 1 failed, 2 bad usage or input, 3 with --strict: done, but a requested limit is not "
@@ -80,6 +83,11 @@ examples:
   meshquality hollow part.step --thickness 2 -o shell.stl
   meshquality hollow cup.step --thickness 1.2 --openings Face3,Face5 -o cup.stl --strict
 """,
+    "cam": """
+examples:
+  meshquality cam part.step --tolerance 0.05 -o part.stl
+  meshquality cam core.step --tolerance 0.1 --side inside -o core.stl
+""",
     "wrap": """
 examples:
   meshquality wrap assembly.step --gap 2 -o outside.stl
@@ -89,10 +97,19 @@ examples:
 examples:
   meshquality improve scan.stl -o better.ply --min-angle 30
 """,
+    "simplify": """
+examples:
+  meshquality simplify scan.stl -o lighter.stl --tolerance 0.05
+""",
     "quality": """
 examples:
   meshquality quality part.stl
   meshquality quality part.stl --shape part.step --json
+""",
+    "measures": """
+examples:
+  meshquality measures part.stl
+  meshquality measures mesh.msh --csv measures.csv --json
 """,
     "certify": """
 examples:
@@ -174,11 +191,11 @@ def parser(batched="triangulate"):
                 "is closed and free of self-intersections.")
     _add_offsets(commands)
     _add_wrap(commands)
-    _add_single(commands, "improve", "improve the triangles of a mesh",
-                "Improves the triangles of a mesh on its own surface; sharp edges stay.")
+    _add_changed_meshes(commands)
     one = _add_single(commands, "quality", "measure the quality of a mesh",
                       "Measures a mesh: topology, angles, and its distance to a shape if given.")
     one.add_argument("--shape", metavar="CAD", help="CAD file to measure the distance to")
+    _add_measures(commands)
     one = _add_single(commands, "certify", "prove which elements of any mesh are valid",
                       "Proves which elements of a mesh that any program made are valid: triangles, quadrilaterals,\n"
                       "tetrahedra, prisms, pyramids and hexahedra of orders 1 to 5.")
@@ -210,6 +227,20 @@ def parser(batched="triangulate"):
     _add_deviation(commands)
     _add_batch(commands, batched)
     return top
+
+
+def _add_changed_meshes(commands):
+    _add_single(commands, "improve", "improve the triangles of a mesh",
+                "Improves the triangles of a mesh on its own surface; sharp edges stay.")
+    _add_single(commands, "simplify", "fewer triangles within a proven distance",
+                "The same surface with fewer triangles: no point of either is farther than the tolerance from the other one, proven.")
+
+
+def _add_measures(commands):
+    one = _add_single(commands, "measures", "measure each element as Verdict and OpenFOAM do",
+                      "Measures each element of a mesh: edge ratio, aspect ratio, scaled Jacobian, equiangle skew, angles, skew, taper and\n"
+                      "warpage as Verdict defines them, and of volumes OpenFOAM's non-orthogonality and skewness.")
+    one.add_argument("--csv", metavar="FILE.csv", help="file for the measures of each element")
 
 
 def _add_deviation(commands):
@@ -244,6 +275,9 @@ def _add_offsets(commands):
 
 
 def _add_wrap(commands):
+    _add_single(commands, "cam", "a mesh for machining on one side of a solid",
+                "A mesh of a CAD shape or a mesh that is never inside of it, so that a tool that touches the mesh does not cut into the\n"
+                "part, or never outside. Which side it is on is proven, as its distance is.")
     one = _add_single(commands, "wrap", "close the outer surface of objects that need not be clean",
                       "The outer surface of one or several CAD shapes and meshes, which may overlap, be open, or have gaps: all\n"
                       "that a ball as wide as the gap can touch from outside. The result is closed and free of\n"
@@ -268,7 +302,7 @@ def _add_single(commands, name, title, description):
     output = " [-o FILE]" if OUTPUTS[name] else ""
     one = _new(commands, name, title, description, inputs + output)
     kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file", ELEMENT_SUFFIXES: "mesh file",
-            (".json",): "certificate", MESH_SUFFIXES + POINT_SUFFIXES: "mesh or file of points"}.get(INPUTS[name],
+            (".json",): "certificate", MESH_SUFFIXES + ELEMENT_SUFFIXES: "mesh file", MESH_SUFFIXES + POINT_SUFFIXES: "mesh or file of points"}.get(INPUTS[name],
                                                                       "mesh or CAD file")
     text = f"{kind}: {' '.join(INPUTS[name])}; -: standard input"
     if name in WITH_INPUTS:
@@ -285,12 +319,15 @@ def _add_single(commands, name, title, description):
     if name in WITH_PATCHES:
         _add_writing(one, with_patches=True, with_interfaces=name == "triangulate")
     _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
-    if name not in ("improve", "verify"):
+    if name not in ("improve", "simplify", "verify", "measures"):
         one.add_argument("--object", metavar="NAME",
                          help="name or label of the object to take from an FCStd file; default: all "
                               "final ones")
     one.add_argument("--json", action="store_true",
                      help="print the report as one JSON object on stdout")
+    if name in WITH_PAGES:
+        one.add_argument("--report", dest="page", metavar="FILE.html",
+                         help="file for a page with pictures, what was requested and found, a histogram, faces and places")
     running = one.add_argument_group("limits")
     running.add_argument("--time-limit", type=float, metavar="SECONDS",
                          help="end with status 1 after this time, reading and checks included (default: none)")
@@ -369,6 +406,8 @@ def _add_batch(commands, batched):
                          help="time limit for each part (default: 600)")
     running.add_argument("--memory-limit", type=float, default=4.0, metavar="GIB",
                          help="memory limit for each part (default: 4)")
+    one.add_argument("--reports", action="store_true",
+                     help="write a page with pictures for each part, too, below OUT/reports/; report.html has links to them")
     running.add_argument("--dashboard", action="store_true",
                          help="show Dask's dashboard at http://127.0.0.1:8787 while it runs, to all users of this "
                               "machine")

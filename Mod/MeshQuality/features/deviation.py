@@ -2,7 +2,6 @@
 """The document object "Deviation": a scan in the colours of its deviation from a part, measured anew after each edit."""
 
 import hashlib
-import json
 
 import FreeCAD
 import numpy as np
@@ -14,13 +13,11 @@ from ..core.inspect import deviation
 from ..core.meshes.surface_mesh import SurfaceMesh
 from ..core.operands.operands import Operands
 from ..core.operands.solid_surfaces import SolidSource
-from ..core.sources import convert, frames
+from ..core.sources import convert
 from ..errors import InvalidInput
 from . import boolean, mesh_object, properties
 from .gui_hooks import window
 
-_MOST_MARKS = 50_000  # points of a cloud that are drawn, each as a small triangle
-_MARK = 0.004  # its size, as a fraction of that of the cloud
 _VALUES = ("Deviations", "App::PropertyFloatList", "The deviation of each triangle, mm: the largest of its corners")
 _PLACES = 10
 
@@ -88,7 +85,7 @@ class DeviationObject(mesh_object.SegmentedMesh, boolean.MeshBoolean):
     def compute(cls, compared, values, progress):
         """(DeviationMap, Mesh.Mesh, SurfaceMesh, what is shown on its triangles, findings of its certificate)."""
         found = deviation.measured(compared.scan, compared.target(), values["tolerance"], values["align"], deviation.NO_PAIRS, progress)
-        vertices, triangles, chosen = _drawn(found)
+        vertices, triangles, chosen = deviation.drawn(found)
         of_corners = chosen[triangles]
         worst = of_corners[np.arange(len(triangles)), np.abs(found.values[of_corners]).argmax(axis=1)]
         mesh = SurfaceMesh(extension().surface_from_arrays(vertices, triangles, found.faces[worst], True))
@@ -144,26 +141,6 @@ class _Compared:
         digest.update(np.ascontiguousarray(self.scan.points))
         digest.update(np.ascontiguousarray(self.scan.triangles))
         return digest.hexdigest()
-
-
-def _drawn(found):
-    """What is drawn of a DeviationMap: float64 (V, 3), int32 (T, 3), and int (V,), the point of each vertex. Of a cloud these are
-    small triangles across the normals, of the worst point and others spread evenly.
-    """
-    if len(found.triangles):
-        return found.points, found.triangles, np.arange(len(found.points))
-    count = len(found.points)
-    chosen = np.unique(np.append(np.linspace(0, count - 1, min(count, _MOST_MARKS)).astype(int), np.abs(found.values).argmax()))
-    points, normals = found.points[chosen], found.normals[chosen]
-    axis = np.eye(3)[np.abs(normals).argmin(axis=1)]
-    first = np.cross(normals, axis)
-    first /= np.linalg.norm(first, axis=1)[:, None]
-    second = np.cross(normals, first)
-    size = _MARK * max(float(np.ptp(found.points, axis=0).max()), 1e-6)
-    corners = np.stack([points + size * (np.cos(angle) * first + np.sin(angle) * second)
-                        for angle in 2.0 * np.pi * np.arange(3) / 3.0], axis=1)
-    triangles = np.arange(3 * len(chosen), dtype=np.int32).reshape(-1, 3)
-    return corners.reshape(-1, 3), triangles, np.repeat(chosen, 3)
 
 
 def colour_limit(obj):

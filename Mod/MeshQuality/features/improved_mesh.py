@@ -33,9 +33,14 @@ class ImprovedMesh(mesh_object.OfOneSource):
         if not convert.is_mesh(sources[0]):
             raise InvalidInput(phrases.Text(phrases.NO_MESH))
         values = options.check(cls.OPTIONS, values)
-        mesh = convert.MeshCopy(sources[0])
-        return Work(sources, values, partial(_digest, mesh, values),
-                    partial(cls.compute, mesh, values))
+        mesh, more = convert.MeshCopy(sources[0]), cls.more_of(sources[0])
+        return Work(sources, values, partial(_digest, mesh, {**values, **more}),
+                    partial(cls.compute, mesh, values, **more))
+
+    @classmethod
+    def more_of(cls, source):
+        """What else of a source `compute` takes, by name."""
+        return {}
 
     @classmethod
     def compute(cls, source, values, progress):

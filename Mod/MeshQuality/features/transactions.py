@@ -44,7 +44,7 @@ def update(obj, progress=None, **values):
     """Brings a document object of this package up to date, with changed options; one undo step.
 
     obj       of add_quality_mesh, add_curved_mesh, add_fem_mesh, add_cured_mesh, add_boolean, add_repaired_mesh,
-              add_improved_mesh, add_offset, add_hollow, add_wrap, add_inspection or add_deviation
+              add_improved_mesh, add_simplified_mesh, add_offset, add_hollow, add_wrap, add_cam_mesh, add_inspection or add_deviation
     progress  callable(fraction 0..1, stage); returning False cancels
     values    options to change; the others stay as they are, but a bound on the distance replaces the
               one that was there
@@ -59,8 +59,8 @@ def update(obj, progress=None, **values):
     proxy = getattr(obj, "Proxy", None)
     if not isinstance(proxy, MeshObject):
         raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
-                           "add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_repaired_mesh, add_improved_mesh, add_offset, "
-                           "add_hollow, add_wrap, add_inspection or add_deviation")
+                           "add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_repaired_mesh, add_improved_mesh, "
+                           "add_simplified_mesh, add_offset, add_hollow, add_wrap, add_inspection or add_deviation")
     table, sources = proxy.OPTIONS, proxy.sources(obj)
     before = options_of(obj, table)
     values = options.check(table, options.merged(before, options.renamed(table, values)))

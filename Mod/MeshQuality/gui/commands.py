@@ -12,9 +12,9 @@ from ..core.curving import holds_elements
 from ..core.inspect.deviation import has_points
 from ..core.sources import convert, frames
 from ..errors import Error
-from ..features import (boolean, cured_mesh, curved_mesh, deviation, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
-                        offset, quality_mesh, repaired_mesh, wrap)
-from . import help_pages, quality_data
+from ..features import (boolean, cam_mesh, cured_mesh, curved_mesh, deviation, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
+                        offset, quality_mesh, repaired_mesh, simplified_mesh, wrap)
+from . import help_pages, quality_data, saving
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
@@ -32,16 +32,17 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
 class _Command:
-    """A subclass has NAME, TEXT (also of the undo step), TIP, KEYS, KIND, the class of the objects
+    """A subclass has NAME, TEXT (also of the undo step), TIP, NEEDS, what is to be selected, KEYS, KIND, the class of the objects
     that it adds, if any, and ASKS, whether it opens a panel.
     """
 
     KIND = None
+    NEEDS = ""
     ASKS = True
 
     def GetResources(self):
         return {"Pixmap": self.NAME, "MenuText": self.TEXT + ("..." if self.ASKS else ""),
-                "ToolTip": self.TIP, "Accel": self.KEYS}
+                "ToolTip": "\n".join(filter(None, (self.TIP, self.NEEDS))), "Accel": self.KEYS}
 
     def IsActive(self):
         return not why_no_extension() and not FreeCADGui.Control.activeDialog() \
@@ -77,6 +78,7 @@ class Triangulate(_Command):
     NAME = KIND.COMMAND
     TEXT = "Quality mesh"
     TIP = "Mesh the selected shapes with a guaranteed smallest angle"
+    NEEDS = "Select one or more shapes first."
     KEYS = "Q, M"
 
     def trial(self, sources):
@@ -87,6 +89,7 @@ class Quick(Triangulate):
     NAME = "MeshQuality_Quick"
     TEXT = "Quick mesh"
     TIP = "Mesh the selected shape at once, with the values used last, and show its quality in colour"
+    NEEDS = "Select one shape first."
     KEYS = "Q, Q"
     ASKS = False
 
@@ -105,6 +108,7 @@ class Curve(_Command):
     NAME = KIND.COMMAND
     TEXT = "Curved mesh"
     TIP = "Mesh the selected shapes with curved elements, each proven valid"
+    NEEDS = "Select one or more shapes first."
     KEYS = "Q, C"
 
 
@@ -113,6 +117,7 @@ class FemMesh(_Command):
     NAME = KIND.COMMAND
     TEXT = "FEM mesh"
     TIP = "Mesh the selected shapes for FreeCAD's FEM workbench, in the active analysis"
+    NEEDS = "Select one or more shapes first."
     KEYS = "Q, F"
 
     def trial(self, sources):
@@ -128,6 +133,7 @@ class Cure(_Command):
     NAME = KIND.COMMAND
     TEXT = "Certify and cure"
     TIP = "Prove which elements of the selected FEM mesh are valid, and make those valid that are not, on its part"
+    NEEDS = "Select one FEM mesh first, and its part where it does not name it."
     KEYS = "Q, V"
 
     def selected(self):
@@ -149,6 +155,7 @@ class Boolean(_Command):
     NAME = KIND.COMMAND
     TEXT = "Mesh Boolean"
     TIP = "Unite, intersect or subtract the selected meshes and shapes, in the order of selection"
+    NEEDS = "Select two or more meshes or shapes first."
     KEYS = "Q, B"
 
     def selected(self):
@@ -165,10 +172,20 @@ class Offset(_Command):
     NAME = KIND.COMMAND
     TEXT = "Offset"
     TIP = "Grow or shrink the selected solids by a distance; of shapes and of closed meshes"
+    NEEDS = "Select one or more solids or closed meshes first."
     KEYS = "Q, G"
 
     def selected(self):
         return [source for source in _selected() if _has_shape(source) or convert.is_mesh(source)]
+
+
+class CamMesh(Offset):
+    KIND = cam_mesh.CamMeshObject
+    NAME = KIND.COMMAND
+    TEXT = "CAM mesh"
+    TIP = "Mesh the selected solids for machining, never inside of them, so that no tool cuts into the part, or never outside"
+    NEEDS = "Select one or more solids or closed meshes first."
+    KEYS = "Q, J"
 
 
 class Hollow(Offset):
@@ -176,6 +193,7 @@ class Hollow(Offset):
     NAME = KIND.COMMAND
     TEXT = "Hollow"
     TIP = "Leave a wall of the selected solids, for printing and casting; selected faces become openings"
+    NEEDS = "Select one or more solids or closed meshes first, or faces of one solid."
     KEYS = "Q, H"
 
     def operations(self, selected):
@@ -189,6 +207,7 @@ class Wrap(Boolean):
     NAME = KIND.COMMAND
     TEXT = "Wrap"
     TIP = "Close the outer surface of the selected objects, which may overlap, be open or have gaps, for flow simulations"
+    NEEDS = "Select two or more objects first."
     KEYS = "Q, W"
 
 
@@ -208,6 +227,7 @@ class Analyse(_OfOneMesh):
     NAME = "MeshQuality_Analyse"
     TEXT = "Analyse quality"
     TIP = "Colour the selected mesh by its quality and find its worst elements"
+    NEEDS = "Select one mesh or FEM mesh first."
     KEYS = "Q, A"
 
     def selected(self):
@@ -221,6 +241,7 @@ class Thickness(_OfOneMesh):
     NAME = "MeshQuality_Thickness"
     TEXT = "Wall thickness"
     TIP = "Colour the selected closed mesh by the thickness of its walls and find the thinnest"
+    NEEDS = "Select one closed mesh first."
     KEYS = "Q, T"
 
     def selected(self):
@@ -235,6 +256,7 @@ class Inspect(Offset):
     NAME = KIND.COMMAND
     TEXT = "Inspection"
     TIP = "Measure walls, clearances, draft or closed voids of the selected solids again after each edit, against a limit"
+    NEEDS = "Select one or more solids or closed meshes first."
     KEYS = "Q, K"
 
 
@@ -243,6 +265,7 @@ class Deviation(Boolean):
     NAME = KIND.COMMAND
     TEXT = "Deviation"
     TIP = "Colour the selected scan, a mesh or points, by its signed distance from the selected part, aligned before if asked"
+    NEEDS = "Select a mesh or points, and a part, first."
     KEYS = "Q, D"
 
     def panel(self, operations, **values):
@@ -263,10 +286,20 @@ class Improve(_Command):
     NAME = KIND.COMMAND
     TEXT = "Improve mesh"
     TIP = "Improve the triangles of the selected meshes on their surface; sharp edges stay"
+    NEEDS = "Select one or more meshes first."
     KEYS = "Q, I"
 
     def selected(self):
         return [source for source in _selected() if convert.is_mesh(source)]
+
+
+class Simplify(Improve):
+    KIND = simplified_mesh.SimplifiedMeshObject
+    NAME = KIND.COMMAND
+    TEXT = "Simplify"
+    TIP = "Fewer triangles for the selected meshes, within a distance that is proven; sharp edges stay"
+    NEEDS = "Select one or more meshes first."
+    KEYS = "Q, L"
 
 
 class Repair(_Command):
@@ -274,6 +307,7 @@ class Repair(_Command):
     NAME = KIND.COMMAND
     TEXT = "Repair mesh"
     TIP = "List the faults of the selected mesh, show where they are, and make a closed mesh without them"
+    NEEDS = "Select one mesh first."
     KEYS = "Q, R"
 
     def selected(self):
@@ -288,10 +322,23 @@ class Export(_OfOneMesh):
     NAME = "MeshQuality_Export"
     TEXT = "Export mesh"
     TIP = "Write the selected mesh into a file for a solver or a printer, with the names of its patches"
+    NEEDS = "Select one mesh or FEM mesh first."
     KEYS = "Q, E"
 
     def selected(self):
         return _if_one(lambda source: convert.is_mesh(source) or export.holds_fem_mesh(source))
+
+
+class SaveReport(Export):
+    NAME = "MeshQuality_SaveReport"
+    TEXT = "Save report"
+    TIP = "Write a page with pictures of the selected mesh or inspection: what was requested and found, by face, and where it is poor"
+    NEEDS = "Select one mesh or FEM mesh first."
+    KEYS = "Q, Z"
+
+    def Activated(self):
+        saving.save_report(self.selected()[0], lambda text, is_error: (
+            FreeCAD.Console.PrintError if is_error else FreeCAD.Console.PrintMessage)(text + "\n"))
 
 
 class FlowCase(_OfOneMesh):
@@ -299,6 +346,7 @@ class FlowCase(_OfOneMesh):
     NAME = "MeshQuality_FlowCase"
     TEXT = "OpenFOAM case"
     TIP = "Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it"
+    NEEDS = "Select one mesh first."
     KEYS = "Q, O"
 
 
@@ -306,6 +354,7 @@ class CfdSurface(_OfOneMesh):
     NAME = "MeshQuality_CfdSurface"
     TEXT = "CFD surface"
     TIP = "Make a shape of the selected closed mesh, one face a patch, of which CfdOF takes the triangles"
+    NEEDS = "Select one closed mesh first."
     KEYS = "Q, S"
     ASKS = False
 
@@ -322,6 +371,7 @@ class Patches(_OfOneMesh):
     NAME = "MeshQuality_Patches"
     TEXT = "Patches"
     TIP = "Name groups of faces of the selected mesh, such as inlet and wall, for files"
+    NEEDS = "Select one mesh of a shape first."
     KEYS = "Q, P"
 
     def selected(self):
@@ -332,6 +382,7 @@ class Update(_Command):
     NAME = "MeshQuality_Update"
     TEXT = "Update mesh"
     TIP = "Compute the selected meshes again where a source or an option has changed"
+    NEEDS = "Select one or more meshes of MeshQuality first."
     KEYS = "Q, U"
     ASKS = False
 
@@ -371,14 +422,14 @@ class FirstSteps(_Command):
         help_pages.show()
 
 
-class Example(FirstSteps):
-    NAME = "MeshQuality_Example"
-    TEXT = "Example part"
+class Examples(FirstSteps):
+    NAME = "MeshQuality_Examples"
+    TEXT = "Examples"
     ASKS = False
-    TIP = "Open a new document with a pipe tee, to try the commands on"
+    TIP = "Open two new documents: a pipe tee to mesh, and a scan with a bump and holes to inspect and repair"
 
     def Activated(self):
-        FreeCADGui.doCommand("from MeshQuality.gui import example\nexample.open_document()")
+        FreeCADGui.doCommand("from MeshQuality.gui import example\nexample.open_documents()")
 
 
 def _selected():
@@ -423,14 +474,20 @@ def _has_shape(source):
 
 # By task: the title of a submenu, or none, and its commands.
 _MENUS = (
-    (QT_TRANSLATE_NOOP("Workbench", "Mesh"), (Triangulate, Quick, Curve, FemMesh)),
-    (QT_TRANSLATE_NOOP("Workbench", "Check"), (Analyse, Thickness, Inspect, Deviation)),
-    (QT_TRANSLATE_NOOP("Workbench", "Repair and combine"), (Repair, Improve, Cure, Boolean, Wrap)),
-    (QT_TRANSLATE_NOOP("Workbench", "Print"), (Offset, Hollow)),
-    (QT_TRANSLATE_NOOP("Workbench", "CFD and FEM"), (Patches, FlowCase, CfdSurface)),
-    (QT_TRANSLATE_NOOP("Workbench", "Export"), (Export,)),
+    (QT_TRANSLATE_NOOP("Workbench", "Mesh"), (Triangulate, Quick, Curve, Boolean, Wrap)),
+    (QT_TRANSLATE_NOOP("Workbench", "Solve"), (FemMesh, Cure, Patches, FlowCase, CfdSurface)),
+    (QT_TRANSLATE_NOOP("Workbench", "Print"), (Offset, Hollow, CamMesh)),
+    (QT_TRANSLATE_NOOP("Workbench", "Inspect"), (Analyse, Thickness, Inspect, Deviation)),
+    (QT_TRANSLATE_NOOP("Workbench", "Repair"), (Repair, Improve, Simplify)),
+    (QT_TRANSLATE_NOOP("Workbench", "Hand over"), (Export, SaveReport)),
     ("", (Update,)),
-    (QT_TRANSLATE_NOOP("Workbench", "Help"), (FirstSteps, Example)),
+    (QT_TRANSLATE_NOOP("Workbench", "Help"), (FirstSteps, Examples)),
+)
+# The three toolbars, by name: what is used most, seven buttons at most.
+_TOOLBARS = (
+    (QT_TRANSLATE_NOOP("Workbench", "Mesh Quality"), (Triangulate, Quick, Curve, FemMesh, Boolean, Wrap, Update)),
+    (QT_TRANSLATE_NOOP("Workbench", "Mesh Quality: inspect and repair"), (Analyse, Thickness, Inspect, Deviation, Repair, Improve, Simplify)),
+    (QT_TRANSLATE_NOOP("Workbench", "Mesh Quality: print and hand over"), (Offset, Hollow, CamMesh, Patches, Export, SaveReport)),
 )
 _COMMANDS = tuple(command for _, commands in _MENUS[:-1] for command in commands)  # commands for selected objects
 
@@ -455,9 +512,14 @@ def register():
     return [(title, [command.NAME for command in commands]) for title, commands in menus]
 
 
-def in_one_row(groups):
-    """The names of all groups for a toolbar, with a separator between groups."""
-    return [name for names in groups for name in ("Separator", *names)][1:]
+def toolbars():
+    """[(name of a toolbar, names of its commands), ...]; where the binary is missing the first one begins with what tells how to
+    get it.
+    """
+    rows = [(title, [command.NAME for command in commands]) for title, commands in _TOOLBARS]
+    if why_no_extension():
+        rows[0][1].insert(0, GetBinary.NAME)
+    return rows
 
 
 def fitting():

@@ -5,12 +5,12 @@ import numpy as np
 from pivy import coin
 
 from ..compat import SHAPE_COLOURS, property_of, shape_colour
+from ..core.colour_scale import colours_of
 from ..core.curving import loader_of
 from ..errors import Error
 from .mesh_view import MeshView
 from .view import edge_detail
 from .view.coin_fields import fill, unlit
-from .view.colour_scale import colours_of
 
 MODE = "Curved"
 PLAIN, JACOBIAN = "Nothing", "Scaled Jacobian"

@@ -13,11 +13,14 @@ from .. import phrases
 from ..core.certify.certification import certify
 from ..core.elements import boundary, kinds, shapes
 from ..core.fem import fem_places
+from ..core.measures import table_of_elements
 from ..core.meshes.element_mesh import ElementMesh
 from ..core.sources import frames
 from ..errors import Error, InvalidInput
 from ..features import cured_mesh
-from .quality_data import ASPECT, DISTANCE, DISTORTION, MIN_ANGLE, Measure, QualityData, runs_of_sides
+from .element_measures import measures_of
+from .quality_data import ASPECT, DISTANCE, DISTORTION, MIN_ANGLE, QualityData, runs_of_sides
+from .quality_measure import Measure
 from .quantities import count_text
 
 translate = FreeCAD.Qt.translate
@@ -63,13 +66,19 @@ class FemQualityData(QualityData):
         part = cured_mesh.part_of(obj) if obj == source else None
         self._shape = None if part is None else fem_places.shape_at(source, self._mesh, part)
         by_shape = (DIHEDRAL, ASPECT, VOLUME) if self._mesh.dimension == 3 else (MIN_ANGLE, ASPECT, AREA)
-        self.measures = [JACOBIAN_RATIO, DISTORTION, *by_shape, *([DISTANCE] if part is not None else [])]
+        self.measures = [JACOBIAN_RATIO, DISTORTION, *by_shape, *([DISTANCE] if part is not None else []),
+                         *measures_of(table_of_elements(self._mesh).names)]
         self._prepare = partial(self._take_elements, self._mesh)
 
     @property
     def curved(self):
         """They are called elements."""
         return True
+
+    def _made_table(self):
+        found = table_of_elements(self._mesh)
+        found.face, found.numbers = self.face, np.array(self._numbers)
+        return found
 
     def _take_elements(self, mesh):
         found = boundary.with_elements(mesh.blocks)

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The numbers behind the quality view: what is measured, element by element. No windows here."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import Optional
 
 import FreeCAD
 import numpy as np
@@ -12,8 +10,11 @@ import numpy as np
 from .. import fault_phrases, phrases
 from ..compat import extension, property_of
 from ..core.certify.faults import find_faults
+from ..core.colour_scale import GREEN
 from ..core.curving import holds_elements, taken_from
 from ..core.inspect.thickness import thickness
+from ..core.measures import MeasureTable
+from ..core.measures import measures as measured_table
 from ..core.meshes.surface_mesh import SurfaceMesh
 from ..core.patches.patches import patches_of
 from ..core.sources import convert, frames
@@ -21,56 +22,16 @@ from ..errors import InvalidInput
 from ..features import mesh_object
 from ..features.deviation import colour_limit, is_of_points
 from ..features.properties import exempt_reasons
+from .element_measures import measures_of
 from .patch_colours import division_of
+from .quality_measure import Measure
 from .quantities import Unit, in_locale, number_of, value_of
-from .view.colour_scale import GREEN
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 BARS = 40
 _MANY, COARSE = 200_000, 50_000  # triangles from which on others stand for them; about how many
-
-
-@dataclass(frozen=True)
-class Measure:
-    """A measure that can be shown on each element.
-
-    title    for people
-    help     what the numbers mean to them
-    unit     after a number, with a blank where one is wanted; None: a length, in the user's unit
-    bad      the number that is shown red, or None: see Scale
-    good     the number that is shown blue
-    values   values(data, progress) -> float64 (elements,); any thread may call it
-    of_all   of_all(data, progress) -> float64 of all tetrahedra of a volume mesh, likewise; None where
-             there is no such number
-    """
-
-    title: str
-    help: str
-    unit: Optional[str]
-    bad: Optional[float]
-    good: float
-    values: Callable
-    of_all: Optional[Callable] = None
-
-    @property
-    def low_is_bad(self):
-        """Whether small numbers are the bad ones."""
-        return self.bad is not None and self.bad < self.good
-
-    @property
-    def is_signed(self):
-        """Whether numbers are bad on both sides of 0."""
-        return self.bad is not None and self.bad == -self.good
-
-    def badness(self, values):
-        """Numbers that grow the worse the values are."""
-        return np.abs(values) if self.is_signed else -values if self.low_is_bad else values
-
-    def order(self, values):
-        """Indices of the elements, the worst first; the lower index where they are alike."""
-        return np.argsort(-self.badness(values), kind="stable")
 
 
 class Scale:
@@ -259,7 +220,8 @@ class QualityData:
             self.measures, self.deviations, self._limit = [DEVIATION], np.array(obj.Deviations), colour_limit(obj)
             self._prepare = partial(self._take_flat, convert.MeshCopy(source), list(obj.FaceRuns))
         else:
-            self.measures = [MIN_ANGLE, ASPECT, DISTORTION, *([DISTANCE] if self._shape is not None else []), THICKNESS]
+            self.measures = [MIN_ANGLE, ASPECT, DISTORTION, *([DISTANCE] if self._shape is not None else []), THICKNESS,
+                             *measures_of(MeasureTable.names_of(("triangle",)))]
             self._prepare = partial(self._take_flat, convert.MeshCopy(source),
                                     list(getattr(obj, "FaceRuns", [])))
 
@@ -278,6 +240,7 @@ class QualityData:
     def _take_flat(self, mesh, runs):
         vertices, triangles = mesh.arrays
         self._surface = convert.surface_of_arrays(extension(), vertices, triangles, measured=False)
+        self._made_table = lambda: MeasureTable(vertices, [("triangle", triangles)], self.face)
         self._measured = lambda: convert.surface_of_arrays(extension(), vertices, triangles)
         self.corners = vertices[triangles].astype(np.float32)
         self.element = np.arange(len(triangles))
@@ -296,7 +259,7 @@ class QualityData:
         self.face = np.array(curved.triangle_face)
         self._lines = lambda: (points, np.array(shown.edge_lines, dtype=np.int32))
         self.jacobians = np.array(curved.shown_quality)
-        self._curved = curved
+        self._curved, self._made_table = curved, lambda: measured_table(curved)
         self.tetrahedra = len(curved.tetrahedra)
         self.shown = curved.tetrahedra_at_surface() if self.tetrahedra else 0
 
@@ -304,6 +267,11 @@ class QualityData:
     def lines(self):
         """(points, runs), see above."""
         return self._lines()
+
+    @cached_property
+    def table(self):
+        """The MeasureTable of all elements, of a volume mesh also of those inside."""
+        return self._made_table()
 
     @property
     def has_lines(self):

@@ -22,7 +22,7 @@ def of_workbench(text):
 _TITLES = {option.name: option.title for table in (options.TRIANGULATE, options.CURVE, options.CURVED_DISPLAY, options.fem.FEM,
                                                    options.BOOLEAN, options.IMPROVE, options.offset.OFFSET_OBJECT,
                                                    options.offset.HOLLOW_OBJECT, options.inspection.INSPECTION_OBJECT, options.inspection.DEVIATION,
-                                                   options.wrap.WRAP_OBJECT, options.repair.REPAIR_OBJECT) for option in table}
+                                                   options.wrap.WRAP_OBJECT, options.simplify.SIMPLIFY, options.cam.CAM, options.repair.REPAIR_OBJECT) for option in table}
 
 
 def _title(name):

@@ -3,9 +3,9 @@
 
 import numpy as np
 
+from ..core import colour_scale
 from ..features.properties import add_hidden
 from .quality_data import deviation_scale, thickness_scale
-from .view import colour_scale
 
 _COLOURS = ("FaceColors", "App::PropertyColorList", "The colour of each triangle")  # FreeCAD finds it by this name
 

@@ -155,7 +155,7 @@ def of_triangulation(mesh, closed, values=None, shape=None):
 
 
 def of_improvement(mesh, closed, progress=None):
-    """Findings of a SurfaceMesh that improve made; `closed`: whether the mesh before it was; progress as for improve."""
+    """Findings of a SurfaceMesh that improve or simplify made; `closed`: whether the mesh before it was; progress as for improve."""
     return [*angles(mesh), *topology(mesh.report, closed, mesh), *_crossing_pairs(mesh, progress)]
 
 

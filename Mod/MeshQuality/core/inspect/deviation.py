@@ -24,6 +24,8 @@ _BINS = 50
 _APART = 0.05  # fraction of the size of the points, by which worst places are apart
 _PERCENTILES = (1, 5, 50, 95, 99)
 _LISTED = 10  # places and faces in a text
+_MOST_MARKS = 50_000  # points of a cloud that are drawn, each as a small triangle
+_MARK = 0.004  # its size, as a fraction of that of the cloud
 _PAIRS = {"pairs": 3, "3-2-1": 6}  # least number of pairs
 
 
@@ -302,6 +304,26 @@ def measured(scan, target, tolerance, how, ends, progress):
 
 
 NO_PAIRS = (np.zeros((0, 3)), np.zeros((0, 3)))
+
+
+def drawn(found):
+    """What is drawn of a DeviationMap: float64 (V, 3), int32 (T, 3), and int (V,), the point of each vertex. Of a cloud these are
+    small triangles across the normals, of the worst point and others spread evenly.
+    """
+    if len(found.triangles):
+        return found.points, found.triangles, np.arange(len(found.points))
+    count = len(found.points)
+    chosen = np.unique(np.append(np.linspace(0, count - 1, min(count, _MOST_MARKS)).astype(int), np.abs(found.values).argmax()))
+    points, normals = found.points[chosen], found.normals[chosen]
+    axis = np.eye(3)[np.abs(normals).argmin(axis=1)]
+    first = np.cross(normals, axis)
+    first /= np.linalg.norm(first, axis=1)[:, None]
+    second = np.cross(normals, first)
+    size = _MARK * max(float(np.ptp(found.points, axis=0).max()), 1e-6)
+    corners = np.stack([points + size * (np.cos(angle) * first + np.sin(angle) * second)
+                        for angle in 2.0 * np.pi * np.arange(3) / 3.0], axis=1)
+    triangles = np.arange(3 * len(chosen), dtype=np.int32).reshape(-1, 3)
+    return corners.reshape(-1, 3), triangles, np.repeat(chosen, 3)
 
 
 def has_points(source):

@@ -5,8 +5,8 @@ import FreeCAD
 import numpy as np
 from PySide import QtCore, QtGui
 
+from ...core import colour_scale
 from ..quantities import count_text
-from ..view import colour_scale
 
 translate = FreeCAD.Qt.translate
 

@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 
 from ... import fault_phrases, phrases
 from ...compat import flags
+from ...core import colour_scale
 from ...core.sources import convert, frames
 from ...errors import Error
 from .. import jobs, visibility
@@ -18,12 +19,13 @@ from ..fem_quality_data import FemQualityData
 from ..quality_data import DEVIATION, DISTANCE, THICKNESS, Histogram, QualityData, Scale
 from ..quantities import count_text
 from ..translation import translated
-from ..view import badge, colour_scale
+from ..view import badge
 from ..view.quality_scene import QualityScene
 from .faults_box import AROUND, FaultsBox
 from .histogram import HistogramView
 from .mesh_panel import title_of
 from .range_box import RangeBox
+from .saving_box import SavingBox
 from .task_form import Form, Message, narrow
 
 translate = FreeCAD.Qt.translate
@@ -76,7 +78,7 @@ class QualityPanel:
         self._found = {}  # values by title of the measure
         self._own_ranges = {}  # the range that the user has chosen by title of the measure
         self._job = None
-        self._make_form(measure)
+        self._make_form(source, measure)
         self.measures.setCurrentIndex(self.data.measures.index(measure) if measure in self.data.measures else 0)
         view = FreeCADGui.getDocument(self._document).activeView()
         self.scene = QualityScene(view)
@@ -85,7 +87,7 @@ class QualityPanel:
         self._choose_measure()
         self.measures.currentIndexChanged.connect(self._choose_measure)
 
-    def _make_form(self, measure):
+    def _make_form(self, source, measure):
         self.form = Form()
         self.form.setWindowTitle(_title(measure))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of(_command(measure)[0])))
@@ -125,10 +127,11 @@ class QualityPanel:
         self.faults = FaultsBox()
         if not self.data.curved:
             self.tabs.addTab(self.faults, translate("MeshQuality", "Faults"))
+        self.saving = SavingBox(source, self._label, self._save_values)
         layout = QtGui.QVBoxLayout(self.form)
         layout.setContentsMargins(0, 0, 0, 0)
         for widget in (of, self.measures, self.meaning, self.summary, self.warning, self.histogram, self.range, self.hint,
-                       self.tabs, self.edges):
+                       self.tabs, self.edges, self.saving):
             layout.addWidget(widget)
         self._show_numbers(False)
         self.histogram.picked.connect(self._pick_bar)
@@ -139,6 +142,7 @@ class QualityPanel:
         self.worst.itemClicked.connect(lambda _: self._pick_worst(self.worst.currentRow()))
         self.faces.itemSelectionChanged.connect(self._pick_face)
         self.edges.toggled.connect(self._draw_edges)
+        self.saving.told.connect(lambda text, error: self.warning.say(text, error=error))
 
     def getStandardButtons(self):
         return flags(QtGui.QDialogButtonBox.Close)
@@ -167,6 +171,7 @@ class QualityPanel:
         self.ended = True
         FreeCAD.removeDocumentObserver(self)
         self.faults.end()
+        self.saving.end()
         if self._job is not None and self._job.active:
             self._job.cancel()
         if gone:
@@ -198,7 +203,7 @@ class QualityPanel:
         self._show_numbers(False)
 
     def _show_numbers(self, shown):
-        for widget in (self.histogram, self.range, self.hint, self.worst, self.faces):
+        for widget in (self.histogram, self.range, self.hint, self.worst, self.faces, self.saving):
             widget.setVisible(shown)
 
     def _tell(self, job):
@@ -368,6 +373,11 @@ class QualityPanel:
         jobs.queue().add(jobs.Job(
             translate("MeshQuality", "Draw edges"), lambda progress: self.data.lines, lambda lines: self._draw_edges(),
             lambda: not self.ended and self.edges.isChecked(), quiet=True))
+
+    def _save_values(self, path):
+        """Writes the table of all measures, with what else was shown; any thread may call it."""
+        table, shown = self.data.table, {title: found.values for title, found in self._found.items()}
+        table.write_csv(path, {title: values for title, values in shown.items() if len(values) == len(table)})
 
     def _say(self, text):
         self.summary.setText(text)

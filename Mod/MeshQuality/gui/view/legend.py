@@ -6,7 +6,7 @@ import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
-from . import colour_scale
+from ...core import colour_scale
 
 translate = FreeCAD.Qt.translate
 
