@@ -109,6 +109,8 @@ _LAZY = {
     "OffsetMesh": "MeshQuality.core.offsetting",
     "wrap": "MeshQuality.core.wrapping",
     "WrapMesh": "MeshQuality.core.wrapping",
+    "size_field": "MeshQuality.core.sizes.size_field",
+    "SizeField": "MeshQuality.core.sizes.size_field",
     "add_quality_mesh": "MeshQuality.features.quality_mesh",
     "add_curved_mesh": "MeshQuality.features.curved_mesh",
     "add_fem_mesh": "MeshQuality.features.fem_mesh",

@@ -18,6 +18,7 @@ from .meshes.surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patch
 from .patches.patches import division_for, kept
 from .sources import convert, frames
 from .sources import hidden_parts
+from .sizes import size_field as size_fields
 
 
 class CurvedMesh(metaclass=Public):
@@ -313,10 +314,25 @@ def _curve_given(shape, mesh, curving, imprint, division, progress):
     return curved_elements.of_core(found, curving.order, mesh)
 
 
+def _curved(source, curving, straight, size_field, progress):
+    """The Curved of the core of a shape, after a size field if there is one."""
+    live_shape = convert.shape_of(source)
+    sampling = size_fields.Sampling.of(source, size_field, progress)
+    if sampling is None:
+        return extension().curve(live_shape, curving, straight, progress)
+    sampling.require_affordable(None)
+
+    def make(field):
+        straight.size_field = curving.size_field = field
+        return extension().curve(live_shape, curving, straight, progress)
+
+    return size_fields.meshed(sampling, make, size_fields.curved_edges)
+
+
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
           min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False, overlap="refuse",
-          patches=None, patch_rest=None, mesh=None, mesh_scale=1.0, threads=0):
+          patches=None, patch_rest=None, mesh=None, mesh_scale=1.0, threads=0, size_field=None):
     """A mesh of curved elements on a shape, proven valid element by element.
 
     shape_or_mesh  Part.Shape, a document object that has one, or a SurfaceMesh together with
@@ -341,6 +357,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
                    follow their walls. volume, patches and the options of the straight mesh do not apply
     mesh_scale     factor from the coordinates of that file to mm: 1000 for one in metres, 25.4 for inches
     threads        that work at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any number
+    size_field     edge lengths in mm by place, on the surface and inside, as for triangulate; the report's size_ratio,
+                   size_ratio_point and short_share say what was kept of it
 
     Returns a CurvedMesh, or a CurvedElementMesh if a mesh has other elements than triangles and tetrahedra; its report
     has the elements that stay invalid. The shape is only read.
@@ -354,6 +372,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     })
     values["threads"] = options.THREADS.checked(threads)
     _check_given(mesh, mesh_scale, values, shape)
+    if size_field is not None and (mesh is not None or isinstance(shape_or_mesh, SurfaceMesh)):
+        raise InvalidInput("size_field is for a mesh that is made, not for one that is given: leave it out")
     source, module = shape_or_mesh if shape is None else shape, extension()
     division = None if isinstance(source, SurfaceMesh) else division_for(source, patches, patch_rest)
     left_out = hidden_parts.sentences_of(source)
@@ -371,5 +391,5 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     else:
         straight = module.TriangulateOptions()
         options.hand_over({name: value for name, value in values.items() if name != "overlap"}, straight)
-        curved = module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress)
+        curved = _curved(shape_or_mesh, curving, straight, size_field, progress)
     return hidden_parts.noted(CurvedMesh(curved, patches=kept(division, curved)), left_out)
