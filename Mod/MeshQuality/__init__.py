@@ -111,6 +111,7 @@ _LAZY = {
     "WrapMesh": "MeshQuality.core.wrapping",
     "size_field": "MeshQuality.core.sizes.size_field",
     "SizeField": "MeshQuality.core.sizes.size_field",
+    "add_size_region": "MeshQuality.features.size_region",
     "add_quality_mesh": "MeshQuality.features.quality_mesh",
     "add_curved_mesh": "MeshQuality.features.curved_mesh",
     "add_fem_mesh": "MeshQuality.features.fem_mesh",

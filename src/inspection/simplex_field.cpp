@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "inspection/simplex_field.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,22 +30,28 @@ Vec3 combined(const std::array<Vec3, 4>& corners, int count, const Weights& weig
     return sum;
 }
 
-// The barycentric coordinates of the projection of a point onto the space that a simplex spans; not finite where the
+// The barycentric coordinates of the projection of a point onto the space that a simplex spans; not numbers where its
 // corners are not independent.
 Weights coordinates(const std::array<Vec3, 4>& corners, int count, const Vec3& point) {
-    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> sides(3, count - 1);
-    for (int i = 1; i < count; ++i) {
-        sides.col(i - 1) = corners[static_cast<std::size_t>(i)] - corners[0];
+    const Vec3 p = point - corners[0];
+    const Vec3 a = corners[1] - corners[0];
+    if (count == 2) {
+        const double t = p.dot(a) / a.squaredNorm();
+        return {1.0 - t, t, 0.0, 0.0};
     }
-    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> gram = sides.transpose() * sides;
-    const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> right = sides.transpose() * (point - corners[0]);
-    const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> found = gram.fullPivLu().solve(right);
-    Weights weights{1.0, 0.0, 0.0, 0.0};
-    for (int i = 1; i < count; ++i) {
-        weights[static_cast<std::size_t>(i)] = found[i - 1];
-        weights[0] -= found[i - 1];
+    const Vec3 b = corners[2] - corners[0];
+    const Vec3 normal = a.cross(b);
+    if (count == 3) {
+        const double s = p.cross(b).dot(normal) / normal.squaredNorm();
+        const double t = a.cross(p).dot(normal) / normal.squaredNorm();
+        return {1.0 - s - t, s, t, 0.0};
     }
-    return weights;
+    const Vec3 c = corners[3] - corners[0];
+    const double volume = normal.dot(c);
+    const double s = p.dot(b.cross(c)) / volume;
+    const double t = p.dot(c.cross(a)) / volume;
+    const double u = p.dot(normal) / volume;
+    return {1.0 - s - t - u, s, t, u};
 }
 
 }  // namespace

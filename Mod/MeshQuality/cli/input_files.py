@@ -27,6 +27,13 @@ def read_shape_and_objects(path, name=None):
     return _shape_of_objects(objects), objects
 
 
+def size_field_in(objects, names):
+    """size_field= of paths of files, and of names of Size regions in the document of the objects."""
+    documents = {obj.Document for obj in objects}
+    named = {name: next(filter(None, (document.getObject(name) for document in documents)), None) for name in names or ()}
+    return [obj or name for name, obj in named.items()] or None
+
+
 def _shape_of_objects(objects):
     import Part
 

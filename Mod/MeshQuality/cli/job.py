@@ -11,7 +11,7 @@ from MeshQuality import files, limits
 from MeshQuality.cli import input_files
 from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
 from MeshQuality.cli.input_files import (mesh_of, read_mesh, read_operand, read_points, read_shape, read_shape_and_objects,
-                                        sizes_in)
+                                        size_field_in, sizes_in)
 from MeshQuality.cli.output_file import patches_of, write_curved, writing_of, written
 from MeshQuality.cli.progress_line import end_progress_line, progress_line
 from MeshQuality.cli.report_fields import WRAP_FIELDS, plain, report_fields
@@ -35,7 +35,8 @@ def triangulate(job):
     """Returns the report, what the command did, and the findings."""
     shape, objects = read_shape_and_objects(job["input"], job.get("object"))
     values = {**job["options"],
-              "local_sizes": sizes_in(shape, objects, job["input"], job["options"].get("local_sizes"))}
+              "local_sizes": sizes_in(shape, objects, job["input"], job["options"].get("local_sizes")),
+              "size_field": size_field_in(objects, job["options"].get("size_field"))}
     how = writing_of(job, shape, objects)
     mesh = mq.triangulate(shape, **values, **patches_of(how), progress=progress_line())
     report, where = mesh.report, written(job, lambda path: mesh.write(path, **how))
@@ -47,7 +48,8 @@ def curve(job):
     """Likewise."""
     shape, objects = read_shape_and_objects(job["input"], job.get("object"))
     how = writing_of(job, shape, objects)
-    mesh = mq.curve(shape, **job["options"], **patches_of(how), mesh=job.get("mesh"), mesh_scale=job.get("mesh_scale", 1.0),
+    values = {**job["options"], "size_field": size_field_in(objects, job["options"].get("size_field"))}
+    mesh = mq.curve(shape, **values, **patches_of(how), mesh=job.get("mesh"), mesh_scale=job.get("mesh_scale", 1.0),
                     progress=progress_line())
     report = mesh.report
     if isinstance(mesh, mq.CurvedElementMesh):

@@ -423,7 +423,7 @@ def _add_alias(group, option, **how):
 def _type(option):
     if option.can_be_unbounded:
         return _length_or_none
-    return str if option.is_sizes else option.kind
+    return str if option.is_sizes or option.is_fields else option.kind
 
 
 def _length_or_none(text):
@@ -443,6 +443,8 @@ def _metavar(option):
         return option.unit.upper()
     if option.is_sizes:
         return "SIZES"
+    if option.is_fields:
+        return "FILE"
     return "NAME" if option.choices else {int: "N", float: "NUMBER"}[option.kind]
 
 

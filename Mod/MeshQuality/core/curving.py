@@ -315,11 +315,11 @@ def _curve_given(shape, mesh, curving, imprint, division, progress):
 
 
 def _curved(source, curving, straight, size_field, progress):
-    """The Curved of the core of a shape, after a size field if there is one."""
+    """The Curved of the core of a shape, after a size field if there is one, and sentences on that."""
     live_shape = convert.shape_of(source)
     sampling = size_fields.Sampling.of(source, size_field, progress)
     if sampling is None:
-        return extension().curve(live_shape, curving, straight, progress)
+        return extension().curve(live_shape, curving, straight, progress), []
     sampling.require_affordable(None)
 
     def make(field):
@@ -371,12 +371,13 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         "overlap": overlap,
     })
     values["threads"] = options.THREADS.checked(threads)
+    del values["size_field"]
     _check_given(mesh, mesh_scale, values, shape)
     if size_field is not None and (mesh is not None or isinstance(shape_or_mesh, SurfaceMesh)):
         raise InvalidInput("size_field is for a mesh that is made, not for one that is given: leave it out")
     source, module = shape_or_mesh if shape is None else shape, extension()
     division = None if isinstance(source, SurfaceMesh) else division_for(source, patches, patch_rest)
-    left_out = hidden_parts.sentences_of(source)
+    left_out, said = hidden_parts.sentences_of(source), []
     curving = module.CurveOptions()
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid", "threads")}, curving)
     if mesh is not None:
@@ -391,5 +392,5 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     else:
         straight = module.TriangulateOptions()
         options.hand_over({name: value for name, value in values.items() if name != "overlap"}, straight)
-        curved = _curved(shape_or_mesh, curving, straight, size_field, progress)
-    return hidden_parts.noted(CurvedMesh(curved, patches=kept(division, curved)), left_out)
+        curved, said = _curved(shape_or_mesh, curving, straight, size_field, progress)
+    return hidden_parts.noted(CurvedMesh(curved, patches=kept(division, curved)), [*left_out, *said])

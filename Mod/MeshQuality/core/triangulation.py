@@ -29,7 +29,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     local_sizes            {"Face3": 0.5, "Edge7": 0.2, "Vertex1": 0.1}: longest edges in mm of the
                            triangles on a face, along an edge, around a vertex; of a container or link
                            also {"Box.Face3": 0.5}, with the names of the objects on the way
-    size_field             edge lengths in mm by place: a function f(points (n, 3)) -> n sizes; (points, sizes), an array (n, 4) or a
+    size_field             edge lengths in mm by place: a function f(points (n, 3)) -> n sizes, called in batches in the box of the shape; (points, sizes), an array (n, 4) or a
                            CSV file with columns x, y, z, size; a mesh file with an array of sizes; (mesh, sizes); a Size
                            region of the document; a list of these, of which the least holds. No edge is longer than 1.3 times
                            the field at its middle: report.size_ratio, size_ratio_point and short_share say what is
@@ -75,6 +75,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "feature_angle": feature_angle, "corners": corners, "sew": sew, "imprint": imprint, "overlap": overlap, "evaluation": evaluation,
     })
     values["threads"] = options.THREADS.checked(threads)
+    del values["size_field"]
     options.require_callable(progress)
     return _meshed(shape, values, size_field, progress, cache, division_for(shape, patches, patch_rest))
 
@@ -96,11 +97,11 @@ def _meshed(shape, values, size_field, progress, cache, division):
         return module.triangulate(live_shape, core_options, progress, _core_cache(cache))
 
     if sampling is None:
-        surface = make(None)
+        surface, said = make(None), []
     else:
         sampling.require_affordable(values["max_triangles"])
-        surface = size_fields.meshed(sampling, make, size_fields.surface_edges)
-    return hidden_parts.noted(SurfaceMesh(surface, kept(division, surface), overlap), left_out)
+        surface, said = size_fields.meshed(sampling, make, size_fields.surface_edges)
+    return hidden_parts.noted(SurfaceMesh(surface, kept(division, surface), overlap), [*left_out, *said])
 
 
 class MeshCache(metaclass=Public):

@@ -46,16 +46,48 @@ class Interpolated:
 
     def __init__(self, nodes, simplices, sizes, name):
         self.name = name
-        self._nodes, self._sizes = nodes, sizes
+        self._nodes, self._simplices, self._sizes = nodes, simplices, sizes
         self._core = extension().SimplexField(nodes, simplices, sizes)
 
     def sizes(self, points):
         """float64 (n,), mm."""
         return self._core.at(points)
 
+    def arrays(self):
+        """Nodes, simplices and sizes."""
+        return self._nodes, self._simplices, self._sizes
+
     def marks(self):
         """Each node has a feature as small as its size."""
         return self._nodes, self._sizes
+
+
+class Octree:
+    """A field that was sampled before."""
+
+    def __init__(self, core):
+        self.name, self._core = "size_field", core
+        self.sizes = core.at
+
+    def arrays(self):
+        """Low corner and side, cells and leaves, as size_field_from_arrays takes them."""
+        return [*self._core.low, self._core.side], self._core.children, self._core.leaves
+
+    def marks(self):
+        """Everything that the octree has divided has features."""
+        leaves, low, side = [], np.array(self._core.low), self._core.side
+        children = self._core.children
+        stack = [(np.array([0]), low[None], side)]
+        while stack:  # one depth at a time
+            cells, lows, side = stack.pop()
+            inner = children[cells] >= 0
+            leaves.append((lows[~inner] + side / 2, np.full(int((~inner).sum()), side)))
+            if inner.any():
+                offsets = np.array([[i & 1, i >> 1 & 1, i >> 2] for i in range(8)]) * (side / 2)
+                stack.append(((children[cells[inner]][:, None] + np.arange(8)).ravel(),
+                              (lows[inner][:, None] + offsets).reshape(-1, 3), side / 2))
+        points, lengths = zip(*leaves)
+        return np.concatenate(points), np.concatenate(lengths)
 
 
 def fields_of(form):
@@ -78,7 +110,7 @@ def fields_of(form):
         return [field for one in form for field in fields_of(one)]
     found = _of_object(form)
     if found is None:
-        raise InvalidInput(f"size_field = {type(form).__name__} is not allowed: it must be {ACCEPTED}")
+        raise InvalidInput(f"size_field = {getattr(form, 'Label', type(form).__name__)} is not allowed: it must be {ACCEPTED}")
     return found
 
 

@@ -10,9 +10,8 @@ from ...compat import extension
 from ...errors import Cancelled, InvalidInput
 from ...listing import Public
 from ..sources import convert
-from . import forms
+from . import RATIO, forms
 
-RATIO = 1.3  # promised bound on the length of an edge, divided by the field at its middle
 _ERROR = 0.05  # largest relative error of the octree
 _LEAST_DEPTH = 5  # of the octree, everywhere in the box of the shape
 _SURFACE_DEPTH, _ON_SURFACE = 6, 1 / 60  # of the cells at the surface, and their size as a fraction of the box
@@ -56,36 +55,10 @@ class SizeField(metaclass=Public):
 
     def size_fields(self):
         """Itself as a list of one field."""
-        return [_Sampled(self._core)]
+        return [forms.Octree(self._core)]
 
     def __repr__(self):
         return f"<SizeField: {self.least:.4g} to {self.sizes.max():.4g} mm, about {self.expected_triangles:,} triangles>"
-
-
-class _Sampled:
-    """A field that was sampled before."""
-
-    name = "size_field"
-
-    def __init__(self, core):
-        self._core = core
-        self.sizes = core.at
-
-    def marks(self):
-        """Everything that the octree has divided has features."""
-        leaves, low, side = [], np.array(self._core.low), self._core.side
-        children = self._core.children
-        stack = [(np.array([0]), low[None], side)]
-        while stack:  # one depth at a time
-            cells, lows, side = stack.pop()
-            inner = children[cells] >= 0
-            leaves.append((lows[~inner] + side / 2, np.full(int((~inner).sum()), side)))
-            if inner.any():
-                offsets = np.array([[i & 1, i >> 1 & 1, i >> 2] for i in range(8)]) * (side / 2)
-                stack.append(((children[cells[inner]][:, None] + np.arange(8)).ravel(),
-                              (lows[inner][:, None] + offsets).reshape(-1, 3), side / 2))
-        points, lengths = zip(*leaves)
-        return np.concatenate(points), np.concatenate(lengths)
 
 
 def size_field(shape, size_field, progress=None):
@@ -124,12 +97,11 @@ class Sampling:
         coarse = module.TriangulateOptions()
         options.hand_over({"min_angle": 0.0, "chord_height_relative": 0.005, "allow_missing_faces": True}, coarse)
         surface = module.triangulate(live_shape, coarse, progress, None)
-        low, high = surface.report.box
-        origin = np.asarray(surface.origin)
-        corners = (np.asarray(surface.vertices) + origin)[np.asarray(surface.triangles)]
+        corners = (np.asarray(surface.vertices) + np.asarray(surface.origin))[np.asarray(surface.triangles)]
+        self._box = low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
         self._size = float(max(high - low))
         self.points, self.areas = _pieces(corners, self._size * _ON_SURFACE)
-        self._sampler = module.SizeFieldSampler(tuple(low + origin), tuple(high + origin), _ERROR, _LEAST_DEPTH, _MOST_SAMPLES)
+        self._sampler = module.SizeFieldSampler(tuple(low), tuple(high), _ERROR, _LEAST_DEPTH, _MOST_SAMPLES)
         self._sampler.mark(self.points, np.full(len(self.points), self._size * _ON_SURFACE))
         if not inside:
             self._sampler.restrict_to(self.points, _SURFACE_DEPTH)
@@ -145,7 +117,10 @@ class Sampling:
         return self._field
 
     def sizes_at(self, points):
-        """The least of the fields at points (n, 3), checked: float64 (n,), mm."""
+        """The least of the fields at points (n, 3), checked: float64 (n,), mm. Beyond the box of the shape, where functions may
+        have no meaning, that of the nearest point of the box.
+        """
+        points = np.clip(points, *self._box)
         found = np.empty(len(points))
         for first in range(0, len(points), _BATCH):
             part = points[first:first + _BATCH]
@@ -200,7 +175,7 @@ class Sampling:
 
 def meshed(sampling, make, points_and_edges):
     """The mesh of the core that make(octree) returns, measured against the fields; made again with a finer octree where that
-    has missed small features.
+    has missed small features. And sentences: why edges are too long, where they are.
 
     points_and_edges(mesh)  points (n, 3), and edges as rows of two indices
     """
@@ -210,7 +185,18 @@ def meshed(sampling, make, points_and_edges):
         if found.ratio <= RATIO or times == _ROUNDS or not sampling.learn(found):
             break
     extension().set_size_ratio(mesh, found.ratio, tuple(found.point), found.short_share)
-    return mesh
+    return mesh, [] if found.ratio <= RATIO else [_reason(found, getattr(mesh.report, "complete", True))]
+
+
+def _reason(found, complete):
+    place = ", ".join(f"{c:.6g}" for c in found.point)
+    if not complete:
+        why = "the limit on triangles ended the work: give a larger max_triangles"
+    elif len(found.missed):
+        why = "there it changes within less than the sampled distances: give a smoother field, or points with sizes"
+    else:
+        why = "these edges cannot be divided: min_edge, details of the shape or single precision forbid it"
+    return f"an edge at ({place}) mm has {found.ratio:.3f} times the length of the size field, as {why}"
 
 
 def surface_edges(surface):
