@@ -80,7 +80,8 @@ def measured(shape, field, seconds, **options):
     report = mesh.report
     return {"triangles": len(mesh.triangles), "ratio": report.size_ratio, "short": report.short_share, "angle": report.min_angle,
             "unexempted": report.min_angle_unexempted, "exempt": len(report.exempt), "complete": report.complete,
-            "crossings": report.self_intersections, "closed": report.closed, "seconds": time.perf_counter() - start}
+            "crossings": report.self_intersections, "closed": report.closed,
+            "reasons": [str(note) for note in report.notes if "size field" in str(note)], "seconds": time.perf_counter() - start}
 
 
 def table(arguments, write):

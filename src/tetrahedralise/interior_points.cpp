@@ -96,8 +96,10 @@ void InteriorPoints::consider(int cell) {
     }
     double ratio = sphere.radius / length;
     if (field_ != nullptr) {
-        const double excess =
-            excess_of_edges({&mesh_.point(v[0]), &mesh_.point(v[1]), &mesh_.point(v[2]), &mesh_.point(v[3])}, *field_);
+        const std::array<const Vec3*, 4> corners{&mesh_.point(v[0]), &mesh_.point(v[1]), &mesh_.point(v[2]),
+                                                 &mesh_.point(v[3])};
+        double excess = excess_of_edges(corners, *field_);
+        excess = excess > 1.0 ? excess : std::max(excess, excess_by_least(corners, *field_));
         ratio = std::max(ratio, TetrahedralisationTuning::kLargestRadius * excess);
     }
     if (ratio > TetrahedralisationTuning::kLargestRadius) {

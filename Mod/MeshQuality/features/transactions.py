@@ -159,10 +159,13 @@ def add_of_source(proxy_class, source, values, name, title, label=None, then=Non
     if not isinstance(frames.object_of(source), FreeCAD.DocumentObject):
         raise InvalidInput(f"a document object with {proxy_class.NEEDS} is needed, not "
                            f"{type(source).__name__}")
+    if values.get("size_field") is None:
+        return _add_of_source(proxy_class, source, values, name, title, label, then)
+    options.check(proxy_class.OPTIONS, {**values, "size_field": None})
     with undo_step(frames.object_of(source).Document, title):
         fields, added = size_fields.names_of(values.get("size_field"), source)
         try:
-            return _add_of_source(proxy_class, source, {**values, "size_field": fields} if fields else values, name, title, label, then)
+            return _add_of_source(proxy_class, source, {**values, "size_field": fields}, name, title, label, then)
         except BaseException:
             for obj in added:
                 obj.Document.removeObject(obj.Name)

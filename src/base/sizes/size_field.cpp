@@ -2,6 +2,7 @@
 #include "base/sizes/size_field.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -15,6 +16,52 @@ namespace {
 Vec3 offset_of(int octant) {
     return {static_cast<double>(octant & 1), static_cast<double>(octant >> 1 & 1), static_cast<double>(octant >> 2)};
 }
+
+/// The half-spaces whose intersection is a triangle or a tetrahedron.
+class HalfSpaces {
+  public:
+    HalfSpaces(const std::array<Vec3, 4>& p, int count) {
+        for (int i = 0; i < count; ++i) {
+            box_.add(p[static_cast<std::size_t>(i)]);
+        }
+        const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+        if (count == 3) {
+            add(normal, p[0], p[0] - normal);
+            add(normal, p[0], p[0] + normal);
+            for (std::size_t i = 0; i < 3; ++i) {
+                add((p[(i + 1) % 3] - p[i]).cross(normal), p[i], p[(i + 2) % 3]);
+            }
+            return;
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Vec3& a = p[(i + 1) % 4];
+            add((p[(i + 2) % 4] - a).cross(p[(i + 3) % 4] - a), a, p[i]);
+        }
+    }
+
+    /// Whether a sphere meets all of them, and their box.
+    bool meets(const Vec3& center, double radius) const {
+        const Vec3 reach = Vec3::Constant(radius);
+        return box_.meets({center - reach, center + reach}) &&
+               std::all_of(outward_.begin(), outward_.begin() + count_,
+                           [&](const auto& plane) { return plane.first.dot(center) - plane.second <= radius; });
+    }
+
+  private:
+    // The half-space that has a point inside and is bounded by a plane through another one; none for a normal of no
+    // length.
+    void add(const Vec3& normal, const Vec3& on, const Vec3& inner) {
+        const double length = normal.norm();
+        if (length > 0.0) {
+            const Vec3 outward = (normal.dot(inner - on) > 0.0 ? -1.0 : 1.0) / length * normal;
+            outward_[count_++] = {outward, outward.dot(on)};
+        }
+    }
+
+    Box box_;
+    std::array<std::pair<Vec3, double>, 5> outward_;
+    std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -41,6 +88,21 @@ SizeField::SizeField(const Vec3& low, double side, std::vector<std::int32_t> chi
     if (!sound || !std::all_of(leaves_.begin(), leaves_.end(), positive)) {
         throw InvalidInput(phrases::kNoSizeField);
     }
+    least_ = least_by_cell();
+}
+
+std::vector<double> SizeField::least_by_cell() const {
+    std::vector<double> least(children_.size());
+    for (std::size_t i = children_.size(); i-- > 0;) {
+        if (children_[i] < 0) {
+            const Corners& corners = leaves_[static_cast<std::size_t>(-1 - children_[i])];
+            least[i] = *std::min_element(corners.begin(), corners.end());
+        } else {
+            const auto first = least.begin() + children_[i];
+            least[i] = *std::min_element(first, first + 8);
+        }
+    }
+    return least;
 }
 
 double SizeField::at(const Vec3& point) const {
@@ -53,6 +115,33 @@ double SizeField::at(const Vec3& point) const {
         cell = children_[static_cast<std::size_t>(cell + octant)];
     }
     return trilinear(leaves_[static_cast<std::size_t>(-1 - cell)], place);
+}
+
+double SizeField::least_in_simplex(const std::array<Vec3, 4>& corners, int count, double limit) const {
+    const double kRadius = 0.5 * std::sqrt(3.0);  // of the sphere around a cell, divided by the side of the cell
+    const HalfSpaces inside(corners, count);
+    struct Cell {
+        std::int32_t index;
+        Vec3 low;
+        double side;
+    };
+    std::vector<Cell> stack{{0, low_, side_}};
+    while (!stack.empty()) {
+        const Cell cell = stack.back();
+        stack.pop_back();
+        const auto i = static_cast<std::size_t>(cell.index);
+        if (least_[i] >= limit || !inside.meets(cell.low + Vec3::Constant(0.5 * cell.side), kRadius * cell.side)) {
+            continue;
+        }
+        if (children_[i] < 0) {
+            limit = least_[i];
+            continue;
+        }
+        for (int octant = 0; octant < 8; ++octant) {
+            stack.push_back({children_[i] + octant, cell.low + 0.5 * cell.side * offset_of(octant), 0.5 * cell.side});
+        }
+    }
+    return limit;
 }
 
 double SizeField::least_in(const Box& box) const {

@@ -33,15 +33,21 @@ class SizeField {
     double at(const Vec3& point) const;
     /// The least length at any corner of a leaf that meets the box, mm; at least one leaf does.
     double least_in(const Box& box) const;
+    /// The least length in the leaves at a triangle or a tetrahedron, mm, or `limit` where none is below that. Leaves
+    /// are taken as spheres: some that are near count, too.
+    double least_in_simplex(const std::array<Vec3, 4>& corners, int count, double limit) const;
     /// Calls `visit(low corner, side, lengths)` for the leaves that meet a box, always in the same order.
     using Visit = std::function<void(const Vec3&, double, const Corners&)>;
     void for_each_leaf(const Box& box, const Visit& visit) const;
 
   private:
+    std::vector<double> least_by_cell() const;
+
     Vec3 low_;
     double side_;
     std::vector<std::int32_t> children_;
     std::vector<Corners> leaves_;
+    std::vector<double> least_;  // by cell: the least length in it
 };
 
 /// The trilinear function with these values at the corners of the unit cube.

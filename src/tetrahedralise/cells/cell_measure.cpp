@@ -46,6 +46,18 @@ double excess_of_edges(const std::array<const Vec3*, 4>& corners, const SizeFiel
     return worst;
 }
 
+double excess_by_least(const std::array<const Vec3*, 4>& corners, const SizeField& field) {
+    double longest = 0.0;
+    for (std::size_t i = 1; i < 4; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            longest = std::max(longest, (*corners[i] - *corners[j]).norm());
+        }
+    }
+    const double limit = longest / CellTuning::kLongestByLeast;
+    const double least = field.least_in_simplex({*corners[0], *corners[1], *corners[2], *corners[3]}, 4, limit);
+    return least < limit ? limit / least : 0.0;
+}
+
 CellMeasure::CellMeasure(const Tetrahedralisation& mesh, const EndTangents& tangents, const SizeField* field)
     : mesh_(mesh), tangents_(tangents), field_(field) {
     for (const auto& [key, tangent] : tangents) {

@@ -43,5 +43,7 @@ class CellMeasure {
 
 /// The largest length of an edge of a cell, divided by the bound that the size field at its middle sets.
 double excess_of_edges(const std::array<const Vec3*, 4>& corners, const SizeField& field);
+/// The length of the longest edge of a cell, divided by the bound that the least size in it sets; 0: within that.
+double excess_by_least(const std::array<const Vec3*, 4>& corners, const SizeField& field);
 
 }  // namespace mq::tetrahedralise

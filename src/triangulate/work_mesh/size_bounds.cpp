@@ -16,6 +16,9 @@ namespace {
 // promised 1.3 where the field is known within some per cent only.
 constexpr double kLongestByField = 1.2;
 
+// Longest edge of a triangle, divided by the least size in it.
+constexpr double kLongestByLeast = 3.0;
+
 constexpr double kUnboundedLength =
     std::numeric_limits<double>::infinity();  // Length in mm of an entity without a bound.
 
@@ -80,6 +83,30 @@ double EdgeBounds::of(const ClassifiedMesh& mesh, int half_edge) const {
         least = std::min(least, kLongestByField * field_->at(middle + origin_));
     }
     return least;
+}
+
+double EdgeBounds::by_triangles(const ClassifiedMesh& mesh, int half_edge, double length) const {
+    if (field_ == nullptr) {
+        return kUnboundedLength;
+    }
+    const double limit = length / kLongestByLeast;
+    double least = limit;
+    const auto include = [&](int h) {
+        const int t = 3 * (h / 3);
+        least = field_->least_in_simplex(
+            {mesh.point_of(t) + origin_, mesh.point_of(t + 1) + origin_, mesh.point_of(t + 2) + origin_, Vec3::Zero()},
+            3, least);
+    };
+    include(half_edge);
+    const int s = mesh.segment_of(half_edge);
+    if (s >= 0) {
+        for (const auto& use : mesh.segment(s).uses) {
+            include(use.half_edge);
+        }
+    } else if (mesh.twin(half_edge) >= 0) {
+        include(mesh.twin(half_edge));
+    }
+    return least < limit ? kLongestByLeast * least : kUnboundedLength;
 }
 
 }  // namespace mq::triangulate

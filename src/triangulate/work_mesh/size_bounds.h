@@ -41,6 +41,11 @@ class EdgeBounds {
     /// Returns the bound for an edge, mm; infinite if there is none.
     double of(const ClassifiedMesh& mesh, int half_edge) const;
 
+    /// Returns the bound that the size field sets for an edge by all points of the triangles beside it: small regions
+    /// are found though no middle of an edge lies in them. `length` of the edge, mm; infinite where that is within the
+    /// bound.
+    double by_triangles(const ClassifiedMesh& mesh, int half_edge, double length) const;
+
   private:
     double everywhere_;
     std::vector<double> of_entity_[3];

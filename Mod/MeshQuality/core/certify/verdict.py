@@ -317,7 +317,7 @@ def edges(mesh, values, shape=None):
 
 def _sizes(report):
     """The finding that edges are longer than a size field allows, and where."""
-    if report.size_ratio <= RATIO:
+    if getattr(report, "size_ratio", -1.0) <= RATIO:
         return []
     place = ", ".join(f"{c:.6g}" for c in report.size_ratio_point)
     return [Finding(_sentence(phrases.SIZE_RATIO, number=f"{report.size_ratio:.3f}", number2=f"{RATIO:g}", phrase=place))]
