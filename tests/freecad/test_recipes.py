@@ -66,6 +66,9 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/improve.md")
         self.assertGreaterEqual(self.names["better"].report.min_angle, 25)
 
+    def test_sizes(self):
+        self.follow("docs/use/sizes.md")
+
     def test_quality_meshes(self):
         self.follow("docs/use/quality-mesh.md")
 
