@@ -12,7 +12,6 @@
 #include "python/bound_fields.h"
 #include "python/freecad/freecad_shape.h"
 #include "python/progress_watch.h"
-#include "python/set_size_field.h"
 #include "python/shared_engine.h"
 #include "workflows/curve_shape.h"
 
@@ -90,8 +89,12 @@ void bind_curve(py::module_& m) {
     bind_curved_mesh(m);
     py::class_<curve::CurveOptions> options(m, "CurveOptions", "Options of curve.");
     options.def(py::init<>())
-        .def_property("size_field", nullptr, &set_size_field<curve::CurveOptions>,
-                      "SizeField: bounds the lengths of edges inside; None: no field");
+        .def_property(
+            "size_field", nullptr,
+            [](curve::CurveOptions& o, const SizeField* field) {
+                o.size_field = field != nullptr ? std::make_shared<const SizeField>(*field) : nullptr;
+            },
+            "SizeField: bounds the lengths of edges inside; None: no field");
     bind_fields(options);
     m.def("curve", &curve_shape, py::arg("shape"), py::arg("options"), py::arg("straight"),
           py::arg("progress") = py::none(), "Meshes and curves a Part.Shape; returns a Curved.");

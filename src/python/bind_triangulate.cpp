@@ -19,7 +19,6 @@
 #include "python/freecad/stream_cache.h"
 #include "python/progress_watch.h"
 #include "python/python_lock.h"
-#include "python/set_size_field.h"
 #include "python/shared_engine.h"
 #include "triangulate/incremental/mesh_cache.h"
 #include "workflows/operands/triangulate_shape.h"
@@ -167,8 +166,12 @@ void bind_triangulate(py::module_& m) {
     options.def(py::init<>())
         .def_property("local_sizes", nullptr, &set_local_sizes,
                       "[(dimension 0 | 1 | 2, index of the vertex, edge or face, longest edge in mm), ...]");
-    options.def_property("size_field", nullptr, &set_size_field<TriangulateOptions>,
-                         "SizeField: lengths of edges by their places, in the shape's coordinates; None: no field");
+    options.def_property(
+        "size_field", nullptr,
+        [](TriangulateOptions& o, const SizeField* field) {
+            o.size_field = field != nullptr ? std::make_shared<const SizeField>(*field) : nullptr;
+        },
+        "SizeField: lengths of edges by their places, in the shape's coordinates; None: no field");
     bind_fields(options);
     def_named(options, "insertion", &TriangulateOptions::insertion, kInsertions);
     def_named(options, "keep_edges", &TriangulateOptions::keep_edges, kKeepEdges);

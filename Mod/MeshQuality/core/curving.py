@@ -297,6 +297,11 @@ def _check_given(mesh, mesh_scale, values, shape):
         raise InvalidInput("shape= is that of a SurfaceMesh: with mesh= give the shape as first argument")
 
 
+def _check_field(size_field, mesh, source):
+    if size_field is not None and (mesh is not None or isinstance(source, SurfaceMesh)):
+        raise InvalidInput("size_field is for a mesh that is made, not for one that is given: leave it out")
+
+
 def _given_on(shape, mesh, mesh_scale):
     return fem_places.mesh_at(mesh, shape) if frames.is_object(mesh) else given_mesh(mesh, mesh_scale)
 
@@ -357,8 +362,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
                    follow their walls. volume, patches and the options of the straight mesh do not apply
     mesh_scale     factor from the coordinates of that file to mm: 1000 for one in metres, 25.4 for inches
     threads        that work at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any number
-    size_field     edge lengths in mm by place, on the surface and inside, as for triangulate; the report's size_ratio,
-                   size_ratio_point and short_share say what was kept of it
+    size_field     edge lengths in mm by place, on the surface and inside, as for triangulate; see report.size_ratio
 
     Returns a CurvedMesh, or a CurvedElementMesh if a mesh has other elements than triangles and tetrahedra; its report
     has the elements that stay invalid. The shape is only read.
@@ -371,10 +375,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         "overlap": overlap,
     })
     values["threads"] = options.THREADS.checked(threads)
-    del values["size_field"]
     _check_given(mesh, mesh_scale, values, shape)
-    if size_field is not None and (mesh is not None or isinstance(shape_or_mesh, SurfaceMesh)):
-        raise InvalidInput("size_field is for a mesh that is made, not for one that is given: leave it out")
+    _check_field(size_field, mesh, shape_or_mesh)
     source, module = shape_or_mesh if shape is None else shape, extension()
     division = None if isinstance(source, SurfaceMesh) else division_for(source, patches, patch_rest)
     left_out, said = hidden_parts.sentences_of(source), []
@@ -391,6 +393,6 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         curved = module.curve_surface(shape_or_mesh._surface, convert.shape_of(shape), curving, progress)
     else:
         straight = module.TriangulateOptions()
-        options.hand_over({name: value for name, value in values.items() if name != "overlap"}, straight)
+        options.hand_over({name: value for name, value in values.items() if name not in ("overlap", "size_field")}, straight)
         curved, said = _curved(shape_or_mesh, curving, straight, size_field, progress)
     return hidden_parts.noted(CurvedMesh(curved, patches=kept(division, curved)), [*left_out, *said])

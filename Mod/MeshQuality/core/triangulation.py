@@ -29,10 +29,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     local_sizes            {"Face3": 0.5, "Edge7": 0.2, "Vertex1": 0.1}: longest edges in mm of the
                            triangles on a face, along an edge, around a vertex; of a container or link
                            also {"Box.Face3": 0.5}, with the names of the objects on the way
-    size_field             edge lengths in mm by place: a function f(points (n, 3)) -> n sizes, called in batches in the box of the shape; (points, sizes), an array (n, 4) or a
-                           CSV file with columns x, y, z, size; a mesh file with an array of sizes; (mesh, sizes); a Size
-                           region of the document; a list of these, of which the least holds. No edge is longer than 1.3 times
-                           the field at its middle: report.size_ratio, size_ratio_point and short_share say what is
+    size_field             edge lengths in mm by place: a function, points, files, regions, a list of these; see docs/use/sizes.md
     edges_per_circle       smallest number of edges for each full turn of a curve or a surface, 3 to 10000
     growth_rate            growth rate of edge length from fine to coarse regions, over 1; None: as fast as angles allow
     method                 "refine"; "star" and "sprinkle" sample the faces by their curvature first
@@ -51,8 +48,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     overlap                bodies that overlap or cross are a fault in certificates: "refuse", or none: "allow"
     evaluation             of curves and surfaces: "fast" by formulas and polynomial pieces; "native" by OpenCASCADE alone
 
-    connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
-                           the faces' parameters ("parametric")
+    connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in (u, v) ("parametric")
     refine_samples         of star and sprinkle: refine afterwards, so that the bounds hold
     seed                   of sprinkle's random points
     cache                  a MeshCache of earlier calls: faces that an edit left alone keep their triangles
@@ -75,7 +71,6 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "feature_angle": feature_angle, "corners": corners, "sew": sew, "imprint": imprint, "overlap": overlap, "evaluation": evaluation,
     })
     values["threads"] = options.THREADS.checked(threads)
-    del values["size_field"]
     options.require_callable(progress)
     return _meshed(shape, values, size_field, progress, cache, division_for(shape, patches, patch_rest))
 
@@ -86,7 +81,7 @@ def _meshed(shape, values, size_field, progress, cache, division):
     values = convert.with_resolved_sizes(shape, values)
     module = extension()
     core_options = module.TriangulateOptions()
-    overlap = values.pop("overlap")
+    overlap, _ = values.pop("overlap"), values.pop("size_field")
     core_options.local_sizes = element_names.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
     left_out = hidden_parts.sentences_of(shape)

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..compat import PlainState, extension
 from ..core.sizes import forms, regions, size_field
+from ..core.sizes.interpolated import interpolated
 from ..core.sources import convert, frames
 from ..errors import InvalidInput
 from .gui_hooks import window
@@ -48,7 +49,7 @@ class SizeData(PlainState):
             core = extension().size_field_from_arrays(tuple(nodes[:3]), nodes[3], simplices, sizes)
             field = forms.Octree(core)
         else:
-            field = forms.interpolated(nodes.reshape(-1, 3), simplices.reshape(-1, 4), sizes, obj.Label)
+            field = interpolated(nodes.reshape(-1, 3), simplices.reshape(-1, 4), sizes, obj.Label)
         field.digest = lambda: digest
         return [field]
 

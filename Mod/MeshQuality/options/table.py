@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from .. import element_names, phrases
 from ..errors import InvalidInput
 from ..phrases import Text
+from . import named_values
 
 METHODS = ("refine", "star", "sprinkle")
 CONNECTIVITIES = ("pseudo-delaunay", "parametric")
@@ -175,11 +176,11 @@ class Option:
         if self.can_be_unbounded and _says_unbounded(value):
             return NO_BOUND
         if self.is_sizes:
-            return _checked_sizes(value, self)
+            return named_values.checked_sizes(value, self)
         if self.is_faces:
-            return _checked_faces(value, self)
+            return named_values.checked_faces(value, self)
         if self.is_fields:
-            return _checked_fields(value, self)
+            return named_values.checked_fields(value, self)
         if self.choices:
             good = isinstance(value, str) and value in self.property_choices
             value = self.choice_aliases.get(value, value) if good else value
@@ -238,35 +239,6 @@ def _plain_number(value, option):
         pass
     raise InvalidInput(Text(phrases.NOT_A_WHOLE_NUMBER if option.kind is int else phrases.NOT_A_NUMBER,
                             option=option.name, value=repr(value), range=option.range_text))
-
-
-def _checked_sizes(value, option):
-    """{sub-element: mm} of such a dict, or of its text."""
-    sizes = element_names.sizes_of_text(value) if isinstance(value, str) else value
-    try:
-        found = {str(name): float(getattr(length, "Value", length))
-                 for name, length in dict(sizes).items()}
-    except (TypeError, ValueError, OverflowError):
-        found = None
-    if found is None or not all(element_names.is_name(name) and math.isfinite(length) and length > 0
-                                for name, length in found.items()):
-        raise InvalidInput(Text(phrases.NOT_ALLOWED, option=option.name, value=repr(value), range=option.range_text))
-    return found or None
-
-
-def _checked_faces(value, option):
-    """The names in such a list, each once."""
-    if not isinstance(value, (list, tuple)) or not value or not all(map(element_names.is_face, value)):
-        raise InvalidInput(Text(phrases.NOT_ALLOWED, option=option.name, value=repr(value), range=option.range_text))
-    return list(dict.fromkeys(value))
-
-
-def _checked_fields(value, option):
-    """The names in such a list, each once; one name may be given by itself."""
-    names = [value] if isinstance(value, str) else value
-    if not isinstance(names, (list, tuple)) or not all(isinstance(name, str) and name for name in names):
-        raise InvalidInput(Text(phrases.NOT_ALLOWED, option=option.name, value=repr(value), range=option.range_text))
-    return list(dict.fromkeys(names)) or None
 
 
 def _size_field(group):

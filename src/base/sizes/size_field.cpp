@@ -118,7 +118,7 @@ double SizeField::at(const Vec3& point) const {
 }
 
 double SizeField::least_in_simplex(const std::array<Vec3, 4>& corners, int count, double limit) const {
-    const double kRadius = 0.5 * std::sqrt(3.0);  // of the sphere around a cell, divided by the side of the cell
+    const double kRadius = 0.5 * std::sqrt(3.0);  // radius of the sphere around a cell, divided by its side
     const HalfSpaces inside(corners, count);
     struct Cell {
         std::int32_t index;

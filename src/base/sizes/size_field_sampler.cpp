@@ -19,7 +19,7 @@ constexpr double kLarger = 1.02;
 constexpr double kSmallest = 0.5;
 // New samples for a cell whose neighbours are divided likewise.
 constexpr std::size_t kNewSamples = 8;
-constexpr unsigned kBits = 21;  // of one coordinate in a key
+constexpr unsigned kBits = 21;  // number of them for one coordinate in a key
 constexpr double kUnknown = -1.0;
 
 constexpr std::uint32_t kUnits = 1U << (SizeFieldSampler::kDepth + 1);  // along the cube

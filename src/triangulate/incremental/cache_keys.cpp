@@ -46,7 +46,7 @@ void add_field(const SizeField& field, const Box& box, Fingerprint& key) {
 // Bounds a face by points of its surface: the trimmed face lies on it.
 Box box_of(geometry::Session& session, int f) {
     constexpr int kPoints = 9;       // in u and in v
-    constexpr double kBeyond = 0.1;  // of the size, on each side: the surface may bulge between the points
+    constexpr double kBeyond = 0.1;  // fraction of the size, on each side: the surface may bulge between the points
     const geometry::Face& face = session.topology().faces[static_cast<std::size_t>(f)];
     geometry::Engine::Batch batch;
     for (int i = 0; i < kPoints * kPoints; ++i) {

@@ -172,11 +172,9 @@ def of_boolean(mesh):
 
 
 def of_curved(curved, closed, values=None, corners=None, shape=None):
-    """Findings of a CurvedMesh that was made of this Part.Shape with these options; `corners`: what
-    `topology_of_corners` gives, where that is known.
-    """
-    return [*elements(curved), *distortion(curved), *_before_curving(curved, values or {}, shape),
-            *_sizes(curved.report), *_too_far(curved.report.max_deviation, curved.report.chord_height_asked, phrases.SHAPE_DISTANCE),
+    """Findings of a CurvedMesh that was made of this Part.Shape so; `corners`: those of `topology_of_corners`, if known."""
+    return [*elements(curved), *distortion(curved), *_before_curving(curved, values or {}, shape), *_sizes(curved.report),
+            *_too_far(curved.report.max_deviation, curved.report.chord_height_asked, phrases.SHAPE_DISTANCE),
             *topology(corners or topology_of_corners(curved), closed), *_crossings(curved.report),
             *_overlapping_bodies(curved.report, values, ("overlapping", "inside", "equal")), *_curved_crossings(curved.report, values)]
 
@@ -317,10 +315,9 @@ def edges(mesh, values, shape=None):
 
 def _sizes(report):
     """The finding that edges are longer than a size field allows, and where."""
-    if getattr(report, "size_ratio", -1.0) <= RATIO:
-        return []
-    place = ", ".join(f"{c:.6g}" for c in report.size_ratio_point)
-    return [Finding(_sentence(phrases.SIZE_RATIO, number=f"{report.size_ratio:.3f}", number2=f"{RATIO:g}", phrase=place))]
+    ratio, place = getattr(report, "size_ratio", -1.0), getattr(report, "size_ratio_point", ())
+    return [] if ratio <= RATIO else [Finding(_sentence(phrases.SIZE_RATIO, number=f"{ratio:.3f}", number2=f"{RATIO:g}",
+                                                        phrase=", ".join(f"{c:.6g}" for c in place)))]
 
 
 def _too_far(measured, asked, phrase, /, **places):
@@ -600,5 +597,4 @@ def _names(mesh, triangles):
 
 
 def _corners(mesh, triangle):
-    """The corners of a triangle in the document's frame."""
     return tuple(map(tuple, (mesh.vertices[mesh.triangles[triangle]] + mesh.origin).tolist()))

@@ -5,9 +5,9 @@ import os
 
 import numpy as np
 
-from ...compat import extension
 from ...errors import InvalidInput
 from . import mesh_values
+from .interpolated import interpolated
 from .points import from_csv, from_rows
 
 ACCEPTED = ("a function of points (n, 3), an array (n, 4) of x, y, z and size, (points, sizes), (mesh, sizes), the path of a "
@@ -39,27 +39,6 @@ class Function:
     def marks(self):
         """Places with small features, and how small: none is known of a function."""
         return _NO_POINTS
-
-
-class Interpolated:
-    """Sizes at the nodes of simplices, linear in these; of single points by the distances of the nearest ones."""
-
-    def __init__(self, nodes, simplices, sizes, name):
-        self.name = name
-        self._nodes, self._simplices, self._sizes = nodes, simplices, sizes
-        self._core = extension().SimplexField(nodes, simplices, sizes)
-
-    def sizes(self, points):
-        """float64 (n,), mm."""
-        return self._core.at(points)
-
-    def arrays(self):
-        """Nodes, simplices and sizes."""
-        return self._nodes, self._simplices, self._sizes
-
-    def marks(self):
-        """Each node has a feature as small as its size."""
-        return self._nodes, self._sizes
 
 
 class Octree:
@@ -105,7 +84,7 @@ def fields_of(form):
     if isinstance(form, tuple) and len(form) == 2:
         return [_of_pair(*form)]
     if isinstance(form, (list, tuple)):
-        if form and all(np.ndim(row) == 1 and not isinstance(row, np.ndarray) and len(row) == 4 for row in form):
+        if form and all(isinstance(row, (list, tuple)) and len(row) == 4 for row in form):
             return [from_rows(form, "size_field")]
         return [field for one in form for field in fields_of(one)]
     found = _of_object(form)
@@ -133,12 +112,6 @@ def _of_pair(first, second):
     return from_rows(np.column_stack((points, sizes)), "size_field")
 
 
-def interpolated(nodes, simplices, sizes, name):
-    """The Interpolated of arrays whose values are sizes. Raises InvalidInput naming a bad one and its place."""
-    require_sizes(nodes, sizes, name)
-    return Interpolated(nodes, simplices, sizes, name)
-
-
 def _of_object(source):
     proxy = getattr(source, "Proxy", None)
     if hasattr(proxy, "size_fields"):
@@ -146,15 +119,3 @@ def _of_object(source):
     if hasattr(source, "isDerivedFrom") and source.isDerivedFrom("Fem::FemResultObject"):
         return [interpolated(*mesh_values.of_result(source), source.Label)]
     return None
-
-
-def require_sizes(points, sizes, name):
-    """Raises InvalidInput where a size is not a number, or not above 0, with the place."""
-    bad = ~(sizes > 0.0)
-    if not bad.any():
-        return
-    i = int(np.argmax(bad))
-    place = ", ".join(f"{c:.6g}" for c in points[i])
-    said = "has a hole: no size" if np.isnan(sizes[i]) else f"has a size of {sizes[i]:.6g} mm"
-    raise InvalidInput(f"{name} {said} at ({place}) mm, one of {int(bad.sum())} such places: sizes must be above 0 mm everywhere "
-                       "(infinity: no bound)")

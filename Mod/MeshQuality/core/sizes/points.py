@@ -7,14 +7,13 @@ import os
 import numpy as np
 
 from ...errors import InvalidInput, IoError
+from .interpolated import Interpolated, require_sizes
 
 COLUMNS = ("x", "y", "z", "size")
 
 
 def from_rows(rows, name):
     """The field of rows x, y, z, size in mm."""
-    from . import forms
-
     try:
         array = np.array(rows, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -26,12 +25,12 @@ def from_rows(rows, name):
     if not np.isfinite(points).all():
         row = int(np.argmax(~np.isfinite(points).all(axis=1)))
         raise InvalidInput(f"{name}: row {row + 1} has the place {points[row].tolist()}: coordinates must be numbers")
-    forms.require_sizes(points, sizes, name)
+    require_sizes(points, sizes, name)
     if not np.isfinite(sizes).all():
         raise InvalidInput(f"{name}: row {int(np.argmax(~np.isfinite(sizes))) + 1} has an infinite size: leave such points out")
     simplices = np.full((len(points), 4), -1, dtype=np.int32)
     simplices[:, 0] = np.arange(len(points))
-    return forms.Interpolated(points, simplices, sizes, name)
+    return Interpolated(points, simplices, sizes, name)
 
 
 def from_csv(path):

@@ -11,6 +11,7 @@ from ...errors import Cancelled, InvalidInput
 from ...listing import Public
 from ..sources import convert
 from . import RATIO, forms
+from .interpolated import require_sizes
 
 _ERROR = 0.05  # largest relative error of the octree
 _LEAST_DEPTH = 5  # of the octree, everywhere in the box of the shape
@@ -128,7 +129,7 @@ class Sampling:
             sizes = np.full(len(part), np.inf)
             for field in self._fields:
                 own = field.sizes(part)
-                forms.require_sizes(part, own, f"size_field ({field.name})" if field.name != "size_field" else field.name)
+                require_sizes(part, own, f"size_field ({field.name})" if field.name != "size_field" else field.name)
                 sizes = np.minimum(sizes, own)
             found[first:first + _BATCH] = sizes
         return found
