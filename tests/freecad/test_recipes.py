@@ -66,6 +66,10 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/improve.md")
         self.assertGreaterEqual(self.names["better"].report.min_angle, 25)
 
+    def test_adapting(self):
+        self.follow("docs/use/adapt.md")
+        self.assertEqual(self.names["result"].stopped, "target")
+
     def test_sizes(self):
         self.follow("docs/use/sizes.md")
 

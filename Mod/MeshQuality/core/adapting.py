@@ -17,6 +17,8 @@ _FALLS = 0.97  # an error above this fraction of the least before does not fall
 _STEPS_WITHOUT = 2  # successive steps without a fall that end the work
 _AIM, _LOWER = 0.8, 0.6  # fraction of the target that new sizes are for, and its factor after a step without a fall
 
+_ROUNDING = 1e-9  # of values of solutions
+
 # One step: unknowns (nodes times components), elements, the estimated relative error, and the least size in mm.
 AdaptStep = namedtuple("AdaptStep", "unknowns elements error least_size")
 
@@ -83,7 +85,7 @@ def adapt(solve, shape, target_error=0.05, max_unknowns=200_000, steps=8, order=
         found = _solution(solve, mesh)
         errors, norm = error_estimate.estimated(mesh.nodes, mesh.tetrahedra, found, order, strains)
         total = float(np.sqrt(np.sum(errors**2)))
-        error = total / norm if norm > 0.0 else 0.0
+        error = total / norm if norm > _gradient_of_rounding(mesh.nodes, found) else 0.0
         sizes = error_estimate.sizes_of(mesh.nodes, mesh.tetrahedra)
         table.append(AdaptStep(found.size, len(mesh.tetrahedra), error, float(sizes.min())))
         if best is None or error < best[0]:
@@ -115,6 +117,12 @@ def _stopped(table, without, target, most):
     if last.unknowns >= 0.85 * most:
         return "unknowns"
     return "no fall" if without >= _STEPS_WITHOUT else ""
+
+
+def _gradient_of_rounding(nodes, values):
+    """The norm of a gradient that rounding of the values alone makes."""
+    extent = np.ptp(nodes, axis=0)
+    return _ROUNDING * float(np.abs(values).max()) * float(np.sqrt(extent.prod())) / float(extent.max())
 
 
 def _solution(solve, mesh):

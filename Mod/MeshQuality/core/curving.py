@@ -349,8 +349,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     min_angle, chord_height, chord_height_relative, max_edge
                    of the straight mesh that is curved, as for triangulate; where neither chord
                    height is given it is 0.01 of the largest dimension
-    imprint        solids that share an area have the same elements there, so that the mesh of an assembly is
-                   conforming
+    imprint        solids that share an area have the same elements there, so that a mesh of an assembly is conforming
     overlap        bodies that overlap or cross are a fault in certificates: "refuse", or none: "allow"
     progress       callable(fraction 0..1, stage); returning False cancels
     patches, patch_rest
