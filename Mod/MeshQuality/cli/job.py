@@ -10,8 +10,8 @@ import MeshQuality as mq
 from MeshQuality import files, limits
 from MeshQuality.cli import input_files
 from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
-from MeshQuality.cli.input_files import (mesh_of, read_mesh, read_operand, read_points, read_shape, read_shape_and_objects,
-                                        size_field_in, sizes_in)
+from MeshQuality.cli.input_files import (mesh_of, read_analysis, read_mesh, read_operand, read_points, read_shape,
+                                        read_shape_and_objects, size_field_in, sizes_in)
 from MeshQuality.cli.output_file import patches_of, write_curved, writing_of, written
 from MeshQuality.cli.progress_line import end_progress_line, progress_line
 from MeshQuality.cli.report_fields import WRAP_FIELDS, plain, report_fields
@@ -166,6 +166,14 @@ def voids(job):
     return found, f"searched {_count(len(found.mesh.triangles), 'triangle')}", verdict.of_voids(found)
 
 
+def adapt(job):
+    """Likewise."""
+    found = mq.adapt(read_analysis(job["input"], job.get("object")), **job["options"], progress=progress_line())
+    where = written(job, lambda path: found.mesh.write(path, format=job["suffix"][1:]))
+    return found, f"{_count(len(found.mesh.tetrahedra), 'element')}{where}, error {found.error:.2%}, ended by {found.stopped}", \
+        verdict.of_curved(found.mesh, True)
+
+
 def deviation(job):
     """Likewise."""
     found = mq.deviation(read_points(job["input"]), read_operand(job["reference"], job.get("object")), **job["options"],
@@ -200,7 +208,7 @@ def run(job):
         report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
                                          "quality": quality, "certify": certify, "verify": verify, "thickness": thickness,
                                          "clearance": clearance, "draft": draft, "voids": voids, "deviation": deviation,
-                                         "offset": offset, "hollow": hollow, "wrap": wrap}[job["command"]](job)
+                                         "offset": offset, "hollow": hollow, "wrap": wrap, "adapt": adapt}[job["command"]](job)
     except mq.InvalidInput as error:
         return _failure(USAGE, error)
     except files.DiskFull as error:

@@ -22,9 +22,10 @@ INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SU
           "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
           "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
           "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES,
-          "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES}
+          "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES, "adapt": (".fcstd",)}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": (), "deviation": ()}
+           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": (), "deviation": (),
+           "adapt": CURVED_SUFFIXES}
 WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
@@ -34,7 +35,7 @@ TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*opt
           "draft": options.inspection.DRAFT, "voids": options.inspection.VOIDS,
           "deviation": options.inspection.DEVIATION,
           "offset": options.offset.OFFSET, "hollow": options.offset.HOLLOW,
-          "wrap": options.wrap.WRAP}
+          "wrap": options.wrap.WRAP, "adapt": options.adapt.ADAPT}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
@@ -126,6 +127,10 @@ examples:
 examples:
   meshquality voids print.stl --strict
 """,
+    "adapt": """
+examples:
+  meshquality adapt bracket.FCStd --target-error 0.02 -o bracket.inp
+""",
     "deviation": """
 examples:
   meshquality deviation scan.stl --reference part.step --align any --tolerance 0.1 --strict
@@ -207,9 +212,16 @@ def parser(batched="triangulate"):
     _add_single(commands, "voids", "find closed cavities",
                 "Finds the closed cavities of a CAD shape or a mesh, from which nothing comes out, and their volumes.\n"
                 "Exit status 3 with --strict where there are some.")
+    _add_adapt(commands)
     _add_deviation(commands)
     _add_batch(commands, batched)
     return top
+
+
+def _add_adapt(commands):
+    _add_single(commands, "adapt", "refine the mesh of an analysis where its error is",
+                "Solves the analysis of a FreeCAD document by CalculiX, refines its FEM mesh where the estimated error is, and so on\n"
+                "until that is small enough. --object: the analysis, where there are several.")
 
 
 def _add_deviation(commands):
@@ -268,7 +280,7 @@ def _add_single(commands, name, title, description):
     output = " [-o FILE]" if OUTPUTS[name] else ""
     one = _new(commands, name, title, description, inputs + output)
     kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file", ELEMENT_SUFFIXES: "mesh file",
-            (".json",): "certificate", MESH_SUFFIXES + POINT_SUFFIXES: "mesh or file of points"}.get(INPUTS[name],
+            (".json",): "certificate", (".fcstd",): "FreeCAD document", MESH_SUFFIXES + POINT_SUFFIXES: "mesh or file of points"}.get(INPUTS[name],
                                                                       "mesh or CAD file")
     text = f"{kind}: {' '.join(INPUTS[name])}; -: standard input"
     if name in WITH_INPUTS:

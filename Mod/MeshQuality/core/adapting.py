@@ -51,10 +51,15 @@ class Adaptation(metaclass=Public):
         logs = np.log([(step.unknowns, step.error) for step in steps])
         return float(np.polyfit(logs[:, 0], logs[:, 1], 1)[0])
 
+    def to_dict(self):
+        """The table and why it ended, as plain values for JSON."""
+        return {"steps": [step._asdict() for step in self.steps], "stopped": self.stopped, "error": self.error, "rate": self.rate,
+                "notes": []}
+
     def __str__(self):
         rows = [f"{'unknowns':>10} {'elements':>10} {'error':>9} {'least size':>11}"]
         rows += [f"{step.unknowns:10,} {step.elements:10,} {step.error:9.2%} {step.least_size:8.4g} mm" for step in self.steps]
-        return "\n".join([*rows, f"ended: {self.stopped}"])
+        return "\n".join([*rows, f"ended: {self.stopped}", ""])
 
     def __repr__(self):
         return f"<Adaptation: {len(self.steps)} steps, error {self.error:.2%}, ended by {self.stopped}>"
