@@ -54,7 +54,8 @@ class Fields(unittest.TestCase):
             place = mesh.report.size_ratio_point
             middles = (mesh.vertices[mesh.triangles] + mesh.vertices[np.roll(mesh.triangles, -1, axis=1)]) / 2
             self.assertLess(np.linalg.norm(middles.reshape(-1, 3) - place, axis=1).min(), 1e-9)
-            self.assertLess(mesh.report.short_share, 0.25)
+            # Beside a jump triangles that touch the fine side are small, too.
+            self.assertLess(mesh.report.short_share, 0.35 if field is step else 0.25)
             self.assertGreater(np.median(measured), 0.55)
             self.assertIn("of the size field", str(mesh.report))
 
