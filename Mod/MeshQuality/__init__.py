@@ -30,6 +30,8 @@ Meshes for scripts
     draft         draft and undercuts against the direction in which a mould opens       -> DraftMap
     voids         closed cavities, from which nothing comes out                          -> VoidReport
     deviation     signed distances of a mesh, scan or point cloud from CAD or another mesh, aligned before -> DeviationMap
+    size_field    edge lengths by place, sampled: drawn or asked before meshing           -> SizeField
+    adapt         tetrahedra that are refined where the error of a solution is         -> Adaptation
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
@@ -41,6 +43,7 @@ Objects of the document, which follow what they are made of
     add_inspection      thickness, clearance, draft or voids of a solid, measured anew after each edit, against a limit
     add_deviation       a scan or mesh in the colours of its deviation from a part, measured anew after each edit
     add_cured_mesh      valid elements of a FEM mesh that another program made
+    add_size_region     how long edges are in a solid, near faces, or in a wake: size_field= of meshes takes it
     update              gives such an object other options, and computes it
     write_report        a page with pictures on an object, or on what a function returned
     set_patches         names groups of faces, for files
@@ -120,6 +123,11 @@ _LAZY = {
     "add_cam_mesh": "MeshQuality.features.cam_mesh",
     "wrap": "MeshQuality.core.wrapping",
     "WrapMesh": "MeshQuality.core.wrapping",
+    "adapt": "MeshQuality.features.adapted_mesh",
+    "Adaptation": "MeshQuality.core.adapting",
+    "size_field": "MeshQuality.core.sizes.size_field",
+    "SizeField": "MeshQuality.core.sizes.size_field",
+    "add_size_region": "MeshQuality.features.size_region",
     "add_quality_mesh": "MeshQuality.features.quality_mesh",
     "add_curved_mesh": "MeshQuality.features.curved_mesh",
     "add_fem_mesh": "MeshQuality.features.fem_mesh",

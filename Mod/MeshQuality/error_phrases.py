@@ -16,6 +16,7 @@ ERRORS = {
     "fine_deviation":
         "deviation is {length}: single precision holds this mesh to {length2} only; choose a larger value",
     "short_edges": "{option} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value",
+    "no_size_field": "these numbers are no size field: its cells form no octree, or a size is not above 0 mm",
     "short_local_size": "the local size of {name} is {length}: single precision holds edges of this shape from {length2} "
                         "on; choose a larger value",
     "much_memory": "method 'uniform' would take about {number} GB at the resolution {count}: it can take {number2} GB; "

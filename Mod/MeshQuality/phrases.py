@@ -50,6 +50,7 @@ MORE_FORCED = ("1 more triangle is below {number}°, at a small corner of the sh
                "{count} more triangles are below {number}°, all of them at small corners of the shape.")
 SHAPE_DISTANCE = "max. deviation {length} (requested {length2})."
 SHAPE_DISTANCE_AT = "max. deviation {length} (requested {length2}), {phrase}."
+SIZE_RATIO = "edges up to {number} times the size field ({number2} promised), at ({phrase}) mm."
 LONGEST_EDGE = "longest edge {length} (requested {length2}), {phrase}."
 THIN_WALL = "smallest thickness {length} (requested {length2})."
 NARROW_GAP = "smallest gap {length} (requested {length2})."
@@ -86,7 +87,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, THIN_WALL, NARROW_GAP, WALL_NOT_DECIDED, GAP_NOT_DECIDED, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, BEYOND_TOLERANCE, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, SIZE_RATIO, THIN_WALL, NARROW_GAP, WALL_NOT_DECIDED, GAP_NOT_DECIDED, *BODIES_OVERLAP, BODY_OVERLAPS, BODY_INSIDE, BODY_TWICE, *BODIES_NEAR, BODY_NEAR, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, BEYOND_TOLERANCE, LIMIT, *FAULTS_LEFT, GUESSED, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
@@ -269,6 +270,7 @@ FILE_ERRORS = (
     NOTHING_TO_EXPORT, FEM_MESH_ALONE,
 )
 ANY_LENGTH = "a length"
+FIELD_NAMES = "names of Size regions of the document, or paths of files"
 FACE_NAMES = "names of faces, such as Face3, Face7"
 LOCAL_SIZES = "lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2"
 FROM_TO, AT_LEAST, LONGER_THAN, ONE_OF = "at least {number} and at most {number2}", "at least {number}", "greater than {length}", "one of {list}"
@@ -283,7 +285,7 @@ RANGES = (
     ONE_OF,
     ANY_LENGTH,
     LOCAL_SIZES,
-    FACE_NAMES,
+    FACE_NAMES, FIELD_NAMES,
 )
 
 # Phrases that may end other phrases, hence last in the table.

@@ -14,6 +14,7 @@ STAGES = {
     "meshing shapes": "meshing the shapes",
     "initial triangulation": "initial triangulation",
     "sampling": "sampling the surface",
+    "sampling the size field": "sampling the size field",
     "sampling CAD faces": "sampling the faces of the shapes",
     "winding numbers": "looking for the inside of open operands",
     "refining angles": "refining angles",

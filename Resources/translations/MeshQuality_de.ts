@@ -775,6 +775,54 @@
         <source>outside: a tool that touches the mesh never cuts into the part; inside: the mesh never sticks out of it</source>
         <translation>Nie im Teil: ein Werkzeug, das das Netz berührt, schneidet nie in das Teil; nie außerhalb: das Netz ragt nie heraus</translation>
     </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>FarSize</source>
+        <translation>Ferne Größe</translation>
+    </message>
+    <message>
+        <source>Four indices of nodes each; of a sampled function its cells</source>
+        <translation>Je vier Indizes von Knoten; bei einer abgetasteten Funktion ihre Zellen</translation>
+    </message>
+    <message>
+        <source>Inside: in the solids; Near: within a distance of the faces, edges and points; Wake: where the solids go if they move along a direction</source>
+        <translation>Inside: in den Volumenkörpern; Near: innerhalb eines Abstands von den Flächen, Kanten und Punkten; Wake: wohin die Volumenkörper kommen, wenn sie sich entlang einer Richtung bewegen</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Lengths of edges by place: Size regions of the document, or files of points with columns x, y, z, size or of meshes with an array of sizes; the least of all holds</source>
+        <translation>Kantenlängen nach Ort: Größenbereiche des Dokuments, oder Dateien von Punkten mit den Spalten x, y, z, size oder von Netzen mit einem Feld von Größen; die kleinste von allen gilt</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Places, three numbers each</source>
+        <translation>Orte, je drei Zahlen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Sizes by node; of a sampled function by corner of its cells</source>
+        <translation>Größen nach Knoten; bei einer abgetasteten Funktion nach Ecken ihrer Zellen</translation>
+    </message>
+    <message>
+        <source>What the sizes were made of</source>
+        <translation>Woraus die Größen gemacht wurden</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -4821,6 +4869,62 @@
     <message>
         <source>{name} simplified</source>
         <translation>{name} vereinfacht</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Add a region: inside of the selected solids, or near the selected faces, edges and points</source>
+        <translation>Einen Bereich hinzufügen: in den gewählten Volumenkörpern, oder nahe den gewählten Flächen, Kanten und Punkten</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw the sizes as coloured points, and count the triangles to expect</source>
+        <translation>Die Größen als farbige Punkte zeichnen, und die zu erwartenden Dreiecke zählen</translation>
+    </message>
+    <message>
+        <source>A size is a length above 0.</source>
+        <translation>Eine Größe ist eine Länge über 0.</translation>
+    </message>
+    <message>
+        <source>Select solids, or faces, edges or points, in the 3D view first.</source>
+        <translation>Wählen Sie zuerst Volumenkörper, oder Flächen, Kanten oder Punkte, in der 3D-Ansicht.</translation>
+    </message>
+    <message>
+        <source>Check a region first.</source>
+        <translation>Haken Sie zuerst einen Bereich an.</translation>
+    </message>
+    <message>
+        <source>Sizes from {0} (red) to {1} (blue); about {2} triangles by these regions</source>
+        <translation>Größen von {0} (rot) bis {1} (blau); etwa {2} Dreiecke nach diesen Bereichen</translation>
+    </message>
+    <message>
+        <source>Lengths of edges by place: Size regions of the document, or files of points with columns x, y, z, size or of meshes with an array of sizes; the least of all holds</source>
+        <translation>Kantenlängen nach Ort: Größenbereiche des Dokuments, oder Dateien von Punkten mit den Spalten x, y, z, size oder von Netzen mit einem Feld von Größen; die kleinste von allen gilt</translation>
+    </message>
+    <message>
+        <source>Size field</source>
+        <translation>Größenfeld</translation>
+    </message>
+    <message>
+        <source>edges up to {number} times the size field ({number2} promised), at ({phrase}) mm.</source>
+        <translation>Kanten bis zum {number}-Fachen des Größenfelds (zugesagt {number2}), bei ({phrase}) mm.</translation>
+    </message>
+    <message>
+        <source>names of Size regions of the document, or paths of files</source>
+        <translation>Namen von Größenbereichen des Dokuments, oder Pfade von Dateien</translation>
+    </message>
+    <message>
+        <source>sampling the size field</source>
+        <translation>Größenfeld abtasten</translation>
+    </message>
+    <message>
+        <source>these numbers are no size field: its cells form no octree, or a size is not above 0 mm</source>
+        <translation>diese Zahlen sind kein Größenfeld: seine Zellen bilden keinen Octree, oder eine Größe liegt nicht über 0 mm</translation>
     </message>
 </context>
 <context>

@@ -106,7 +106,7 @@ int main(int count, char** arguments) {
         const Surface surface = read(arguments[i]);
         const mq::Progress progress;
         print(arguments[i], surface,
-              [&] { return mq::tetrahedralise::tetrahedralise(surface.points, surface.triangles, 1.0, progress); });
+              [&] { return mq::tetrahedralise::tetrahedralise(surface.points, surface.triangles, {}, progress); });
     }
     return 0;
 }

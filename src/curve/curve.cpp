@@ -92,7 +92,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     clock.end("repairing the surface");
     std::optional<RepairedTetrahedralMesh> filled;
     if (options.volume) {
-        filled.emplace(tetrahedralise_and_repair(session, surface, watched, clock));
+        filled.emplace(tetrahedralise_and_repair(session, surface, watched, clock, options.size_field.get()));
         add_counts(filled->repairs, report);
     }
     CurvedMesh result = measured_mesh(editor, straight_triangles, filled ? &filled->volume : nullptr,

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/progress.h"
+#include "base/sizes/size_field.h"
 #include "curve/output/curved_mesh.h"
 #include "geometry/engine.h"
 
@@ -15,6 +16,8 @@ struct CurveOptions {
     bool volume = false;      ///< fill the solids with tetrahedra
     bool straighten = false;  ///< make elements straight that stay invalid after all repairs
     bool repair = true;       ///< false: surfaces as they are first placed on the CAD, for comparison
+    /// Bounds the lengths of edges inside, in the shape's coordinates; null: none.
+    std::shared_ptr<const SizeField> size_field;
     int threads = 0;  ///< that work at a time; 0: as many as ThreadLimit says. They change no byte of the result
 
     /// @throws InvalidInput naming the option, its value and its range.

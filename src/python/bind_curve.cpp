@@ -88,7 +88,13 @@ void bind_curve(py::module_& m) {
     bind_curve_report(m);
     bind_curved_mesh(m);
     py::class_<curve::CurveOptions> options(m, "CurveOptions", "Options of curve.");
-    options.def(py::init<>());
+    options.def(py::init<>())
+        .def_property(
+            "size_field", nullptr,
+            [](curve::CurveOptions& o, const SizeField* field) {
+                o.size_field = field != nullptr ? std::make_shared<const SizeField>(*field) : nullptr;
+            },
+            "SizeField: bounds the lengths of edges inside; None: no field");
     bind_fields(options);
     m.def("curve", &curve_shape, py::arg("shape"), py::arg("options"), py::arg("straight"),
           py::arg("progress") = py::none(), "Meshes and curves a Part.Shape; returns a Curved.");

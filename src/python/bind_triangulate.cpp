@@ -167,6 +167,12 @@ void bind_triangulate(py::module_& m) {
     options.def(py::init<>())
         .def_property("local_sizes", nullptr, &set_local_sizes,
                       "[(dimension 0 | 1 | 2, index of the vertex, edge or face, longest edge in mm), ...]");
+    options.def_property(
+        "size_field", nullptr,
+        [](TriangulateOptions& o, const SizeField* field) {
+            o.size_field = field != nullptr ? std::make_shared<const SizeField>(*field) : nullptr;
+        },
+        "SizeField: lengths of edges by their places, in the shape's coordinates; None: no field");
     bind_fields(options);
     def_named(options, "insertion", &TriangulateOptions::insertion, kInsertions);
     def_named(options, "keep_edges", &TriangulateOptions::keep_edges, kKeepEdges);

@@ -22,6 +22,7 @@ void bind_mesh(pybind11::module_& m);
 #ifdef MESHQUALITY_SCHEDULE_TRACE
 void bind_schedule(pybind11::module_& m);
 #endif
+void bind_sizes(pybind11::module_& m);
 void bind_triangulate(pybind11::module_& m);
 
 /// A MeshQuality.phrases.Text, or the text of a message that is a value.

@@ -59,6 +59,7 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_boolean(m);
     mq::python::bind_improve(m);
     mq::python::bind_inspection(m);
+    mq::python::bind_sizes(m);
     mq::python::bind_deviation(m);
 #ifdef MESHQUALITY_SCHEDULE_TRACE
     mq::python::bind_schedule(m);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tetrahedralise/cells/cell_measure.h"
 #include "tetrahedralise/tuning.h"
 
 namespace mq::tetrahedralise {
@@ -29,8 +30,9 @@ Sphere circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
 
 }  // namespace
 
-InteriorPoints::InteriorPoints(Tetrahedralisation& mesh, const std::vector<std::array<int, 3>>& surface, double growth)
-    : mesh_(mesh), growth_(growth), length_(mesh.points.size(), 0.0), locator_(mesh), insertion_(mesh) {
+InteriorPoints::InteriorPoints(Tetrahedralisation& mesh, const std::vector<std::array<int, 3>>& surface, double growth,
+                               const SizeField* field)
+    : mesh_(mesh), growth_(growth), field_(field), length_(mesh.points.size(), 0.0), locator_(mesh), insertion_(mesh) {
     std::vector<int> count(mesh.points.size(), 0);
     for (const auto& t : surface) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -92,7 +94,14 @@ void InteriorPoints::consider(int cell) {
     for (const int k : v) {
         length = std::min(length, length_[k] + growth_ * sphere.radius);
     }
-    const double ratio = sphere.radius / length;
+    double ratio = sphere.radius / length;
+    if (field_ != nullptr) {
+        const std::array<const Vec3*, 4> corners{&mesh_.point(v[0]), &mesh_.point(v[1]), &mesh_.point(v[2]),
+                                                 &mesh_.point(v[3])};
+        double excess = excess_of_edges(corners, *field_);
+        excess = excess > 1.0 ? excess : std::max(excess, excess_by_least(corners, *field_));
+        ratio = std::max(ratio, TetrahedralisationTuning::kLargestRadius * excess);
+    }
     if (ratio > TetrahedralisationTuning::kLargestRadius) {
         queue_.push_back({ratio, cell, v});
         std::push_heap(queue_.begin(), queue_.end());
@@ -124,7 +133,7 @@ double InteriorPoints::length_at(const Vec3& p, const std::vector<int>& around) 
     for (const int v : around) {
         length = std::min(length, length_[v] + growth_ * (mesh_.point(v) - p).norm());
     }
-    return length;
+    return field_ != nullptr ? std::min(length, field_->at(p)) : length;
 }
 
 /// Whether the vertices and the surface around are far enough away.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/sizes/size_field.h"
 #include "tetrahedralise/cells/delaunay.h"
 #include "tetrahedralise/cells/tetrahedralisation.h"
 
@@ -15,7 +16,9 @@ namespace mq::tetrahedralise {
 class InteriorPoints {
   public:
     /// @param growth of the wanted length by the distance from the surface
-    InteriorPoints(Tetrahedralisation& mesh, const std::vector<std::array<int, 3>>& surface, double growth);
+    /// @param field bounds the wanted length; null: none
+    InteriorPoints(Tetrahedralisation& mesh, const std::vector<std::array<int, 3>>& surface, double growth,
+                   const SizeField* field = nullptr);
 
     /// @throws Cancelled
     void insert(const Progress& progress);
@@ -38,6 +41,7 @@ class InteriorPoints {
 
     Tetrahedralisation& mesh_;
     double growth_;
+    const SizeField* field_;
     std::vector<double> length_;  // by vertex: length wanted there, mm
     std::vector<Candidate> queue_;
     Locator locator_;

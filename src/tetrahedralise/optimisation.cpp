@@ -9,8 +9,9 @@
 
 namespace mq::tetrahedralise {
 
-Optimisation::Optimisation(Tetrahedralisation& mesh, const EndTangents& tangents, int first_inner)
-    : mesh_(mesh), measure_(mesh, tangents), first_inner_(first_inner) {
+Optimisation::Optimisation(Tetrahedralisation& mesh, const EndTangents& tangents, int first_inner,
+                           const SizeField* field)
+    : mesh_(mesh), measure_(mesh, tangents, field), first_inner_(first_inner) {
     tried_.resize(mesh.cells.size(), 0);
     settled_.resize(mesh.points.size(), 0);
     changed_in_.resize(mesh.cells.size(), 0);

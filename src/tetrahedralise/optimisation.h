@@ -17,7 +17,9 @@ namespace mq::tetrahedralise {
 class Optimisation {
   public:
     /// @param first_inner the first vertex that may move
-    Optimisation(Tetrahedralisation& mesh, const EndTangents& tangents, int first_inner);
+    /// @param field  that edges are to be within; null: none
+    Optimisation(Tetrahedralisation& mesh, const EndTangents& tangents, int first_inner,
+                 const SizeField* field = nullptr);
 
     /// @throws Cancelled
     void run(const Progress& progress);

@@ -69,28 +69,28 @@ Tetrahedralisation inside_of(const std::vector<Vec3>& points, const std::vector<
 
 /// Takes a surface whose vertices all differ.
 Tetrahedra tetrahedralise_distinct(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                                   double grading_factor, const Progress& progress, const EndTangents& tangents) {
+                                   const Grading& grading, const Progress& progress, const EndTangents& tangents) {
     Tetrahedralisation mesh = inside_of(points, triangles, progress);
-    InteriorPoints(mesh, triangles, TetrahedralisationTuning::kGrowth * grading_factor).insert(progress);
-    Optimisation(mesh, tangents, static_cast<int>(points.size())).run(progress);
+    InteriorPoints(mesh, triangles, TetrahedralisationTuning::kGrowth * grading.factor, grading.field).insert(progress);
+    Optimisation(mesh, tangents, static_cast<int>(points.size()), grading.field).run(progress);
     return tetrahedra_of(mesh, points.size());
 }
 
 Tetrahedra tetrahedralise_touching(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                                   double grading_factor, const Progress& progress, const EndTangents& tangents) {
+                                   const Grading& grading, const Progress& progress, const EndTangents& tangents) {
     const CoincidentVertices one(points, triangles, tangents);
     if (one.points.size() == points.size()) {
-        return tetrahedralise_distinct(points, triangles, grading_factor, progress, tangents);
+        return tetrahedralise_distinct(points, triangles, grading, progress, tangents);
     }
-    return one.separate(tetrahedralise_distinct(one.points, one.triangles, grading_factor, progress, one.tangents));
+    return one.separate(tetrahedralise_distinct(one.points, one.triangles, grading, progress, one.tangents));
 }
 
 }  // namespace
 
 Tetrahedra tetrahedralise(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                          double grading_factor, const Progress& progress, const EndTangents& tangents) {
+                          const Grading& grading, const Progress& progress, const EndTangents& tangents) {
     try {
-        Tetrahedra result = tetrahedralise_touching(points, triangles, grading_factor, progress, tangents);
+        Tetrahedra result = tetrahedralise_touching(points, triangles, grading, progress, tangents);
         if (!is_bounded_by(triangles, result.tetrahedra)) {
             throw MeshingFailed(phrases::kEndsElsewhere);
         }

@@ -53,6 +53,9 @@ void check_against_shape(const TriangulateOptions& options, const geometry::Topo
     for (const LocalSize& size : options.local_sizes) {
         require_edges(phrases::kShortLocalSize, "name", geometry::name_of({size.dimension, size.index}), size.max_edge);
     }
+    if (options.size_field != nullptr) {
+        require_edges(phrases::kShortEdges, "option", "size_field", options.size_field->least_in(topology.box));
+    }
 }
 
 std::string failed_faces(const InitialTriangulation& initial, const geometry::Topology& topology) {

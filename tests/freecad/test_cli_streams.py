@@ -197,6 +197,7 @@ class Api(unittest.TestCase):
         "hollow": {"source", "progress"},
         "wrap": {"objects", "progress"},
         "cam": {"source", "progress"},
+        "adapt": {"problem", "shape", "progress", "order", "size_field", "strains", "values"},  # those of functions, and of the analysis' mesh
     }
 
     def test_every_option_of_the_api_is_there_under_its_name(self):

@@ -82,6 +82,13 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/simplify.md")
         self.assertLess(self.names["small"].report.triangles, self.names["mesh"].CountFacets)
 
+    def test_adapting(self):
+        self.follow("docs/use/adapt.md")
+        self.assertEqual(self.names["result"].stopped, "target")
+
+    def test_sizes(self):
+        self.follow("docs/use/sizes.md")
+
     def test_quality_meshes(self):
         self.follow("docs/use/quality-mesh.md")
 

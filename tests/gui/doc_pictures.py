@@ -49,6 +49,23 @@ class Pictures(gui_helpers.GuiTest):
         mq.add_fem_mesh(source, analysis=analysis, max_edge=6.0)
         self.picture("fem_mesh", DOCS)
 
+    def test_size_regions(self):
+        """Sizes drawn as points beside the panel, before meshing."""
+        block = self.document.addObject("Part::Feature", "Block")
+        block.Shape = Part.makeBox(40, 30, 10).cut(Part.makeCylinder(6, 10, FreeCAD.Vector(20, 15, 0)))
+        ball = self.document.addObject("Part::Sphere", "Ball")
+        ball.Radius, ball.Placement.Base = 8, FreeCAD.Vector(40, 0, 10)
+        self.document.recompute()
+        ball.ViewObject.Transparency = 80
+        regions = [mq.add_size_region(ball, 0.8),
+                   mq.add_size_region((block, "Edge15"), 0.6, kind="near", distance=8, far_size=4)]
+        panel = MeshPanel(commands.Triangulate().operations([block]))
+        FreeCADGui.Control.showDialog(panel)
+        self.addCleanup(FreeCADGui.Control.closeDialog)
+        panel.options.set_values({"size_field": [region.Name for region in regions]})
+        panel.options.field("size_field").draw.click()
+        self.picture("size_regions", DOCS)
+
     def test_given_fem_mesh(self):
         """Folded elements of a mesh that was given: the panel beside the view."""
         source = self.document.addObject("Part::Feature", "Shaft")

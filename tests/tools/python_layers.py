@@ -37,11 +37,12 @@ CORE = [
     ["elements", "patches"],
     ["formats"],
     ["meshes"],
+    ["sizes"],
     ["triangulation", "improvement", "simplification", "quality", "fem"],
     ["curved", "certify"],
     ["operands", "verify"],
     ["booleans", "curving", "inspect"],
-    ["measures", "offsetting", "repair", "solid_expression", "wrapping"],
+    ["adapting", "measures", "offsetting", "repair", "solid_expression", "wrapping"],
     ["machining"],
     ["reporting"],
 ]

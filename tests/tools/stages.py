@@ -9,7 +9,7 @@ from pathlib import Path
 
 # By module the folders below it in rows, low to high: a folder may include those of lower rows, and itself.
 STAGES = {
-    "base": [["base/system"], ["base/memory", "base/threads"], ["base"]],
+    "base": [["base/system"], ["base/memory", "base/threads"], ["base"], ["base/sizes"]],
     "geometry": [
         ["geometry"],
         ["geometry/elementary"],
@@ -50,7 +50,7 @@ STAGES = {
     "offset": [["offset/proof"], ["offset/trimmed"], ["offset/contoured"]],
     "wrap": [["wrap/lattice"], ["wrap/outside"], ["wrap/surface"], ["wrap/measure"], ["wrap"]],
     "workflows": [["workflows/operands"], ["workflows"]],
-    "python": [["python/freecad"], ["python"]],
+    "python": [["python/freecad"], ["python"], ["python/sizes"]],
 }
 MAX_FILES = 24  # of C++ in a folder of src: about ten pairs of header and source
 FILES = {".h", ".cpp", ".i"}

@@ -27,6 +27,22 @@ def read_shape_and_objects(path, name=None):
     return _shape_of_objects(objects), objects
 
 
+def read_analysis(path, name):
+    """The Fem::FemAnalysis of an FCStd file with this name or label; without a name the only one."""
+    document = FreeCAD.openDocument(path, True)
+    found = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis") and name in (None, obj.Name, obj.Label)]
+    if len(found) != 1:
+        raise mq.InvalidInput(f"'{path}' has {len(found)} analyses" + (f" {name}" if name else "") + ": choose one by --object")
+    return found[0]
+
+
+def size_field_in(objects, names):
+    """size_field= of paths of files, and of names of Size regions in the document of the objects."""
+    documents = {obj.Document for obj in objects}
+    named = {name: next(filter(None, (document.getObject(name) for document in documents)), None) for name in names or ()}
+    return [obj or name for name, obj in named.items()] or None
+
+
 def _shape_of_objects(objects):
     import Part
 

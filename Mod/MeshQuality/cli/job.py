@@ -10,8 +10,8 @@ import MeshQuality as mq
 from MeshQuality import files, limits
 from MeshQuality.cli import input_files
 from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
-from MeshQuality.cli.input_files import (mesh_of, read_mesh, read_operand, read_points, read_shape, read_shape_and_objects,
-                                        sizes_in)
+from MeshQuality.cli.input_files import (mesh_of, read_analysis, read_mesh, read_operand, read_points, read_shape,
+                                        read_shape_and_objects, size_field_in, sizes_in)
 from MeshQuality.cli.output_file import patches_of, write_curved, writing_of, written
 from MeshQuality.cli.parser import MESH_SUFFIXES, TABLES
 from MeshQuality.cli.progress_line import end_progress_line, progress_line
@@ -47,7 +47,8 @@ def triangulate(job):
     """Returns the report, what the command did, and the findings."""
     shape, objects = read_shape_and_objects(job["input"], job.get("object"))
     values = {**job["options"],
-              "local_sizes": sizes_in(shape, objects, job["input"], job["options"].get("local_sizes"))}
+              "local_sizes": sizes_in(shape, objects, job["input"], job["options"].get("local_sizes")),
+              "size_field": size_field_in(objects, job["options"].get("size_field"))}
     how = writing_of(job, shape, objects)
     mesh = mq.triangulate(shape, **values, **patches_of(how), progress=progress_line())
     report, where = mesh.report, written(job, lambda path: mesh.write(path, **how))
@@ -60,7 +61,8 @@ def curve(job):
     """Likewise."""
     shape, objects = read_shape_and_objects(job["input"], job.get("object"))
     how = writing_of(job, shape, objects)
-    mesh = mq.curve(shape, **job["options"], **patches_of(how), mesh=job.get("mesh"), mesh_scale=job.get("mesh_scale", 1.0),
+    values = {**job["options"], "size_field": size_field_in(objects, job["options"].get("size_field"))}
+    mesh = mq.curve(shape, **values, **patches_of(how), mesh=job.get("mesh"), mesh_scale=job.get("mesh_scale", 1.0),
                     progress=progress_line())
     report, job["shown"] = mesh.report, (mesh, None)
     if isinstance(mesh, mq.CurvedElementMesh):
@@ -200,6 +202,14 @@ def voids(job):
     return found, f"searched {_count(len(found.mesh.triangles), 'triangle')}", verdict.of_voids(found)
 
 
+def adapt(job):
+    """Likewise."""
+    found = mq.adapt(read_analysis(job["input"], job.get("object")), **job["options"], progress=progress_line())
+    where = written(job, lambda path: found.mesh.write(path, format=job["suffix"][1:]))
+    return found, f"{_count(len(found.mesh.tetrahedra), 'element')}{where}, error {found.error:.2%}, ended by {found.stopped}", \
+        verdict.of_curved(found.mesh, True)
+
+
 def deviation(job):
     """Likewise."""
     found = mq.deviation(read_points(job["input"]), read_operand(job["reference"], job.get("object")), **job["options"],
@@ -240,7 +250,7 @@ def run(job):
         report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve, "simplify": simplify,
                                          "quality": quality, "measures": measures, "certify": certify, "verify": verify, "thickness": thickness,
                                          "clearance": clearance, "draft": draft, "voids": voids, "deviation": deviation,
-                                         "offset": offset, "hollow": hollow, "wrap": wrap, "cam": cam}[job["command"]](job)
+                                         "offset": offset, "hollow": hollow, "wrap": wrap, "cam": cam, "adapt": adapt}[job["command"]](job)
         text += _write_page(job, findings) if job.get("page") else ""
     except mq.InvalidInput as error:
         return _failure(USAGE, error)

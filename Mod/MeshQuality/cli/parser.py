@@ -22,9 +22,11 @@ INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SU
           "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
           "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
           "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES,
-          "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "cam": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES}
+          "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "cam": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES,
+          "adapt": (".fcstd",)}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES, "simplify": SUFFIXES,
            "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "cam": SUFFIXES,
+           "adapt": CURVED_SUFFIXES,
            **dict.fromkeys(("quality", "measures", "certify", "verify", "thickness", "clearance", "draft", "voids", "deviation"), ())}
 WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
@@ -35,7 +37,7 @@ TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*opt
           "draft": options.inspection.DRAFT, "voids": options.inspection.VOIDS,
           "deviation": options.inspection.DEVIATION,
           "offset": options.offset.OFFSET, "hollow": options.offset.HOLLOW,
-          "wrap": options.wrap.WRAP, "cam": options.cam.CAM}
+          "wrap": options.wrap.WRAP, "cam": options.cam.CAM, "adapt": options.adapt.ADAPT}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 # Commands that have a page with pictures of what they made or measured.
 WITH_PAGES = ("triangulate", "curve", "improve", "simplify", "quality", "boolean", "offset", "hollow", "wrap", "cam", "thickness", "draft", "deviation")
@@ -143,6 +145,10 @@ examples:
 examples:
   meshquality voids print.stl --strict
 """,
+    "adapt": """
+examples:
+  meshquality adapt bracket.FCStd --target-error 0.02 -o bracket.inp
+""",
     "deviation": """
 examples:
   meshquality deviation scan.stl --reference part.step --align any --tolerance 0.1 --strict
@@ -224,6 +230,7 @@ def parser(batched="triangulate"):
     _add_single(commands, "voids", "find closed cavities",
                 "Finds the closed cavities of a CAD shape or a mesh, from which nothing comes out, and their volumes.\n"
                 "Exit status 3 with --strict where there are some.")
+    _add_adapt(commands)
     _add_deviation(commands)
     _add_batch(commands, batched)
     return top
@@ -241,6 +248,12 @@ def _add_measures(commands):
                       "Measures each element of a mesh: edge ratio, aspect ratio, scaled Jacobian, equiangle skew, angles, skew, taper and\n"
                       "warpage as Verdict defines them, and of volumes OpenFOAM's non-orthogonality and skewness.")
     one.add_argument("--csv", metavar="FILE.csv", help="file for the measures of each element")
+
+
+def _add_adapt(commands):
+    _add_single(commands, "adapt", "refine the mesh of an analysis where its error is",
+                "Solves the analysis of a FreeCAD document by CalculiX, refines its FEM mesh where the estimated error is, and so on\n"
+                "until that is small enough. --object: the analysis, where there are several.")
 
 
 def _add_deviation(commands):
@@ -302,7 +315,7 @@ def _add_single(commands, name, title, description):
     output = " [-o FILE]" if OUTPUTS[name] else ""
     one = _new(commands, name, title, description, inputs + output)
     kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file", ELEMENT_SUFFIXES: "mesh file",
-            (".json",): "certificate", MESH_SUFFIXES + ELEMENT_SUFFIXES: "mesh file", MESH_SUFFIXES + POINT_SUFFIXES: "mesh or file of points"}.get(INPUTS[name],
+            (".json",): "certificate", (".fcstd",): "FreeCAD document", MESH_SUFFIXES + ELEMENT_SUFFIXES: "mesh file", MESH_SUFFIXES + POINT_SUFFIXES: "mesh or file of points"}.get(INPUTS[name],
                                                                       "mesh or CAD file")
     text = f"{kind}: {' '.join(INPUTS[name])}; -: standard input"
     if name in WITH_INPUTS:
@@ -462,7 +475,7 @@ def _add_alias(group, option, **how):
 def _type(option):
     if option.can_be_unbounded:
         return _length_or_none
-    return str if option.is_sizes else option.kind
+    return str if option.is_sizes or option.is_fields else option.kind
 
 
 def _length_or_none(text):
@@ -482,6 +495,8 @@ def _metavar(option):
         return option.unit.upper()
     if option.is_sizes:
         return "SIZES"
+    if option.is_fields:
+        return "FILE"
     return "NAME" if option.choices else {int: "N", float: "NUMBER"}[option.kind]
 
 

@@ -17,6 +17,8 @@ def report_fields(report):
     fields = {name: getattr(report, name) for name in names if name not in _NOT_WRITTEN}
     if fields.get("box"):
         fields["box"] = [corner.tolist() for corner in report.box]
+    if "size_ratio_point" in fields:
+        fields["size_ratio_point"] = fields["size_ratio_point"].tolist()
     if "straight" in fields:
         fields["straight"] = report_fields(report.straight)
     return plain(fields)

@@ -18,6 +18,7 @@ from .meshes.surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patch
 from .patches.patches import division_for, kept
 from .sources import convert, frames
 from .sources import hidden_parts
+from .sizes import size_field as size_fields
 
 
 class CurvedMesh(metaclass=Public):
@@ -296,6 +297,11 @@ def _check_given(mesh, mesh_scale, values, shape):
         raise InvalidInput("shape= is that of a SurfaceMesh: with mesh= give the shape as first argument")
 
 
+def _check_field(size_field, mesh, source):
+    if size_field is not None and (mesh is not None or isinstance(source, SurfaceMesh)):
+        raise InvalidInput("size_field is for a mesh that is made, not for one that is given: leave it out")
+
+
 def _given_on(shape, mesh, mesh_scale):
     return fem_places.mesh_at(mesh, shape) if frames.is_object(mesh) else given_mesh(mesh, mesh_scale)
 
@@ -313,10 +319,25 @@ def _curve_given(shape, mesh, curving, imprint, division, progress):
     return curved_elements.of_core(found, curving.order, mesh)
 
 
+def _curved(source, curving, straight, size_field, progress):
+    """The Curved of the core of a shape, after a size field if there is one, and sentences on that."""
+    live_shape = convert.shape_of(source)
+    sampling = size_fields.Sampling.of(source, size_field, progress)
+    if sampling is None:
+        return extension().curve(live_shape, curving, straight, progress), []
+    sampling.require_affordable(None)
+
+    def make(field):
+        straight.size_field = curving.size_field = field
+        return extension().curve(live_shape, curving, straight, progress)
+
+    return size_fields.meshed(sampling, make, size_fields.curved_edges)
+
+
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
           min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False, overlap="refuse",
-          patches=None, patch_rest=None, mesh=None, mesh_scale=1.0, threads=0):
+          patches=None, patch_rest=None, mesh=None, mesh_scale=1.0, threads=0, size_field=None):
     """A mesh of curved elements on a shape, proven valid element by element.
 
     shape_or_mesh  Part.Shape, a document object that has one, or a SurfaceMesh together with
@@ -328,8 +349,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     min_angle, chord_height, chord_height_relative, max_edge
                    of the straight mesh that is curved, as for triangulate; where neither chord
                    height is given it is 0.01 of the largest dimension
-    imprint        solids that share an area have the same elements there, so that the mesh of an assembly is
-                   conforming
+    imprint        solids that share an area have the same elements there, so that a mesh of an assembly is conforming
     overlap        bodies that overlap or cross are a fault in certificates: "refuse", or none: "allow"
     progress       callable(fraction 0..1, stage); returning False cancels
     patches, patch_rest
@@ -341,6 +361,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
                    follow their walls. volume, patches and the options of the straight mesh do not apply
     mesh_scale     factor from the coordinates of that file to mm: 1000 for one in metres, 25.4 for inches
     threads        that work at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any number
+    size_field     edge lengths in mm by place, on the surface and inside, as for triangulate; see report.size_ratio
 
     Returns a CurvedMesh, or a CurvedElementMesh if a mesh has other elements than triangles and tetrahedra; its report
     has the elements that stay invalid. The shape is only read.
@@ -354,9 +375,10 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     })
     values["threads"] = options.THREADS.checked(threads)
     _check_given(mesh, mesh_scale, values, shape)
+    _check_field(size_field, mesh, shape_or_mesh)
     source, module = shape_or_mesh if shape is None else shape, extension()
     division = None if isinstance(source, SurfaceMesh) else division_for(source, patches, patch_rest)
-    left_out = hidden_parts.sentences_of(source)
+    left_out, said = hidden_parts.sentences_of(source), []
     curving = module.CurveOptions()
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid", "threads")}, curving)
     if mesh is not None:
@@ -370,6 +392,6 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         curved = module.curve_surface(shape_or_mesh._surface, convert.shape_of(shape), curving, progress)
     else:
         straight = module.TriangulateOptions()
-        options.hand_over({name: value for name, value in values.items() if name != "overlap"}, straight)
-        curved = module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress)
-    return hidden_parts.noted(CurvedMesh(curved, patches=kept(division, curved)), left_out)
+        options.hand_over({name: value for name, value in values.items() if name not in ("overlap", "size_field")}, straight)
+        curved, said = _curved(shape_or_mesh, curving, straight, size_field, progress)
+    return hidden_parts.noted(CurvedMesh(curved, patches=kept(division, curved)), [*left_out, *said])

@@ -9,12 +9,13 @@ from .meshes.surface_mesh import SurfaceMesh
 from .patches.patches import division_for, kept
 from .sources import convert
 from .sources import hidden_parts
+from .sizes import size_field as size_fields
 
 
 @options.takes_aliases(options.TRIANGULATE, memory="cache")
 def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None, max_edge=None, min_edge=None,
                 method="refine", max_triangles=None, progress=None, insertion="off-centre", allow_missing_faces=False,
-                connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
+                connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None, size_field=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, corners="auto", cache=None,
                 sew=True, imprint=False, overlap="refuse", evaluation="fast", patches=None, patch_rest=None, threads=0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
@@ -28,6 +29,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     local_sizes            {"Face3": 0.5, "Edge7": 0.2, "Vertex1": 0.1}: longest edges in mm of the
                            triangles on a face, along an edge, around a vertex; of a container or link
                            also {"Box.Face3": 0.5}, with the names of the objects on the way
+    size_field             edge lengths in mm by place: a function, points, files, regions, a list of these; see docs/use/sizes.md
     edges_per_circle       smallest number of edges for each full turn of a curve or a surface, 3 to 10000
     growth_rate            growth rate of edge length from fine to coarse regions, over 1; None: as fast as angles allow
     method                 "refine"; "star" and "sprinkle" sample the faces by their curvature first
@@ -47,8 +49,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     overlap                bodies that overlap or cross are a fault in certificates: "refuse", or none: "allow"
     evaluation             of curves and surfaces: "fast" by formulas and polynomial pieces; "native" by OpenCASCADE alone
 
-    connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
-                           the faces' parameters ("parametric")
+    connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in (u, v) ("parametric")
     refine_samples         of star and sprinkle: refine afterwards, so that the bounds hold
     seed                   of sprinkle's random points
     cache                  a MeshCache of earlier calls: faces that an edit left alone keep their triangles
@@ -72,21 +73,31 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     })
     values["threads"] = options.THREADS.checked(threads)
     options.require_callable(progress)
-    return _meshed(shape, values, progress, cache, division_for(shape, patches, patch_rest))
+    return _meshed(shape, values, size_field, progress, cache, division_for(shape, patches, patch_rest))
 
 
-def _meshed(shape, values, progress, cache, division):
+def _meshed(shape, values, size_field, progress, cache, division):
     """The SurfaceMesh of a shape with checked options."""
     live_shape = convert.shape_of(shape)
     values = convert.with_resolved_sizes(shape, values)
     module = extension()
     core_options = module.TriangulateOptions()
-    overlap = values.pop("overlap")
+    overlap, _ = values.pop("overlap"), values.pop("size_field")
     core_options.local_sizes = element_names.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
     left_out = hidden_parts.sentences_of(shape)
-    surface = module.triangulate(live_shape, core_options, progress, _core_cache(cache))
-    return hidden_parts.noted(SurfaceMesh(surface, kept(division, surface), overlap), left_out)
+    sampling = size_fields.Sampling.of(shape, size_field, progress, inside=False)
+
+    def make(field):
+        core_options.size_field = field
+        return module.triangulate(live_shape, core_options, progress, _core_cache(cache))
+
+    if sampling is None:
+        surface, said = make(None), []
+    else:
+        sampling.require_affordable(values["max_triangles"])
+        surface, said = size_fields.meshed(sampling, make, size_fields.surface_edges)
+    return hidden_parts.noted(SurfaceMesh(surface, kept(division, surface), overlap), [*left_out, *said])
 
 
 class MeshCache(metaclass=Public):

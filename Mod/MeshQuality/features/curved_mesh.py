@@ -84,7 +84,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
         """As in the base class; where the deviation alone has changed, the elements are cut anew only."""
         work = super().work_on(sources, values, obj)
         own = convert.own_shape_of(sources[0])
-        work.compute = partial(work.compute, digest=partial(_elements_fingerprint, own, work.values),
+        work.compute = partial(work.compute, digest=partial(_elements_fingerprint, own, {**work.values, "size_field": work.size_digests}),
                                draw=window().drawing())
         if obj is not None and obj.ElementsFingerprint and obj.Certificate != verdict.UNKNOWN:
             work.compute = partial(work.compute, held=(obj.ElementsFingerprint, loader_of(obj)))

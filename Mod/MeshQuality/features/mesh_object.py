@@ -16,7 +16,7 @@ from ..core.patches.source_faces import FacesOfOne
 from ..core.sources import convert, frames
 from ..core.sources import hidden_parts
 from ..errors import Error, InvalidInput
-from . import aliases, distance_bound, patches, placement
+from . import aliases, distance_bound, patches, placement, size_fields
 from .gui_hooks import window
 from .properties import (add_hidden, add_measured, add_options, add_property, clear_mesh, options_of, show_deviation, show_mesh,
                          show_report)
@@ -328,10 +328,15 @@ class ShapeMesh(OfOneSource):
         values = options.check(cls.OPTIONS, values)
         own = convert.taken(convert.own_shape_of(sources[0]))
         shape = own if cls.LEAVES_CONTAINERS else convert.taken(convert.shape_of(sources[0]))
-        # Names of sub-elements of a container are found here, where documents may be asked.
+        # Names of sub-elements of a container, and size fields, are found here, where documents may be asked.
         found = convert.with_resolved_sizes(sources[0], values)
-        return Work(sources, values, partial(fingerprint_of, own, found),
+        fields, digests = size_fields.fields_for(sources[0], found.get("size_field"), cls.LEAVES_CONTAINERS)
+        if digests:
+            found = {**found, "size_field": fields}
+        work = Work(sources, values, partial(fingerprint_of, own, {**found, "size_field": digests or None}),
                     partial(cls.compute, shape, found))
+        work.size_digests = digests or None
+        return work
 
 
 class PatchedMesh(MeshObject):

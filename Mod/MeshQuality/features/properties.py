@@ -159,6 +159,9 @@ def options_of(obj, table):
 def set_options(obj, table, values):
     """Sets the properties of {option: value}, checked before."""
     for option in table:
-        setattr(obj, option.property_name, options.to_property(option, values[option.name]))
+        value = options.to_property(option, values[option.name])
+        if option.is_fields:
+            value = [obj.Document.getObject(name) for name in value]
+        setattr(obj, option.property_name, value)
     if options.has_distance(table):
         obj.DistanceBound = options.bound_of(values)

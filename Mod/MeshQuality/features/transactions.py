@@ -9,7 +9,7 @@ from .. import label_phrases, options
 from ..core.sources import convert, frames
 from ..errors import Error, InvalidInput
 from ..phrases import Text
-from . import bindings
+from . import bindings, size_fields
 from .gui_hooks import window
 from .mesh_object import MANUAL, UP_TO_DATE, MeshObject, PatchedMesh, with_precomputed
 from .patches import give_patches
@@ -63,6 +63,8 @@ def update(obj, progress=None, **values):
                            "add_simplified_mesh, add_offset, add_hollow, add_wrap, add_inspection or add_deviation")
     table, sources = proxy.OPTIONS, proxy.sources(obj)
     before = options_of(obj, table)
+    if values.get("size_field") is not None:
+        values = {**values, "size_field": size_fields.names_of(values["size_field"], sources[0])[0]}
     values = options.check(table, options.merged(before, options.renamed(table, values)))
     bindings.require_free(obj, table, before, values)
     done = proxy.precomputed_for(sources, values)
@@ -157,6 +159,20 @@ def add_of_source(proxy_class, source, values, name, title, label=None, then=Non
     if not isinstance(frames.object_of(source), FreeCAD.DocumentObject):
         raise InvalidInput(f"a document object with {proxy_class.NEEDS} is needed, not "
                            f"{type(source).__name__}")
+    if values.get("size_field") is None:
+        return _add_of_source(proxy_class, source, values, name, title, label, then)
+    options.check(proxy_class.OPTIONS, {**values, "size_field": None})
+    with undo_step(frames.object_of(source).Document, title):
+        fields, added = size_fields.names_of(values.get("size_field"), source)
+        try:
+            return _add_of_source(proxy_class, source, {**values, "size_field": fields}, name, title, label, then)
+        except BaseException:
+            for obj in added:
+                obj.Document.removeObject(obj.Name)
+            raise
+
+
+def _add_of_source(proxy_class, source, values, name, title, label, then):
     checked = options.check(proxy_class.OPTIONS, values)
 
     def make(obj):

@@ -2,9 +2,11 @@
 """The window's answers to requests of document objects; see features/gui_hooks.py."""
 
 from ..compat import PlainState
+from ..features import size_fields
 from ..features.curved_mesh import CurvedMeshObject
 from ..features.gui_hooks import Windowless
-from . import background_recompute, file_progress, visibility, mesh_view, preferences, translation, value_colours
+from . import (background_recompute, file_progress, mesh_view, preferences, size_view, translation, value_colours,
+               visibility)
 
 
 class Window(Windowless):
@@ -71,6 +73,8 @@ def _view_of(obj):
         from .curved_view import CurvedMeshView  # imports Coin, which no other object needs
 
         return CurvedMeshView
+    if size_fields.is_field(obj):
+        return size_view.SizeView
     return mesh_view.MeshView
 
 

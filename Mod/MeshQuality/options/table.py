@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from .. import element_names, phrases
 from ..errors import InvalidInput
 from ..phrases import Text
+from . import named_values
 
 METHODS = ("refine", "star", "sprinkle")
 CONNECTIVITIES = ("pseudo-delaunay", "parametric")
@@ -70,6 +71,11 @@ class Option:
         return self.kind is list
 
     @property
+    def is_fields(self):
+        """Whether it is a list of names of document objects, or of paths of files, that give sizes by place."""
+        return self.kind is tuple
+
+    @property
     def is_required(self):
         """Whether there is no operation without it."""
         return self.unset == MUST_BE_GIVEN
@@ -89,7 +95,7 @@ class Option:
         """Whether its value makes sense for the part that it was given for only: a length, or names of
         sub-elements.
         """
-        return self.unit == "mm" or self.is_sizes or self.is_faces
+        return self.unit == "mm" or self.is_sizes or self.is_faces or self.is_fields
 
     @property
     def property_name(self):
@@ -116,13 +122,13 @@ class Option:
             return {"degrees": "App::PropertyAngle", "mm": length}[self.unit]
         return {
             bool: "App::PropertyBool", int: "App::PropertyInteger", float: "App::PropertyFloat",
-            dict: "App::PropertyString", list: "App::PropertyStringList",
+            dict: "App::PropertyString", list: "App::PropertyStringList", tuple: "App::PropertyLinkListGlobal",
         }[self.kind]
 
     @property
     def property_help(self):
         """The description of the property."""
-        told = self.default is not None or self.is_distance or self.is_sizes or self.is_faces or self.is_required
+        told = self.default is not None or self.is_distance or self.is_sizes or self.is_faces or self.is_fields or self.is_required
         return self.help if told else f"{self.help}; 0: {self.unset}"
 
     @property
@@ -146,6 +152,8 @@ class Option:
             return Text(phrases.LOCAL_SIZES)
         if self.is_faces:
             return Text(phrases.FACE_NAMES)
+        if self.is_fields:
+            return Text(phrases.FIELD_NAMES)
         is_length = self.unit == "mm"
         unit = "" if is_length or not self.unit else f" {self.unit}"
         end = f", or {NO_BOUND!r}" if self.can_be_unbounded else ""
@@ -168,9 +176,11 @@ class Option:
         if self.can_be_unbounded and _says_unbounded(value):
             return NO_BOUND
         if self.is_sizes:
-            return _checked_sizes(value, self)
+            return named_values.checked_sizes(value, self)
         if self.is_faces:
-            return _checked_faces(value, self)
+            return named_values.checked_faces(value, self)
+        if self.is_fields:
+            return named_values.checked_fields(value, self)
         if self.choices:
             good = isinstance(value, str) and value in self.property_choices
             value = self.choice_aliases.get(value, value) if good else value
@@ -231,25 +241,10 @@ def _plain_number(value, option):
                             option=option.name, value=repr(value), range=option.range_text))
 
 
-def _checked_sizes(value, option):
-    """{sub-element: mm} of such a dict, or of its text."""
-    sizes = element_names.sizes_of_text(value) if isinstance(value, str) else value
-    try:
-        found = {str(name): float(getattr(length, "Value", length))
-                 for name, length in dict(sizes).items()}
-    except (TypeError, ValueError, OverflowError):
-        found = None
-    if found is None or not all(element_names.is_name(name) and math.isfinite(length) and length > 0
-                                for name, length in found.items()):
-        raise InvalidInput(Text(phrases.NOT_ALLOWED, option=option.name, value=repr(value), range=option.range_text))
-    return found or None
-
-
-def _checked_faces(value, option):
-    """The names in such a list, each once."""
-    if not isinstance(value, (list, tuple)) or not value or not all(map(element_names.is_face, value)):
-        raise InvalidInput(Text(phrases.NOT_ALLOWED, option=option.name, value=repr(value), range=option.range_text))
-    return list(dict.fromkeys(value))
+def _size_field(group):
+    return Option("size_field", tuple, None, group=group, title="Size field", unset="none",
+                  help="Lengths of edges by place: Size regions of the document, or files of points with columns x, y, z, size or of "
+                       "meshes with an array of sizes; the least of all holds")
 
 
 def _distance(relative, group, which):
@@ -288,6 +283,7 @@ TRIANGULATE = (
     Option("local_sizes", dict, None, group="Size", title="Local sizes", unset="nowhere",
            help="Longest edge on single faces, along edges or around vertices: Face3=0.5 mm, Edge7=0.2 mm; "
                 "in containers and links with the path to the object: Box.Face3=0.5 mm"),
+    _size_field("Size"),
     Option("min_edge", float, None, unit="mm", low=0.0, group="Size", title="Shortest edge",
            unset="unlimited", rare=True, help="No edge is split into shorter ones than this"),
     # Single precision does not tell more edges a circle from the circle: they are within 5e-8 of its radius.
@@ -357,6 +353,7 @@ CURVE = (
     *_distance(0.01, "Before curving", "mesh before it is curved"),
     Option("max_edge", float, None, unit="mm", low=0.0, group="Before curving", title="Longest edge",
            unset="unlimited", help="Longest edge of the mesh before it is curved"),
+    _size_field("Before curving"),
     _imprint("Before curving"),
     _overlap("Before curving"),
 )
@@ -531,15 +528,15 @@ def hashed(values):
     """JSON text of checked values, for fingerprints: names, choices and no bound are written as older
     versions did.
     """
-    return json.dumps({name: None if value == NO_BOUND else value
-                       for name, value in _by_aliases(values).items()}, sort_keys=True)
+    return json.dumps({name: None if value == NO_BOUND else value for name, value in _by_aliases(values).items()
+                       if name != "size_field" or value is not None}, sort_keys=True)
 
 
 def to_property(option, value):
     """The value that stands for `value` in a document object's property: 0 for no bound."""
     if option.is_sizes:
         return element_names.text_of_sizes(value)
-    return value or [] if option.is_faces else _number_of(value)
+    return value or [] if option.is_faces or option.is_fields else _number_of(value)
 
 
 def hand_over(values, core_options):
@@ -575,6 +572,8 @@ def from_property(option, value):
         return option.checked(value)
     if option.is_faces:
         return list(value) or None
+    if option.is_fields:
+        return [obj.Name for obj in value] or None
     value = getattr(value, "Value", value)
     return None if option.default is None and value == 0 else value
 

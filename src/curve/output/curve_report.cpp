@@ -26,6 +26,13 @@ std::string to_text(const CurveReport& report) {
                       report.straight.min_angle, report.straight.min_angle_asked, report.chord_height_asked);
         result += text;
     }
+    if (report.size_ratio >= 0.0) {
+        std::snprintf(text, sizeof text,
+                      "edges at most %.3f of the size field, at (%.6g, %.6g, %.6g); %.1f %% below half of it\n",
+                      report.size_ratio, report.size_ratio_point.x(), report.size_ratio_point.y(),
+                      report.size_ratio_point.z(), 100.0 * report.short_share);
+        result += text;
+    }
     if (report.volume_error() >= 0.0) {
         std::snprintf(text, sizeof text, "volume deviates from that of the shape by a fraction of %.3g\n",
                       report.volume_error());

@@ -52,6 +52,10 @@ struct CurveReport {
     StageTimes seconds;               ///< {stage: wall-clock seconds}
     double cpu_seconds = 0.0;         ///< processor time of all threads of the operation
     double chord_height_asked = 0.0;  ///< largest deviation that was requested, mm; 0: none
+    /// largest distance of the ends of an edge, divided by the size field between them; -1: there was no size field
+    double size_ratio = -1.0;
+    Vec3 size_ratio_point = Vec3::Zero();  ///< float64 (3,): the middle between these ends
+    double short_share = 0.0;              ///< fraction of the edges that are shorter than half of the size field there
     /// how the shape came from FreeCAD: "live", in place, or "stream", as a copy; "": there was none
     std::string bridge;
     mesh::MeshReport straight;  ///< MeshReport of the mesh that was curved

@@ -225,8 +225,8 @@ Message in_solid(std::size_t solid, const Error& error, const std::string& place
 }  // namespace
 
 TetrahedralMesh tetrahedralise_solids(CurvedSurface& surface, const CurvedShapes& edges,
-                                      const geometry::Topology& topology, const Progress& progress) {
-    constexpr double kUsualGrading = 1.0;
+                                      const geometry::Topology& topology, const Progress& progress,
+                                      const SizeField* field) {
     std::vector<std::size_t> solids;
     for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
         if (topology.volumes[i].kind == geometry::Volume::Kind::Solid) {
@@ -245,7 +245,7 @@ TetrahedralMesh tetrahedralise_solids(CurvedSurface& surface, const CurvedShapes
         Filled& result = filled[static_cast<std::size_t>(k)];
         try {
             result.filling =
-                tetrahedralise::tetrahedralise(shell.points, shell.triangles, kUsualGrading, progress, shell.tangents);
+                tetrahedralise::tetrahedralise(shell.points, shell.triangles, {1.0, field}, progress, shell.tangents);
         } catch (const tetrahedralise::MeshingFailed& error) {
             throw tetrahedralise::MeshingFailed(
                 in_solid(solid, error, first_fault(surface, topology, solid, progress)));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/sizes/size_field.h"
 #include "curve/surface/curved_surface.h"
 
 namespace mq::curve {
@@ -88,8 +89,10 @@ class FoldedTriangles {
 /// Fills every closed solid of the model. Volumes that are not solids have no inside and are left out.
 /// @param edges  curved edges of the surface, whose tangents the tetrahedra respect: those of `surface.shapes`, or of
 /// another order
+/// @param field  bounds the lengths of edges inside; null: none
 /// @throws tetrahedralise::MeshingFailed naming the solid.
 TetrahedralMesh tetrahedralise_solids(CurvedSurface& surface, const elements::CurvedShapes& edges,
-                                      const geometry::Topology& topology, const Progress& progress);
+                                      const geometry::Topology& topology, const Progress& progress,
+                                      const SizeField* field = nullptr);
 
 }  // namespace mq::curve

@@ -354,6 +354,12 @@ std::string to_text(const MeshReport& r) {
                          r.max_chord_point.y(), r.max_chord_point.z(), r.max_chord_triangle);
         }
     }
+    if (r.size_ratio >= 0.0) {
+        text +=
+            line("sizes        edges at most %.3f of the size field, at (%.6g, %.6g, %.6g); %.1f %% below half of it",
+                 r.size_ratio, r.size_ratio_point.x(), r.size_ratio_point.y(), r.size_ratio_point.z(),
+                 100.0 * r.short_share);
+    }
     text += line("area         %.8g mm^2", r.area);
     if (r.closed) {
         text += line("volume       %.8g mm^3", r.volume);
@@ -409,7 +415,8 @@ const char* to_string(BodyOverlap::Kind kind) {
 
 bool has_faults(const MeshReport& r) {
     return !r.oriented || !r.manifold || r.self_intersections > 0 || !r.missing.empty() || !r.complete ||
-           r.min_angle < r.min_angle_asked || (r.chord_height_asked > 0.0 && r.max_chord_height > r.chord_height_asked);
+           r.min_angle < r.min_angle_asked || r.size_ratio > kMostOfSizeField ||
+           (r.chord_height_asked > 0.0 && r.max_chord_height > r.chord_height_asked);
 }
 
 }  // namespace mq::mesh

@@ -80,6 +80,10 @@ struct MeshReport {
     /// float64 (3,): the point of that triangle where that is, with the mesh's origin
     Vec3 max_chord_point = Vec3::Zero();
     double chord_height_asked = 0.0;  ///< mm; 0: none
+    /// largest length of an edge, divided by the size field at its middle; -1: there was no size field
+    double size_ratio = -1.0;
+    Vec3 size_ratio_point = Vec3::Zero();  ///< float64 (3,): the middle of that edge
+    double short_share = 0.0;  ///< fraction of the edges that are shorter than half of the size field at their middles
     /// mm: shorter edges and thinner faces of the shape were not told apart where that is safe; 0: all were
     double detail = 0.0;
     bool sewn = false;  ///< whether faces without a shell were joined where their borders lie together within `detail`
@@ -120,6 +124,9 @@ struct MeshReport {
     std::uint64_t predicates = 0;        ///< geometric predicates that were evaluated
     std::uint64_t exact_predicates = 0;  ///< predicates that needed exact arithmetic
 };
+
+/// The promised bound on MeshReport::size_ratio.
+constexpr double kMostOfSizeField = 1.3;
 
 /// Measures all properties that depend on the mesh alone (all fields up to `box`). Time O(n log n).
 /// @throws InvalidInput for a triangle that names a vertex out of range or a coordinate that is not a number.

@@ -35,8 +35,31 @@ double made_positive(double sine) {
 
 }  // namespace
 
-CellMeasure::CellMeasure(const Tetrahedralisation& mesh, const EndTangents& tangents)
-    : mesh_(mesh), tangents_(tangents) {
+double excess_of_edges(const std::array<const Vec3*, 4>& corners, const SizeField& field) {
+    double worst = 0.0;
+    for (std::size_t i = 1; i < 4; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const double bound = CellTuning::kLongestByField * field.at(0.5 * (*corners[i] + *corners[j]));
+            worst = std::max(worst, (*corners[i] - *corners[j]).norm() / bound);
+        }
+    }
+    return worst;
+}
+
+double excess_by_least(const std::array<const Vec3*, 4>& corners, const SizeField& field) {
+    double longest = 0.0;
+    for (std::size_t i = 1; i < 4; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            longest = std::max(longest, (*corners[i] - *corners[j]).norm());
+        }
+    }
+    const double limit = longest / CellTuning::kLongestByLeast;
+    const double least = field.least_in_simplex({*corners[0], *corners[1], *corners[2], *corners[3]}, 4, limit);
+    return least < limit ? limit / least : 0.0;
+}
+
+CellMeasure::CellMeasure(const Tetrahedralisation& mesh, const EndTangents& tangents, const SizeField* field)
+    : mesh_(mesh), tangents_(tangents), field_(field) {
     for (const auto& [key, tangent] : tangents) {
         const auto v = static_cast<std::size_t>(key >> 32);
         curved_.resize(std::max(curved_.size(), v + 1), 0);
@@ -58,6 +81,14 @@ double CellMeasure::at(const std::array<int, 3>& face, const Vec3& place) const 
 }
 
 double CellMeasure::value(const std::array<int, 4>& v, const Corners& p) const {
+    const double shape = shape_of(v, p);
+    if (field_ == nullptr || !(shape > 0.0)) {
+        return shape;
+    }
+    return shape / std::pow(std::max(1.0, excess_of_edges(p, *field_)), CellTuning::kExcessPower);
+}
+
+double CellMeasure::shape_of(const std::array<int, 4>& v, const Corners& p) const {
     const double sine = sine_quality(*p[0], *p[1], *p[2], *p[3]);
     if (!(sine > 0.0)) {
         return sine;

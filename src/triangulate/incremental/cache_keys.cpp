@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/incremental/cache_keys.h"
 
+#include <utility>
+
 #include "geometry/face_definition.h"
 
 namespace mq::triangulate {
@@ -31,6 +33,36 @@ void add_sizes_around(const TriangulateOptions& options, const Topology& topolog
     }
 }
 
+void add_field(const SizeField& field, const Box& box, Fingerprint& key) {
+    field.for_each_leaf(box, [&](const Vec3& low, double side, const SizeField::Corners& sizes) {
+        add_to(key, low);
+        add_to(key, side);
+        for (const double size : sizes) {
+            add_to(key, size);
+        }
+    });
+}
+
+// Bounds a face by points of its surface: the trimmed face lies on it.
+Box box_of(geometry::Session& session, int f) {
+    constexpr int kPoints = 9;       // in u and in v
+    constexpr double kBeyond = 0.1;  // fraction of the size, on each side: the surface may bulge between the points
+    const geometry::Face& face = session.topology().faces[static_cast<std::size_t>(f)];
+    geometry::Engine::Batch batch;
+    for (int i = 0; i < kPoints * kPoints; ++i) {
+        const double s = static_cast<double>(i % kPoints) / (kPoints - 1);
+        const double t = static_cast<double>(i / kPoints) / (kPoints - 1);
+        batch.push_back(geometry::Query::face_point(f, face.low[0] + s * (face.high[0] - face.low[0]),
+                                                    face.low[1] + t * (face.high[1] - face.low[1])));
+    }
+    Box box;
+    for (const geometry::Answer& answer : session.ask(std::move(batch))) {
+        box.add(answer.point);
+    }
+    const Vec3 beyond = Vec3::Constant(kBeyond * box.largest_side());
+    return {box.low - beyond, box.high + beyond};
+}
+
 void add_options(const TriangulateOptions& o, Fingerprint& key) {
     for (const double number : {o.min_angle, o.chord_height, o.chord_height_relative, o.max_edge, o.min_edge,
                                 o.edges_per_circle, o.growth, o.feature_angle}) {
@@ -51,6 +83,10 @@ void add_options(const TriangulateOptions& o, Fingerprint& key) {
         add_to(key, size.index);
         add_to(key, size.max_edge);
     }
+    if (o.size_field != nullptr) {
+        add_field(*o.size_field, {o.size_field->low(), o.size_field->low() + Vec3::Constant(o.size_field->side())},
+                  key);
+    }
 }
 
 }  // namespace
@@ -63,6 +99,9 @@ CacheKeys keys_of(geometry::Session& session, const TriangulateOptions& options)
     for (int f = 0; f < static_cast<int>(keys.faces.size()); ++f) {
         add_to(keys.input, keys.faces[f]);
         add_sizes_around(options, session.topology(), f, keys.faces[f]);
+        if (options.size_field != nullptr) {
+            add_field(*options.size_field, box_of(session, f), keys.faces[f]);
+        }
     }
     return keys;
 }

@@ -11,7 +11,7 @@ namespace mq::triangulate {
 /// Fingerprints that identify the input of a run.
 struct CacheKeys {
     geometry::Fingerprint input{};  ///< the complete input: geometry, numbering, placement and options
-    /// By face: geometry, and the local sizes on the face and on its edges and nodes.
+    /// By face: geometry, and the local sizes on the face and on its edges and nodes, and the size field around it.
     std::vector<geometry::Fingerprint> faces;
 };
 

@@ -197,13 +197,14 @@ class BodyRefinement {
         return result;
     }
 
-    // Samples are drawn for each body, and bodies with triangles from an earlier run are nearly done: both are no
-    // copies.
+    // Samples are drawn for each body, a size field is another one at another place, and bodies with triangles from an
+    // earlier run are nearly done: these are no copies.
     bool is_copy(std::size_t b) const {
         const std::vector<int>& triangles = bodies_[b].triangles;
         return equal_.original[b] >= 0 && whole_.options().method == Method::Refine &&
-               std::none_of(triangles.begin(), triangles.end(),
-                            [&](int t) { return work_.settled.marked(work_.mesh, t); });
+               whole_.options().size_field == nullptr && std::none_of(triangles.begin(), triangles.end(), [&](int t) {
+                   return work_.settled.marked(work_.mesh, t);
+               });
     }
 
     const MeshBody& body(int b) const { return bodies_[static_cast<std::size_t>(b)]; }

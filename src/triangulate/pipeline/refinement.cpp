@@ -42,9 +42,11 @@ bool may_coarsen(Workspace& work, const TriangulateOptions& options) {
     return std::count(smooth.begin(), smooth.end(), 1) == 0;
 }
 
-Sizing sizing_of(const TriangulateOptions& options, double chord, const geometry::Topology& topology) {
-    return {chord, EdgeBounds(topology, options.max_edge, options.local_sizes),
-            options.edges_per_circle > 0.0 ? 2.0 * M_PI / options.edges_per_circle : 0.0, options.growth};
+Sizing sizing_of(const TriangulateOptions& options, double chord, const Workspace& work) {
+    EdgeBounds bounds(work.session.topology(), options.max_edge, options.local_sizes);
+    bounds.set_field(options.size_field, work.grid.origin());
+    return {chord, std::move(bounds), options.edges_per_circle > 0.0 ? 2.0 * M_PI / options.edges_per_circle : 0.0,
+            options.growth};
 }
 
 }  // namespace
@@ -61,7 +63,7 @@ Refinement::Refinement(Workspace& work, MeasurementCache& findings, const Triang
       chord_(chord),
       first_vertex_(first_vertex),
       end_stage_(std::move(end_stage)),
-      sizing_(sizing_of(options, chord, work.session.topology())),
+      sizing_(sizing_of(options, chord, work)),
       segments_(work, options.insertion != Insertion::Circumcentre, options.min_angle * kDegree),
       angles_(work, segments_, options.min_angle, options.insertion, chord, options.sites_in_round),
       chords_(work, segments_, findings.chords, sizing_),

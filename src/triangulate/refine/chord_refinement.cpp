@@ -37,7 +37,10 @@ constexpr double kAlike = 1.21;
 double ChordRefinement::excess_of_edge(double chord, int half_edge) const {
     double worst = excess(chord);
     if (sizing_.bounds.any()) {
-        worst = std::max(worst, side_length(work_.mesh, half_edge) / sizing_.bounds.of(work_.mesh, half_edge));
+        const double length = side_length(work_.mesh, half_edge);
+        worst = std::max(worst, length / sizing_.bounds.of(work_.mesh, half_edge));
+        worst =
+            worst > 1.0 ? worst : std::max(worst, length / sizing_.bounds.by_triangles(work_.mesh, half_edge, length));
     }
     return sizing_.turn > 0.0 ? std::max(worst, turn_along(work_.mesh, half_edge) / sizing_.turn) : worst;
 }

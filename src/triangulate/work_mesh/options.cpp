@@ -38,6 +38,9 @@ double TriangulateOptions::detail_of(const Box& box) const {
     for (const LocalSize& size : local_sizes) {
         asked.push_back(size.max_edge);
     }
+    if (size_field != nullptr) {
+        asked.push_back(size_field->least_in(box));
+    }
     asked.erase(std::remove(asked.begin(), asked.end(), 0.0), asked.end());
     if (asked.empty()) {
         return kDetailOfShape * box.largest_side();

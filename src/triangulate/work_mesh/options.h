@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/angle.h"
+#include "base/sizes/size_field.h"
 #include "base/vec.h"
 #include "geometry/evaluation.h"
 #include "triangulate/work_mesh/size_bounds.h"
@@ -57,6 +59,8 @@ struct TriangulateOptions {
     /// mm: no edge is split into edges shorter than this, except to separate crossing triangles; 0: no bound.
     double min_edge = 0.0;
     std::vector<LocalSize> local_sizes;  ///< shorter edges on single entities
+    /// Lengths of edges by their places, in the shape's coordinates; null: none.
+    std::shared_ptr<const SizeField> size_field;
     double edges_per_circle = 0.0;  ///< edges in a turn of 360 degrees of any curve or surface; at least 3; 0: no bound
     double growth = 0.0;            ///< largest ratio of lengths of neighbouring edges, more than 1; 0: no bound
     Insertion insertion = Insertion::OffCentre;

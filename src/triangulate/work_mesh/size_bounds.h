@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
+#include "base/sizes/size_field.h"
 #include "geometry/topology.h"
 #include "triangulate/work_mesh/classified_mesh.h"
 
@@ -20,21 +23,35 @@ struct LocalSize {
 std::vector<LocalSize> sizes_of_pieces(const std::vector<LocalSize>& local, const geometry::Topology& topology);
 
 /// Bounds on the length of an edge of the mesh: the least of those for the whole shape, the faces that it lies on or
-/// borders, the CAD edge that it is a piece of, and the CAD vertices at which it ends.
+/// borders, the CAD edge that it is a piece of, the CAD vertices at which it ends, and a size field at its middle.
 class EdgeBounds {
   public:
     /// `max_edge` in mm; 0: no bound for the whole shape. `local`: the result of `sizes_of_pieces`.
     EdgeBounds(const geometry::Topology& topology, double max_edge, const std::vector<LocalSize>& local);
+
+    /// Adds a size field; null: none. `origin`: that of the mesh in the coordinates of the field, mm.
+    void set_field(std::shared_ptr<const SizeField> field, const Vec3& origin) {
+        any_ = any_ || field != nullptr;
+        field_ = std::move(field);
+        origin_ = origin;
+    }
 
     /// Whether there is any bound.
     bool any() const { return any_; }
     /// Returns the bound for an edge, mm; infinite if there is none.
     double of(const ClassifiedMesh& mesh, int half_edge) const;
 
+    /// Returns the bound that the size field sets for an edge by all points of the triangles beside it: small regions
+    /// are found though no middle of an edge lies in them. `length` of the edge, mm; infinite where that is within the
+    /// bound.
+    double by_triangles(const ClassifiedMesh& mesh, int half_edge, double length) const;
+
   private:
     double everywhere_;
     std::vector<double> of_entity_[3];
     bool any_ = false;
+    std::shared_ptr<const SizeField> field_;
+    Vec3 origin_ = Vec3::Zero();
 };
 
 /// The bounds on the size of triangles.

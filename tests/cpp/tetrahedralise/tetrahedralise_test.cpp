@@ -18,7 +18,7 @@ namespace mq::tetrahedralise {
 namespace {
 
 Tetrahedra tetrahedralised(const ClosedSurface& surface, double grading = 1.0) {
-    return tetrahedralise(surface.points, surface.triangles, grading, Progress());
+    return tetrahedralise(surface.points, surface.triangles, {grading, nullptr}, Progress());
 }
 
 /// All that is promised: exactly positive volumes, the surface's own triangles and no others outside, its volume.
@@ -194,7 +194,7 @@ TEST(Tetrahedralise, CanBeCancelledAtAnyTime) {
             auto filling = std::async(std::launch::async, [&] {
                 const ThreadLimit limit(threads);
                 try {
-                    tetrahedralise(surface.points, surface.triangles, 0.1, progress);
+                    tetrahedralise(surface.points, surface.triangles, {0.1, nullptr}, progress);
                 } catch (const Cancelled&) {
                     return true;
                 }

@@ -14,6 +14,7 @@ from ... import phrases
 from ...compat import extension
 from ...phrases import MET, NOT_DECIDED, NOT_MET, Text, counted_list, counted_sentence, first_of
 from ..patches.sides_on_edges import edges_of_shape
+from ..sizes import RATIO
 from ..sources import convert
 
 # Elements whose shape is distorted more than this are a finding. The inverse of the distortion is the shape metric of
@@ -149,7 +150,7 @@ def must_be_closed(shape):
 
 def of_triangulation(mesh, closed, values=None, shape=None):
     """Findings of a SurfaceMesh that triangulate made of the shape with these options."""
-    return [*angles(mesh), *deviation(mesh), *edges(mesh, values or {}, shape), *_incomplete(mesh.report),
+    return [*angles(mesh), *deviation(mesh), *edges(mesh, values or {}, shape), *_sizes(mesh.report), *_incomplete(mesh.report),
             *_missing_faces(mesh.report), *topology(mesh.report, closed, mesh), *_crossings(mesh.report),
             *_overlapping_bodies(mesh.report, values)]
 
@@ -171,10 +172,8 @@ def of_boolean(mesh):
 
 
 def of_curved(curved, closed, values=None, corners=None, shape=None):
-    """Findings of a CurvedMesh that was made of this Part.Shape with these options; `corners`: what
-    `topology_of_corners` gives, where that is known.
-    """
-    return [*elements(curved), *distortion(curved), *_before_curving(curved, values or {}, shape),
+    """Findings of a CurvedMesh that was made of this Part.Shape so; `corners`: those of `topology_of_corners`, if known."""
+    return [*elements(curved), *distortion(curved), *_before_curving(curved, values or {}, shape), *_sizes(curved.report),
             *_too_far(curved.report.max_deviation, curved.report.chord_height_asked, phrases.SHAPE_DISTANCE),
             *topology(corners or topology_of_corners(curved), closed), *_crossings(curved.report),
             *_overlapping_bodies(curved.report, values, ("overlapping", "inside", "equal")), *_curved_crossings(curved.report, values)]
@@ -312,6 +311,13 @@ def edges(mesh, values, shape=None):
         where = Text(phrases.ON_EDGE, phrase=where, edge=f"Edge{along[worst, side] + 1}")
     return [Finding(finding.text, _names(mesh, beyond), _corners(mesh, worst)) for finding in _too_far(
         lengths[worst, side], allowed[worst, side], phrases.LONGEST_EDGE, phrase=where)]
+
+
+def _sizes(report):
+    """The finding that edges are longer than a size field allows, and where."""
+    ratio, place = getattr(report, "size_ratio", -1.0), getattr(report, "size_ratio_point", ())
+    return [] if ratio <= RATIO else [Finding(_sentence(phrases.SIZE_RATIO, number=f"{ratio:.3f}", number2=f"{RATIO:g}",
+                                                        phrase=", ".join(f"{c:.6g}" for c in place)))]
 
 
 def _too_far(measured, asked, phrase, /, **places):
@@ -591,5 +597,4 @@ def _names(mesh, triangles):
 
 
 def _corners(mesh, triangle):
-    """The corners of a triangle in the document's frame."""
     return tuple(map(tuple, (mesh.vertices[mesh.triangles[triangle]] + mesh.origin).tolist()))

@@ -13,6 +13,7 @@ from ...features import distance_bound
 from ..quantities import QuantityBox, length_text, text_of, value_of
 from ..selection import picked
 from ..translation import translated
+from .size_fields_box import SizeFieldsBox
 from .task_form import narrow
 
 translate = FreeCAD.Qt.translate
@@ -110,6 +111,8 @@ class OptionForm(QtGui.QWidget):
             return _Sizes(option, self._sources)
         if option.is_faces:
             return _Faces(option, self._sources)
+        if option.is_fields:
+            return _SizeFields(option, self._sources)
         return _Quantity(option) if option.unit else _Number(option)
 
     def _size(self):
@@ -210,7 +213,7 @@ class _Field(QtCore.QObject):
         self.option, self.widget = option, widget
         self.names = (option.name,)
         unset = f"\n0: {translate('MeshQuality', option.unset)}" \
-            if option.default is None and not (option.is_distance or option.is_sizes or option.is_faces
+            if option.default is None and not (option.is_distance or option.is_sizes or option.is_faces or option.is_fields
                                                or option.is_required) else ""
         widget.setToolTip(_help(option) + unset)
         widget.setObjectName(option.property_name)
@@ -480,6 +483,20 @@ class _SubElements(_Field):
     def _refuse(self, text):
         self.refusal.setText(text)
         self.refusal.setVisible(bool(text))
+
+
+class _SizeFields(_Field):
+    """The table of size regions."""
+
+    def __init__(self, option, sources):
+        super().__init__(option, SizeFieldsBox(sources))
+        self.widget.changed.connect(self._changed)
+
+    def read(self):
+        return self.widget.names() or None
+
+    def write(self, value):
+        self.widget.fill(value or ())
 
 
 class _Faces(_SubElements):

@@ -297,7 +297,7 @@ class Remesher {
             triangles.push_back(own);
         }
         tetrahedralise::Tetrahedra filling =
-            tetrahedralise::tetrahedralise(points, triangles, grading_factor_, progress_);
+            tetrahedralise::tetrahedralise(points, triangles, {grading_factor_, nullptr}, progress_);
         std::vector<int> vertex(points.size());
         for (const auto& [v, own] : number) {
             vertex[static_cast<std::size_t>(own)] = v;

@@ -10,14 +10,14 @@
 namespace mq::curve {
 
 RepairedTetrahedralMesh tetrahedralise_and_repair(geometry::Session& session, CurvedSurface& surface,
-                                                  Progress& progress, StageTimer& clock) {
+                                                  Progress& progress, StageTimer& clock, const SizeField* field) {
     progress.stage("filling", 0.5, 0.6);
     std::optional<elements::CurvedShapes> quadratic;
     if (surface.shapes.order() != 2) {
         quadratic = edges_of_second_order(session, surface);
     }
     std::optional<TetrahedralMesh> volume(
-        tetrahedralise_solids(surface, quadratic ? *quadratic : surface.shapes, session.topology(), progress));
+        tetrahedralise_solids(surface, quadratic ? *quadratic : surface.shapes, session.topology(), progress, field));
     clock.end("filling");
     progress.stage("repairing the volume", 0.6, 0.95);
     VolumeRepairs repairs = repair_volume(*volume, progress);

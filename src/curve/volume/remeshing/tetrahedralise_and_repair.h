@@ -18,8 +18,10 @@ struct RepairedTetrahedralMesh {
 /// surface to the other, the cavities around them are filled again with more vertices inside (remesh_and_repair).
 /// Every order is filled as for order 2: straight tetrahedra can be curved later, and orders compared on one mesh.
 /// @param surface gets the vertices and shapes inside.
+/// @param field bounds the lengths of edges inside; null: none
 /// @throws tetrahedralise::MeshingFailed where the filling fails; Cancelled.
 RepairedTetrahedralMesh tetrahedralise_and_repair(geometry::Session& session, CurvedSurface& surface,
-                                                  Progress& progress, StageTimer& clock);
+                                                  Progress& progress, StageTimer& clock,
+                                                  const SizeField* field = nullptr);
 
 }  // namespace mq::curve
