@@ -680,10 +680,6 @@
         <translation>Wie die Form aus FreeCAD kam: live an Ort und Stelle, stream als Kopie; leer: es gab keine</translation>
     </message>
     <message>
-        <source>Corners of faces below the smallest angle: keep them, each with one triangle of that angle; or cut them off by a twentieth of the distance, where the faces beside them allow it</source>
-        <translation>Ecken von Flächen unter dem kleinsten Winkel: behalten, jede mit einem Dreieck dieses Winkels; oder um ein Zwanzigstel des Abstands abschneiden, wo die Flächen daneben es erlauben</translation>
-    </message>
-    <message>
         <source>How large they are there, and the nearest CAD face</source>
         <translation>Wie groß sie dort sind, und die nächste CAD-Fläche</translation>
     </message>
@@ -822,6 +818,10 @@
     <message>
         <source>What the sizes were made of</source>
         <translation>Woraus die Größen gemacht wurden</translation>
+    </message>
+    <message>
+        <source>Corners of faces below the smallest angle: keep them, each with one triangle of that angle; cut them off by a twentieth of the distance, where the faces beside them allow it; or do so (auto) where further triangles would be below the smallest angle</source>
+        <translation>Ecken von Flächen unter dem kleinsten Winkel: behalten, jede mit einem Dreieck dieses Winkels; um ein Zwanzigstel des Abstands abschneiden, wo die Flächen daneben es zulassen; oder dies nur dort (auto), wo sonst weitere Dreiecke unter dem kleinsten Winkel lägen</translation>
     </message>
 </context>
 <context>
@@ -4515,10 +4515,6 @@
         <translation>{face} bis {face2} von allem, was exportiert wird</translation>
     </message>
     <message>
-        <source>Corners of faces below the smallest angle: keep them, each with one triangle of that angle; or cut them off by a twentieth of the distance, where the faces beside them allow it</source>
-        <translation>Ecken von Flächen unter dem kleinsten Winkel: behalten, jede mit einem Dreieck dieses Winkels; oder um ein Zwanzigstel des Abstands abschneiden, wo die Flächen daneben es erlauben</translation>
-    </message>
-    <message>
         <source>Narrow corners</source>
         <translation>Schmale Ecken</translation>
     </message>
@@ -4617,14 +4613,6 @@
     <message>
         <source>{name} is no mesh and no point cloud: choose a scan, and the part that it is measured against</source>
         <translation>{name} ist weder ein Netz noch eine Punktwolke: Wählen Sie einen Scan und das Teil, gegen das er gemessen wird</translation>
-    </message>
-    <message>
-        <source>cut off below 2 degrees</source>
-        <translation>unter 2 Grad abgeschnitten</translation>
-    </message>
-    <message>
-        <source>cut off below 30 degrees</source>
-        <translation>unter 30 Grad abgeschnitten</translation>
     </message>
     <message>
         <source>Aspect ratio</source>
@@ -4925,6 +4913,18 @@
     <message>
         <source>these numbers are no size field: its cells form no octree, or a size is not above 0 mm</source>
         <translation>diese Zahlen sind kein Größenfeld: seine Zellen bilden keinen Octree, oder eine Größe liegt nicht über 0 mm</translation>
+    </message>
+    <message>
+        <source>Corners of faces below the smallest angle: keep them, each with one triangle of that angle; cut them off by a twentieth of the distance, where the faces beside them allow it; or do so (auto) where further triangles would be below the smallest angle</source>
+        <translation>Ecken von Flächen unter dem kleinsten Winkel: behalten, jede mit einem Dreieck dieses Winkels; um ein Zwanzigstel des Abstands abschneiden, wo die Flächen daneben es zulassen; oder dies nur dort (auto), wo sonst weitere Dreiecke unter dem kleinsten Winkel lägen</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>abgeschnitten</translation>
+    </message>
+    <message>
+        <source>cut off where needed</source>
+        <translation>wo nötig abgeschnitten</translation>
     </message>
 </context>
 <context>

@@ -327,7 +327,7 @@ class CadDistance::Search {
 
     /// 1 inside of the face of a triangle, 0 on its border, -1 outside.
     int side_of(const Answer& found, const ClosestPoint& from) const {
-        if ((found.point - from.point).norm() <= cad_.interior_[static_cast<std::size_t>(from.triangle)]) {
+        if ((found.point - from.point).norm() < cad_.interior_[static_cast<std::size_t>(from.triangle)]) {
             return 1;
         }
         const std::int32_t face = cad_.mesh_.mesh().triangle_face[static_cast<std::size_t>(from.triangle)];

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""mq.triangulate(corners=...): narrow corners of faces that are taken off."""
+"""mq.triangulate(corners=...): narrow corners of faces that are kept or cut off."""
 
 import math
 import unittest
@@ -42,18 +42,24 @@ class CutCorners(unittest.TestCase):
                 volume = np.einsum("ij,ij->", a, np.cross(b, c)) / 6.0
                 self.assertAlmostEqual(volume / part.Volume, 1.0, delta=1e-6)
 
-    def test_by_itself_only_those_below_two_degrees_are_cut_off(self):
-        for degrees, others in ((0.5, "cut"), (1.9, "cut"), (2.1, "keep"), (20, "keep")):
+    def test_by_itself_a_corner_that_keeps_one_triangle_stays(self):
+        for degrees in (0.5, 10):
             with self.subTest(degrees=degrees):
                 part = roof(degrees)
                 mesh = mq.triangulate(part, chord_height_relative=2e-3)
-                same = mq.triangulate(part, chord_height_relative=2e-3, corners=others)
-                self.assertEqual(len(mesh.report.exempt), 0 if others == "cut" else 1)
-                np.testing.assert_array_equal(mesh.vertices, same.vertices)
+                kept = mq.triangulate(part, chord_height_relative=2e-3, corners="keep")
+                self.assertEqual([why.cause for _, why in mesh.report.exempt_reasons], ["narrow_corner"])
+                np.testing.assert_array_equal(mesh.vertices, kept.vertices)
 
-    def test_where_angles_have_no_bound_nothing_is_cut_off(self):
-        mesh = mq.triangulate(roof(2), chord_height_relative=2e-3, method="star", polish=False)
-        self.assertFalse(any("is cut off" in str(note) for note in mesh.report.notes))
+    def test_by_itself_corners_are_cut_off_where_more_triangles_stay_below_the_bound(self):
+        part = roof(0.2)
+        kept = mq.triangulate(part, chord_height_relative=2e-3, corners="keep")
+        self.assertIn("narrow_cluster", [why.cause for _, why in kept.report.exempt_reasons])
+        mesh = mq.triangulate(part, chord_height_relative=2e-3)
+        self.assertEqual(mesh.report.exempt, [])
+        self.assertTrue(any("is cut off where it is" in str(note) for note in mesh.report.notes), str(mesh.report))
+        self.assertTrue(mesh.report.closed and mesh.report.self_intersections == 0)
+        self.assertEqual(mq.curve(mesh, shape=part).report.invalid, 0)
 
     def test_a_corner_between_faces_that_would_fold_on_each_other_stays(self):
         corners = [FreeCAD.Vector(0, 0, 0), FreeCAD.Vector(20, 0, 0), FreeCAD.Vector(20, 1, 0)]

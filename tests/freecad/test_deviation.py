@@ -77,6 +77,14 @@ class AgainstOpenCascade(unittest.TestCase):
     def test_splines(self):
         self.check(spline_block(), 300)
 
+    def test_points_beside_a_curved_border_are_off_the_face(self):
+        """Beside the arc of a hole, where the reference's chords reach into it."""
+        part = Part.makeBox(60, 40, 20).cut(Part.makeCylinder(10, 30, V(30, 20, 8)))
+        turn = np.linspace(0, 2 * np.pi, 501)
+        for inside in (1e-3, 5e-3, 2e-2):
+            points = np.stack([30 + (10 - inside) * np.cos(turn), 20 + (10 - inside) * np.sin(turn), np.full(501, 20.0)], axis=1)
+            np.testing.assert_allclose(mq.deviation(points, part).values, inside, atol=1e-9)
+
     def test_a_mesh_is_measured_by_its_vertices(self):
         shape = Part.makeSphere(5)
         other = Part.makeSphere(5.5)

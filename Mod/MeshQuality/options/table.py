@@ -310,9 +310,10 @@ TRIANGULATE = (
            title="Feature angle", rare=True, only_with=("keep_edges", ("feature",)),
            help="With keep_edges = feature: edges are smooth where the surface turns by less than this"),
     Option("corners", str, "auto", choices=("auto", "keep", "cut"), title="Narrow corners", rare=True,
-           choice_titles=("cut off below 2 degrees", "keep", "cut off below 30 degrees"),
-           help="Corners of faces below the smallest angle: keep them, each with one triangle of that angle; or cut them off "
-                "by a twentieth of the distance, where the faces beside them allow it"),
+           choice_titles=("cut off where needed", "keep", "cut off"),
+           help="Corners of faces below the smallest angle: keep them, each with one triangle of that angle; cut them off "
+                "by a twentieth of the distance, where the faces beside them allow it; or do so (auto) where further "
+                "triangles would be below the smallest angle"),
     Option("max_triangles", int, None, low=1, high=2**31 - 1, above=False, group="Size", title="Triangle limit",
            rare=True, unset="5 million", help="Stop at this number; the mesh is then incomplete"),
     Option("allow_missing_faces", bool, False, title="Skip faces that fail", rare=True,

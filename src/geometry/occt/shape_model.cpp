@@ -175,8 +175,8 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     if (remove_spikes(topology_, live_, progress)) {
         remove_degenerate_faces(entities, topology_, live_, progress);  // what remains of a face can be thin, too
     }
-    if (join.cut_below > 0.0) {
-        cut_narrow_corners(topology_, live_, join.cut_below, progress);
+    if (join.cut_corners) {
+        cut_narrow_corners(topology_, live_, progress);
     }
     topology_.sewn = join.sew && topology_.detail > 0.0;
     if (topology_.sewn) {

@@ -27,8 +27,8 @@ struct VirtualTopology {
     bool sew = true;
     /// Whether faces of two solids that lie on each other are one face.
     bool imprint = false;
-    /// Radians: corners of faces below this angle are cut off (see cut_narrow_corners); 0: none are.
-    double cut_below = 0.0;
+    /// Whether narrow corners of faces are cut off (see cut_narrow_corners).
+    bool cut_corners = false;
 };
 
 /// The live OpenCASCADE shape as a model. The shape is only read: neither its topology, nor its geometry, nor its

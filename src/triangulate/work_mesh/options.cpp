@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "geometry/detail.h"
 #include "option_ranges.h"
 
 namespace mq::triangulate {
@@ -20,13 +19,6 @@ constexpr double kDetailOfShape = 1e-5;
 
 double TriangulateOptions::chord_height_of(const Box& box) const {
     return chord_height > 0.0 ? chord_height : chord_height_relative * box.largest_side();
-}
-
-double TriangulateOptions::corners_cut_below() const {
-    if (corners == Corners::Auto) {
-        return min_angle > 0.0 && keeps_bounds() ? kNarrowestKept : 0.0;
-    }
-    return corners == Corners::Cut ? geometry::DetailCorners::kLeastAngle : 0.0;
 }
 
 // The mesh of the paper keeps all edges.

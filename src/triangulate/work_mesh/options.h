@@ -6,7 +6,6 @@
 #include <memory>
 #include <vector>
 
-#include "base/angle.h"
 #include "base/sizes/size_field.h"
 #include "base/vec.h"
 #include "geometry/evaluation.h"
@@ -42,14 +41,10 @@ enum class KeepEdges {
 
 /// What becomes of corners of faces that are narrower than the bound on angles.
 enum class Corners {
-    Auto,  ///< those below kNarrowestKept are cut off, the others keep one triangle with the angle of the shape
+    Auto,  ///< they are cut off where refinement leaves further triangles below the bound otherwise
     Keep,  ///< each keeps one triangle with the angle of the shape
-    Cut,   ///< all are cut off where they are a detail wide, and keep the bound, where the faces beside allow it
+    Cut,   ///< they are cut off where they are a detail wide, and keep the bound, where the faces beside allow it
 };
-
-/// Radians: the angle below which corners of faces are cut off unless the caller says otherwise. Triangles below it
-/// serve no solver, and fans around them need several dozen triangles.
-inline constexpr double kNarrowestKept = 2.0 * kDegree;
 
 struct TriangulateOptions {
     double min_angle = 25.0;             ///< degrees, 0 <= a <= 34; 0: no bound
@@ -98,9 +93,6 @@ struct TriangulateOptions {
     /// The length below which edges and faces of a shape of this box show neither at the requested tolerance nor at the
     /// requested sizes, mm.
     double detail_of(const Box& box) const;
-    /// Radians: the angle below which corners of faces are cut off. With Corners::Auto none are where the angles have
-    /// no bound, or as Aftosmis 1999 leaves them.
-    double corners_cut_below() const;
     /// Checks all options. @throws InvalidInput naming the option, its value and its range.
     void validate() const;
 };

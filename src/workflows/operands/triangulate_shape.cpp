@@ -2,8 +2,12 @@
 #include "workflows/operands/triangulate_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "base/single_precision_grid.h"
 #include "base/stopwatch.h"
@@ -46,6 +50,39 @@ void note_lost_volume(Result& result, const TopoDS_Shape& shape, geometry::Engin
     }
 }
 
+/// The number of triangles below the bound that are not each the one triangle of a narrow corner, or of an apex, of the
+/// shape itself, and that are there at all because of the bound on angles.
+std::ptrdiff_t unexplained(const Result& result) {
+    using mesh::ExemptCause;
+    const std::array<ExemptCause, 4> explained{ExemptCause::NarrowCorner, ExemptCause::Apex, ExemptCause::Budget,
+                                               ExemptCause::MinEdge};
+    return std::count_if(result.report.exempt.begin(), result.report.exempt.end(), [&](const auto& item) {
+        return std::find(explained.begin(), explained.end(), item.second.cause) == explained.end();
+    });
+}
+
+/// @return none where corners are to be cut off and none can be, which an attempt without that has shown before
+std::optional<Result> attempt(geometry::Engine& engine, const TopoDS_Shape& shape,
+                              const triangulate::TriangulateOptions& options, bool cut_corners, Progress& progress,
+                              triangulate::MeshCache* cache) {
+    const Stopwatch watch;
+    std::shared_ptr<geometry::Model> model;
+    progress.stage("reading the shape", 0.0, 0.0);
+    const geometry::VirtualTopology join{[&](const Box& box) { return options.detail_of(box); }, options.sew,
+                                         options.imprint, cut_corners};
+    engine.run(
+        [&] { model = geometry::make_shape_model(shape, &progress, geometry::Creases::Cut, join, options.evaluation); },
+        &progress);
+    if (cut_corners && options.corners == triangulate::Corners::Auto && model->topology().cut_corners.empty()) {
+        return std::nullopt;
+    }
+    const double reading = watch.wall();
+    ScheduleTrace::name_work("read the shape");
+    Result result = triangulate::triangulate(engine, model, options, &progress, cache);
+    result.report.seconds.insert(result.report.seconds.begin(), {"read the shape", reading});
+    return result;
+}
+
 }  // namespace
 
 Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
@@ -53,17 +90,17 @@ Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
                          triangulate::MeshCache* cache) {
     options.validate();
     const Stopwatch watch_all;
-    std::shared_ptr<geometry::Model> model;
-    progress.stage("reading the shape", 0.0, 0.0);
-    const geometry::VirtualTopology join{[&](const Box& box) { return options.detail_of(box); }, options.sew,
-                                         options.imprint, options.corners_cut_below()};
-    engine.run(
-        [&] { model = geometry::make_shape_model(shape, &progress, geometry::Creases::Cut, join, options.evaluation); },
-        &progress);
-    const double reading = watch_all.wall();
-    ScheduleTrace::name_work("read the shape");
-    Result result = triangulate::triangulate(engine, model, options, &progress, cache);
-    result.report.seconds.insert(result.report.seconds.begin(), {"read the shape", reading});
+    Result result = *attempt(engine, shape, options, options.corners == triangulate::Corners::Cut, progress, cache);
+    if (options.corners == triangulate::Corners::Auto && options.keeps_bounds() && result.report.complete &&
+        unexplained(result) > 0) {
+        const double before = watch_all.wall();
+        std::optional<Result> cut = attempt(engine, shape, options, true, progress, nullptr);
+        if (cut && unexplained(*cut) < unexplained(result) &&
+            cut->report.self_intersections <= result.report.self_intersections) {
+            result = std::move(*cut);
+            result.report.seconds.insert(result.report.seconds.begin(), {"with corners kept", before});
+        }
+    }
     note_lost_volume(result, shape, engine, progress);
     result.report.cpu_seconds = watch_all.cpu();
     return result;

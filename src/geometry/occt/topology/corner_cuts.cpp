@@ -20,7 +20,7 @@ namespace {
 
 class CornerCuts : EdgeJoining {
   public:
-    CornerCuts(Topology& topology, ShapeMap& live, double below) : EdgeJoining(topology, live), below_(below) {}
+    using EdgeJoining::EdgeJoining;
 
     /// The place at which the edges of two neighbouring uses of a loop are the detail apart.
     struct Cut {
@@ -142,19 +142,19 @@ class CornerCuts : EdgeJoining {
         };
         const double most = std::min(deepest(edge_of(first)), deepest(edge_of(second)));
         // Edges that meet at this angle are a detail apart there.
-        if (!(most > 0.0) || !narrow(topology_.detail / (2.0 * std::sin(0.5 * below_)))) {
+        if (!(most > 0.0) || !narrow(topology_.detail / (2.0 * std::sin(0.5 * DetailCorners::kLeastAngle)))) {
             return std::nullopt;
         }
-        constexpr int kSteps = 16;  // the edges can meet again at their other ends
+        constexpr int kDepthSteps = 16;  // the edges can meet again at their other ends
         int step = 1;
-        while (step <= kSteps && narrow(most * step / kSteps)) {
+        while (step <= kDepthSteps && narrow(most * step / kDepthSteps)) {
             ++step;
         }
-        if (step > kSteps) {
+        if (step > kDepthSteps) {
             return std::nullopt;
         }
-        double low = most * (step - 1) / kSteps;
-        double high = most * step / kSteps;
+        double low = most * (step - 1) / kDepthSteps;
+        double high = most * step / kDepthSteps;
         constexpr int kHalvings = 50;
         for (int n = 0; n < kHalvings && high - low > 1e-6 * high; ++n) {
             const double middle = 0.5 * (low + high);
@@ -213,17 +213,15 @@ class CornerCuts : EdgeJoining {
         }
         return cut.edges[k];
     }
-
-    double below_;  // radians
 };
 
 }  // namespace
 
-void cut_narrow_corners(Topology& topology, ShapeMap& live, double below, const Progress* progress) {
+void cut_narrow_corners(Topology& topology, ShapeMap& live, const Progress* progress) {
     if (!(topology.detail > 0.0)) {
         return;
     }
-    CornerCuts corners(topology, live, below);
+    CornerCuts corners(topology, live);
     for (const CornerCuts::Cut& cut : corners.find(progress)) {
         corners.apply(cut);
     }
