@@ -34,7 +34,8 @@ class Adaptation(metaclass=Public):
     sizes     the size field that made that mesh, as size_field= takes it; None: there was none
     """
 
-    __slots__ = ("errors", "mesh", "sizes", "steps", "stopped", "values")
+    __slots__ = {"errors": "float64 (E,), estimated, by tetrahedron", "mesh": "the CurvedMesh", "sizes": "its size field, or None",
+                 "steps": "list of AdaptStep", "stopped": '"target", "unknowns", "steps" or "no fall"', "values": "float64 (N, k), the solution"}
 
     def __init__(self, mesh, values, errors, sizes, steps, stopped):
         self.mesh, self.values, self.errors, self.sizes = mesh, values, errors, sizes

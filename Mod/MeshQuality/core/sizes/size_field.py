@@ -40,7 +40,8 @@ class SizeField(metaclass=Public):
     It is a form of size_field= itself: for the same shape it is not sampled again.
     """
 
-    __slots__ = ("_core", "_sampling", "expected_triangles", "points", "samples", "sizes")
+    __slots__ = {"_core": None, "_sampling": None, "expected_triangles": "about how many triangles a mesh of these sizes has",
+                 "points": "float64 (n, 3), mm: on the surface", "samples": "how many sizes were asked for", "sizes": "float64 (n,), mm"}
 
     def __init__(self, core, points, areas, samples):
         self._core = core
