@@ -5,6 +5,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from .. import saving
+from .task_form import narrow
 
 translate = FreeCAD.Qt.translate
 
@@ -29,6 +30,7 @@ class SavingBox(QtGui.QWidget):
         self.report = QtGui.QPushButton(translate("MeshQuality", "Save report..."))
         self.report.setToolTip(translate("MeshQuality", "Write a page with pictures, figures, faces and places, as HTML"))
         self.report.clicked.connect(self._save_report)
+        narrow(self, "QPushButton { padding: 4px; margin: 2px 0px; min-width: 0px }")
         layout = QtGui.QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.values)

@@ -167,7 +167,7 @@ class _Drawn:
         import numpy as np
         from pivy import coin
 
-        from ..view import colour_scale
+        from ...core import colour_scale
 
         logs = np.log(field.sizes)
         goodness = (logs - logs.min()) / max(float(np.ptp(logs)), 1e-9)
