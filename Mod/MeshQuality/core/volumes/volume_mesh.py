@@ -197,11 +197,11 @@ def _plane_normals(surface):
 
 
 def _gap_of(mesh, progress):
-    """float64 (T,), mm, by rays to what is opposite of each triangle; infinite where that is not known."""
+    """float64 (T,), mm, by rays to what is opposite of each triangle; infinite at corners, and where that is not known."""
     found = thickness(mesh, "rays", progress=progress)
     if not np.array_equal(found.mesh.triangles, mesh.triangles):
         return np.full(len(mesh.triangles), np.inf)
-    return np.where(np.isfinite(found.values), found.values, np.inf)
+    return np.where(found.is_wall & np.isfinite(found.values), found.values, np.inf)
 
 
 def _filled(mesh, surface, values, patches, progress):

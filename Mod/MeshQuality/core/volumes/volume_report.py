@@ -111,9 +111,8 @@ def report_of(mesh, surface, layers, values, heights, chord_height):
              "invalid, elsewhere" for wall in walls if wall.covered < 1.0]
     notes += [f"the layers on {wall.face} are lower than asked for on {wall.covered - wall.full_height:.1%} of its area, the first one "
               f"{wall.least_height:.3g} mm at least" for wall in walls if wall.covered - wall.full_height > 0.0005]
-    volumes = sum(float(_volumes(mesh.nodes, kind, corners).sum()) for kind, corners in mesh.solid_blocks)
     return VolumeReport(values["layers"], values["first_height"], values["growth_rate"], tuple(heights.tolist()), dict(table.kinds),
-                        len(mesh.nodes), walls, covered, full, volumes, table.worst("scaled_jacobian")[1],
+                        len(mesh.nodes), walls, covered, full, _volume(mesh), table.worst("scaled_jacobian")[1],
                         table.worst("non_orthogonality")[1], table.worst("skewness")[1], chord_height, tuple(notes))
 
 
@@ -122,14 +121,13 @@ def _areas(points, triangles):
     return 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
 
 
-_TETRAHEDRA_OF = {"tetrahedron": ((0, 1, 2, 3),), "pyramid": ((0, 1, 2, 4), (0, 2, 3, 4)),
-                  "prism": ((0, 1, 2, 5), (0, 1, 5, 4), (0, 4, 5, 3))}
-
-
-def _volumes(points, kind, corners):
-    """mm^3, with sides cut into triangles."""
-    a = np.zeros(len(corners))
-    for tetrahedron in _TETRAHEDRA_OF[kind]:
-        p = points[corners[:, list(tetrahedron)]]
-        a += np.einsum("ei,ei->e", np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), p[:, 3] - p[:, 0]) / 6.0
-    return a
+def _volume(mesh):
+    """mm^3, by the boundary: a quadrilateral counts as the mean of both ways to cut it into triangles."""
+    ways = [(mesh.boundary_triangles, 1.0), *((mesh.boundary_quadrilaterals[:, list(way)], 0.5)
+                                              for way in ((0, 1, 2), (0, 2, 3), (0, 1, 3), (1, 2, 3)))]
+    origin = mesh.nodes.mean(axis=0)
+    whole = 0.0
+    for triangles, weight in ways:
+        a, b, c = (mesh.nodes[triangles] - origin).transpose(1, 0, 2)
+        whole += weight * np.einsum("ti,ti->", np.cross(a, b), c) / 6.0
+    return float(whole)
