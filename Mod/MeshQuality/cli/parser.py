@@ -237,8 +237,7 @@ def parser(batched="triangulate"):
     _add_single(commands, "voids", "find closed cavities",
                 "Finds the closed cavities of a CAD shape or a mesh, from which nothing comes out, and their volumes.\n"
                 "Exit status 3 with --strict where there are some.")
-    _add_adapt(commands)
-    _add_volume(commands)
+    _add_volumes(commands)
     _add_deviation(commands)
     _add_batch(commands, batched)
     return top
@@ -258,13 +257,11 @@ def _add_measures(commands):
     one.add_argument("--csv", metavar="FILE.csv", help="file for the measures of each element")
 
 
-def _add_adapt(commands):
+def _add_volumes(commands):
     _add_single(commands, "adapt", "refine the mesh of an analysis where its error is",
                 "Solves the analysis of a FreeCAD document by CalculiX, refines its FEM mesh where the estimated error is, and so on\n"
                 "until that is small enough. --object: the analysis, where there are several.")
 
-
-def _add_volume(commands):
     one = _add_single(commands, "volume", "fill a solid for flow solvers, with layers on walls",
                       "Fills a CAD solid, the region of a flow, with layers of prisms on its walls and tetrahedra inside, each proven valid.\n"
                       "Where -o FILE has no extension it is a folder, which becomes a case of OpenFOAM with constant/polyMesh, in metres.\n"

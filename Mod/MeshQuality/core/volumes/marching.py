@@ -107,7 +107,7 @@ def _kernels(spread, tolerance):
 
 def _least_of_hulls(normals, owner, offsets):
     """By vertex the point of the convex hull of its normals that is nearest to the origin: its direction is the one whose least
-    cosine with them is largest (Aubry and Loehner 2008, the most normal normal), by the steps of Gilbert 1966.
+    cosine with them is largest (Aubry and Löhner 2008, the most normal normal), by the steps of Gilbert 1966.
     """
     count = len(offsets) - 1
     number = np.maximum(np.diff(offsets), 1)
