@@ -37,6 +37,11 @@ def wedge(angle):
     return Part.Face(Part.makePolygon(corners)).extrude(Vector(0, 0, 5))
 
 
+def areas(corners):
+    """mm^2, of triangles."""
+    return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+
+
 class VolumeMeshes(helpers.DocumentTest):
     def assert_sound(self, mesh, area=None):
         """All elements are proven, conform, and have the listed faces as their boundary and no others."""
@@ -108,9 +113,8 @@ class VolumeMeshes(helpers.DocumentTest):
         whole = {tuple(sorted(side)) for side in on_walls.tolist()}  # those beside bare walls are no prisms any more
         bare = [tuple(sorted(side)) not in whole for side in mesh.boundary_triangles.tolist()]
         corners = mesh.nodes[mesh.boundary_triangles[bare]]
-        areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
         left_off = sum(wall.area * (1 - wall.covered) for wall in mesh.report.walls)
-        self.assertGreater(areas.sum(), left_off)
+        self.assertGreater(areas(corners).sum(), left_off)
         self.assertTrue(any("Face1" in note for note in mesh.report.notes))
 
     def test_walls_that_end_beside_bare_ones_leave_the_openings_whole(self):
@@ -119,6 +123,23 @@ class VolumeMeshes(helpers.DocumentTest):
         self.assert_sound(mesh)
         self.assertLess(mesh.report.covered, 1.0)
         self.assertAlmostEqual(mesh.report.volume / wedge(20).Volume, 1.0, places=6)
+
+    def test_walls_that_go_on_in_an_opening_or_turn_away_from_it_step_down_before(self):
+        ring = Part.makeCone(2, 4, 10).fuse(Part.makeCylinder(1, 6, Vector(0, 0, -5))).removeSplitter().Solids[0]
+        floor = Part.makeBox(10, 10, 5).fuse(Part.makeBox(10, 10, 5, Vector(10, 0, 0))).Solids[0]  # of two coplanar faces on each side
+        for shape, place in ((ring, Vector(0, 0, 0)), (floor, Vector(5, 5, 5))):
+            opening = min(range(len(shape.Faces)), key=lambda i: (shape.Faces[i].CenterOfMass - place).Length)
+            walls = [f"Face{i + 1}" for i in range(len(shape.Faces)) if i != opening]
+            given = {"chord_height": 0.1, "max_edge": 1.5}
+            mesh = mq.volume_mesh(shape, layers=3, first_height=0.05, growth_rate=1.3, walls=walls, **given)
+            self.assert_sound(mesh)
+            self.assertTrue(0.5 < mesh.report.covered < 1.0, mesh.report)
+            surface = mq.triangulate(shape, **given)
+            whole = areas(surface.vertices[surface.triangles[surface.triangle_face == opening]]).sum()
+            found = areas(mesh.nodes[mesh.boundary_triangles[mesh.triangle_face == opening]]).sum()
+            quads = mesh.nodes[mesh.boundary_quadrilaterals[mesh.quadrilateral_face == opening]]
+            found += areas(quads[:, [0, 1, 2]]).sum() + areas(quads[:, [0, 2, 3]]).sum()
+            self.assertAlmostEqual(found / whole, 1.0, places=5)
 
     def test_bad_input_is_refused_by_name(self):
         box = Part.makeBox(10, 10, 1)

@@ -11,6 +11,7 @@ STRETCH = 4.0  # most that a vertex moves for each mm of the layers' height: at 
 _HULL_STEPS = 400  # of the search for the marching direction
 _SMOOTHING_STEPS = 150
 _SMALL_TURN = 0.02  # share of the normals' spread below which the triangles of a vertex count as one plane
+_ENDS = 0.17  # sine of 10 degrees: layers end in faces that turn off the wall by this at least, so that they lie in them
 _SAME_PLANE = 1e-6  # likewise for faces that are planes
 
 
@@ -21,7 +22,8 @@ class Marching:
     direction  float64 (V, 3), mm for each mm of height: by it all wall triangles of a vertex move by that height at least, or less
                where that needs more than STRETCH; zero off the walls
     visible    float64 (V,), the least cosine between the direction and the normals of the vertex' wall triangles: above 0, the vertex
-               sees all of them from inside; infinite off the walls
+               sees all of them from inside; infinite off the walls, 0 where a wall goes on in a face without layers, or turns away
+               from it, so that no layer ends in that face
     along      float64 (V, 3, 3), projectors onto the ways by which a vertex may also move: along all of its triangles
     """
 
@@ -74,10 +76,28 @@ def marching_of(points, triangles, is_wall, plane_normal):
     visible = np.full(count, np.inf)
     np.minimum.at(visible, owner, np.einsum("ui,ui->u", normals, np.nan_to_num(way)[owner]))
     direction[~np.isfinite(direction).all(axis=1)] = 0.0
+    visible[_without_end(points, triangles, is_wall, inward)] = 0.0
     spread = np.zeros((count, 3, 3))
     np.add.at(spread, owner, projected[:, :, None] * projected[:, None, :])
     along = planes @ _kernels(spread, _SMALL_TURN) @ planes
     return Marching(direction, visible, along)
+
+
+def _without_end(points, triangles, is_wall, inward):
+    """bool (V,): ends of edges at which a wall meets a face without layers, but layers on the wall would not lie in that face."""
+    directed = np.concatenate([triangles[:, [i, (i + 1) % 3, (i + 2) % 3]] for i in range(3)])
+    order = np.lexsort(np.sort(directed[:, :2], axis=1).T)
+    one, other = np.concatenate([order[0::2], order[1::2]]), np.concatenate([order[1::2], order[0::2]])
+    count = len(triangles)
+    at_end = is_wall[one % count] & ~is_wall[other % count]
+    one, other = one[at_end], other[at_end]
+    start, end, apex = points[directed[other]].transpose(1, 0, 2)
+    along = (end - start) / np.linalg.norm(end - start, axis=1)[:, None]
+    into = apex - start - np.einsum("ei,ei->e", apex - start, along)[:, None] * along
+    into /= np.linalg.norm(into, axis=1)[:, None]
+    found = np.zeros(len(points), dtype=bool)
+    found[directed[one[np.einsum("ei,ei->e", inward[one % count], into) < _ENDS], :2]] = True
+    return found
 
 
 def _uses_of(count, triangles):

@@ -107,8 +107,8 @@ def report_of(mesh, surface, layers, values, heights, chord_height):
     """The VolumeReport of a VolumeMesh; values are the checked options."""
     table = table_of_elements(mesh)
     walls, covered, full = coverage_of(surface, layers, values["first_height"])
-    notes = [f"{wall.face} has layers on {wall.covered:.1%} of its area only: they would be lower than a fifth of what was asked for, or "
-             "invalid, elsewhere" for wall in walls if wall.covered < 1.0]
+    notes = [f"{wall.face} has layers on {wall.covered:.1%} of its area only: elsewhere they would be lower than a fifth of what was asked "
+             "for, or invalid, or not end in the face beside it" for wall in walls if wall.covered < 1.0]
     notes += [f"the layers on {wall.face} are lower than asked for on {wall.covered - wall.full_height:.1%} of its area, the first one "
               f"{wall.least_height:.3g} mm at least" for wall in walls if wall.covered - wall.full_height > 0.0005]
     return VolumeReport(values["layers"], values["first_height"], values["growth_rate"], tuple(heights.tolist()), dict(table.kinds),
