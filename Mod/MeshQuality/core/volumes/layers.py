@@ -64,7 +64,7 @@ class Surface:
 
 
 def layers_of(surface, marching, heights, gap, check=lambda: None):
-    """The Layers of a Surface.
+    """The Layers of a Surface; None where the rounds of lowering end before all is valid.
 
     heights  float64 (N,), mm, of the layers from the wall on
     gap      float64 (T,), mm, to what is opposite of each triangle; infinite where that is nothing
