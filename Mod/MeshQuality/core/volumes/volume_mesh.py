@@ -239,8 +239,8 @@ def _require_room(surface, gap, total):
 def _require_some(surface, layers, total):
     for face in np.unique(surface.face[surface.is_wall]).tolist():
         if not layers.covered[surface.face == face].any():
-            raise InvalidInput(f"Face{face + 1}: nowhere on it do layers of {total:.4g} mm fit, not even a fifth as high: give fewer or "
-                               "thinner layers, a finer surface by local_sizes, or leave it out of walls")
+            raise InvalidInput(f"Face{face + 1}: nowhere on it do layers of {total:.4g} mm fit, not even a fifth as high, and end in the "
+                               "faces beside it: give fewer or thinner layers, a finer surface by local_sizes, or leave it out of walls")
 
 
 def _inside(layers, progress):
