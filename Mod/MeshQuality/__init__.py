@@ -10,6 +10,7 @@ First steps
 Meshes for scripts
     triangulate   a triangle mesh of a shape with a bound on its angles and its distance -> SurfaceMesh
     curve         curved triangles or tetrahedra on a shape, each proven valid           -> CurvedMesh
+    volume_mesh   a solid filled for flow solvers, with layers of prisms on its walls      -> VolumeMesh
     boolean       joins, intersects or subtracts closed meshes and shapes                -> BooleanMesh
     Solid         the same by operators, in sequences that are rounded once: (a - b) | c
     offset        a solid grown or shrunk by a distance                                  -> OffsetMesh
@@ -125,6 +126,8 @@ _LAZY = {
     "WrapMesh": "MeshQuality.core.wrapping",
     "adapt": "MeshQuality.features.adapted_mesh",
     "Adaptation": "MeshQuality.core.adapting",
+    "volume_mesh": "MeshQuality.core.volumes.volume_mesh",
+    "VolumeMesh": "MeshQuality.core.volumes.volume_mesh",
     "size_field": "MeshQuality.core.sizes.size_field",
     "SizeField": "MeshQuality.core.sizes.size_field",
     "add_size_region": "MeshQuality.features.size_region",

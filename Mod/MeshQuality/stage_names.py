@@ -61,6 +61,7 @@ STAGES = {
     "cutting into triangles": "dividing into triangles",
     "checking elements": "checking the elements",
     "comparing curved triangles": "finding curved triangles that cross",
+    "growing layers": "growing layers on the walls",
     "done": "done",
     # What the work can wait for, without being able to interrupt it.
     "comparing the shape": "comparing the shape with the last one",

@@ -4926,6 +4926,10 @@
         <source>cut off where needed</source>
         <translation>wo nötig abgeschnitten</translation>
     </message>
+    <message>
+        <source>growing layers on the walls</source>
+        <translation>Schichten wachsen an den Wänden</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>

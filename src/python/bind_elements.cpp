@@ -19,6 +19,7 @@
 #include "python/bindings.h"
 #include "python/progress_watch.h"
 #include "python/python_lock.h"
+#include "tetrahedralise/tetrahedralise.h"
 
 namespace py = pybind11;
 
@@ -153,6 +154,32 @@ void write_elements(const std::string& path, const std::string& format, const Po
     mesh::write(made, path, format);
 }
 
+/// Tetrahedra inside a closed surface, whose points and triangles stay.
+py::tuple fill_surface(const PointArray& points, const Rows& triangles, double grading, const py::object& progress) {
+    const std::vector<Vec3> corners = points_of(points);
+    const std::vector<std::int32_t> rows = flat(triangles);
+    if (triangles.shape(1) != 3) {
+        throw InvalidInput(phrases::kElementRows);
+    }
+    std::vector<std::array<int, 3>> surface(rows.size() / 3);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        surface[i / 3][i % 3] = rows[i];
+    }
+    const tetrahedralise::Tetrahedra found = watch(progress, [&](Progress& handle) {
+        handle.stage("filling", 0.0, 1.0);
+        return tetrahedralise::tetrahedralise(corners, surface, {grading, nullptr}, handle);
+    });
+    std::vector<double> inner;
+    for (const Vec3& p : found.inner_points) {
+        inner.insert(inner.end(), {p.x(), p.y(), p.z()});
+    }
+    std::vector<std::int32_t> tetrahedra;
+    for (const std::array<int, 4>& t : found.tetrahedra) {
+        tetrahedra.insert(tetrahedra.end(), t.begin(), t.end());
+    }
+    return py::make_tuple(array_of(inner), array_of(tetrahedra));
+}
+
 }  // namespace
 
 void bind_elements(py::module_& m) {
@@ -169,6 +196,14 @@ void bind_elements(py::module_& m) {
           "Writes a file of a format of element_formats. nodes: float64 (N, 3); blocks: [(kind, int32 (E, n) in Gmsh's "
           "order, int32 (E,) the CAD entity of each or -1, by place in VTK's Lagrange cells the place in Gmsh's "
           "order)]; groups: [(name, [(block, int32 elements)])]; raises IoError.");
+    m.def(
+        "fill_surface", &fill_surface, py::arg("points"), py::arg("triangles"), py::arg("grading"),
+        py::arg("progress") = py::none(),
+        "(inner points, tetrahedra), flat arrays: fills the inside of a closed surface, whose points and triangles "
+        "stay; inner points are numbered after its own. points: float64 (N, 3), mm; triangles: int32 (T, 3), outward; "
+        "grading: factor of the usual growth of edges, above 0; raises GeometryError where the surface is not closed "
+        "or "
+        "intersects itself.");
     m.def("blending", &blending, py::arg("kind"), py::arg("order"),
           "(inner nodes, weights of all nodes at each of them): those inside of an element from those on its sides.");
     m.def(

@@ -178,6 +178,7 @@ class Streams(helpers.DocumentTest):
 
 class Api(unittest.TestCase):
     # What a command line has in another way: the shapes, callbacks, objects of a running FreeCAD.
+    CALLED = {"volume": "volume_mesh"}  # functions with another name than the command
     ELSEWHERE = {
         "triangulate": {"shape", "progress", "cache"},
         "curve": {"shape_or_mesh", "shape", "progress"},
@@ -197,6 +198,7 @@ class Api(unittest.TestCase):
         "hollow": {"source", "progress"},
         "wrap": {"objects", "progress"},
         "cam": {"source", "progress"},
+        "volume": {"shape", "walls", "progress"},  # --wall
         "adapt": {"problem", "shape", "progress", "order", "size_field", "strains", "values"},  # those of functions, and of the analysis' mesh
     }
 
@@ -206,7 +208,7 @@ class Api(unittest.TestCase):
         self.assertEqual(set(commands), {*self.ELSEWHERE, "batch"})
         for name, elsewhere in self.ELSEWHERE.items():
             flags = commands[name]._option_string_actions
-            parameters = inspect.signature(getattr(mq, name)).parameters
+            parameters = inspect.signature(getattr(mq, self.CALLED.get(name, name))).parameters
             for parameter in set(parameters) - elsewhere:
                 with self.subTest(f"{name} {parameter}"):
                     action = flags["--" + parameter.replace("_", "-")]

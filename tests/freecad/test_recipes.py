@@ -74,6 +74,10 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/cam.md")
         self.assertGreater(self.names["mesh"].nearest, 0.0)
 
+    def test_flows(self):
+        self.follow("docs/use/flow.md")
+        self.assertEqual(sorted(os.listdir(".")), ["case", "pipe.vtu"])
+
     def test_reporting(self):
         self.follow("docs/use/report.md")
         self.assertEqual(sorted(os.listdir(".")), ["body.html", "mesh.html", "walls.html"])

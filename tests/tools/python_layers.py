@@ -43,7 +43,7 @@ CORE = [
     ["operands", "verify"],
     ["booleans", "curving", "inspect"],
     ["adapting", "measures", "offsetting", "repair", "solid_expression", "wrapping"],
-    ["machining"],
+    ["machining", "volumes"],
     ["reporting"],
 ]
 

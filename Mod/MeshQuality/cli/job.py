@@ -210,6 +210,19 @@ def adapt(job):
         verdict.of_curved(found.mesh, True)
 
 
+def volume(job):
+    """Likewise; walls without layers are findings."""
+    shape, objects = read_shape_and_objects(job["input"], job.get("object"))
+    values = {**job["options"], "local_sizes": sizes_in(shape, objects, job["input"], job["options"].get("local_sizes"))}
+    how = writing_of(job, shape, objects)
+    mesh = mq.volume_mesh(shape, **values, walls=job.get("walls"), **patches_of(how), progress=progress_line())
+    report = mesh.report
+    where = written(job, lambda path: mesh.write(path, how.get("scale"), how["format"] or None))
+    return report, f"{_count(sum(report.elements.values()), 'element')}{where}, layers on {report.covered:.1%} of the walls", \
+        [verdict.Finding(f"{wall.face} has layers on {wall.covered:.1%} of its area only.", faces=(wall.face,))
+         for wall in report.walls if wall.covered < 1.0]
+
+
 def deviation(job):
     """Likewise."""
     found = mq.deviation(read_points(job["input"]), read_operand(job["reference"], job.get("object")), **job["options"],
@@ -250,7 +263,7 @@ def run(job):
         report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve, "simplify": simplify,
                                          "quality": quality, "measures": measures, "certify": certify, "verify": verify, "thickness": thickness,
                                          "clearance": clearance, "draft": draft, "voids": voids, "deviation": deviation,
-                                         "offset": offset, "hollow": hollow, "wrap": wrap, "cam": cam, "adapt": adapt}[job["command"]](job)
+                                         "offset": offset, "hollow": hollow, "wrap": wrap, "cam": cam, "adapt": adapt, "volume": volume}[job["command"]](job)
         text += _write_page(job, findings) if job.get("page") else ""
     except mq.InvalidInput as error:
         return _failure(USAGE, error)

@@ -6,7 +6,7 @@ import os
 
 from .. import files, formats, options
 from ..errors import Error
-from .parser import CAD_SUFFIXES, ELEMENT_SUFFIXES, INPUTS, MESH_SUFFIXES, OUTPUTS, TABLES, WITH_PATCHES
+from .parser import CAD_SUFFIXES, ELEMENT_SUFFIXES, FOLDERS, INPUTS, MESH_SUFFIXES, OUTPUTS, TABLES, WITH_PATCHES
 
 STANDARD = "-"
 
@@ -126,7 +126,7 @@ def _require_suffix(path, suffixes):
 
 
 def suffix_of_output(job):
-    """The extension that says how the mesh is written, None without output; raises Error."""
+    """The extension that says how the mesh is written, "" for a folder, None without output; raises Error."""
     path, name, known = job.get("output"), job.get("format"), OUTPUTS[job["command"]]
     if not path:
         if name:
@@ -136,6 +136,8 @@ def suffix_of_output(job):
         return None
     if name:
         suffix = require_format("--format", name, known)
+    elif job["command"] in FOLDERS and path != STANDARD and not os.path.splitext(path)[1]:
+        return _folder(path)
     elif path == STANDARD:
         raise Error("--format must say how the mesh goes to standard output: one of "
                     + " ".join(suffix[1:] for suffix in known))
@@ -148,6 +150,15 @@ def suffix_of_output(job):
     if job["command"] == "curve":
         require_curved_output(job, suffix)
     return suffix
+
+
+def _folder(path):
+    """The extension of a folder, ""; raises Error where it cannot be one."""
+    if os.path.exists(path) and not os.path.isdir(path):
+        raise Error(f"'{path}' is a file without extension: name a folder, or a file with one, with -o")
+    if not os.path.isdir(os.path.dirname(path)):
+        raise Error(f"there is no folder '{os.path.dirname(path)}' to write to")
+    return ""
 
 
 def require_curved_output(job, suffix):

@@ -12,12 +12,15 @@ from MeshQuality.formats import CURVED_SUFFIXES
 def written(job, write):
     """Has `write` write the mesh to a path, if asked for; says where, for the sentence to end with.
 
-    A file that is there is replaced once the mesh is written in whole.
+    A file that is there is replaced once the mesh is written in whole; so is each file in a folder.
     """
     path = job.get("output")
     if not path:
         return ""
     path = os.path.realpath(path)
+    if not job["suffix"]:
+        write(path)
+        return f" in {path}"
     ready = job["ready"]
     if (os.path.exists(path) and not os.path.isfile(path)) or not files.freecad_takes(ready):
         # Not beside a pipe or a device; nor where FreeCAD cannot write.

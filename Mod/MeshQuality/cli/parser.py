@@ -9,7 +9,7 @@ import re
 import sys
 
 from .. import options
-from ..formats import CURVED_SUFFIXES, FLAT_ONLY_SUFFIXES, READABLE, SUFFIXES
+from ..formats import CURVED_SUFFIXES, ELEMENTS_WRITTEN, FLAT_ONLY_SUFFIXES, READABLE, SUFFIXES
 from ..version import __version__
 
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
@@ -23,21 +23,23 @@ INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SU
           "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
           "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES,
           "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "cam": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES,
-          "adapt": (".fcstd",)}
+          "adapt": (".fcstd",), "volume": CAD_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES, "simplify": SUFFIXES,
            "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "cam": SUFFIXES,
-           "adapt": CURVED_SUFFIXES,
+           "adapt": CURVED_SUFFIXES, "volume": tuple(suffix for suffix in ELEMENTS_WRITTEN if suffix != ".re2"),  # no prisms
            **dict.fromkeys(("quality", "measures", "certify", "verify", "thickness", "clearance", "draft", "voids", "deviation"), ())}
 WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
-WITH_PATCHES = ("triangulate", "curve")
+WITH_PATCHES = ("triangulate", "curve", "volume")
+FOLDERS = ("volume",)  # commands that write a case of OpenFOAM into an output without extension
 TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*options.CURVE, options.THREADS),
           "improve": options.IMPROVE, "simplify": options.simplify.SIMPLIFY, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "measures": (),
           "certify": (), "verify": (), "thickness": options.inspection.THICKNESS, "clearance": options.inspection.CLEARANCE,
           "draft": options.inspection.DRAFT, "voids": options.inspection.VOIDS,
           "deviation": options.inspection.DEVIATION,
           "offset": options.offset.OFFSET, "hollow": options.offset.HOLLOW,
-          "wrap": options.wrap.WRAP, "cam": options.cam.CAM, "adapt": options.adapt.ADAPT}
+          "wrap": options.wrap.WRAP, "cam": options.cam.CAM, "adapt": options.adapt.ADAPT,
+          "volume": options.volume.VOLUME}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 # Commands that have a page with pictures of what they made or measured.
 WITH_PAGES = ("triangulate", "curve", "improve", "simplify", "quality", "boolean", "offset", "hollow", "wrap", "cam", "thickness", "draft", "deviation")
@@ -149,6 +151,11 @@ examples:
 examples:
   meshquality adapt bracket.FCStd --target-error 0.02 -o bracket.inp
 """,
+    "volume": """
+examples:
+  meshquality volume pipe.step -o case --layers 5 --first-height 0.05 --growth-rate 1.2 --wall Face1
+  meshquality volume duct.step -o duct.msh --layers 8 --first-height 0.01 --patches bc.json --wall walls
+""",
     "deviation": """
 examples:
   meshquality deviation scan.stl --reference part.step --align any --tolerance 0.1 --strict
@@ -230,7 +237,7 @@ def parser(batched="triangulate"):
     _add_single(commands, "voids", "find closed cavities",
                 "Finds the closed cavities of a CAD shape or a mesh, from which nothing comes out, and their volumes.\n"
                 "Exit status 3 with --strict where there are some.")
-    _add_adapt(commands)
+    _add_volumes(commands)
     _add_deviation(commands)
     _add_batch(commands, batched)
     return top
@@ -250,10 +257,18 @@ def _add_measures(commands):
     one.add_argument("--csv", metavar="FILE.csv", help="file for the measures of each element")
 
 
-def _add_adapt(commands):
+def _add_volumes(commands):
     _add_single(commands, "adapt", "refine the mesh of an analysis where its error is",
                 "Solves the analysis of a FreeCAD document by CalculiX, refines its FEM mesh where the estimated error is, and so on\n"
                 "until that is small enough. --object: the analysis, where there are several.")
+
+    one = _add_single(commands, "volume", "fill a solid for flow solvers, with layers on walls",
+                      "Fills a CAD solid, the region of a flow, with layers of prisms on its walls and tetrahedra inside, each proven valid.\n"
+                      "Where -o FILE has no extension it is a folder, which becomes a case of OpenFOAM with constant/polyMesh, in metres.\n"
+                      "Exit status 3 with --strict where layers had to be left off.")
+    one.add_argument("--wall", dest="walls", metavar="NAMES", type=lambda text: [name.strip() for name in text.split(",")],
+                     help="faces, or patches of --patches, that get layers, such as Face1,Face4; the faces beside them must be planes "
+                          "(default: all)")
 
 
 def _add_deviation(commands):
@@ -330,7 +345,7 @@ def _add_single(commands, name, title, description):
         one.add_argument("--format", metavar="NAME",
                          help="format of the mesh, whatever the extension: " + _names(OUTPUTS[name]))
     if name in WITH_PATCHES:
-        _add_writing(one, with_patches=True, with_interfaces=name == "triangulate")
+        _add_writing(one, with_patches=True, with_interfaces=name == "triangulate", with_text=name != "volume")
     _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
     if name not in ("improve", "simplify", "verify", "measures"):
         one.add_argument("--object", metavar="NAME",
@@ -362,7 +377,7 @@ def _add_mesh_scale(one):
                           "(default: 1)")
 
 
-def _add_writing(one, with_patches, with_interfaces=False):
+def _add_writing(one, with_patches, with_interfaces=False, with_text=True):
     """What is written of a mesh; `with_patches` has a file that names faces, which fits one part only."""
     file = one.add_argument_group("file")
     if with_patches:
@@ -377,7 +392,8 @@ def _add_writing(one, with_patches, with_interfaces=False):
         file.add_argument("--interfaces", nargs="?", const=True, default=False, type=_interfaces, metavar="sheet",
                           help="with --imprint: what lies between two solids is a patch of its own, Solid1_to_Solid2 on "
                                "the side of the first; sheet: one for both, Solid1_and_Solid2, with its triangles once")
-    file.add_argument("--ascii", action="store_true", help="STL as text, with one solid a patch")
+    if with_text:
+        file.add_argument("--ascii", action="store_true", help="STL as text, with one solid a patch")
 
 
 def _add_strict(one, start):

@@ -111,7 +111,7 @@ def run(job):
             if to_stdout:
                 job["output"] = os.path.join(folder, "output" + job["suffix"])
                 names[job["output"]] = "standard output"
-            if job.get("output"):
+            if job.get("output") and job["suffix"]:
                 job["ready"] = files.unfinished(os.path.realpath(job["output"]), job["suffix"])
                 made.note_unfinished(job["ready"])
             result = _run_in_freecad(job, folder, deadline)

@@ -3,5 +3,5 @@
 an operation. Imports nothing of FreeCAD.
 """
 
-from . import adapt, cam, fem, inspection, offset, repair, simplify, wrap  # noqa: F401
+from . import adapt, cam, fem, inspection, offset, repair, simplify, volume, wrap  # noqa: F401
 from .table import *  # noqa: F403

@@ -69,11 +69,12 @@ def write_case(mesh, folder, name="surface", flow="internal", cell=None, scale=0
     for suffix in (".eMesh", ".fms"):
         writing.write(mesh, f"{surface}{suffix}", scale=scale)
     for path, text in _texts(case).items():
-        writing.atomically(os.path.join(folder, path), "", lambda ready, text=text: _save(ready, text))
+        writing.atomically(os.path.join(folder, path), "", lambda ready, text=text: save(ready, text))
     return case
 
 
-def _save(path, text):
+def save(path, text):
+    """Writes a text file."""
     with open(path, "w", encoding="utf-8") as stream:
         stream.write(text)
 
@@ -176,12 +177,19 @@ def _hits(corners, start, way):
     return distance[(u >= 0.0) & (v >= 0.0) & (u + v <= 1.0)]
 
 
-def _texts(case):
-    """{path: text} of the dictionaries."""
+def solver_texts():
+    """{path: text} of the dictionaries without which programs of OpenFOAM do not start."""
     return {
         "system/controlDict": _HEADER.format("controlDict") + _CONTROL,
         "system/fvSchemes": _HEADER.format("fvSchemes") + _SCHEMES,
         "system/fvSolution": _HEADER.format("fvSolution"),
+    }
+
+
+def _texts(case):
+    """{path: text} of the dictionaries."""
+    return {
+        **solver_texts(),
         "system/blockMeshDict": _block(case),
         "system/snappyHexMeshDict": _snappy(case),
         "system/meshDict": _cfmesh(case),

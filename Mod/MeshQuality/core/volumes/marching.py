@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the vertices of a closed surface go when layers grow on some of its triangles: along marching directions on the walls,
+in their own planes on the other faces, and along the surface so that triangles shrink evenly.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+STRETCH = 4.0  # most that a vertex moves for each mm of the layers' height: at acute edges layers get thinner than that
+_HULL_STEPS = 400  # of the search for the marching direction
+_SMOOTHING_STEPS = 150
+_SMALL_TURN = 0.02  # share of the normals' spread below which the triangles of a vertex count as one plane
+_ENDS = 0.17  # sine of 10 degrees: layers end in faces that turn off the wall by this at least, so that they lie in them
+_SAME_PLANE = 1e-6  # likewise for faces that are planes
+
+
+@dataclass(frozen=True)
+class Marching:
+    """How the vertices of a surface march.
+
+    direction  float64 (V, 3), mm for each mm of height: by it all wall triangles of a vertex move by that height at least, or less
+               where that needs more than STRETCH; zero off the walls
+    visible    float64 (V,), the least cosine between the direction and the normals of the vertex' wall triangles: above 0, the vertex
+               sees all of them from inside; infinite off the walls, 0 where a wall goes on in a face without layers, or turns away
+               from it, so that no layer ends in that face
+    along      float64 (V, 3, 3), projectors onto the ways by which a vertex may also move: along all of its triangles
+    """
+
+    direction: np.ndarray
+    visible: np.ndarray
+    along: np.ndarray
+
+    def displacements(self, heights, edges, lengths, fixed):
+        """float64 (V, 3), mm: each vertex moves by its height along its direction, and along the surface as its neighbours do.
+
+        heights  float64 (V,), mm
+        edges    int (E, 2); lengths: float64 (E,), mm
+        fixed    bool (V,): vertices that stay
+        """
+        given = heights[:, None] * self.direction
+        given[fixed] = 0.0
+        moved = given.copy()
+        both = np.concatenate([edges, edges[:, ::-1]])
+        weights = np.concatenate([1.0 / lengths, 1.0 / lengths])
+        whole = np.bincount(both[:, 0], weights=weights, minlength=len(given))
+        along = np.where(fixed[:, None, None], 0.0, self.along)
+        for _ in range(_SMOOTHING_STEPS):
+            mean = np.stack([np.bincount(both[:, 0], weights=weights * moved[both[:, 1], k], minlength=len(given))
+                             for k in range(3)], axis=1) / whole[:, None]
+            moved = given + np.einsum("vij,vj->vi", along, mean)
+        return moved
+
+
+def marching_of(points, triangles, is_wall, plane_normal):
+    """The Marching of a closed surface.
+
+    is_wall       bool (T,)
+    plane_normal  float64 (T, 3): the unit normal of the plane that a triangle without layers lies in; not a number: it lies in
+                  none, and its vertices stay
+    """
+    count = len(points)
+    a, b, c = points[triangles].transpose(1, 0, 2)
+    inward = -np.cross(b - a, c - a)
+    inward /= np.linalg.norm(inward, axis=1)[:, None]
+    planes = _free_of(count, triangles[~is_wall], plane_normal[~is_wall], _SAME_PLANE)
+    uses, offsets = _uses_of(count, triangles[is_wall])
+    normals = np.repeat(inward[is_wall], 3, axis=0)[uses]
+    owner = np.repeat(np.arange(count), np.diff(offsets))
+    projected = np.einsum("uij,uj->ui", planes[owner], normals)
+    nearest = _least_of_hulls(projected, owner, offsets)
+    size = np.linalg.norm(nearest, axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        way = nearest / size[:, None]
+        direction = way * np.minimum(1.0 / size, STRETCH)[:, None]
+    visible = np.full(count, np.inf)
+    np.minimum.at(visible, owner, np.einsum("ui,ui->u", normals, np.nan_to_num(way)[owner]))
+    direction[~np.isfinite(direction).all(axis=1)] = 0.0
+    visible[_without_end(points, triangles, is_wall, inward)] = 0.0
+    spread = np.zeros((count, 3, 3))
+    np.add.at(spread, owner, projected[:, :, None] * projected[:, None, :])
+    along = planes @ _kernels(spread, _SMALL_TURN) @ planes
+    return Marching(direction, visible, along)
+
+
+def _without_end(points, triangles, is_wall, inward):
+    """bool (V,): ends of edges at which a wall meets a face without layers, but layers on the wall would not lie in that face."""
+    directed = np.concatenate([triangles[:, [i, (i + 1) % 3, (i + 2) % 3]] for i in range(3)])
+    order = np.lexsort(np.sort(directed[:, :2], axis=1).T)
+    one, other = np.concatenate([order[0::2], order[1::2]]), np.concatenate([order[1::2], order[0::2]])
+    count = len(triangles)
+    at_end = is_wall[one % count] & ~is_wall[other % count]
+    one, other = one[at_end], other[at_end]
+    start, end, apex = points[directed[other]].transpose(1, 0, 2)
+    along = (end - start) / np.linalg.norm(end - start, axis=1)[:, None]
+    into = apex - start - np.einsum("ei,ei->e", apex - start, along)[:, None] * along
+    into /= np.linalg.norm(into, axis=1)[:, None]
+    found = np.zeros(len(points), dtype=bool)
+    found[directed[one[np.einsum("ei,ei->e", inward[one % count], into) < _ENDS], :2]] = True
+    return found
+
+
+def _uses_of(count, triangles):
+    """Rows of corners of triangles, sorted by vertex, and where those of each vertex begin."""
+    order = np.argsort(triangles.ravel(), kind="stable")
+    return order, np.concatenate([[0], np.cumsum(np.bincount(triangles.ravel(), minlength=count))])
+
+
+def _free_of(count, triangles, normals, tolerance):
+    """Projectors (V, 3, 3) onto what all planes of a vertex have in common; zero where one of its triangles lies in no plane."""
+    spread, bent = np.zeros((count, 3, 3)), np.zeros(count, dtype=bool)
+    known = np.isfinite(normals).all(axis=1)
+    bent[triangles[~known]] = True
+    for k in range(3):
+        np.add.at(spread, triangles[known, k], normals[known, :, None] * normals[known, None, :])
+    found = _kernels(spread, tolerance)
+    found[bent] = 0.0
+    return found
+
+
+def _kernels(spread, tolerance):
+    """Projectors onto the eigenvectors whose eigenvalues are below a share of the sum of all."""
+    values, vectors = np.linalg.eigh(spread)
+    small = values <= tolerance * values.sum(axis=1)[:, None]
+    return np.einsum("vik,vk,vjk->vij", vectors, small.astype(float), vectors)
+
+
+def _least_of_hulls(normals, owner, offsets):
+    """By vertex the point of the convex hull of its normals that is nearest to the origin: its direction is the one whose least
+    cosine with them is largest (Aubry and Löhner 2008, the most normal normal), by the steps of Gilbert 1966.
+    """
+    count = len(offsets) - 1
+    number = np.maximum(np.diff(offsets), 1)
+    found = np.stack([np.bincount(owner, weights=normals[:, k], minlength=count) for k in range(3)], axis=1) / number[:, None]
+    starts = offsets[:-1][np.diff(offsets) > 0]
+    present = np.flatnonzero(np.diff(offsets) > 0)
+    for _ in range(_HULL_STEPS):
+        cosines = np.einsum("ui,ui->u", normals, found[owner])
+        least = np.minimum.reduceat(cosines, starts)
+        rows = np.flatnonzero(cosines <= np.repeat(least, np.diff(offsets)[present]))
+        worst = np.empty(count, dtype=np.int64)
+        worst[owner[rows[::-1]]] = rows[::-1]
+        step = normals[worst[present]] - found[present]
+        size = np.einsum("vi,vi->v", step, step)
+        share = -np.einsum("vi,vi->v", found[present], step) / np.where(size > 0.0, size, 1.0)
+        found[present] += np.clip(share, 0.0, 1.0)[:, None] * step
+    return found

@@ -1,0 +1,308 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""volume_mesh: a solid filled for flow solvers, with layers of prisms on its walls."""
+
+import os
+
+import numpy as np
+
+from ... import options
+from ...compat import extension
+from ...errors import Cancelled, GeometryError, InvalidInput
+from ...listing import Public
+from ..elements import conformity, kinds
+from ..elements.assembly import Content, ElementBlock
+from ..inspect.thickness import thickness
+from ..meshes.element_mesh import ElementMesh
+from ..meshes.writing import checked_scale
+from ..operands.operands import part_of
+from ..patches.patches import division_for, index_in, patches_of
+from ..sources import convert
+from ..triangulation import triangulate
+from . import polymesh
+from .layers import Surface, layers_of, unproven
+from .marching import marching_of
+from .volume_report import report_of
+
+_PLANE = 2e-6  # share of the size: how far from a plane the points of a plane face are, which are single-precision numbers
+_REGION = "fluid"
+_METRES = 0.001
+
+
+class VolumeMesh(ElementMesh, metaclass=Public):
+    """An ElementMesh that volume_mesh made: prisms in layers on the walls, tetrahedra inside, pyramids and tetrahedra between, where
+    layers end. All elements are proven valid, and conform.
+
+    prisms, pyramids, tetrahedra
+                 int32 (E, 6), (E, 5), (E, 4): rows of nodes in Gmsh's order
+    prism_layer  int32 (P,), the layer of each prism; 0 is on the wall
+    boundary_triangles, boundary_quadrilaterals
+                 int32 (F, 3), (F, 4): the faces of the boundary, outward
+    triangle_face, quadrilateral_face
+                 int32 (F,): they lie on shape.Faces[...]
+    patch_names  of the boundary; groups of the mesh, as is the region "fluid"
+    patch_types  {patch: "wall" or "patch"}
+    report       VolumeReport
+    """
+
+    __slots__ = ("_report", "_patches", "prism_layer", "patch_types")
+
+    def __init__(self, content, prism_layer, patches, patch_types):
+        super().__init__(content)
+        self.prism_layer, self._patches, self.patch_types, self._report = prism_layer, patches, patch_types, None
+
+    report = property(lambda self: self._report, doc="VolumeReport")
+    patch_names = property(lambda self: self._patches.names, doc="tuple of names")
+    prisms = property(lambda self: self._rows("prism"), doc="int32 (E, 6)")
+    pyramids = property(lambda self: self._rows("pyramid"), doc="int32 (E, 5)")
+    tetrahedra = property(lambda self: self._rows("tetrahedron"), doc="int32 (E, 4)")
+    boundary_triangles = property(lambda self: self._rows("triangle"), doc="int32 (F, 3)")
+    boundary_quadrilaterals = property(lambda self: self._rows("quadrilateral"), doc="int32 (F, 4)")
+    triangle_face = property(lambda self: self._faces("triangle"), doc="int32 (F,)")
+    quadrilateral_face = property(lambda self: self._faces("quadrilateral"), doc="int32 (F,)")
+
+    def _rows(self, kind):
+        return next((block.nodes for block in self.blocks if block.kind == kind), np.zeros((0, kinds.CORNERS[kind]), dtype=np.int32))
+
+    def _faces(self, kind):
+        return next((block.geometry for block in self.blocks if block.kind == kind), np.zeros(0, dtype=np.int32))
+
+    @property
+    def solid_blocks(self):
+        """[(kind, int (E, corners)), ...] of the volume elements, in the order of the blocks."""
+        return [(block.kind, block.nodes) for block in self.blocks if kinds.DIMENSION[block.kind] == 3]
+
+    def patch_of_faces(self, rings):
+        """int (F,): the patches of faces of the boundary, int (F, 4) corners, -1 after the third one of triangles."""
+        sides = np.concatenate([np.pad(self.boundary_triangles, ((0, 0), (0, 1)), constant_values=-1),
+                                self.boundary_quadrilaterals]).astype(np.int64)
+        faces = np.concatenate([self.triangle_face, self.quadrilateral_face])
+        patch_of = dict(zip(np.unique(self.triangle_face).tolist(), self._patch_of_face(np.unique(self.triangle_face))))
+        known = {tuple(key): face for key, face in zip(np.sort(sides, axis=1).tolist(), faces.tolist())}
+        return np.array([patch_of[known[tuple(key)]] for key in np.sort(rings, axis=1).tolist()], dtype=np.int64)
+
+    def _patch_of_face(self, faces):
+        return patches_of(self._patches.division, faces, len(faces)).of_triangle.tolist()
+
+    def write(self, path, scale=None, format=None):  # noqa: A002
+        """Writes into a file, as ElementMesh.write does, or, where the name has no extension, a case of OpenFOAM into a folder:
+        constant/polyMesh as text, and system, without which no program of OpenFOAM starts.
+
+        scale   factor of the coordinates, which are mm; None: 1, and 0.001, metres, for OpenFOAM
+        format  the format whatever the extension, such as "msh"; "openfoam": a case
+
+        Raises InvalidInput naming elements or a patch that the format cannot hold; IoError naming the path.
+        """
+        name = os.fsdecode(convert.file_name(path))
+        if format == "openfoam" or (format is None and not os.path.splitext(name)[1]):
+            polymesh.write_case(self, name, checked_scale(_METRES if scale is None else scale), self.patch_types)
+        else:
+            super().write(path, 1.0 if scale is None else scale, format)
+
+
+def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_angle=25.0, chord_height=None,
+                chord_height_relative=None, max_edge=None, local_sizes=None, patches=None, patch_rest=None, progress=None):
+    """Fills a solid, the region of a flow, with layers of prisms on its walls and tetrahedra inside -> VolumeMesh.
+
+    shape         Part.Shape, or a document object that has one: one solid, which is the fluid
+    layers        how many layers of prisms, 1 to 100
+    first_height  mm, of the one on the wall
+    growth_rate   how many times as high each layer is as the one before it, 1 to 4
+    walls         names of faces, or of patches, that get layers; None: all faces. Layers end in the other faces beside them, which
+                  must be planes
+    min_angle, chord_height, chord_height_relative, max_edge, local_sizes, patches, patch_rest
+                  of the surface, as for triangulate
+    progress      callable(fraction 0..1, stage); returning False cancels
+
+    Vertices march by the direction from which all of their walls are seen best. Layers get lower than asked for where elements
+    would be invalid or nearly vanish, or where they would take more than 0.4 of a gap; where they would get lower than a fifth, they
+    are left off, and pyramids and tetrahedra lead from them to the bare wall. The report says so for each face. Every element is
+    proven valid, and that all conform is checked.
+
+    Raises InvalidInput for what is no single solid, for walls that are none of its faces, for a curved face in which layers would
+    end, and for layers that fit nowhere on a wall, naming it; GeometryError where the inside cannot be filled; TopologyError; Cancelled.
+    """
+    options.require_callable(progress)
+    values = options.check(options.volume.VOLUME, {
+        "layers": layers, "first_height": first_height, "growth_rate": growth_rate, "min_angle": min_angle,
+        "chord_height": chord_height, "chord_height_relative": chord_height_relative, "max_edge": max_edge,
+        "local_sizes": local_sizes})
+    for name in ("layers", "first_height"):
+        if not values[name]:
+            raise InvalidInput(f"{name} = {values[name]!r}: it must be given, above 0")
+    solids = convert.shape_of(shape).countElement("Solid")
+    if solids != 1:
+        raise InvalidInput(f"{convert.label_of(shape)} has {solids} solids, not one: the fluid must be a single solid; unite several, or "
+                           "make one of the faces")
+    division = division_for(shape, patches, patch_rest)
+    chosen = _walls_of(shape, walls, division)
+    sizes = {name: values[name] for name in (option.name for option in options.volume.SURFACE)}
+    mesh = triangulate(shape, **sizes, patches=patches, patch_rest=patch_rest, progress=part_of(progress, 0.0, 0.3))
+    return _filled(mesh, _surface_of(mesh, chosen), values, patches_of(division, mesh.triangle_face, len(mesh.triangles)), progress)
+
+
+def _walls_of(shape, walls, division):
+    """Indices of the faces that are walls; None: all."""
+    if walls is None:
+        return None
+    if isinstance(walls, str) or not hasattr(walls, "__iter__"):
+        raise InvalidInput(f"walls = {walls!r}: give a list of faces or patches such as ['Face1', 'Face4']")
+    count, found = convert.shape_of(shape).countElement("Face"), set()
+    for name in walls:
+        index = index_in(shape, str(name))
+        if index is None and division is not None and name in division.names:
+            found |= {face for face, patch in division.patch_of.items() if division.names[patch] == name}
+            continue
+        if index is None and division is not None and name == division.rest:
+            found |= set(range(count)) - set(division.patch_of)
+            continue
+        if index is None or not 0 <= index < count:
+            raise InvalidInput(f"walls name {name!r}, which is no face of {convert.label_of(shape)}: it has Face1 to Face{count}"
+                               + (f", and the patches {', '.join(division.names)}" if division is not None else ""))
+        found.add(index)
+    if not found:
+        raise InvalidInput("walls is an empty list: name the faces that get layers, or leave it out for all")
+    return found
+
+
+def _surface_of(mesh, chosen):
+    """The Surface of a SurfaceMesh; raises GeometryError where it is not closed."""
+    triangles = np.array(mesh.triangles, dtype=np.int64)
+    face = np.array(mesh.triangle_face, dtype=np.int64)
+    edges = np.sort(np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
+    _, counts = np.unique(edges, axis=0, return_counts=True)
+    if not mesh.report.closed or (counts != 2).any():
+        raise GeometryError("the surface of the solid is not closed, or touches itself along an edge: repair the solid")
+    is_wall = np.ones(len(triangles), dtype=bool) if chosen is None else np.isin(face, sorted(chosen))
+    return Surface(np.array(mesh.vertices) + mesh.origin, triangles, face, is_wall)
+
+
+def _plane_normals(surface):
+    """float64 (T, 3): of triangles off the walls the normal of their face, not a number where that is no plane. Raises InvalidInput
+    naming a curved face at which layers would end.
+    """
+    found = np.full((len(surface.triangles), 3), np.nan)
+    size = np.ptp(surface.points, axis=0).max()
+    at_walls = np.zeros(len(surface.points), dtype=bool)
+    at_walls[surface.triangles[surface.is_wall]] = True
+    for face in np.unique(surface.face[~surface.is_wall]).tolist():
+        rows = surface.triangles[surface.face == face]
+        a, b, c = surface.points[rows].transpose(1, 0, 2)
+        normal = np.cross(b - a, c - a).sum(axis=0)
+        normal /= np.linalg.norm(normal)
+        if np.ptp(surface.points[np.unique(rows)] @ normal) <= _PLANE * size:
+            found[surface.face == face] = normal
+        elif at_walls[rows].any():
+            raise InvalidInput(f"Face{face + 1} is not plane, but beside walls: layers cannot end in it; make it a wall, too")
+    return found
+
+
+def _gap_of(mesh, progress):
+    """float64 (T,), mm, by rays to what is opposite of each triangle; infinite at corners, and where that is not known."""
+    found = thickness(mesh, "rays", progress=progress)
+    if not np.array_equal(found.mesh.triangles, mesh.triangles):
+        return np.full(len(mesh.triangles), np.inf)
+    return np.where(found.is_wall & np.isfinite(found.values), found.values, np.inf)
+
+
+def _filled(mesh, surface, values, patches, progress):
+    heights = values["first_height"] * values["growth_rate"] ** np.arange(values["layers"])
+    marching = marching_of(surface.points, surface.triangles, surface.is_wall, _plane_normals(surface))
+    gap = _gap_of(mesh, part_of(progress, 0.3, 0.4))
+    _require_room(surface, gap, heights.sum())
+    layers = layers_of(surface, marching, heights, gap, _checker(progress))
+    if layers is None:
+        raise GeometryError("no valid layers were found: give thinner ones, or a finer surface by max_edge")
+    _require_some(surface, layers, heights.sum())
+    points, tetrahedra = _inside(layers, part_of(progress, 0.5, 0.95))
+    made = _mesh_of(surface, layers, points, tetrahedra, patches)
+    _require_valid(made)
+    made._report = report_of(made, surface, layers, values, heights, float(mesh.report.max_chord_height))
+    return made
+
+
+def _checker(progress):
+    def check():
+        if progress is not None and progress(0.45, "growing layers") is False:
+            raise Cancelled("cancelled")
+    return check
+
+
+def _require_room(surface, gap, total):
+    """Raises InvalidInput naming a wall face at which layers are too thick for the gap everywhere."""
+    for face in np.unique(surface.face[surface.is_wall]).tolist():
+        widest = gap[surface.face == face].max()
+        if total > widest:
+            raise InvalidInput(f"Face{face + 1}: the layers are {total:.4g} mm thick, but the gap there is {widest:.4g} mm at most: "
+                               "give fewer or thinner layers")
+
+
+def _require_some(surface, layers, total):
+    for face in np.unique(surface.face[surface.is_wall]).tolist():
+        if not layers.covered[surface.face == face].any():
+            raise InvalidInput(f"Face{face + 1}: nowhere on it do layers of {total:.4g} mm fit, not even a fifth as high, and end in the "
+                               "faces beside it: give fewer or thinner layers, a finer surface by local_sizes, or leave it out of walls")
+
+
+def _inside(layers, progress):
+    """(points of all, tetrahedra of the inside as rows of these)."""
+    used, triangles = np.unique(layers.inner, return_inverse=True)
+    triangles = triangles.reshape(-1, 3).astype(np.int32)
+    added, tetrahedra = extension().fill_surface(layers.points[used], triangles, 1.0, progress)
+    number = np.concatenate([used, len(layers.points) + np.arange(len(added) // 3)])
+    return np.concatenate([layers.points, np.asarray(added).reshape(-1, 3)]), number[np.asarray(tetrahedra).reshape(-1, 4)]
+
+
+def _mesh_of(surface, layers, points, tetrahedra, patches):
+    """The VolumeMesh, without points that no element has."""
+    solid = {"tetrahedron": np.concatenate([layers.tetrahedra, tetrahedra]), "pyramid": layers.pyramids, "prism": layers.prisms}
+    flat = {"triangle": 3, "quadrilateral": 4}
+    used = np.unique(np.concatenate([rows.ravel() for rows in solid.values()]))
+    number = np.full(len(points), -1, dtype=np.int32)
+    number[used] = np.arange(len(used))
+    names = [_REGION, *patches.names]
+    blocks, members = [], {name: [] for name in names}
+    for kind, rows in solid.items():
+        if len(rows):
+            members[_REGION].append((len(blocks), np.arange(len(rows), dtype=np.int32)))
+            zero = np.zeros(len(rows), dtype=np.int32)
+            blocks.append(ElementBlock(kind, 1, number[rows], zero, zero.copy()))
+    patch_of = np.full(int(surface.face.max()) + 1, -1, dtype=np.int32)
+    patch_of[surface.face] = patches.of_triangle
+    for kind, corners in flat.items():
+        parts = [(rows, faces) for rows, faces in layers.boundary if rows.shape[1] == corners and len(rows)]
+        if not parts:
+            continue
+        rows, faces = (np.concatenate(side) for side in zip(*parts))
+        for i, name in enumerate(patches.names):
+            chosen = np.flatnonzero(patch_of[faces] == i).astype(np.int32)
+            if len(chosen):
+                members[name].append((len(blocks), chosen))
+        blocks.append(ElementBlock(kind, 1, number[rows], (patch_of[faces] + 1).astype(np.int32), faces.astype(np.int32)))
+    walls = set(np.unique(surface.face[surface.is_wall]).tolist())
+    types = {name: "wall" if set(np.unique(surface.face[patches.of_triangle == i]).tolist()) <= walls else "patch"
+             for i, name in enumerate(patches.names)}
+    return VolumeMesh(Content(points[used], tuple(blocks), {name: tuple(parts) for name, parts in members.items()}, ()),
+                      layers.level.astype(np.int32), patches, types)
+
+
+def _require_valid(mesh):
+    """Raises GeometryError unless all elements are proven valid, conform, and have the listed boundary and no other."""
+    for kind, corners in mesh.solid_blocks:
+        wrong = unproven(mesh.nodes, kind, corners)
+        if len(wrong):
+            raise GeometryError(f"{len(wrong)} {kinds.PLURALS[kind]} are not proven valid: give thinner layers, or a finer surface by "
+                                "max_edge")
+    conforming, oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
+    listed = {len(rows[0]): rows for rows in (mesh.boundary_triangles, mesh.boundary_quadrilaterals) if len(rows)}
+    bounds = {len(rows[0]): rows for rows in mesh.boundary() if len(rows)}
+    same = set(listed) == set(bounds) and all(_same_sides(listed[count], bounds[count]) for count in listed)
+    if not (conforming and oriented and same):
+        raise GeometryError("the elements do not conform: give thinner layers, or a finer surface by max_edge")
+
+
+def _same_sides(one, other):
+    """Whether sides are the same, seen from the same side."""
+    def keys(sides):
+        turn = (np.argmin(sides, axis=1)[:, None] + np.arange(sides.shape[1])) % sides.shape[1]
+        return np.unique(np.take_along_axis(sides, turn, axis=1), axis=0)
+    return len(one) == len(other) and np.array_equal(keys(one), keys(other))

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What came of the layers of a volume mesh."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..measures import table_of_elements
+
+_FULL = 0.95  # share of the height that was asked for from which on it counts as reached
+
+
+@dataclass(frozen=True)
+class WallCoverage:
+    """The layers on one wall face.
+
+    face              "Face3"
+    area              mm^2, of its triangles
+    covered           share of the area with all layers; there are none on the rest
+    full_height       share of the area with layers at least 0.95 times as high as asked for
+    least_height, mean_height
+                      mm, of the first layer where there are layers; not a number where there are none
+    """
+
+    face: str
+    area: float
+    covered: float
+    full_height: float
+    least_height: float
+    mean_height: float
+
+
+@dataclass(frozen=True)
+class VolumeReport:
+    """What was asked for, and what came of it.
+
+    layers, first_height, growth_rate
+                         as given; heights: mm, of each layer as asked for
+    elements             {kind: count}, of volumes; nodes: how many
+    walls                [WallCoverage, ...], one for each wall face
+    covered              share of the area of all walls with all layers
+    full_height          likewise, at least 0.95 times as high as asked for
+    volume               mm^3
+    min_scaled_jacobian  of prisms and tetrahedra, as Verdict defines it
+    max_non_orthogonality, max_skewness
+                         of faces, degrees and a ratio, as OpenFOAM measures them
+    chord_height         mm, largest distance of the surface from the shape
+    notes                sentences that a user should know
+    """
+
+    layers: int
+    first_height: float
+    growth_rate: float
+    heights: tuple
+    elements: dict
+    nodes: int
+    walls: tuple
+    covered: float
+    full_height: float
+    volume: float
+    min_scaled_jacobian: float
+    max_non_orthogonality: float
+    max_skewness: float
+    chord_height: float
+    notes: tuple
+
+    def to_dict(self):
+        """All of it, for JSON."""
+        return {**vars(self), "heights": list(self.heights), "walls": [dict(vars(wall)) for wall in self.walls],
+                "notes": list(self.notes)}
+
+    def __str__(self):
+        counts = ", ".join(f"{count:,} {kind}{'s' if kind != 'tetrahedron' else ''}" for kind, count in self.elements.items())
+        counts = counts.replace("tetrahedron", "tetrahedra")
+        lines = [f"elements     {counts}, {self.nodes:,} nodes, all proven valid",
+                 f"layers       {self.layers}, the first {self.first_height:g} mm high, each {self.growth_rate:g} times as high as the "
+                 f"one before: {sum(self.heights):.4g} mm together",
+                 f"coverage     {self.covered:.2%} of the walls, {self.full_height:.2%} with the height asked for"]
+        lines += [f"  {wall.face:<10} {wall.covered:.2%}, {wall.full_height:.2%} with the height asked for; first layer "
+                  f"{wall.least_height:.4g} mm at least, {wall.mean_height:.4g} mm on average" for wall in self.walls]
+        lines += [f"quality      least scaled Jacobian {self.min_scaled_jacobian:.4g}, non-orthogonality up to "
+                  f"{self.max_non_orthogonality:.4g}°, skewness up to {self.max_skewness:.4g}",
+                  f"accuracy     the surface deviates by at most {self.chord_height:.3g} mm from the shape"]
+        return "\n".join([*lines, *(f"note         {note}" for note in self.notes)]) + "\n"
+
+
+def coverage_of(surface, layers, first_height):
+    """(the WallCoverage of each wall face, share of the walls with layers, and with full height)."""
+    walls = np.flatnonzero(surface.is_wall)
+    areas = _areas(surface.points, surface.triangles)
+    share = np.where(layers.covered, layers.share[surface.triangles].min(axis=1), 0.0)
+    mean = np.where(layers.covered, layers.share[surface.triangles].mean(axis=1), 0.0)
+    found = []
+    for face in np.unique(surface.face[walls]).tolist():
+        there = walls[surface.face[walls] == face]
+        area, on = areas[there].sum(), layers.covered[there]
+        heights = first_height * mean[there][on]
+        found.append(WallCoverage(
+            f"Face{face + 1}", float(area), float(areas[there][on].sum() / area), float(areas[there][share[there] >= _FULL].sum() / area),
+            first_height * float(share[there][on].min()) if on.any() else float("nan"),
+            float(np.average(heights, weights=areas[there][on])) if on.any() else float("nan")))
+    whole = areas[walls].sum()
+    return tuple(found), float(areas[layers.covered].sum() / whole), float(areas[share >= _FULL].sum() / whole)
+
+
+def report_of(mesh, surface, layers, values, heights, chord_height):
+    """The VolumeReport of a VolumeMesh; values are the checked options."""
+    table = table_of_elements(mesh)
+    walls, covered, full = coverage_of(surface, layers, values["first_height"])
+    notes = [f"{wall.face} has layers on {wall.covered:.1%} of its area only: elsewhere they would be lower than a fifth of what was asked "
+             "for, or invalid, or not end in the face beside it" for wall in walls if wall.covered < 1.0]
+    notes += [f"the layers on {wall.face} are lower than asked for on {wall.covered - wall.full_height:.1%} of its area, the first one "
+              f"{wall.least_height:.3g} mm at least" for wall in walls if wall.covered - wall.full_height > 0.0005]
+    return VolumeReport(values["layers"], values["first_height"], values["growth_rate"], tuple(heights.tolist()), dict(table.kinds),
+                        len(mesh.nodes), walls, covered, full, _volume(mesh), table.worst("scaled_jacobian")[1],
+                        table.worst("non_orthogonality")[1], table.worst("skewness")[1], chord_height, tuple(notes))
+
+
+def _areas(points, triangles):
+    a, b, c = points[triangles].transpose(1, 0, 2)
+    return 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+
+
+def _volume(mesh):
+    """mm^3, by the boundary: a quadrilateral counts as the mean of both ways to cut it into triangles."""
+    ways = [(mesh.boundary_triangles, 1.0), *((mesh.boundary_quadrilaterals[:, list(way)], 0.5)
+                                              for way in ((0, 1, 2), (0, 2, 3), (0, 1, 3), (1, 2, 3)))]
+    origin = mesh.nodes.mean(axis=0)
+    whole = 0.0
+    for triangles, weight in ways:
+        a, b, c = (mesh.nodes[triangles] - origin).transpose(1, 0, 2)
+        whole += weight * np.einsum("ti,ti->", np.cross(a, b), c) / 6.0
+    return float(whole)

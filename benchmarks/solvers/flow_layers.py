@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Layers of volume_mesh in random regions of flows: coverage, validity, and what OpenFOAM's checkMesh says.
+
+    SEED=1 COUNT=14 freecadcmd -P <root>/Mod benchmarks/solvers/flow_layers.py </dev/null
+Needs checkMesh (Debian: openfoam). OPENINGS=1: up to three plane faces of each region have no layers.
+
+Seven kinds of regions in turn: ducts with ribs, junctions of pipes, banks of cylinders, bent ducts, chambers with pipes, diffusers, oblique
+prisms. A line each, and a sum at the end.
+"""
+
+import math
+import os
+import random
+import subprocess
+import tempfile
+import time
+
+import Part
+from FreeCAD import Vector
+
+import MeshQuality as mq
+
+ENVIRONMENT = {**os.environ, "WM_PROJECT_DIR": os.environ.get("WM_PROJECT_DIR", "/usr/share/openfoam")}
+
+
+def ribs(draw):
+    shape = Part.makeBox(30, 8, 6)
+    for i in range(draw.randint(1, 4)):
+        shape = shape.cut(Part.makeBox(draw.uniform(0.5, 2), 8, draw.uniform(1, 3), Vector(4 + 6 * i, 0, 0)))
+    return shape
+
+
+def junction(draw):
+    angle = draw.uniform(-0.7, 0.7)
+    branch = Part.makeCylinder(draw.uniform(1, 2.6), 14, Vector(), Vector(math.cos(angle), 0, math.sin(angle)))
+    return Part.makeCylinder(3, 24, Vector(0, 0, -12)).fuse(branch)
+
+
+def bank(draw):
+    shape = Part.makeBox(20, 10, 4)
+    for i in range(3):
+        shape = shape.cut(Part.makeCylinder(draw.uniform(0.4, 1.5), 4, Vector(4 + 5 * i, draw.uniform(2.5, 7.5), 0)))
+    return shape
+
+
+def bent(draw):
+    return Part.makeBox(12, 6, 6).fuse(Part.makeBox(6, 6, 14, Vector(draw.uniform(2, 6), 0, 0)))
+
+
+def chamber(draw):
+    pipe = Part.makeCylinder(draw.uniform(0.8, 2), 12, Vector(), Vector(1, draw.uniform(-0.3, 0.3), 0))
+    return Part.makeSphere(5).fuse(Part.makeCylinder(2, 12)).fuse(pipe)
+
+
+def diffuser(draw):
+    return Part.makeCone(draw.uniform(1, 2), draw.uniform(3, 5), 10).fuse(Part.makeCylinder(1, 6, Vector(0, 0, -5)))
+
+
+def oblique(draw):
+    count = draw.randint(4, 8)
+    corners = [Vector(8 * draw.uniform(0.5, 1) * math.cos(2 * math.pi * i / count),
+                      8 * draw.uniform(0.5, 1) * math.sin(2 * math.pi * i / count), 0) for i in range(count)]
+    return Part.Face(Part.makePolygon([*corners, corners[0]])).extrude(Vector(draw.uniform(-2, 2), 0, 5))
+
+
+KINDS = (ribs, junction, bank, bent, chamber, diffuser, oblique)
+
+
+def regions(seed, count, openings):
+    """(kind, solid, options) of each."""
+    draw = random.Random(seed)
+    for i in range(count):
+        kind = KINDS[i % len(KINDS)]
+        shape = kind(draw).removeSplitter().Solids[0]
+        given = {"layers": draw.randint(2, 7), "first_height": draw.choice([0.01, 0.03, 0.06]), "growth_rate": draw.uniform(1.1, 1.5),
+                 "max_edge": draw.choice([1.0, 1.5, 2.5])}
+        if openings:
+            plane = [j for j, face in enumerate(shape.Faces) if isinstance(face.Surface, Part.Plane)]
+            left_out = draw.sample(plane, min(len(plane), draw.randint(1, 3)))
+            given["walls"] = [f"Face{j + 1}" for j in range(len(shape.Faces)) if j not in left_out]
+        yield kind.__name__, shape, given
+
+
+def checked(mesh):
+    """The faults that checkMesh finds; none: it says "Mesh OK"."""
+    with tempfile.TemporaryDirectory() as folder:
+        mesh.write(os.path.join(folder, "case"))
+        said = subprocess.run(["checkMesh"], cwd=os.path.join(folder, "case"), env=ENVIRONMENT, capture_output=True, text=True).stdout
+    return [] if "Mesh OK." in said else [line.strip() for line in said.splitlines() if "***" in line] or ["no verdict"]
+
+
+def main():
+    count = accepted = 0
+    for kind, shape, given in regions(int(os.environ.get("SEED", 1)), int(os.environ.get("COUNT", 14)), "OPENINGS" in os.environ):
+        start, count = time.time(), count + 1
+        try:
+            mesh = mq.volume_mesh(shape, **given)
+        except mq.Error as error:
+            print(f"{kind}: {error}; {given}", flush=True)
+            continue
+        seconds, certificate, faults, report = time.time() - start, mq.certify(mesh), checked(mesh), mesh.report
+        accepted += not faults
+        print(f"{kind}: {seconds:.1f} s, {sum(report.elements.values()):,} elements, {certificate.invalid} invalid, covered "
+              f"{report.covered:.3f}, full height {report.full_height:.3f}, non-orthogonality {report.max_non_orthogonality:.0f}°, "
+              f"skewness {report.max_skewness:.1f}, {faults or 'Mesh OK'}", flush=True)
+    print(f"{accepted} of {count} accepted by checkMesh", flush=True)
+
+
+main()

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""volume_mesh: layers of prisms on the walls of a solid, proven valid, conforming, and taken by OpenFOAM's checkMesh."""
+
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+
+import helpers
+import numpy as np
+import Part
+from FreeCAD import Vector
+from test_cli import run
+from test_measures import ENVIRONMENT
+
+import MeshQuality as mq
+from MeshQuality.core.elements import kinds
+
+
+def pipe_bend():
+    """A quarter of a torus: its face 1 is the wall, faces 2 and 3 are plane."""
+    circle = Part.makeCircle(3, Vector(12, 0, 0), Vector(0, 1, 0))
+    return Part.Face(Part.Wire(circle)).revolve(Vector(), Vector(0, 0, 1), 90)
+
+
+def stepped_duct():
+    """A duct that gets wider by a step on one side: its edge is concave, seen from the fluid."""
+    return Part.makeBox(20, 8, 4).fuse(Part.makeBox(20, 8, 8, Vector(20, 0, -4))).removeSplitter().Solids[0]
+
+
+def wedge(angle):
+    """A prism with an acute edge of these degrees."""
+    turned = Vector(10 * math.cos(math.radians(angle)), 10 * math.sin(math.radians(angle)), 0)
+    corners = [Vector(), Vector(10, 0, 0), turned, Vector()]
+    return Part.Face(Part.makePolygon(corners)).extrude(Vector(0, 0, 5))
+
+
+def areas(corners):
+    """mm^2, of triangles."""
+    return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+
+
+class VolumeMeshes(helpers.DocumentTest):
+    def assert_sound(self, mesh, area=None):
+        """All elements are proven, conform, and have the listed faces as their boundary and no others."""
+        certificate = mq.certify(mesh)
+        self.assertEqual((certificate.invalid, certificate.conforming, certificate.oriented), (0, True, True))
+        self.assertTrue(mq.ElementMesh.of(mesh) is mesh)
+        counts = {}
+        for kind, corners in mesh.solid_blocks:  # by other means than the product's own check
+            for face in kinds.FACES[kind]:
+                for key in np.sort(corners[:, list(face)], axis=1).tolist():
+                    counts[tuple(key)] = counts.get(tuple(key), 0) + 1
+        self.assertLessEqual(max(counts.values()), 2)
+        outer = {key for key, count in counts.items() if count == 1}
+        listed = [tuple(sorted(side)) for sides in (mesh.boundary_triangles, mesh.boundary_quadrilaterals) for side in sides.tolist()]
+        self.assertEqual(len(listed), len(set(listed)))
+        self.assertEqual(outer, set(listed))
+        self.assertGreater(mesh.report.min_scaled_jacobian, 0.0)
+        if area is not None:
+            self.assertAlmostEqual(sum(wall.area for wall in mesh.report.walls) / area, 1.0, delta=0.02)
+
+    def first_heights(self, mesh):
+        """mm: the distances of the first layer's upper corners from the planes of the triangles below."""
+        first = mesh.prisms[mesh.prism_layer == 0]
+        a, b, c = mesh.nodes[first[:, :3]].transpose(1, 0, 2)
+        normal = np.cross(b - a, c - a)
+        normal /= np.linalg.norm(normal, axis=1)[:, None]
+        return np.einsum("pij,pj->pi", mesh.nodes[first[:, 3:]] - a[:, None], normal)
+
+    def test_layers_on_all_faces_of_a_box(self):
+        mesh = mq.volume_mesh(Part.makeBox(10, 8, 6), layers=4, first_height=0.05, growth_rate=1.3, max_edge=1.5)
+        self.assert_sound(mesh, 376.0)
+        self.assertEqual((mesh.report.covered, mesh.report.full_height), (1.0, 1.0))
+        self.assertEqual(len(mesh.prisms), 4 * len(mesh.boundary_triangles))
+        self.assertEqual(len(mesh.boundary_quadrilaterals), 0)
+        self.assertAlmostEqual(mesh.report.volume, 480.0, places=6)
+        np.testing.assert_allclose(self.first_heights(mesh), 0.05, rtol=1e-4)  # at corners, too
+        np.testing.assert_allclose(mesh.report.heights, 0.05 * 1.3 ** np.arange(4))
+
+    def test_layers_end_in_plane_faces(self):
+        mesh = mq.volume_mesh(Part.makeCylinder(5, 20), layers=5, first_height=0.05, walls=["Face1"], max_edge=2.0)
+        self.assert_sound(mesh, 2 * math.pi * 5 * 20)
+        self.assertEqual([wall.face for wall in mesh.report.walls], ["Face1"])
+        self.assertEqual(mesh.report.covered, 1.0)
+        self.assertEqual(set(mesh.quadrilateral_face.tolist()), {1, 2})
+        for face, height in ((1, 20.0), (2, 0.0)):
+            for sides, faces in ((mesh.boundary_triangles, mesh.triangle_face), (mesh.boundary_quadrilaterals, mesh.quadrilateral_face)):
+                np.testing.assert_allclose(mesh.nodes[sides[faces == face]][..., 2], height, atol=1e-5)
+        self.assertAlmostEqual(np.median(self.first_heights(mesh)), 0.05, delta=0.002)
+
+    def test_a_pipe_bend(self):
+        mesh = mq.volume_mesh(pipe_bend(), layers=5, first_height=0.03, growth_rate=1.3, walls=["Face1"], max_edge=1.5)
+        self.assert_sound(mesh)
+        self.assertEqual(mesh.report.covered, 1.0)
+        self.assertLess(mesh.report.max_non_orthogonality, 70.0)
+
+    def test_a_step_with_a_concave_edge(self):
+        mesh = mq.volume_mesh(stepped_duct(), layers=4, first_height=0.05, growth_rate=1.3, max_edge=2.0)
+        self.assert_sound(mesh)
+        self.assertEqual((mesh.report.covered, mesh.report.full_height), (1.0, 1.0))
+        self.assertAlmostEqual(mesh.report.volume, 1920.0, delta=1e-3)
+        np.testing.assert_allclose(self.first_heights(mesh), 0.05, rtol=2e-3)
+
+    def test_where_no_layers_fit_they_end_in_pyramids_and_the_report_says_so(self):
+        mesh = mq.volume_mesh(wedge(20), layers=4, first_height=0.05, growth_rate=1.3, max_edge=1.5)
+        self.assert_sound(mesh)
+        self.assertGreater(len(mesh.pyramids), 0)
+        self.assertTrue(0.6 < mesh.report.covered < 1.0, mesh.report)
+        on_walls = mesh.prisms[mesh.prism_layer == 0][:, :3]
+        whole = {tuple(sorted(side)) for side in on_walls.tolist()}  # those beside bare walls are no prisms any more
+        bare = [tuple(sorted(side)) not in whole for side in mesh.boundary_triangles.tolist()]
+        corners = mesh.nodes[mesh.boundary_triangles[bare]]
+        left_off = sum(wall.area * (1 - wall.covered) for wall in mesh.report.walls)
+        self.assertGreater(areas(corners).sum(), left_off)
+        self.assertTrue(any("Face1" in note for note in mesh.report.notes))
+
+    def test_walls_that_end_beside_bare_ones_leave_the_openings_whole(self):
+        sides = ["Face1", "Face3"]  # of the acute edge; the ends are openings
+        mesh = mq.volume_mesh(wedge(20), layers=4, first_height=0.05, growth_rate=1.3, max_edge=1.5, walls=sides)
+        self.assert_sound(mesh)
+        self.assertLess(mesh.report.covered, 1.0)
+        self.assertAlmostEqual(mesh.report.volume / wedge(20).Volume, 1.0, places=6)
+
+    def test_walls_that_go_on_in_an_opening_or_turn_away_from_it_step_down_before(self):
+        ring = Part.makeCone(2, 4, 10).fuse(Part.makeCylinder(1, 6, Vector(0, 0, -5))).removeSplitter().Solids[0]
+        floor = Part.makeBox(10, 10, 5).fuse(Part.makeBox(10, 10, 5, Vector(10, 0, 0))).Solids[0]  # of two coplanar faces on each side
+        for shape, place in ((ring, Vector(0, 0, 0)), (floor, Vector(5, 5, 5))):
+            opening = min(range(len(shape.Faces)), key=lambda i: (shape.Faces[i].CenterOfMass - place).Length)
+            walls = [f"Face{i + 1}" for i in range(len(shape.Faces)) if i != opening]
+            given = {"chord_height": 0.1, "max_edge": 1.5}
+            mesh = mq.volume_mesh(shape, layers=3, first_height=0.05, growth_rate=1.3, walls=walls, **given)
+            self.assert_sound(mesh)
+            self.assertTrue(0.5 < mesh.report.covered < 1.0, mesh.report)
+            surface = mq.triangulate(shape, **given)
+            whole = areas(surface.vertices[surface.triangles[surface.triangle_face == opening]]).sum()
+            found = areas(mesh.nodes[mesh.boundary_triangles[mesh.triangle_face == opening]]).sum()
+            quads = mesh.nodes[mesh.boundary_quadrilaterals[mesh.quadrilateral_face == opening]]
+            found += areas(quads[:, [0, 1, 2]]).sum() + areas(quads[:, [0, 2, 3]]).sum()
+            self.assertAlmostEqual(found / whole, 1.0, places=5)
+
+    def test_bad_input_is_refused_by_name(self):
+        box = Part.makeBox(10, 10, 1)
+        good = {"layers": 3, "first_height": 0.02}
+        for shape, given, words in (
+                (box, {"layers": 5, "first_height": 0.3}, "Face5.* layers are .* mm thick, but the gap there is 1 mm"),
+                (box.Faces[0], good, "0 solids, not one"),
+                (box, {**good, "walls": ["Face9"]}, "'Face9', which is no face .* Face1 to Face6"),
+                (box, {**good, "walls": []}, "empty list"),
+                (Part.makeCylinder(5, 20), {**good, "walls": ["Face2"]}, "Face1 is not plane"),
+                (box, {"layers": 0, "first_height": 0.1}, "layers"), (box, {"layers": 3, "first_height": -1.0}, "first_height")):
+            with self.assertRaisesRegex(mq.InvalidInput, words):
+                mq.volume_mesh(shape, **given)
+
+    def test_cancelling(self):
+        with self.assertRaises(mq.Cancelled):
+            mq.volume_mesh(Part.makeBox(10, 8, 6), 3, 0.05, progress=lambda fraction, stage: fraction < 0.42)
+
+
+class VolumeFiles(helpers.DocumentTest):
+    PATCHES = {"inlet": ["Face2"], "outlet": ["Face3"]}
+
+    def bend(self):
+        return mq.volume_mesh(pipe_bend(), layers=4, first_height=0.05, growth_rate=1.3, walls=["pipe"], max_edge=1.5,
+                              patches=self.PATCHES, patch_rest="pipe")
+
+    def test_files_hold_all_of_it(self):
+        mesh = self.bend()
+        for suffix in ("msh", "vtu", "su2"):
+            path = os.path.join(self.folder, f"bend.{suffix}")
+            mesh.write(path)
+            back = mq.read_mesh(path)
+            self.assertEqual([block.kind for block in back.blocks if kinds.DIMENSION[block.kind] == 3], ["tetrahedron", "prism"])
+            certificate = mq.certify(path)
+            self.assertEqual(certificate.invalid, 0)
+            certificate.save(f"{path}.json")
+            self.assertTrue(mq.verify(f"{path}.json").holds, suffix)
+            if suffix == "vtu":  # which has numbers for names
+                self.assertEqual(len(back.groups), 4)
+            else:
+                self.assertTrue({"inlet", "outlet", "pipe"} <= set(back.groups), (suffix, back.groups))
+
+    def test_openfoam_takes_the_case(self):
+        folder = os.path.join(self.folder, "case")
+        mesh = self.bend()
+        mesh.write(folder)
+        read = {name: open(os.path.join(folder, "constant", "polyMesh", name), encoding="utf-8").read()
+                for name in ("owner", "neighbour", "boundary")}
+        owner, neighbour = (np.array(re.findall(r"^\d+$", read[name], re.M)[1:], dtype=int) for name in ("owner", "neighbour"))
+        inner = owner[:len(neighbour)]
+        self.assertTrue((inner < neighbour).all())
+        self.assertTrue((np.diff(inner * (neighbour.max() + 1) + neighbour) > 0).all())  # upper-triangular order
+        self.assertEqual(re.findall(r"type (\w+)", read["boundary"]), ["patch", "patch", "wall"])
+        if not shutil.which("checkMesh"):
+            self.skipTest("checkMesh is missing: Debian's package openfoam has it")
+        said = subprocess.run(["checkMesh"], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, timeout=300).stdout
+        self.assertIn("Mesh OK.", said)
+        self.assertRegex(said, rf"prisms:\s+{len(mesh.prisms)}\n")
+        self.assertRegex(said, rf"tetrahedra:\s+{len(mesh.tetrahedra)}\n")
+        found = float(re.search(r"non-orthogonality Max: ([\d.]+)", said)[1])
+        self.assertAlmostEqual(mesh.report.max_non_orthogonality, found, delta=1e-3 * found)
+
+    def test_the_command_line(self):
+        part, patches = (os.path.join(self.folder, name) for name in ("bend.brep", "bc.json"))
+        pipe_bend().exportBrep(part)
+        with open(patches, "w", encoding="utf-8") as stream:
+            json.dump(self.PATCHES, stream)
+        given = ["volume", part, "--layers", "3", "--first-height", "0.05", "--growth-rate", "1.3", "--max-edge", "2"]
+        case = os.path.join(self.folder, "case")
+        status, out, said = run(*given, "-o", case, "--wall", "Face1", "--patches", patches, "--json", "--strict")
+        self.assertEqual(status, 0, said)
+        self.assertEqual(json.loads(out)["covered"], 1.0)
+        self.assertEqual(sorted(os.listdir(os.path.join(case, "constant", "polyMesh"))),
+                         ["boundary", "faces", "neighbour", "owner", "points"])
+        path = os.path.join(self.folder, "bend.vtu")
+        status, _, said = run(*given, "-o", path)
+        self.assertEqual(status, 0, said)
+        self.assertEqual(mq.certify(path).invalid, 0)
+        status, _, said = run(*given, "-o", path, "--wall", "Face7")
+        self.assertEqual(status, 2)
+        self.assertIn("Face7", "".join(said))
