@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""to_solid: the CAD solid of a closed mesh, with the exact surfaces that the mesh was made of."""
+
+from dataclasses import dataclass, field
+
+import FreeCAD
+import numpy as np
+import Part
+
+from ... import options
+from ...errors import GeometryError, InvalidInput, IoError
+from ...listing import Public
+from ..inspect.deviation import deviation
+from ..meshes.surface_mesh import SurfaceMesh, surface_of
+from ..operands.operands import part_of
+from .construction import tolerance_of
+
+_MOST_FACETS = 20_000  # triangles: OpenCASCADE sews more in minutes only
+_ROUNDING = 1e-6  # of the size: single precision of the mesh
+_FINE = 5e-4  # of the size: deflection of the points by which solids are compared with meshes
+_AGREE = 0.5  # cosine of the angle between the normals of a face and of the mesh, at least
+
+
+@dataclass(frozen=True)
+class MeshSolid(metaclass=Public):
+    """A CAD solid made of a mesh, and how it was checked.
+
+    shape         Part.Solid, or a Part.Compound of them: valid and closed
+    faces         number of its faces on exact surfaces of the CAD
+    facets        number of its faces that are planar facets of the mesh, coplanar ones merged; either this or faces is 0
+    volume        mm^3
+    mesh_volume   mm^3, of the mesh
+    deviation     mm, the largest distance found between the solid and the mesh, at their vertices and within triangles, both ways
+    tolerance     mm: deviation is at most this, and the volumes differ by at most this times the area
+    notes         why it is facets, where it is
+    """
+
+    shape: object
+    faces: int
+    facets: int
+    volume: float
+    mesh_volume: float
+    deviation: float
+    tolerance: float
+    notes: tuple = field(default=())
+
+    def write(self, path):
+        """Writes a STEP file and reads it back. Raises IoError where that is not possible, or where the solid that is read is not
+        valid or has another volume by more than a millionth.
+        """
+        path = str(path)
+        try:
+            self.shape.exportStep(path)
+            back = Part.Shape()
+            back.read(path)
+        except Exception as error:  # what OpenCASCADE raises has no common class
+            raise IoError(f"{path}: {error}") from error
+        if not back.Solids or not back.isValid() or abs(back.Volume - self.volume) > 1e-6 * self.volume:
+            raise IoError(f"{path}: the solid that is read back is not the one that was written")
+
+    def __repr__(self):
+        what = f"{self.faces} exact faces" if self.faces else f"{self.facets} facets"
+        return f"<MeshSolid: {what}, {self.volume:.6g} mm^3, {self.deviation:.3g} mm from the mesh>"
+
+
+def to_solid(mesh, facets=True, progress=None):
+    """The CAD solid of a closed mesh, with the exact surfaces that the mesh was made of: a MeshSolid.
+
+    mesh      what triangulate, offset, hollow or boolean returned, made of shapes or of such meshes: its surfaces are those of the
+              shapes, or offset from them. Or another closed mesh: Mesh.Mesh, Mesh feature, SurfaceMesh, arrays (V, F), which gets facets
+    facets    True: where exact surfaces do not close, the solid has planar facets, and a note says why; False: it is refused
+    progress  as for triangulate
+
+    The faces of the CAD, and of offsets also cylinders, tori and spheres about edges and vertices, are divided along their
+    intersections by OpenCASCADE; those pieces that lie on the mesh are sewn. The solid is checked: it is valid and closed, its volume is
+    that of the mesh and its distance from the mesh, both ways, is at most that of the mesh from the CAD, by its report.
+
+    Raises InvalidInput for a mesh that is open or not manifold, or has more than 20,000 triangles where facets are needed; GeometryError
+    where no valid solid comes of it; Cancelled.
+    """
+    options.require_callable(progress)
+    surface = surface_of(mesh)
+    report = surface.report
+    if not (report.closed and report.manifold and report.oriented) or not len(surface.triangles):
+        raise InvalidInput("the mesh is not closed, manifold and oriented: repair it first")
+    given = _Given(surface)
+    try:
+        return _exact(mesh, given, progress)
+    except _NoSolidError as error:
+        if not facets:
+            raise GeometryError(f"no solid with exact surfaces: {error}") from error
+        return _facets(given, (str(error),))
+
+
+class _NoSolidError(Exception):
+    """Why there is no valid solid on the CAD's surfaces."""
+
+
+class _Given:
+    """The mesh: points float64 (V, 3), triangles, volume, area and size."""
+
+    def __init__(self, surface):
+        self.points, self.triangles = surface.vertices + surface.origin, np.array(surface.triangles)
+        self.volume, self.area = surface.report.volume, surface.report.area
+        self.size = float(np.ptp(self.points, axis=0).max())
+
+    def samples(self):
+        """float64 (n, 3): its vertices, and the middles of its triangles."""
+        return np.concatenate([self.points, self.points[self.triangles].mean(axis=1)])
+
+
+def _exact(mesh, given, progress):
+    """The MeshSolid on the CAD's surfaces; raises _NoSolidError."""
+    construction = mesh._construction if isinstance(mesh, SurfaceMesh) else None
+    faces = None if construction is None else construction.faces()
+    if not faces:
+        raise _NoSolidError("the mesh does not know the CAD it was made of")
+    tolerance = tolerance_of(mesh) + _ROUNDING * given.size
+    try:
+        pieces = faces[0].generalFuse(faces[1:])[0].Faces if len(faces) > 1 else faces
+        chosen = _on_mesh(pieces, given, tolerance, part_of(progress, 0.2, 0.6))
+        shape = _merged(_solid_of(chosen))
+    except Part.OCCError as error:
+        raise _NoSolidError(f"OpenCASCADE cannot intersect the faces ({error})") from error
+    return _checked(shape, given, tolerance, len(shape.Faces), 0, ())
+
+
+def _on_mesh(pieces, given, tolerance, progress):
+    """Those of the faces that lie on the mesh: most of their area is within the tolerance of it, along its normals."""
+    deflection = max(0.5 * tolerance, 1e-5 * given.size)
+    centres, crosses, owner = [], [], []
+    for i, piece in enumerate(pieces):
+        middles, normals = _triangles_of(piece, deflection)
+        centres.append(middles)
+        crosses.append(normals)
+        owner.append(np.full(len(middles), i))
+    owner, crosses = np.concatenate(owner), np.concatenate(crosses)
+    areas = np.linalg.norm(crosses, axis=1)
+    found = deviation(np.concatenate(centres), (given.points, given.triangles), progress=progress)
+    along = np.abs(np.einsum("ij,ij->i", found.normals, crosses)) >= _AGREE * areas
+    near = along & (np.abs(found.values) <= tolerance + deflection)
+    share = np.bincount(owner, areas * near, len(pieces)) / np.maximum(np.bincount(owner, areas, len(pieces)), 1e-300)
+    return [piece for piece, part in zip(pieces, share) if part > 0.5]
+
+
+def _triangles_of(shape, deflection):
+    """(middles float64 (n, 3), area normals float64 (n, 3), not zero) of the triangles of a shape."""
+    points, triangles = shape.tessellate(deflection)
+    corners = np.array([tuple(point) for point in points]).reshape(-1, 3)[np.array(triangles, dtype=int).reshape(-1, 3)]
+    crosses = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    real = np.linalg.norm(crosses, axis=1) > 0.0
+    return corners[real].mean(axis=1), crosses[real]
+
+
+def _solid_of(faces):
+    """The Part.Solid, or the Part.Compound of them, that faces bound; raises _NoSolidError."""
+    if not faces:
+        raise _NoSolidError("no face of the CAD lies on the mesh")
+    sewn = Part.makeCompound(faces)
+    sewn.sewShape()
+    shells = sewn.Shells or [Part.Shell(faces)]  # a sphere or torus alone is not sewn
+    if sum(len(shell.Faces) for shell in shells) != len(sewn.Faces) or not all(shell.isClosed() for shell in shells):
+        raise _NoSolidError("the faces of the CAD on the mesh do not close")
+    return _nested([_outward(Part.Solid(shell)) for shell in shells])
+
+
+def _outward(solid):
+    if solid.Volume < 0.0:
+        solid.reverse()
+    return solid
+
+
+def _nested(solids):
+    """The solid, or the compound of solids, of closed shells, of which one within another is its cavity, and so on."""
+    solids = sorted(solids, key=lambda solid: -solid.Volume)
+    around = [[j for j in range(i) if solids[j].isInside(solid.Vertexes[0].Point, 1e-7, False)] for i, solid in enumerate(solids)]
+    made = []
+    for i, solid in enumerate(solids):
+        if len(around[i]) % 2:
+            continue
+        cavities = [solids[j] for j in range(i + 1, len(solids)) if len(around[j]) == len(around[i]) + 1 and i in around[j]]
+        made += (solid.cut(Part.makeCompound(cavities)) if cavities else solid).Solids
+    return made[0] if len(made) == 1 else Part.makeCompound(made)
+
+
+def _merged(shape):
+    """The shape with neighbouring faces of one surface joined to one face, where that is valid."""
+    merged = shape.removeSplitter()
+    return merged if merged.Solids and merged.isValid() else shape
+
+
+def _facets(given, notes):
+    """The MeshSolid of planar facets."""
+    if len(given.triangles) > _MOST_FACETS:
+        raise InvalidInput(f"{notes[0]}, and {len(given.triangles):,} triangles are too many facets: simplify the mesh to at most "
+                           f"{_MOST_FACETS:,}")
+    shape = Part.Shape()
+    shape.makeShapeFromMesh(([FreeCAD.Vector(*point) for point in given.points.tolist()], [tuple(triangle) for triangle in given.triangles.tolist()]), 1e-7)
+    try:
+        shape = _merged(_solid_of(shape.Faces))
+        return _checked(shape, given, _ROUNDING * given.size, 0, len(shape.Faces), notes)
+    except (_NoSolidError, Part.OCCError) as error:
+        raise GeometryError(f"{notes[0]}, and facets make no solid: {error}") from error
+
+
+def _checked(shape, given, tolerance, faces, facets, notes):
+    """The MeshSolid, once it is shown to be one; raises _NoSolidError."""
+    if not shape.Solids or not shape.isValid():
+        raise _NoSolidError("the solid is not valid by OpenCASCADE's check")
+    if abs(shape.Volume - given.volume) > tolerance * given.area:
+        raise _NoSolidError(f"the volume of the solid, {shape.Volume:.6g} mm^3, is not that of the mesh, {given.volume:.6g} mm^3")
+    fine = _FINE * given.size if faces else given.size
+    points = np.concatenate([[tuple(vertex.Point) for vertex in shape.Vertexes], _triangles_of(shape, fine)[0]])
+    slack = fine if faces else 0.0
+    there = deviation(given.samples(), shape).max_deviation
+    back = deviation(points, (given.points, given.triangles)).max_deviation
+    if max(there, back - slack) > tolerance:
+        raise _NoSolidError(f"the solid is {max(there, back):.3g} mm from the mesh, and {tolerance:.3g} mm are allowed")
+    return MeshSolid(shape, faces, facets, shape.Volume, given.volume, max(there, back), tolerance, notes)
