@@ -17,7 +17,10 @@ from .construction import tolerance_of
 
 _MOST_FACETS = 20_000  # triangles: OpenCASCADE sews more in minutes only
 _ROUNDING = 1e-6  # of the size: single precision of the mesh
-_FINE = 5e-4  # of the size: deflection of the points by which solids are compared with meshes
+_COARSE = 5e-3  # of the size: deflection of the tessellation that spreads points over faces
+_WITHIN = np.array([(i + 1, j + 1, 5 - i - j) for i in range(5) for j in range(5 - i)]) / 7.0  # weights of the corners of its triangles
+_FEW, _MANY = 60, 300  # points a face by which it is chosen, and checked
+_BACK = 2.0  # of the tolerance, from the solid to the mesh: three planes at the tolerance from theirs meet at sqrt(3) times it
 _AGREE = 0.5  # cosine of the angle between the normals of a face and of the mesh, at least
 
 
@@ -30,8 +33,11 @@ class MeshSolid(metaclass=Public):
     facets        number of its faces that are planar facets of the mesh, coplanar ones merged; either this or faces is 0
     volume        mm^3
     mesh_volume   mm^3, of the mesh
-    deviation     mm, the largest distance found between the solid and the mesh, at their vertices and within triangles, both ways
-    tolerance     mm: deviation is at most this, and the volumes differ by at most this times the area
+    deviation     mm, the largest distance of the mesh from the solid, at its vertices and the middles of its triangles
+    deviation_back
+                  mm, the largest distance of the solid from the mesh, at its vertices and at points spread over its faces
+    tolerance     mm, the distance of the mesh from the CAD by its report: deviation is at most this, deviation_back at most twice this,
+                  as sharp corners are farther apart than faces, and the volumes differ by at most this times the area
     notes         why it is facets, where it is
     """
 
@@ -41,6 +47,7 @@ class MeshSolid(metaclass=Public):
     volume: float
     mesh_volume: float
     deviation: float
+    deviation_back: float
     tolerance: float
     notes: tuple = field(default=())
 
@@ -127,29 +134,30 @@ def _exact(mesh, given, progress):
 
 def _on_mesh(pieces, given, tolerance, progress):
     """Those of the faces that lie on the mesh: most of their area is within the tolerance of it, along its normals."""
-    deflection = max(0.5 * tolerance, 1e-5 * given.size)
-    centres, crosses, owner = [], [], []
-    for i, piece in enumerate(pieces):
-        middles, normals = _triangles_of(piece, deflection)
-        centres.append(middles)
-        crosses.append(normals)
-        owner.append(np.full(len(middles), i))
-    owner, crosses = np.concatenate(owner), np.concatenate(crosses)
+    samples = [_samples_of(piece, given.size, _FEW) for piece in pieces]
+    owner = np.repeat(np.arange(len(pieces)), [len(points) for points, _ in samples])
+    points, crosses = (np.concatenate(arrays) for arrays in zip(*samples))
     areas = np.linalg.norm(crosses, axis=1)
-    found = deviation(np.concatenate(centres), (given.points, given.triangles), progress=progress)
+    found = deviation(points, (given.points, given.triangles), progress=progress)
     along = np.abs(np.einsum("ij,ij->i", found.normals, crosses)) >= _AGREE * areas
-    near = along & (np.abs(found.values) <= tolerance + deflection)
+    near = along & (np.abs(found.values) <= tolerance)
     share = np.bincount(owner, areas * near, len(pieces)) / np.maximum(np.bincount(owner, areas, len(pieces)), 1e-300)
     return [piece for piece, part in zip(pieces, share) if part > 0.5]
 
 
-def _triangles_of(shape, deflection):
-    """(middles float64 (n, 3), area normals float64 (n, 3), not zero) of the triangles of a shape."""
-    points, triangles = shape.tessellate(deflection)
-    corners = np.array([tuple(point) for point in points]).reshape(-1, 3)[np.array(triangles, dtype=int).reshape(-1, 3)]
+def _samples_of(face, size, most):
+    """Points spread over a face, float64 (n, 3), no more than `most`, and the area normals of the triangles of its tessellation that they stand for."""
+    corners, triangles = face.tessellate(_COARSE * size)
+    corners = np.array([tuple(point) for point in corners]).reshape(-1, 3)[np.array(triangles, dtype=int).reshape(-1, 3)]
     crosses = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    real = np.linalg.norm(crosses, axis=1) > 0.0
-    return corners[real].mean(axis=1), crosses[real]
+    points = np.einsum("ki,tij->tkj", _WITHIN, corners).reshape(-1, 3)
+    surface, kept, found = face.Surface, [], []
+    for i in np.unique(np.linspace(0, len(points) - 1, min(len(points), most)).astype(int)).tolist():
+        u, v = surface.parameter(FreeCAD.Vector(*points[i].tolist()))
+        if face.isPartOfDomain(u, v):
+            kept.append(i // len(_WITHIN))
+            found.append(tuple(surface.value(u, v)))
+    return np.array(found).reshape(-1, 3), crosses[kept]
 
 
 def _solid_of(faces):
@@ -209,11 +217,9 @@ def _checked(shape, given, tolerance, faces, facets, notes):
         raise _NoSolidError("the solid is not valid by OpenCASCADE's check")
     if abs(shape.Volume - given.volume) > tolerance * given.area:
         raise _NoSolidError(f"the volume of the solid, {shape.Volume:.6g} mm^3, is not that of the mesh, {given.volume:.6g} mm^3")
-    fine = _FINE * given.size if faces else given.size
-    points = np.concatenate([[tuple(vertex.Point) for vertex in shape.Vertexes], _triangles_of(shape, fine)[0]])
-    slack = fine if faces else 0.0
+    points = np.concatenate([[tuple(vertex.Point) for vertex in shape.Vertexes], *(_samples_of(face, given.size, _MANY)[0] for face in shape.Faces)])
     there = deviation(given.samples(), shape).max_deviation
     back = deviation(points, (given.points, given.triangles)).max_deviation
-    if max(there, back - slack) > tolerance:
+    if there > tolerance or back > _BACK * tolerance:
         raise _NoSolidError(f"the solid is {max(there, back):.3g} mm from the mesh, and {tolerance:.3g} mm are allowed")
-    return MeshSolid(shape, faces, facets, shape.Volume, given.volume, max(there, back), tolerance, notes)
+    return MeshSolid(shape, faces, facets, shape.Volume, given.volume, there, back, tolerance, notes)
