@@ -20,7 +20,7 @@ _ROUNDING = 1e-6  # of the size: single precision of the mesh
 _COARSE = 5e-3  # of the size: deflection of the tessellation that spreads points over faces
 _WITHIN = np.array([(i + 1, j + 1, 5 - i - j) for i in range(5) for j in range(5 - i)]) / 7.0  # weights of the corners of its triangles
 _FEW, _MANY = 60, 300  # points a face by which it is chosen, and checked
-_BACK = 2.0  # of the tolerance, from the solid to the mesh: three planes at the tolerance from theirs meet at sqrt(3) times it
+_CORNERS = 2.0  # times the distance of the mesh from the CAD's faces: where three planes meet at right angles, sqrt(3) times it
 _AGREE = 0.5  # cosine of the angle between the normals of a face and of the mesh, at least
 
 
@@ -36,8 +36,8 @@ class MeshSolid(metaclass=Public):
     deviation     mm, the largest distance of the mesh from the solid, at its vertices and the middles of its triangles
     deviation_back
                   mm, the largest distance of the solid from the mesh, at its vertices and at points spread over its faces
-    tolerance     mm, the distance of the mesh from the CAD by its report: deviation is at most this, deviation_back at most twice this,
-                  as sharp corners are farther apart than faces, and the volumes differ by at most this times the area
+    tolerance     mm: deviation and deviation_back are at most this. Twice the distance of the mesh from the CAD by its report, as sharp
+                  edges are farther apart than faces are. The volumes differ by at most half of this times the area
     notes         why it is facets, where it is
     """
 
@@ -220,6 +220,7 @@ def _checked(shape, given, tolerance, faces, facets, notes):
     points = np.concatenate([[tuple(vertex.Point) for vertex in shape.Vertexes], *(_samples_of(face, given.size, _MANY)[0] for face in shape.Faces)])
     there = deviation(given.samples(), shape).max_deviation
     back = deviation(points, (given.points, given.triangles)).max_deviation
-    if there > tolerance or back > _BACK * tolerance:
+    tolerance *= _CORNERS
+    if max(there, back) > tolerance:
         raise _NoSolidError(f"the solid is {max(there, back):.3g} mm from the mesh, and {tolerance:.3g} mm are allowed")
     return MeshSolid(shape, faces, facets, shape.Volume, given.volume, there, back, tolerance, notes)
