@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Solids with exact surfaces from meshes that know their CAD."""
+"""The CAD faces on which meshes lie that were made of shapes."""

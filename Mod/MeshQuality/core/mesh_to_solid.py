@@ -7,13 +7,13 @@ import FreeCAD
 import numpy as np
 import Part
 
-from ... import options
-from ...errors import GeometryError, InvalidInput, IoError
-from ...listing import Public
-from ..inspect.deviation import deviation
-from ..meshes.surface_mesh import SurfaceMesh, surface_of
-from ..operands.operands import part_of
-from .construction import tolerance_of
+from .. import options
+from ..errors import GeometryError, InvalidInput, IoError
+from ..listing import Public
+from .brep.construction import tolerance_of
+from .inspect.deviation import deviation
+from .meshes.surface_mesh import SurfaceMesh, surface_of
+from .operands.operands import part_of
 
 _MOST_FACETS = 20_000  # triangles: OpenCASCADE sews more in minutes only
 _ROUNDING = 1e-6  # of the size: single precision of the mesh
