@@ -17,6 +17,7 @@ Meshes for scripts
     hollow        a solid of which a wall is left, with openings                         -> OffsetMesh
     cam           a mesh for machining, never inside a solid or never outside            -> CamMesh
     wrap          the outer surface of objects, however dirty, without narrow openings     -> WrapMesh
+    to_solid      the CAD solid of a mesh that was made of CAD, with exact surfaces      -> MeshSolid
     repair        a closed mesh without faults from one that has some                    -> BooleanMesh
     improve       the same surface with better triangles                                 -> SurfaceMesh
     simplify      the same surface with fewer triangles, within a proven distance        -> SimplifiedMesh
@@ -122,6 +123,8 @@ _LAZY = {
     "cam": "MeshQuality.core.machining",
     "CamMesh": "MeshQuality.core.machining",
     "add_cam_mesh": "MeshQuality.features.cam_mesh",
+    "to_solid": "MeshQuality.core.mesh_to_solid",
+    "MeshSolid": "MeshQuality.core.mesh_to_solid",
     "wrap": "MeshQuality.core.wrapping",
     "WrapMesh": "MeshQuality.core.wrapping",
     "adapt": "MeshQuality.features.adapted_mesh",

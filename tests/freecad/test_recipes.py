@@ -86,6 +86,11 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/simplify.md")
         self.assertLess(self.names["small"].report.triangles, self.names["mesh"].CountFacets)
 
+    def test_solids_of_meshes(self):
+        self.follow("docs/use/to-solid.md")
+        self.assertEqual((self.names["solid"].faces, self.names["solid"].facets), (11, 0))
+        self.assertEqual(os.listdir("."), ["hollow.step"])
+
     def test_adapting(self):
         self.follow("docs/use/adapt.md")
         self.assertEqual(self.names["result"].stopped, "target")

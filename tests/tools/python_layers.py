@@ -33,7 +33,7 @@ LAYER = {
 }
 # The folders and modules of `core` in rows, low to high: each imports lower rows, and itself.
 CORE = [
-    ["colour_scale", "sources"],
+    ["brep", "colour_scale", "sources"],
     ["elements", "patches"],
     ["formats"],
     ["meshes"],
@@ -42,7 +42,7 @@ CORE = [
     ["curved", "certify"],
     ["operands", "verify"],
     ["booleans", "curving", "inspect"],
-    ["adapting", "measures", "offsetting", "repair", "solid_expression", "wrapping"],
+    ["adapting", "measures", "mesh_to_solid", "offsetting", "repair", "solid_expression", "wrapping"],
     ["machining", "volumes"],
     ["reporting"],
 ]

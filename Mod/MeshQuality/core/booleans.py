@@ -95,4 +95,4 @@ def _core_options(values):
 def run(operands, values, progress=None):
     """The BooleanMesh of operands that were read, with checked options."""
     return BooleanMesh(operands.given_to(lambda core: extension().boolean(
-        core, values["operation"], _core_options(values), values["method"], progress)))
+        core, values["operation"], _core_options(values), values["method"], progress)), construction=operands.construction())

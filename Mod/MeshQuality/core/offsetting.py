@@ -51,7 +51,8 @@ def offset(source, distance, tolerance=None, progress=None, threads=0):
 def run_offset(operands, values, progress=None):
     """The OffsetMesh of a single operand that was read (Operands), with checked options."""
     return OffsetMesh(operands.given_to(lambda core: extension().offset_shape(
-        core, values["distance"], values["tolerance"] or 0.0, values.get("threads", 0), progress)))
+        core, values["distance"], values["tolerance"] or 0.0, values.get("threads", 0), progress)),
+                      construction=operands.construction(values["distance"]))
 
 
 def hollow(source, thickness, openings=None, tolerance=None, progress=None, threads=0):
@@ -84,7 +85,8 @@ def run_hollow(operands, faces, values, progress=None):
     faces  indices of the faces of its shape that are open; None: the hollow is closed
     """
     return OffsetMesh(operands.given_to(lambda core: extension().hollow_shape(
-        core, values["thickness"], faces, values["tolerance"] or 0.0, values.get("threads", 0), progress)))
+        core, values["thickness"], faces, values["tolerance"] or 0.0, values.get("threads", 0), progress)),
+                      construction=operands.construction(-values["thickness"], tuple(faces or ())))
 
 
 def _faces_named(operands, source, names):

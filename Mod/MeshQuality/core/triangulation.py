@@ -5,6 +5,7 @@ from .. import element_names, options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
+from .brep.construction import Construction
 from .meshes.surface_mesh import SurfaceMesh
 from .patches.patches import division_for, kept
 from .sources import convert
@@ -96,7 +97,7 @@ def _meshed(shape, values, size_field, progress, cache, division):
     else:
         sampling.require_affordable(values["max_triangles"])
         surface, said = size_fields.meshed(sampling, make, size_fields.surface_edges)
-    return hidden_parts.noted(SurfaceMesh(surface, kept(division, surface), overlap), [*left_out, *said])
+    return hidden_parts.noted(SurfaceMesh(surface, kept(division, surface), overlap, Construction((live_shape,))), [*left_out, *said])
 
 
 class MeshCache(metaclass=Public):

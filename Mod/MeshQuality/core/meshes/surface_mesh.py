@@ -29,10 +29,11 @@ class SurfaceMesh(metaclass=Public):
     The arrays are read-only views of the core's memory, without a copy; each keeps it alive.
     """
 
-    __slots__ = ("_overlap", "_patches", "_surface")
+    __slots__ = ("_construction", "_overlap", "_patches", "_surface")
 
-    def __init__(self, surface, patches=None, overlap="refuse"):
+    def __init__(self, surface, patches=None, overlap="refuse", construction=None):
         self._surface = surface
+        self._construction = construction  # of core.brep, by which to_solid knows the CAD faces
         self._patches = patches
         self._overlap = overlap
 

@@ -13,6 +13,7 @@ import numpy as np
 from ... import phrases
 from ...compat import extension
 from ...errors import Error, InvalidInput
+from ..brep.construction import Construction
 from ..meshes.surface_mesh import SurfaceMesh
 from ..sources import convert, frames
 
@@ -51,6 +52,11 @@ class Operands:
         if isinstance(taken, _Mixed):
             raise InvalidInput(phrases.Text(phrases.SHAPES_AND_MESHES, name=convert.label_of(self._sources[i])))
         return taken.arrays if isinstance(taken, convert.MeshCopy) else taken
+
+    def construction(self, distance=0.0, openings=None):
+        """The Construction of what is made of these operands, offset by a signed distance, mm, away from faces that are open."""
+        known = [taken if isinstance(taken, SurfaceMesh) or self.is_shape(i) else None for i, taken in enumerate(self._taken)]
+        return Construction(tuple(known), distance, openings)
 
     @cached_property
     def _core(self):

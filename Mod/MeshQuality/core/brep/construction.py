@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a mesh was made of shapes, and from that the CAD faces on which its triangles can lie."""
+
+from dataclasses import dataclass
+
+from .offset_faces import offset_faces
+
+
+@dataclass(frozen=True)
+class Construction:
+    """What a mesh was made of.
+
+    sources    a Part.Shape, a SurfaceMesh, or None where it is another mesh, each
+    distance   mm, signed: the faces are offset by it; 0: none is
+    openings   indices of faces that are not offset; None: the mesh is no hollow, and has no faces of the sources themselves
+               besides those that are offset
+    """
+
+    sources: tuple
+    distance: float = 0.0
+    openings: tuple | None = None
+
+    def faces(self):
+        """[Part.Face, ...]: the mesh lies on these, up to its tolerance; None where a source is no CAD or an offset has no known faces."""
+        found = []
+        for source in self.sources:
+            faces = _faces_of(source)
+            if faces is None or self.distance and not hasattr(source, "Faces"):
+                return None
+            if not self.distance or self.openings is not None:
+                found += faces
+            if self.distance:
+                found += offset_faces(source, self.distance, self.openings or ())
+        return found
+
+    def tolerance(self):
+        """mm: the distance of meshes among the sources from the surfaces that faces() gives."""
+        return sum(tolerance_of(source) for source in self.sources if source is not None and not hasattr(source, "Faces"))
+
+
+def tolerance_of(mesh):
+    """mm: no point of a SurfaceMesh is farther than this from the exact surface, by its report and those of its sources."""
+    own = getattr(mesh.report, "error_bound", None)
+    own = mesh.report.max_chord_height if own is None else own
+    return own + (0.0 if mesh._construction is None else mesh._construction.tolerance())
+
+
+def _faces_of(source):
+    if hasattr(source, "Faces"):
+        return source.Faces
+    construction = getattr(source, "_construction", None)
+    return None if construction is None else construction.faces()
