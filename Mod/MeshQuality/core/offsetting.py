@@ -17,8 +17,9 @@ class OffsetMesh(BooleanMesh, metaclass=Public):
                      is not known; of a mesh empty
     triangle_source  of a hollowed solid: (0, triangle of its united mesh) of those on its outside that are whole, (1, ...) of
                      those of the hollow, (-1, -1) of those cut at openings; of an offset (-1, -1)
-    report           BooleanReport. error_bound, mm, is proven: no point of the result is farther than this from the exact
-                     one, and none of the exact one farther from the result, the distance of the mesh from the shape included.
+    report           BooleanReport. error_bound, mm, is proven: the distance of no point of the result from the source differs by
+                     more from the one asked for, and points that differ by more are on their side of the result, the deviation
+                     of the mesh from the shape included. The exact corner of a box can be 1.73 times as far from the result.
                      Where features are smaller than the distance, the second is known at the nodes of a lattice only
     """
 
