@@ -44,7 +44,7 @@ class VolumeMesh(ElementMesh, metaclass=Public):
     report       VolumeReport
     """
 
-    __slots__ = ("_report", "_patches", "prism_layer", "patch_types")
+    __slots__ = {"_report": None, "_patches": None, "prism_layer": "int32 (P,), 0 is on the wall", "patch_types": '{patch: "wall" or "patch"}'}
 
     def __init__(self, content, prism_layer, patches, patch_types):
         super().__init__(content)
