@@ -46,7 +46,8 @@ def finite_volume_measures(nodes, blocks):
     return angle, skewness
 
 
-def _faces_of(nodes, blocks):
+def rings_of(blocks):
+    """int64 (F, 4), the nodes of all faces of elements, -1 after the third of triangles; and (F,), their elements."""
     rings, owners, start = [], [], 0
     for kind, corners in blocks:
         for face in kinds.FACES[kind]:
@@ -55,7 +56,11 @@ def _faces_of(nodes, blocks):
             rings.append(ring)
             owners.append(start + np.arange(len(corners)))
         start += len(corners)
-    rings, owners = np.concatenate(rings), np.concatenate(owners)
+    return np.concatenate(rings), np.concatenate(owners)
+
+
+def _faces_of(nodes, blocks):
+    rings, owners = rings_of(blocks)
     centre, area = _centres_of_faces(nodes, rings)
     return _Faces(rings, owners, centre, area)
 

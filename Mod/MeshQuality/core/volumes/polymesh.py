@@ -9,7 +9,7 @@ import numpy as np
 from ... import phrases
 from ...errors import InvalidInput, IoError
 from ...phrases import Text
-from ..elements import kinds
+from ..elements.neighbours import rings_of
 from ..meshes import openfoam_case, writing
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.+\-]*")
@@ -47,15 +47,7 @@ def faces_of(mesh):
     """(rings int (F, 4), -1 after the third corner of triangles; owner (F,); neighbour (inner faces,); patch (F - inner,)):
     faces in upper-triangular order, inner ones first, then patch by patch; normals lead out of the owner.
     """
-    rings, owner, start = [], [], 0
-    for kind, corners in mesh.solid_blocks:
-        for face in kinds.FACES[kind]:
-            rows = np.full((len(corners), 4), -1, dtype=np.int64)
-            rows[:, :len(face)] = corners[:, list(face)]
-            rings.append(rows)
-            owner.append(start + np.arange(len(corners)))
-        start += len(corners)
-    rings, owner = np.concatenate(rings), np.concatenate(owner)
+    rings, owner = rings_of(mesh.solid_blocks)
     keys = np.sort(rings, axis=1)
     order = np.lexsort((owner, *keys.T))
     same = (keys[order[1:]] == keys[order[:-1]]).all(axis=1)
