@@ -3,7 +3,9 @@
 
 import os
 import shutil
+import subprocess
 import sys
+import tempfile
 import unittest
 
 import FreeCAD
@@ -174,3 +176,11 @@ class Analyses(helpers.DocumentTest):
         self.assertEqual(obj.FemMesh.VolumeCount, len(result.mesh.tetrahedra))
         self.assertEqual((len(obj.SizeField), obj.Certificate), (1, "met"))
         self.assertTrue(obj in analysis.Group)
+        path = os.path.join(tempfile.mkdtemp(), "bracket.FCStd")
+        self.addCleanup(shutil.rmtree, os.path.dirname(path))
+        self.document.saveAs(path)
+        for target, status in (("0.9", 0), ("1e-6", 3)):  # one that any mesh keeps, and one that none within one step does
+            done = subprocess.run([os.path.join(helpers.ROOT, "bin", "meshquality"), "adapt", path, "--target-error", target, "--steps", "1",
+                                   "--strict"], capture_output=True, text=True, timeout=300, check=False)
+            self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        self.assertIn("above what is asked for", done.stdout + done.stderr)

@@ -203,11 +203,12 @@ def voids(job):
 
 
 def adapt(job):
-    """Likewise."""
+    """Likewise; a target that is not reached is a finding."""
     found = mq.adapt(read_analysis(job["input"], job.get("object")), **job["options"], progress=progress_line())
     where = written(job, lambda path: found.mesh.write(path, format=job["suffix"][1:]))
     return found, f"{_count(len(found.mesh.tetrahedra), 'element')}{where}, error {found.error:.2%}, ended by {found.stopped}", \
-        verdict.of_curved(found.mesh, True)
+        [*verdict.of_curved(found.mesh, True), *([] if found.stopped == "target" else [verdict.Finding(
+            f"The estimated error is {found.error:.2%}, above what is asked for: ended by {found.stopped}.")])]
 
 
 def volume(job):
