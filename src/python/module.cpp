@@ -74,5 +74,6 @@ PYBIND11_MODULE(_core, m) {
             return found;
         },
         "[(name of a thread, what its call waits for and cannot interrupt, a MeshQuality.phrases.Text), ...]");
+    mq::python::end_with_process();
     py::module_::import("atexit").attr("register")(py::cpp_function(&mq::python::end_with_python));
 }

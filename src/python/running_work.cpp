@@ -83,6 +83,16 @@ void RunningWork::end() {
     }
 }
 
+void end_with_process() {
+    // Python calls this on its main thread, which is the one that exits the process, whichever thread imports us.
+    Py_AddPendingCall(
+        [](void*) {
+            at_thread_end(&end_work);
+            return 0;
+        },
+        nullptr);
+}
+
 void end_with_python() {
     const FreedLock free;
     end_work();

@@ -35,6 +35,10 @@ class RunningWork {
     Progress& progress_;
 };
 
+/// Has all of it cancelled and waited for when the process exits without ending Python, too, before OpenCASCADE's
+/// static objects are destroyed: the work may have made them. To be called once, with Python's lock held.
+void end_with_process();
+
 /// Cancels all work, ends the geometry engine, and lets no more work begin. Registered to run before the interpreter
 /// ends; call it with Python's lock held. Work that does not end soon, which only foreign code can cause, is left
 /// running, and the process then ends without destroying the objects that it uses.

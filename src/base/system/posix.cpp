@@ -62,6 +62,14 @@ void at_exit(void (*call)()) {
     std::atexit(call);
 }
 
+void at_thread_end(void (*call)()) {
+    struct ThreadEnd {
+        void (*call)();
+        ~ThreadEnd() { call(); }
+    };
+    thread_local const ThreadEnd end{call};
+}
+
 void skip_destructors() {
 #ifdef __GLIBC__
     on_exit(

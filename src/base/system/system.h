@@ -27,8 +27,12 @@ void at_fork(void (*before)(), void (*in_parent)(), void (*in_child)());
 
 /// Has `call` called when the process exits, while its threads still run. Windows ends them first: nothing is called.
 void at_exit(void (*call)());
-/// In a call of at_exit: the process ends with its status, but without destructors of static objects. With the GNU C
-/// library only.
+/// Has `call` called when this thread ends. Where it is the one that exits the process, that is before any static
+/// object is destroyed ([basic.start.term]); those that are made after a call of at_exit, for example within a function
+/// of a library, are destroyed before its `call`. One call a thread. Windows: see at_exit.
+void at_thread_end(void (*call)());
+/// In a call of at_exit or at_thread_end: the process ends with its status, but without destructors of static objects.
+/// With the GNU C library only.
 void skip_destructors();
 
 /// Opens a file to write bytes to it. @param path  UTF-8 @return null, and errno, where it cannot be opened

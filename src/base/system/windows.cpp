@@ -62,6 +62,8 @@ void at_fork(void (* /*before*/)(), void (* /*in_parent*/)(), void (* /*in_child
 
 void at_exit(void (* /*call*/)()) {}
 
+void at_thread_end(void (* /*call*/)()) {}
+
 void skip_destructors() {}
 
 std::FILE* open_for_writing(const std::string& path) {

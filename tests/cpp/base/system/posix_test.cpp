@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cstdio>
+#include <cstdlib>
 #include <thread>
 
 #include "base/system/system.h"
@@ -53,6 +55,37 @@ TEST(Posix, AForkedProcessStartsThreadsOfItsOwn) {
 #endif
     EXPECT_EQ(size_of_team(3), 4);
     EXPECT_EQ(status_of_fork([] { return size_of_team(3); }), 4);
+}
+
+int ended = 0;
+
+TEST(Posix, TheEndOfAThreadIsTold) {
+    std::thread([] { at_thread_end([] { ++ended; }); }).join();
+    EXPECT_EQ(ended, 1);
+}
+
+struct MadeLate {
+    std::FILE* stream;
+    ~MadeLate() { std::fputs(ended > 0 ? "told" : "destroyed untold", stream); }
+};
+
+TEST(Posix, TheThreadThatExitsIsToldBeforeStaticObjectsMadeLateAreDestroyed) {
+    int pipe_ends[2];
+    ASSERT_EQ(pipe(pipe_ends), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        at_thread_end([] { ended = 1; });
+        ended = 0;
+        static const MadeLate late{fdopen(pipe_ends[1], "w")};
+        std::exit(0);
+    }
+    close(pipe_ends[1]);
+    char text[32] = {};
+    EXPECT_GT(read(pipe_ends[0], text, sizeof text - 1), 0);
+    close(pipe_ends[0]);
+    int status = -1;
+    EXPECT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_STREQ(text, "told");
 }
 
 TEST(Posix, ProcessorTimeCountsChildrenThatWereWaitedFor) {
