@@ -22,6 +22,29 @@ def roof(degrees):
     return part.removeSplitter()
 
 
+def lens(degrees, length=20.0):
+    """A block under an arc that meets its chord at an angle."""
+    half = math.radians(degrees)
+    height = length / 2 * (1 - math.cos(half)) / math.sin(half)
+    ends = FreeCAD.Vector(), FreeCAD.Vector(length, 0, 0)
+    arc = Part.Arc(ends[0], FreeCAD.Vector(length / 2, height, 0), ends[1]).toShape()
+    return Part.Face(Part.Wire([arc, Part.makeLine(*reversed(ends))])).extrude(FreeCAD.Vector(0, 0, 5))
+
+
+class KeptCorners(unittest.TestCase):
+    """A corner has the angle of its edges, which the first chords of curved ones approach."""
+
+    def test_chords_are_short_enough_wherever_the_part_is(self):
+        for place in FreeCAD.Vector(), FreeCAD.Vector(300, 200, 400):  # the other one has a local frame
+            part = lens(15.0)
+            part.translate(place)
+            with self.subTest(place):
+                report = mq.triangulate(part, chord_height=0.5, corners="keep").report
+                self.assertEqual(len(report.exempt), 4)
+                self.assertGreater(report.min_angle, 15.0 / 1.08)
+                self.assertLess(report.min_angle, 15.0)
+
+
 class CutCorners(unittest.TestCase):
     """corners="cut": narrow corners of faces end where they are a detail wide."""
 

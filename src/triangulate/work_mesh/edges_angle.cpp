@@ -25,7 +25,7 @@ Departure departure(const Workspace& work, int segment, int vertex) {
     const double forward = s.t[1 - end] > s.t[end] ? 1.0 : -1.0;
     const Vec3& p = work.mesh.vertex(vertex).point;
     const double chord = (work.mesh.vertex(s.vertices[1 - end]).point - p).norm();
-    return {forward * there.normal, std::atan2((there.point - p).norm(), chord)};
+    return {forward * there.normal, std::atan2((there.point - work.grid.to_shape(p)).norm(), chord)};
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ std::vector<Path> files_of(const Path& path) {
 
 void replay(const Path& path) {
     // Printed before: a broken promise ends the program.
-    std::printf("%s\n", path.c_str());
+    std::printf("%s\n", path.string().c_str());
     std::fflush(stdout);
     std::ifstream stream(path, std::ios::binary);
     mq::fuzz::require(stream.good(), "the file can be read");
