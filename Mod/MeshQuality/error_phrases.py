@@ -47,6 +47,7 @@ ERRORS = {
     "element_order": "elements have an order of 1 to {count}, not {count2}",
     "volume_needs_repair": "repair is off: only surfaces are curved without repairs, leave volume off",
     "feature_needs_refinement": "keep_edges = feature needs refinement: use the method refine, or refine_samples",
+    "order_needs_circumcentre": "order = worst first is the order of Aftosmis 1999: use it with insertion = circumcentre",
     "no_local_size": "the local size of {name} must be greater than 0 mm",
     "wrap_spacing": "spacing is {length}: give a length above 0, at most half of the gap of {length2}",
     "no_direction": "the pull direction has no length: give a vector such as (0, 0, 1)",

@@ -66,6 +66,8 @@ using Names = std::vector<std::pair<Value, const char*>>;
 
 const Names<triangulate::Insertion> kInsertions{{triangulate::Insertion::OffCentre, "off-centre"},
                                                 {triangulate::Insertion::Circumcentre, "paper"}};
+const Names<triangulate::Order> kOrders{{triangulate::Order::Rounds, "rounds"},
+                                        {triangulate::Order::WorstFirst, "worst first"}};
 const Names<triangulate::KeepEdges> kKeepEdges{{triangulate::KeepEdges::All, "all"},
                                                {triangulate::KeepEdges::Feature, "feature"}};
 const Names<triangulate::Corners> kCorners{
@@ -175,6 +177,7 @@ void bind_triangulate(py::module_& m) {
         "SizeField: lengths of edges by their places, in the shape's coordinates; None: no field");
     bind_fields(options);
     def_named(options, "insertion", &TriangulateOptions::insertion, kInsertions);
+    def_named(options, "order", &TriangulateOptions::order, kOrders);
     def_named(options, "keep_edges", &TriangulateOptions::keep_edges, kKeepEdges);
     def_named(options, "corners", &TriangulateOptions::corners, kCorners);
     def_named(options, "method", &TriangulateOptions::method, kMethods);

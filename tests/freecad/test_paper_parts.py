@@ -148,7 +148,7 @@ class Comparisons(unittest.TestCase):
 
     def test_one_vertex_after_the_other(self):
         shape = parts.ALL["die"]()
-        surface = core_surface(shape, insertion="paper", sites_in_round=1, record_angles=True)
+        surface = core_surface(shape, insertion="paper", order="worst first", record_angles=True)
         self.check(shape, surface)
         angles = surface.angle_history[1]
         above = np.flatnonzero(angles >= MIN_ANGLE)

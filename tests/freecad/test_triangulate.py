@@ -488,6 +488,11 @@ class Options(unittest.TestCase):
         self.assertEqual(default.vertices.tobytes(), chosen.vertices.tobytes())
         self.assertNotEqual(default.vertices.tobytes(), paper.vertices.tobytes())
         self.assertGreaterEqual(paper.report.min_angle_unexempted, 25.0)
+        one_by_one = mq.triangulate(shape, insertion="circumcentre", order="worst first")
+        self.assertNotEqual(one_by_one.vertices.tobytes(), paper.vertices.tobytes())
+        self.assertGreaterEqual(one_by_one.report.min_angle_unexempted, 25.0)
+        self.refused("worst first", "insertion = circumcentre", order="worst first")
+        self.refused("order", "'best'", "rounds, worst first", order="best")
 
     def test_numpy_numbers_and_quantities(self):
         for angle in (np.float32(20), np.int64(20), FreeCAD.Units.Quantity("20 deg")):

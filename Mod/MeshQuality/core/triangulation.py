@@ -15,8 +15,8 @@ from .sizes import size_field as size_fields
 
 @options.takes_aliases(options.TRIANGULATE, memory="cache")
 def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None, max_edge=None, min_edge=None,
-                method="refine", max_triangles=None, progress=None, insertion="off-centre", allow_missing_faces=False,
-                connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None, size_field=None,
+                method="refine", max_triangles=None, progress=None, insertion="off-centre", order="rounds",
+                allow_missing_faces=False, connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None, size_field=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, corners="auto", cache=None,
                 sew=True, imprint=False, overlap="refuse", evaluation="fast", patches=None, patch_rest=None, threads=0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
@@ -38,6 +38,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     progress               callable(fraction 0..1, stage or "waits for ..."); returning False cancels
     insertion              where a triangle with a small angle gets its new point: "off-centre" needs
                            fewer triangles, "circumcentre" is the rule of Aftosmis 1999
+    order                  of these triangles: "rounds", which threads share, or "worst first", one by one (Aftosmis 1999)
     keep_edges             "all": the mesh follows every edge of the shape; "feature": not those that the surface crosses
                            smoothly, so that tiny edges and slivers between such edges cost no triangles;
                            report.spanning then names the triangles that lie on several faces
@@ -48,7 +49,6 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     imprint                solids that share an area get the same triangles on both sides; see report.contacts
     overlap                bodies that overlap or cross are a fault in certificates: "refuse", or none: "allow"
     evaluation             of curves and surfaces: "fast" by formulas and polynomial pieces; "native" by OpenCASCADE alone
-
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in (u, v) ("parametric")
     refine_samples         of star and sprinkle: refine afterwards, so that the bounds hold
     seed                   of sprinkle's random points
@@ -65,7 +65,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     """
     values = options.check(options.TRIANGULATE, {
         "min_angle": min_angle, "chord_height": chord_height, "chord_height_relative": chord_height_relative,
-        "max_edge": max_edge, "min_edge": min_edge, "method": method, "insertion": insertion,
+        "max_edge": max_edge, "min_edge": min_edge, "method": method, "insertion": insertion, "order": order,
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces, "connectivity": connectivity,
         "refine_samples": refine_samples, "seed": seed, "local_sizes": local_sizes,
         "edges_per_circle": edges_per_circle, "growth_rate": growth_rate, "keep_edges": keep_edges,

@@ -302,6 +302,11 @@ TRIANGULATE = (
            choice_aliases={"paper": "circumcentre"},
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
                 "triangles, circumcentre is the rule of Aftosmis 1999"),
+    Option("order", str, "rounds", choices=("rounds", "worst first"), title="Order of insertion", rare=True,
+           only_with=("insertion", ("circumcentre",)),
+           choice_titles=("rounds", "worst first"),
+           help="Triangles with small angles get their points in rounds, which several threads share, or, with "
+                "circumcentre, one after the other, the worst first, as in Aftosmis 1999"),
     Option("keep_edges", str, "all", choices=KEPT_EDGES, title="CAD edges to keep", rare=True,
            choice_titles=("all", "only sharp ones"),
            help="CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth "

@@ -69,10 +69,10 @@ void add_options(const TriangulateOptions& o, Fingerprint& key) {
         add_to(key, number);
     }
     for (const int choice :
-         {static_cast<int>(o.insertion), static_cast<int>(o.keep_edges), static_cast<int>(o.corners),
-          static_cast<int>(o.allow_missing_faces), static_cast<int>(o.sew), static_cast<int>(o.imprint),
-          static_cast<int>(o.method), static_cast<int>(o.connectivity), static_cast<int>(o.polish),
-          static_cast<int>(o.record_angles), static_cast<int>(o.evaluation)}) {
+         {static_cast<int>(o.insertion), static_cast<int>(o.order), static_cast<int>(o.keep_edges),
+          static_cast<int>(o.corners), static_cast<int>(o.allow_missing_faces), static_cast<int>(o.sew),
+          static_cast<int>(o.imprint), static_cast<int>(o.method), static_cast<int>(o.connectivity),
+          static_cast<int>(o.polish), static_cast<int>(o.record_angles), static_cast<int>(o.evaluation)}) {
         add_to(key, choice);
     }
     add_to(key, static_cast<std::uint64_t>(o.budget()));

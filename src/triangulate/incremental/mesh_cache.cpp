@@ -12,7 +12,7 @@ namespace {
 // The options that cached faces depend on, without the chord tolerance (compared in mm) and the local sizes (compared
 // by face).
 auto demands(const TriangulateOptions& o) {
-    return std::make_tuple(o.min_angle, o.max_edge, o.min_edge, o.edges_per_circle, o.growth, o.insertion,
+    return std::make_tuple(o.min_angle, o.max_edge, o.min_edge, o.edges_per_circle, o.growth, o.insertion, o.order,
                            o.sites_in_round, o.evaluation, o.keep_edges, o.corners, o.feature_angle, o.method);
 }
 

@@ -61,6 +61,9 @@ void TriangulateOptions::validate() const {
     if (keep_edges == KeepEdges::Feature && !keeps_bounds()) {
         throw InvalidInput(phrases::kFeatureNeedsRefinement);
     }
+    if (order == Order::WorstFirst && insertion != Insertion::Circumcentre) {
+        throw InvalidInput(phrases::kOrderNeedsCircumcentre);
+    }
     if (max_edge > 0.0 && min_edge > max_edge) {
         throw InvalidInput(phrases::kMinAboveMax, {{"length", in_mm(min_edge)}, {"length2", in_mm(max_edge)}});
     }

@@ -20,6 +20,12 @@ enum class Insertion {
                    ///< edge
 };
 
+/// Orders in which triangles whose angles are below the bound get their vertices.
+enum class Order {
+    Rounds,     ///< many in a round: their surface points are found by several threads
+    WorstFirst  ///< one after the other (Aftosmis 1999, section 3.3); for Insertion::Circumcentre
+};
+
 /// Sources of the vertices.
 enum class Method {
     Refine,    ///< Algorithms M and E (Aftosmis 1999)
@@ -59,6 +65,7 @@ struct TriangulateOptions {
     double edges_per_circle = 0.0;  ///< edges in a turn of 360 degrees of any curve or surface; at least 3; 0: no bound
     double growth = 0.0;            ///< largest ratio of lengths of neighbouring edges, more than 1; 0: no bound
     Insertion insertion = Insertion::OffCentre;
+    Order order = Order::Rounds;
     KeepEdges keep_edges = KeepEdges::All;
     double feature_angle = 10.0;  ///< degrees, 0 < a <= 40; an edge is smooth if the faces' normals differ by less
     Corners corners = Corners::Auto;
