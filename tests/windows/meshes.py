@@ -37,6 +37,8 @@ def main():
     os.environ["MESHQUALITY_BRIDGE"] = "stream"
     part = types.ModuleType("Part")
     part.Shape, part.OCCError = Shape, OSError
+    with open(os.path.join(sys.argv[3], "version"), encoding="utf-8") as stream:
+        part.OCC_VERSION = stream.read()  # the module for FreeCAD here is refused by another one
     sys.modules["Part"] = part
     import MeshQuality
 
