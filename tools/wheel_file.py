@@ -9,12 +9,15 @@ import io
 import json
 import os
 import re
+import subprocess
 import time
 import uuid
 import xml.etree.ElementTree as ElementTree
 import zipfile
 from collections import namedtuple
 from pathlib import Path
+
+import own_opencascade
 
 ROOT = Path(__file__).resolve().parent.parent
 SPACE = "{https://wiki.freecad.org/Package_Metadata}"
@@ -23,6 +26,30 @@ OWN_LICENCE = "LGPL-2.1-or-later"
 
 # What of others is in the binary: the id of SPDX, what its package is elsewhere, and how the binary holds it.
 Part = namedtuple("Part", "name version licence purl relationship files")
+
+
+def debian(package):
+    """The version of an installed package of Debian."""
+    return subprocess.run(["dpkg-query", "-W", "-f", "${Version}", package], check=True, capture_output=True, text=True).stdout
+
+
+def parts(opencascade, pybind11):
+    """What of others is in the binary: the folders of the OpenCASCADE that own_opencascade has installed, and of what pybind11 says of itself."""
+    version = pybind11.name.removesuffix(".dist-info").partition("-")[2]
+    eigen, robin_map = debian("libeigen3-dev"), debian("robin-map-dev")
+    kept = opencascade / "licences"
+    texts = {path.name: path.read_text(encoding="utf-8") for path in kept.glob("opencascade-*")}
+    return [
+        Part("opencascade", own_opencascade.PACKAGE_VERSION, "LGPL-2.1-only WITH OCCT-exception-1.0",
+             f"pkg:deb/debian/opencascade@{own_opencascade.PACKAGE_VERSION}?arch=source", "STATIC_LINK", texts),
+        Part("delabella", own_opencascade.VERSION, "MIT", "pkg:github/msokalski/delabella", "CONTAINS",
+             {"delabella.txt": leading_comment(kept / "delabella.cpp")}),
+        Part("pybind11", version, "BSD-3-Clause", f"pkg:pypi/pybind11@{version}", "CONTAINS",
+             {"pybind11.txt": (pybind11 / "licenses" / "LICENSE").read_text(encoding="utf-8")}),
+        Part("eigen", eigen, "MPL-2.0", f"pkg:deb/debian/eigen3@{eigen}?arch=source", "CONTAINS",
+             {"eigen.txt": Path("/usr/share/common-licenses/MPL-2.0").read_text(encoding="utf-8")}),
+        Part("robin-map", robin_map, "MIT", f"pkg:deb/debian/robin-map@{robin_map}?arch=source", "CONTAINS",
+             {"robin-map.txt": leading_comment(Path("/usr/include/tsl/robin_map.h"))})]
 
 
 def about():
@@ -47,14 +74,15 @@ def expression(parts):
     return " AND ".join(dict.fromkeys(terms))
 
 
-def metadata(python, parts):
-    """The file METADATA, by which pip knows the wheel; python is (major, minor)."""
+def metadata(python, platform, parts):
+    """The file METADATA, by which pip knows the wheel; python is (major, minor), platform a tag of its."""
     version = ".".join(str(number) for number in python)
+    system = "Microsoft :: Windows" if platform.startswith("win") else "POSIX :: Linux"
     lines = ["Metadata-Version: 2.4", f"Name: {NAME}", f"Version: {of_package('version')}",
              "Summary: The C++ core of MeshQuality, a workbench of FreeCAD for meshes of guaranteed quality",
              f"License-Expression: {expression(parts)}",
              *(f"License-File: {name}" for name in sorted(licences(parts))),
-             f"Requires-Python: =={version}.*", "Classifier: Operating System :: POSIX :: Linux",
+             f"Requires-Python: =={version}.*", f"Classifier: Operating System :: {system}",
              f"Classifier: Programming Language :: Python :: {version}", "Description-Content-Type: text/markdown", ""]
     return "\n".join([*lines, (ROOT / "packaging" / "wheel.md").read_text(encoding="utf-8")])
 
@@ -100,7 +128,7 @@ def contents(binary, python, platform, parts):
     tag = "cp{0}{1}-cp{0}{1}-{2}".format(*python, platform)
     texts = {
         f"{PACKAGE}/__init__.py": f'"""The binary of MeshQuality, which the package MeshQuality loads."""\n\n__version__ = "{version}"\n',
-        f"{info}/METADATA": metadata(python, parts),
+        f"{info}/METADATA": metadata(python, platform, parts),
         f"{info}/WHEEL": f"Wheel-Version: 1.0\nGenerator: tools/wheel\nRoot-Is-Purelib: false\nTag: {tag}\n",
         f"{info}/sboms/{NAME}.spdx.json": spdx(parts, tag),
         **{f"{info}/licenses/{name}": text for name, text in licences(parts).items()}}

@@ -823,6 +823,10 @@
         <source>Corners of faces below the smallest angle: keep them, each with one triangle of that angle; cut them off by a twentieth of the distance, where the faces beside them allow it; or do so (auto) where further triangles would be below the smallest angle</source>
         <translation>Ecken von Flächen unter dem kleinsten Winkel: behalten, jede mit einem Dreieck dieses Winkels; um ein Zwanzigstel des Abstands abschneiden, wo die Flächen daneben es zulassen; oder dies nur dort (auto), wo sonst weitere Dreiecke unter dem kleinsten Winkel lägen</translation>
     </message>
+    <message>
+        <source>Triangles with small angles get their points in rounds, which several threads share, or, with circumcentre, one after the other, the worst first, as in Aftosmis 1999</source>
+        <translation>Dreiecke mit kleinen Winkeln bekommen ihre Punkte in Runden, die sich mehrere Threads teilen, oder, mit dem Umkreismittelpunkt, nacheinander, das schlechteste zuerst, wie in Aftosmis 1999</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -4929,6 +4933,26 @@
     <message>
         <source>growing layers on the walls</source>
         <translation>Schichten wachsen an den Wänden</translation>
+    </message>
+    <message>
+        <source>Order of insertion</source>
+        <translation>Reihenfolge der Punkte</translation>
+    </message>
+    <message>
+        <source>Triangles with small angles get their points in rounds, which several threads share, or, with circumcentre, one after the other, the worst first, as in Aftosmis 1999</source>
+        <translation>Dreiecke mit kleinen Winkeln bekommen ihre Punkte in Runden, die sich mehrere Threads teilen, oder, mit dem Umkreismittelpunkt, nacheinander, das schlechteste zuerst, wie in Aftosmis 1999</translation>
+    </message>
+    <message>
+        <source>order = worst first is the order of Aftosmis 1999: use it with insertion = circumcentre</source>
+        <translation>order = worst first ist die Reihenfolge von Aftosmis 1999: mit insertion = circumcentre benutzen</translation>
+    </message>
+    <message>
+        <source>rounds</source>
+        <translation>Runden</translation>
+    </message>
+    <message>
+        <source>worst first</source>
+        <translation>das schlechteste zuerst</translation>
     </message>
 </context>
 <context>
