@@ -174,17 +174,6 @@ class Rim {
         }
         measure();
     }
-    // Builds a boundary in which the chord from `before` to `after` replaces the two sides between these half-edges'
-    // origins.
-    Rim(const ClassifiedMesh& mesh, const Cavity& disc, int before, int after) : normal_(disc.normal) {
-        for (const int side : disc.rim) {
-            if (side != before && ClassifiedMesh::next(side) != after) {
-                add(mesh.point_of(side), mesh.point_of(ClassifiedMesh::next(side)));
-            }
-        }
-        add(mesh.point_of(before), mesh.point_of(after));
-        measure();
-    }
 
     const Vec3& normal() const { return normal_; }
     const Vec3& middle() const { return middle_; }
@@ -297,23 +286,6 @@ Vec3 rough_apex(const ClassifiedMesh& mesh, const Cavity& disc) {
 Vec3 best_apex(const ClassifiedMesh& mesh, const Cavity& disc) {
     Rim rim(mesh, disc);
     return best_apex(rim);
-}
-
-std::vector<EaredFan> eared_fans(const ClassifiedMesh& mesh, const Cavity& disc) {
-    std::vector<EaredFan> result;
-    for (const int in : disc.rim) {
-        const int site = mesh.site_of(ClassifiedMesh::next(in));
-        const int out = *std::find_if(disc.rim.begin(), disc.rim.end(), [&](int h) { return mesh.site_of(h) == site; });
-        const int after = ClassifiedMesh::next(out);
-        Rim rim(mesh, disc, in, after);
-        const Vec3 apex = best_apex(rim);
-        const Vec3& ear = mesh.point_of(out);
-        const Vec3& from = mesh.point_of(in);
-        const Vec3& to = mesh.point_of(after);
-        const double of_ear = squared_sine_over(from, ear, (ear - from).squaredNorm(), to, disc.normal);
-        result.push_back({site, apex, angle_of(std::min(of_ear, rim.squared_sine(apex, -1.0)))});
-    }
-    return result;
 }
 
 bool rim_apex_legal(const ClassifiedMesh& mesh, const MaxMinSwaps& maxmin, const Cavity& disc, int apex_site) {

@@ -44,16 +44,6 @@ Vec3 best_apex(const ClassifiedMesh& mesh, const Cavity& disc);
 /// Returns the best of a few fixed candidates for that apex.
 Vec3 rough_apex(const ClassifiedMesh& mesh, const Cavity& disc);
 
-/// A fan to all corners of a boundary except one, which is cut off by an ear: the triangle of that corner and its two
-/// neighbours.
-struct EaredFan {
-    int ear_site = -1;
-    Vec3 apex = Vec3::Zero();
-    double angle = 0.0;  ///< smallest angle of all triangles including the ear, radians; -1: one would be inverted
-};
-/// Returns the best such fan for each corner of the boundary, in the order of its sides.
-std::vector<EaredFan> eared_fans(const ClassifiedMesh& mesh, const Cavity& disc);
-
 /// Whether a fan from a site of the boundary creates no edge that exists already outside the disc.
 bool rim_apex_legal(const ClassifiedMesh& mesh, const MaxMinSwaps& maxmin, const Cavity& disc, int apex_site);
 

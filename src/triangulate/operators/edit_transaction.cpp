@@ -34,21 +34,6 @@ void EditTransaction::added(const std::vector<int>& triangles) {
     }
 }
 
-void EditTransaction::about_to_split(int segment) {
-    if (!changes_) {
-        return;
-    }
-    const ClassifiedMesh& mesh = work_.mesh;
-    Split split{segment, mesh.segment_count(), {}, {}};
-    for (const ClassifiedMesh::SegmentUse& use : mesh.segment(segment).uses) {
-        const int beside = ClassifiedMesh::triangle_of(use.half_edge);
-        split.bases.push_back({mesh.site_of(use.half_edge), mesh.site_of(ClassifiedMesh::next(use.half_edge))});
-        split.faces.push_back(mesh.face_of(beside));
-        about_to_remove({beside});
-    }
-    changes_->split = std::move(split);
-}
-
 void EditTransaction::record_relocation(int near, int far, const std::vector<int>& around) {
     if (!changes_) {
         return;
@@ -104,21 +89,6 @@ std::map<int, std::vector<int>> EditTransaction::restore_triangles(const Changes
         faces.insert(before.face);
     }
     std::map<int, std::vector<int>> again;
-    if (const std::optional<Split>& split = changes.split) {
-        std::vector<ClassifiedMesh::CavityFill> refills;
-        for (std::size_t k = 0; k < split->faces.size(); ++k) {
-            refills.push_back(refill_of(changes, split->faces[k]));
-            refills.back().base = split->bases[k];
-        }
-        const std::vector<int> joined = work_.maxmin.join_segments(split->near, split->far, refills);
-        auto next = joined.begin();
-        for (std::size_t k = 0; k < refills.size(); ++k) {
-            const auto end = next + static_cast<std::ptrdiff_t>(refills[k].added.size());
-            again[split->faces[k]].assign(next, end);
-            faces.erase(split->faces[k]);
-            next = end;
-        }
-    }
     for (const int face : faces) {
         const ClassifiedMesh::CavityFill refill = refill_of(changes, face);
         again[face] = work_.maxmin.replace(refill.removed, refill.added);

@@ -29,11 +29,8 @@ class EditTransaction {
     /// To be called before triangles are replaced.
     void about_to_remove(const std::vector<int>& triangles);
     void added(const std::vector<int>& triangles);
-    /// To be called before a segment is split, which may happen once; its uses must lie on different faces. Afterwards
-    /// pass the halves of the triangles beside it to `added`.
-    void about_to_split(int segment);
     /// To be called before the vertex between two segments is replaced by another one; `around` are the triangles
-    /// around it. Pass them to `added` afterwards. None of the segments may be split later.
+    /// around it. Pass them to `added` afterwards.
     void record_relocation(int near, int far, const std::vector<int>& around);
 
     // The following functions need an open transaction. The triangles that replaced the recorded ones.
@@ -51,12 +48,6 @@ class EditTransaction {
         double angle = 0.0;
         std::optional<Exemption> exemption;
     };
-    struct Split {
-        int near = -1;
-        int far = -1;
-        std::vector<std::array<int, 2>> bases;  ///< by use: the sites at the ends of the segment
-        std::vector<int> faces;
-    };
     struct Slide {
         int near = -1;
         int far = -1;
@@ -68,7 +59,6 @@ class EditTransaction {
         std::set<int> now;
         std::vector<Before> before;
         double alignment = 1.0;
-        std::optional<Split> split;
         std::vector<Slide> slides;
     };
     ClassifiedMesh::CavityFill refill_of(const Changes& changes, int face) const;

@@ -275,9 +275,7 @@ CavityOptimiser::CavityCandidates CavityOptimiser::search_fans(const Cavity& dis
 int CavityOptimiser::propose(const Cavity& disc, std::vector<Retriangulation>& proposals) {
     const CavityCandidates& found = fans_of(disc);
     for (const Fan& fan : found.fans) {
-        if (!reopens_ear(disc, fan.apex_site)) {
-            proposals.push_back({disc, fan.apex_site, fan.apex, fan.angle, found.before});
-        }
+        proposals.push_back({disc, fan.apex_site, fan.apex, fan.angle, found.before});
     }
     return found.over;
 }
@@ -452,16 +450,11 @@ bool CavityOptimiser::apply(const Retriangulation& proposal) {
         const int face = mesh.face_of(disc.triangles.front());
         site = work_.mesh.add_site({work_.mesh.add_vertex(found->point, {2, face}), found->uv, found->normal});
     }
-    const std::vector<int> fan = replace(disc, site);
-    return proposal.ear_site < 0 || cut_ear(fan, proposal.ear_site, site);
-}
-
-std::vector<int> CavityOptimiser::replace(const Cavity& disc, int apex_site) {
     undo_.about_to_remove(disc.triangles);
-    const std::vector<int> added = replace_by_fan(work_, disc, apex_site, bound_);
+    const std::vector<int> added = replace_by_fan(work_, disc, site, bound_);
     undo_.added(added);
     requeue_around(added);
-    return added;
+    return true;
 }
 
 bool CavityOptimiser::slide(int triangle) {

@@ -30,10 +30,9 @@ namespace mq::triangulate {
 /// errors. Every change increases the smallest angle of its disc by a least amount, and the number of attempts is
 /// limited.
 ///
-/// Where no single change improves a triangle, the mesh is perturbed: a disc gets a vertex more or less (a fan around
-/// a vertex of a CAD edge gets another spoke, a corner loses one), a segment is split, or a vertex moves along its CAD
-/// edge; then the neighbourhood is repaired, and everything is undone unless the result is better. Nothing is tried
-/// again before something beside it has changed, except at the resolution, once in each pass.
+/// Where no single change improves a triangle, the mesh is perturbed: a disc gets a vertex more or less; then the
+/// neighbourhood is repaired, and everything is undone unless the result is better. Nothing is tried again before
+/// something beside it has changed, except at the resolution, once in each pass.
 class CavityOptimiser {
   public:
     /// @param attempts  attempts to improve one triangle that may be made in all
@@ -66,7 +65,6 @@ class CavityOptimiser {
         Vec3 apex = Vec3::Zero();
         double angle = 0.0;  ///< smallest angle of the fan, radians
         double before = 0.0;
-        int ear_site = -1;  ///< site on the boundary whose corner is cut off; -1: none
     };
 
     /// The fans for a disc that improve it sufficiently, and the side beyond which a larger disc may be better, or -1.
@@ -102,16 +100,7 @@ class CavityOptimiser {
     std::optional<SurfacePoint> apex_near(const Cavity& disc, const Vec3& p) const;
     bool within_budget(const Retriangulation& proposal);
     bool apply(const Retriangulation& proposal);
-    std::vector<int> replace(const Cavity& disc, int apex_site);
     bool slide(int triangle);
-
-    struct Perturbation {
-        Retriangulation fan;
-        int segment = -1;
-        double fraction = 0.0;  ///< fraction of its parameter range at which the segment is split
-        int vertex = -1;        ///< vertex on a CAD edge
-        double step = 0.0;      ///< step of the vertex, see EdgeVertexRelocation::angle_after
-    };
 
     // The following functions are implemented in perturbation_search.cpp.
     bool perturb_all();
@@ -119,25 +108,13 @@ class CavityOptimiser {
     void count_attempt();
     bool mark_tried(int triangle);
     bool escape(int triangle);
-    bool try_perturbation(const Perturbation& kick);
+    bool try_perturbation(const Retriangulation& fan);
     bool better() const;
     void keep(const Exemption& reason);
     bool move_corner(int triangle);
-    bool cut_ear(const std::vector<int>& fan, int ear_site, int apex_site);
-    bool reopens_ear(const Cavity& disc, int apex_site) const;
     void follow(const std::function<bool(int)>& change, double worst);
-    std::vector<Perturbation> kicks(int triangle) const;
-    void add_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const;
-    void add_eared_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const;
-
-    // Implemented in mender_kicks.cpp.
-    void add_moves(int triangle, std::vector<Perturbation>& kicks) const;
-    bool move(int vertex, double step);
-    void add_splits(int triangle, std::vector<Perturbation>& kicks) const;
-    double angle_of_halves(int segment, double fraction) const;
-    std::vector<int> segments_around(int triangle) const;
-    bool can_be_split(int segment) const;
-    bool split(int segment, double fraction);
+    std::vector<Retriangulation> perturbations(int triangle) const;
+    void add_fans(const Cavity& disc, std::vector<Retriangulation>& fans) const;
 
     void requeue_around(const std::vector<int>& changed);
     double enough_after(double before) const;
@@ -154,11 +131,9 @@ class CavityOptimiser {
     const Sizing& sizing_;
     std::priority_queue<QueuedTriangle> queue_;
     EdgeVertexRelocation slider_;
-    EditTransaction undo_;                     // open while changes may still be undone
-    int ear_ = -1;                             // in a trial: the site whose corner was cut off, or -1
-    std::optional<std::array<int, 2>> split_;  // in a trial: the segment that was split, and its far half
-    TriangleMarks failed_;                     // triangles that failed, until a triangle beside them changes
-    TriangleMarks failed_beyond_;              // triangles that failed with the larger target
+    EditTransaction undo_;         // open while changes may still be undone
+    TriangleMarks failed_;         // triangles that failed, until a triangle beside them changes
+    TriangleMarks failed_beyond_;  // triangles that failed with the larger target
     KeySet tried_to_escape_;
     int attempts_of_search_ = 0;  // left for the present triangle
     std::int64_t vain_attempts_left_ = OptimisationTuning::kSearchAttempts;

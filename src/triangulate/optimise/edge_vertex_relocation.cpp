@@ -310,32 +310,6 @@ bool EdgeVertexRelocation::put(const EdgeVertexStar& bead, const Place& place, d
     return true;
 }
 
-std::optional<EdgeVertexRelocation::Place> EdgeVertexRelocation::place_at(const EdgeVertexStar& bead,
-                                                                          double step) const {
-    const double t = work_.mesh.segment(bead.near).t[1];
-    const double end = step < 0.0 ? work_.mesh.segment(bead.near).t[0] : work_.mesh.segment(bead.far).t[1];
-    return best_place(bead, {t + std::abs(step) * (end - t)}, {0.0, 0.0});
-}
-
-std::optional<double> EdgeVertexRelocation::angle_after(int vertex, double step, double bound) const {
-    const auto bead = bead_at(vertex, bound);
-    const auto place = bead ? place_at(*bead, step) : std::nullopt;
-    return place ? std::optional(place->angle) : std::nullopt;
-}
-
-std::vector<int> EdgeVertexRelocation::move(int vertex, double step, double bound, EditTransaction& undo) {
-    const auto bead = bead_at(vertex, bound);
-    const auto place = bead ? place_at(*bead, step) : std::nullopt;
-    return place && put(*bead, *place, bound, undo) ? triangles_around(*bead) : std::vector<int>();
-}
-
-void EdgeVertexRelocation::was_split(int segment, int far) {
-    const std::array<int, 2>& ends = work_.mesh.segment(far).vertices;
-    segments_at_.resize(static_cast<std::size_t>(work_.mesh.vertex_count()), {-1, -1});
-    segments_at_[static_cast<std::size_t>(ends[0])] = {segment, far};
-    segments_at_[static_cast<std::size_t>(ends[1])][0] = far;
-}
-
 std::vector<int> EdgeVertexRelocation::improve(int triangle, double bound, const std::function<double(double)>& enough,
                                                EditTransaction& undo) {
     if (sizing_.turn > 0.0 || sizing_.growth > 0.0) {

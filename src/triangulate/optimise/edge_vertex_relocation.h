@@ -29,15 +29,6 @@ class EdgeVertexRelocation {
     std::vector<int> improve(int triangle, double bound, const std::function<double(double)>& enough,
                              EditTransaction& undo);
 
-    /// Returns the smallest angle, radians, around a vertex on a CAD edge after a step, as a fraction of the distance
-    /// to the next vertex (below 0: to the previous one); no value if it cannot move.
-    std::optional<double> angle_after(int vertex, double step, double bound) const;
-    /// Moves the vertex by that step regardless of its angles. @return as `improve`
-    std::vector<int> move(int vertex, double step, double bound, EditTransaction& undo);
-
-    /// To be called after a segment was split into itself and `far`.
-    void was_split(int segment, int far);
-
   private:
     /// A vertex on a CAD edge and the triangles around it.
     struct EdgeVertexStar {
@@ -72,7 +63,6 @@ class EdgeVertexRelocation {
     bool within_tolerance(const EdgeVertexStar& bead, const Place& place,
                           const std::vector<ClassifiedMesh::VertexUse>& sites) const;
     bool aligned(const EdgeVertexStar& bead, const std::vector<ClassifiedMesh::VertexUse>& sites) const;
-    std::optional<Place> place_at(const EdgeVertexStar& bead, double step) const;
     bool put(const EdgeVertexStar& bead, const Place& place, double bound, EditTransaction& undo);
 
     Workspace& work_;

@@ -108,31 +108,26 @@ void CavityOptimiser::count_attempt() {
 
 // Tries perturbations. On success the transaction remains open.
 bool CavityOptimiser::escape(int triangle) {
-    std::vector<Perturbation> tries = kicks(triangle);
+    std::vector<Retriangulation> tries = perturbations(triangle);
     bool escaped = false;
-    for (auto kick = tries.begin(); kick != tries.end() && !escaped && !budget_spent(); ++kick) {
+    for (auto fan = tries.begin(); fan != tries.end() && !escaped && !budget_spent(); ++fan) {
         work_.progress.check();
         count_attempt();
         undo_.begin();
-        ear_ = kick->fan.ear_site;
-        escaped = try_perturbation(*kick) && better();
+        escaped = try_perturbation(*fan) && better();
         if (!escaped) {
-            ear_ = -1;
-            split_.reset();
             const std::map<int, int> moved = undo_.undo();
-            std::for_each(kick + 1, tries.end(), [&](Perturbation& later) { rename(later.fan.disc, moved); });
+            std::for_each(fan + 1, tries.end(), [&](Retriangulation& later) { rename(later.disc, moved); });
         }
     }
     return escaped;
 }
 
 // Applies a perturbation and repairs the triangles that it made worse.
-bool CavityOptimiser::try_perturbation(const Perturbation& kick) {
+bool CavityOptimiser::try_perturbation(const Retriangulation& fan) {
     queue_ = {};
     least_aligned_ = kAlignedForNow;
-    const bool done = kick.vertex >= 0    ? move(kick.vertex, kick.step)
-                      : kick.segment >= 0 ? split(kick.segment, kick.fraction)
-                                          : apply(kick.fan);
+    const bool done = apply(fan);
     least_aligned_ = kAlignedSwap;
     if (done) {
         follow([&](int t) { return move_corner(t); }, -1.0);
@@ -164,11 +159,6 @@ void CavityOptimiser::keep(const Exemption& reason) {
     std::copy_if(now.begin(), now.end(), std::back_inserter(left),
                  [&](int t) { return work_.exemption_of(t) == nullptr; });
     restore_exemptions(work_, left, bound_, reason);
-    if (split_) {
-        slider_.was_split((*split_)[0], (*split_)[1]);
-    }
-    split_.reset();
-    ear_ = -1;
     undo_.commit();
 }
 
@@ -193,27 +183,24 @@ bool CavityOptimiser::move_corner(int triangle) {
     return try_best(proposals, 0.0);
 }
 
-// Returns changes that result in another number of vertices, or of triangles at one vertex, the best first.
-std::vector<CavityOptimiser::Perturbation> CavityOptimiser::kicks(int triangle) const {
-    std::vector<Perturbation> result;
+// Returns fans that result in another number of vertices, the best first.
+std::vector<CavityOptimiser::Retriangulation> CavityOptimiser::perturbations(int triangle) const {
+    std::vector<Retriangulation> result;
     for (const Cavity& disc : discs_around(triangle)) {
         add_fans(disc, result);
-        add_eared_fans(disc, result);
     }
-    add_splits(triangle, result);
-    add_moves(triangle, result);
     std::stable_sort(result.begin(), result.end(),
-                     [](const Perturbation& a, const Perturbation& b) { return a.fan.angle > b.fan.angle; });
+                     [](const Retriangulation& a, const Retriangulation& b) { return a.angle > b.angle; });
     return result;
 }
 
-void CavityOptimiser::add_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const {
+void CavityOptimiser::add_fans(const Cavity& disc, std::vector<Retriangulation>& fans) const {
     const ClassifiedMesh& mesh = work_.mesh;
     const double least = OptimisationTuning::kLeastOfPerturbation * bound_;
     const auto keep = [&](int apex_site, const Vec3& apex) {
         const double angle = fan_angle(mesh, disc, apex, apex_site, least);
         if (angle > least) {
-            kicks.push_back({{disc, apex_site, apex, angle, -M_PI}});
+            fans.push_back({disc, apex_site, apex, angle, -M_PI});
         }
     };
     const std::size_t inside = (disc.triangles.size() + 2 - disc.rim.size()) / 2;
@@ -223,61 +210,6 @@ void CavityOptimiser::add_fans(const Cavity& disc, std::vector<Perturbation>& ki
     if (inside != 1) {
         keep(-1, best_apex(mesh, disc));
     }
-}
-
-void CavityOptimiser::add_eared_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const {
-    const double least = OptimisationTuning::kLeastOfPerturbation * bound_;
-    for (const EaredFan& fan : eared_fans(work_.mesh, disc)) {
-        if (fan.angle > least) {
-            kicks.push_back({{disc, -1, fan.apex, fan.angle, -M_PI, fan.ear_site}});
-        }
-    }
-}
-
-// The two triangles of the fan at that corner swap their common side.
-bool CavityOptimiser::cut_ear(const std::vector<int>& fan, int ear_site, int apex_site) {
-    const ClassifiedMesh& mesh = work_.mesh;
-    std::vector<int> at_ear;
-    int beside = -1;
-    for (const int t : fan) {
-        for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            if (mesh.site_of(h) == ear_site) {
-                at_ear.push_back(t);
-                const int other = mesh.site_of(ClassifiedMesh::next(h));
-                beside = other != apex_site ? other : beside;
-            }
-        }
-    }
-    const auto disc = disc_of(mesh, std::move(at_ear));
-    if (!disc || beside < 0) {
-        return false;
-    }
-    Retriangulation swap{*disc, beside, mesh.vertex(mesh.site(beside).vertex).point, 0.0, 0.0};
-    return apply(swap);
-}
-
-// Whether a corner that lost a triangle by an ear would get another one, which would revert the perturbation.
-bool CavityOptimiser::reopens_ear(const Cavity& disc, int apex_site) const {
-    if (ear_ < 0) {
-        return false;
-    }
-    const ClassifiedMesh& mesh = work_.mesh;
-    const auto at_ear = [&](int h) { return mesh.site_of(h) == ear_; };
-    const auto side = std::find_if(disc.rim.begin(), disc.rim.end(), at_ear);
-    if (side == disc.rim.end()) {
-        return false;
-    }
-    const std::vector<int> around = triangles_around(mesh, *side);
-    const auto before = std::count_if(around.begin(), around.end(), [&](int t) {
-        return std::find(disc.triangles.begin(), disc.triangles.end(), t) != disc.triangles.end();
-    });
-    const std::ptrdiff_t sides = static_cast<std::ptrdiff_t>(disc.rim.size());
-    const bool beside = std::any_of(disc.rim.begin(), disc.rim.end(), [&](int h) {
-        const int next = ClassifiedMesh::next(h);
-        return (at_ear(h) && mesh.site_of(next) == apex_site) || (at_ear(next) && mesh.site_of(h) == apex_site);
-    });
-    const std::ptrdiff_t after = apex_site == ear_ ? sides - 2 : beside ? 1 : 2;
-    return after > before;
 }
 
 // Repairs what a perturbation has made worse, by one kind of change, up to a triangle with an angle below `worst`

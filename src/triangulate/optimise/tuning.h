@@ -45,17 +45,10 @@ struct OptimisationTuning {
     /// Largest distance between an apex and its projection, as a fraction of the cavity's size, so that other
     /// sheets of the surface are excluded.
     MESHQUALITY_TUNED(double, kMaxApexLift, 0.5);
-    /// Fraction of the bound that angles must keep during a perturbation of a disc, a segment, or a vertex's
-    /// position.
+    /// Fraction of the bound that angles must keep during a perturbation.
     MESHQUALITY_TUNED(double, kLeastOfPerturbation, 0.2);
-    /// Segments that are split on trial for one triangle.
-    MESHQUALITY_TUNED(std::size_t, kMaxSegments, 8);
-    /// Fractions of a segment's parameter range at which it is split on trial.
-    static constexpr std::array<double, 3> kSplitFractions{0.5, 0.36, 0.64};
-    /// Trial steps of vertices along their CAD edges, as fractions of the distance to the next vertex in either
-    /// direction.
-    static constexpr std::array<double, 4> kMoves{-0.3, -0.15, 0.15, 0.3};
-    /// Steps of the relocation of vertices along their CAD edges, as the same fractions.
+    /// Steps of the relocation of vertices along their CAD edges, as fractions of the distance to the next vertex in
+    /// either direction.
     static constexpr std::array<double, 8> kEdgeSteps{-0.6, -0.45, -0.3, -0.15, 0.15, 0.3, 0.45, 0.6};
     /// Finer steps around the best of these, as the same fractions.
     static constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};

@@ -88,22 +88,5 @@ TEST(Cavity, FanFromTheRimLeavesOutTheSidesAtItsApex) {
     EXPECT_LT(fan_angle(mesh, *disc, Vec3(2, 0, 0)), 0.0);  // from outside, some triangles are inverted
 }
 
-/// The ear of a regular hexagon has angles of 30 degrees, and so has the triangle over its chord from the middle.
-TEST(Cavity, FanWithAnEarLeavesOutOneCorner) {
-    const ClassifiedMesh mesh = polygon(6, Vec3(0, 0, 0));
-    const auto disc = disc_of(mesh, triangles_around(mesh, 2));
-    ASSERT_TRUE(disc);
-    const std::vector<EaredFan> fans = eared_fans(mesh, *disc);
-    ASSERT_EQ(fans.size(), 6u);
-    std::set<int> ears;
-    for (const EaredFan& fan : fans) {
-        ears.insert(fan.ear_site);
-        EXPECT_NEAR(fan.angle, M_PI / 6.0, 1e-9);  // the angle of the ear itself
-        const Vec3& corner = mesh.site(fan.ear_site).point;
-        EXPECT_LT(fan.apex.dot(corner), 0.01);
-    }
-    EXPECT_EQ(ears.size(), 6u);
-}
-
 }  // namespace
 }  // namespace mq::triangulate

@@ -61,29 +61,6 @@ TEST(EdgeVertexRelocation, MovesVerticesAlongTheirEdges) {
     EXPECT_GT(moves, 10);
 }
 
-/// The resulting angles are those predicted, even if they are small.
-TEST(EdgeVertexRelocation, MovesAVertexToAPlace) {
-    int moves = 0;
-    for (const geometry::Part& part : geometry::all_parts()) {
-        SCOPED_TRACE(part.name);
-        RefinedPart refined(part.model);
-        Pipeline& pipeline = refined.pipeline;
-        for (int v = 0; v < pipeline.surface.vertex_count() && moves < 500; ++v) {
-            const double step = v % 2 == 0 ? 0.15 : -0.3;
-            const std::optional<double> told = refined.slider.angle_after(v, step, 25.0 * M_PI / 180.0);
-            const std::vector<int> changed = refined.slider.move(v, step, 25.0 * M_PI / 180.0, refined.undo);
-            if (!changed.empty()) {
-                ASSERT_TRUE(told);
-                EXPECT_NEAR(smallest_around(pipeline.surface, changed), *told, 1e-9);
-                ++moves;
-            }
-        }
-        EXPECT_EQ(pipeline.surface.inconsistency(), "");
-        expect_on_curves(pipeline);
-    }
-    EXPECT_GT(moves, 100);
-}
-
 /// With a tolerance that the mesh just meets, vertices on curved edges do not move, or only if no distance exceeds it.
 TEST(EdgeVertexRelocation, KeepsTheDistanceFromThePart) {
     for (const geometry::Part& part : geometry::all_parts()) {
