@@ -34,6 +34,8 @@ Meshes for scripts
     deviation     signed distances of a mesh, scan or point cloud from CAD or another mesh, aligned before -> DeviationMap
     size_field    edge lengths by place, sampled: drawn or asked before meshing           -> SizeField
     adapt         tetrahedra that are refined where the error of a solution is         -> Adaptation
+    follow        the same triangles on a part after an edit of its dimensions                  -> FollowedMesh
+    sensitivity   by how much each point of a mesh moves with a dimension of the part
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
@@ -127,6 +129,9 @@ _LAZY = {
     "MeshSolid": "MeshQuality.core.mesh_to_solid",
     "wrap": "MeshQuality.core.wrapping",
     "WrapMesh": "MeshQuality.core.wrapping",
+    "follow": "MeshQuality.core.following.follow",
+    "FollowedMesh": "MeshQuality.core.following.follow",
+    "sensitivity": "MeshQuality.features.sensitivity",
     "adapt": "MeshQuality.features.adapted_mesh",
     "Adaptation": "MeshQuality.core.adapting",
     "volume_mesh": "MeshQuality.core.volumes.volume_mesh",
