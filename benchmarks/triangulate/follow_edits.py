@@ -32,13 +32,12 @@ def parser():
     return result
 
 
-def parts():
+def blocks():
     """{name: function of the factor of one dimension}."""
     import FreeCAD
     import Part
 
-    at, circle = FreeCAD.Vector, lambda r, x, y, z: Part.Wire(Part.makeCircle(r, at(x, y, z)))
-    box, cylinder = Part.makeBox, Part.makeCylinder
+    at, box, cylinder = FreeCAD.Vector, Part.makeBox, Part.makeCylinder
 
     def plate(length, width, height, *holes):
         result = box(length, width, height)
@@ -49,12 +48,38 @@ def parts():
     def rounded(shape, radius, wanted=lambda edge: True):
         return shape.makeFillet(radius, [edge for edge in shape.Edges if wanted(edge)])
 
+    def chamfered(shape, size):
+        return shape.makeChamfer(size, shape.Edges[:4])
+
     def upright(edge):
         return edge.BoundBox.ZLength > 1e-6 and edge.BoundBox.XLength < 1e-6 and edge.BoundBox.YLength < 1e-6
 
     def angle_piece(radius):
         shape = box(40, 30, 5).fuse(box(5, 30, 40)).removeSplitter()
         return rounded(shape, radius, lambda e: abs(e.CenterOfMass.x - 5) < 1e-6 and abs(e.CenterOfMass.z - 5) < 1e-6)
+
+    return {
+        "plate, radius of the hole": lambda w: plate(40, 30, 5, (20, 15, 6 * w)),
+        "plate, length": lambda w: plate(40 * w, 30, 5, (20, 15, 6)),
+        "plate of two holes, place of one": lambda w: plate(60, 30, 8, (15, 15, 5), (30 * w, 15, 5)),
+        "plate, height": lambda w: plate(40, 30, 5 * w, (12, 15, 4), (28, 15, 4)),
+        "block with a blind hole, depth": lambda w: box(20, 20, 20).cut(cylinder(5, 20, at(10, 10, 20 - 8 * w))),
+        "block with crossing bores, radius": lambda w: box(20, 20, 20).cut(cylinder(4 * w, 40, at(10, 10, -5))).cut(
+            cylinder(3, 40, at(-5, 10, 10), at(1, 0, 0))),
+        "angle piece, radius of the fillet": lambda w: angle_piece(4 * w),
+        "block, all edges rounded, radius": lambda w: rounded(box(30, 20, 10), 2 * w),
+        "block, upright edges rounded, length": lambda w: rounded(box(30 * w, 20, 10), 3, upright),
+        "cylinder with rounded rims, height": lambda w: rounded(cylinder(8, 20 * w), 2, lambda e: e.BoundBox.ZLength < 1e-6),
+        "block with chamfers, size": lambda w: chamfered(box(20, 20, 20), 2 * w),
+    }
+
+
+def lofts_and_turned_parts():
+    """Likewise."""
+    import FreeCAD
+    import Part
+
+    at, circle = FreeCAD.Vector, lambda r, x, y, z: Part.Wire(Part.makeCircle(r, at(x, y, z)))
 
     def turned(*points):
         corners = [at(x, 0, z) for x, z in points]
@@ -69,18 +94,6 @@ def parts():
         return Part.Face(Part.Wire([side, *rest.Edges])).revolve(at(0, 0, 0), at(0, 0, 1), 360)
 
     return {
-        "plate, radius of the hole": lambda w: plate(40, 30, 5, (20, 15, 6 * w)),
-        "plate, length": lambda w: plate(40 * w, 30, 5, (20, 15, 6)),
-        "plate of two holes, place of one": lambda w: plate(60, 30, 8, (15, 15, 5), (30 * w, 15, 5)),
-        "plate, height": lambda w: plate(40, 30, 5 * w, (12, 15, 4), (28, 15, 4)),
-        "block with a blind hole, depth": lambda w: box(20, 20, 20).cut(cylinder(5, 20, at(10, 10, 20 - 8 * w))),
-        "block with crossing bores, radius": lambda w: box(20, 20, 20).cut(cylinder(4 * w, 40, at(10, 10, -5))).cut(
-            cylinder(3, 40, at(-5, 10, 10), at(1, 0, 0))),
-        "angle piece, radius of the fillet": lambda w: angle_piece(4 * w),
-        "block, all edges rounded, radius": lambda w: rounded(box(30, 20, 10), 2 * w),
-        "block, upright edges rounded, length": lambda w: rounded(box(30 * w, 20, 10), 3, upright),
-        "cylinder with rounded rims, height": lambda w: rounded(cylinder(8, 20 * w), 2, lambda e: e.BoundBox.ZLength < 1e-6),
-        "block with chamfers, size": lambda w: box(20, 20, 20).makeChamfer(2 * w, box(20, 20, 20).Edges[:4]),
         "loft of two circles, radius": lambda w: Part.makeLoft([circle(5 * w, 0, 0, 0), circle(3, 0, 0, 15)], True),
         "loft of three circles, height": lambda w: Part.makeLoft([circle(5, 0, 0, 0), circle(3, 1, 0, 10), circle(4, 0, 0, 20 * w)], True),
         "loft of squares, size of one": lambda w: Part.makeLoft(
@@ -93,7 +106,7 @@ def parts():
         "stepped shaft, length of a step": lambda w: turned((0, 0), (8, 0), (8, 10 * w), (5, 10 * w), (5, 25 * w), (0, 25 * w)),
         "turned spline, radius": lambda w: spline_turned(9 * w),
         "torus, small radius": lambda w: Part.makeTorus(10, 3 * w),
-        "cone with a bore, radius": lambda w: Part.makeCone(10 * w, 6, 20).cut(cylinder(3, 60, at(0, 0, -20))),
+        "cone with a bore, radius": lambda w: Part.makeCone(10 * w, 6, 20).cut(Part.makeCylinder(3, 60, at(0, 0, -20))),
     }
 
 
@@ -130,7 +143,7 @@ def work(asked):
     import MeshQuality as mq
 
     rows = {}
-    for name, make in parts().items():
+    for name, make in {**blocks(), **lofts_and_turned_parts()}.items():
         if asked.only not in name:
             continue
         mesh = mq.triangulate(make(1.0))
