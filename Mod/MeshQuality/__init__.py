@@ -33,6 +33,7 @@ Meshes for scripts
     voids         closed cavities, from which nothing comes out                          -> VoidReport
     deviation     signed distances of a mesh, scan or point cloud from CAD or another mesh, aligned before -> DeviationMap
     size_field    edge lengths by place, sampled: drawn or asked before meshing           -> SizeField
+    flow_sizes    sizes by the second derivatives of a field that OpenFOAM has computed  -> FlowSizes
     adapt         tetrahedra that are refined where the error of a solution is         -> Adaptation
     follow        the same triangles on a part after an edit of its dimensions                  -> FollowedMesh
     sensitivity   by how much each point of a mesh moves with a dimension of the part
@@ -138,6 +139,8 @@ _LAZY = {
     "VolumeMesh": "MeshQuality.core.volumes.volume_mesh",
     "size_field": "MeshQuality.core.sizes.size_field",
     "SizeField": "MeshQuality.core.sizes.size_field",
+    "flow_sizes": "MeshQuality.core.sizes.flow_sizes",
+    "FlowSizes": "MeshQuality.core.sizes.flow_sizes",
     "add_size_region": "MeshQuality.features.size_region",
     "add_quality_mesh": "MeshQuality.features.quality_mesh",
     "add_curved_mesh": "MeshQuality.features.curved_mesh",
