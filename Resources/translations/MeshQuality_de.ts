@@ -823,6 +823,22 @@
         <source>Corners of faces below the smallest angle: keep them, each with one triangle of that angle; cut them off by a twentieth of the distance, where the faces beside them allow it; or do so (auto) where further triangles would be below the smallest angle</source>
         <translation>Ecken von Flächen unter dem kleinsten Winkel: behalten, jede mit einem Dreieck dieses Winkels; um ein Zwanzigstel des Abstands abschneiden, wo die Flächen daneben es zulassen; oder dies nur dort (auto), wo sonst weitere Dreiecke unter dem kleinsten Winkel lägen</translation>
     </message>
+    <message>
+        <source>Estimated relative error of the strains at which the work ends</source>
+        <translation>Geschätzter relativer Fehler der Dehnungen, bei dem die Arbeit endet</translation>
+    </message>
+    <message>
+        <source>Most meshes that are made</source>
+        <translation>Größte Zahl der Netze</translation>
+    </message>
+    <message>
+        <source>No mesh is made that is expected to have more unknowns</source>
+        <translation>Kein Netz wird erzeugt, das voraussichtlich mehr Unbekannte hat</translation>
+    </message>
+    <message>
+        <source>What was adapted</source>
+        <translation>Was angepasst wurde</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -4930,6 +4946,86 @@
         <source>growing layers on the walls</source>
         <translation>Schichten wachsen an den Wänden</translation>
     </message>
+    <message>
+        <source>Unknowns</source>
+        <translation>Unbekannte</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Least size</source>
+        <translation>Kleinste Größe</translation>
+    </message>
+    <message>
+        <source>Analysis: {}</source>
+        <translation>Analyse: {}</translation>
+    </message>
+    <message>
+        <source>The error is below the target.</source>
+        <translation>Der Fehler ist kleiner als das Ziel.</translation>
+    </message>
+    <message>
+        <source>A finer mesh would have more unknowns than allowed.</source>
+        <translation>Ein feineres Netz hätte mehr Unbekannte als erlaubt.</translation>
+    </message>
+    <message>
+        <source>All steps are done; the error is above the target.</source>
+        <translation>Alle Schritte sind getan; der Fehler ist größer als das Ziel.</translation>
+    </message>
+    <message>
+        <source>The error does not get lower any more.</source>
+        <translation>Der Fehler wird nicht mehr kleiner.</translation>
+    </message>
+    <message>
+        <source>Cancelled; the last good step stays.</source>
+        <translation>Abgebrochen; der letzte gute Schritt bleibt.</translation>
+    </message>
+    <message>
+        <source>Solve the analysis once more for its results.</source>
+        <translation>Die Analyse noch einmal lösen, dann sind ihre Ergebnisse da.</translation>
+    </message>
+    <message>
+        <source>Adapt</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>CalculiX solves</source>
+        <translation>CalculiX löst</translation>
+    </message>
+    <message>
+        <source>Estimated relative error of the strains at which the work ends</source>
+        <translation>Geschätzter relativer Fehler der Dehnungen, bei dem die Arbeit endet</translation>
+    </message>
+    <message>
+        <source>Most meshes that are made</source>
+        <translation>Größte Zahl der Netze</translation>
+    </message>
+    <message>
+        <source>Most unknowns</source>
+        <translation>Höchstzahl der Unbekannten</translation>
+    </message>
+    <message>
+        <source>No mesh is made that is expected to have more unknowns</source>
+        <translation>Kein Netz wird erzeugt, das voraussichtlich mehr Unbekannte hat</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Target of the error</source>
+        <translation>Ziel des Fehlers</translation>
+    </message>
+    <message>
+        <source>waiting for the window</source>
+        <translation>wartet auf das Fenster</translation>
+    </message>
+    <message>
+        <source>{name} adaptation</source>
+        <translation>{name} Anpassung</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>
@@ -5075,6 +5171,19 @@
     <message>
         <source>One for each core</source>
         <translation>Einer je Kern</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Adapt</name>
+    <message>
+        <source>Adapt mesh...</source>
+        <translation>Netz anpassen...</translation>
+    </message>
+    <message>
+        <source>Refine the FEM mesh of the selected analysis where the error of its solution is, step by step, solved by CalculiX
+Select an analysis with a FEM mesh of MeshQuality, or that mesh, first.</source>
+        <translation>Das FEM-Netz der gewählten Analyse dort verfeinern, wo der Fehler der Lösung ist, Schritt für Schritt, gelöst von CalculiX
+Zuerst eine Analyse mit einem FEM-Netz von MeshQuality wählen, oder dieses Netz.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 import os
 import shutil
 import sys
+import time
 import unittest
 
 import FreeCADGui
@@ -40,20 +41,28 @@ class AdaptCommand(gui_helpers.PanelTest):
         gui_helpers.wait()
         return panel
 
+    def until(self, condition):
+        """As in the base class; the work, much of it Python, has the interpreter for most of the time."""
+        end = time.monotonic() + gui_helpers.LIMIT
+        while not condition() and time.monotonic() < end:
+            gui_helpers.wait(0.02)
+            time.sleep(0.1)
+        self.assertTrue(condition())
+
     def test_from_an_analysis_to_a_mesh_of_less_error(self):
         first = self.obj.FemMesh.VolumeCount
         panel = self.panel(commands.Adapt, self.analysis)
         self.assertFalse(panel.plot.isVisible())
-        panel.options.set_values({"target_error": 0.005, "max_unknowns": 20_000, "steps": 3})
+        panel.options.set_values({"target_error": 0.005, "max_unknowns": 15_000, "steps": 2})
         ticks = []
         panel.table.model().rowsInserted.connect(lambda *_: ticks.append(panel.table.rowCount()))
         panel.accept()
         self.until(lambda: panel.job is None)
         self.assertIn("Solve the analysis once more", panel.said)
         steps = adapted_mesh.steps_in(self.analysis)
-        self.assertEqual([step[0] for step in steps], [1, 2, 3])
+        self.assertEqual([step[0] for step in steps], [1, 2])
         self.assertLess(steps[-1][3], 0.8 * steps[0][3])
-        self.assertEqual(panel.table.rowCount(), 3)
+        self.assertEqual(panel.table.rowCount(), 2)
         self.assertGreater(len(ticks), 1)  # it was seen step by step
         self.assertEqual(self.obj.FemMesh.VolumeCount, steps[-1][2])
         self.assertEqual((self.obj.Certificate, len(self.obj.SizeField)), ("met", 1))
@@ -66,7 +75,7 @@ class AdaptCommand(gui_helpers.PanelTest):
         while self.document.UndoCount:
             self.document.undo()
             counts.append(self.obj.FemMesh.VolumeCount)
-        self.assertEqual(counts, [steps[2][2], steps[1][2], steps[0][2], first])
+        self.assertEqual(counts, [steps[1][2], steps[0][2], first])
         self.assertIsNone(adapted_mesh.table_of(self.analysis))
 
     def test_cancel_keeps_the_last_good_step(self):

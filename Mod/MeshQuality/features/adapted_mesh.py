@@ -63,15 +63,15 @@ def mesh_of_analysis(analysis):
 def adapt_analysis(analysis, target_error, max_unknowns, steps, order=None, size_field=None, progress=None,
                    in_document=lambda function: function()):
     """As adapt; in_document(function) calls it where documents may be changed, and returns what it returns."""
-    adapted = in_document(lambda: _Adapted(analysis, order, progress, in_document))
+    adapted = in_document(lambda: AnalysisOnMeshes(analysis, order, progress, in_document))
     found = adapting.adapt(adapted.solve, adapted.shape, target_error, max_unknowns, steps, adapted.values["order"], size_field, progress,
                            True, adapted.keep, **adapted.options)
     in_document(lambda: adapted.show_table(found))
     return found
 
 
-class _Adapted:
-    """The mesh of an analysis while it is adapted.
+class AnalysisOnMeshes:
+    """An analysis that is solved on one mesh after the other while it is adapted.
 
     values   its options; options: those of curve, but for the order and the sizes
     """
@@ -91,12 +91,17 @@ class _Adapted:
 
     def solve(self, mesh):
         """The displacements (N, 3) that CalculiX finds on a CurvedMesh."""
+        arrays = self.results(mesh)
+        return np.column_stack([arrays[name] for name in ("D1", "D2", "D3")])
+
+    def results(self, mesh):
+        """{name: float64 (N,)} of what CalculiX finds at the nodes of a CurvedMesh, by its names: D1, SXX ..."""
         program, path = self._in_document(lambda: self._write(mesh))
         _run(program, path, self._analysis.Label, self._progress)
         points, _, arrays = of_frd(f"{os.path.splitext(path)[0]}.frd")
         if len(points) != len(mesh.nodes) or "D1" not in arrays:
             raise Error(f"CalculiX left no displacements of {self._analysis.Label}: see its output in {os.path.dirname(path)}")
-        return np.column_stack([arrays[name] for name in ("D1", "D2", "D3")])
+        return arrays
 
     def _write(self, mesh):
         """(program, path of its input): CalculiX's for the analysis on another mesh."""
