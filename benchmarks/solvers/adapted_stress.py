@@ -15,7 +15,8 @@ sys.path += map(str, Path(__file__).resolve().parents[1].iterdir())
 import inside_freecad
 
 TARGET = 0.01
-EDGES = {"plate": (16, 8, 5, 3.5, 2.5), "shaft": (12, 8, 5.5, 4, 3)}  # mm, of uniform meshes
+EDGES = {"plate": (12, 6, 4, 3), "shaft": (12, 8, 5.5, 4)}  # mm, of uniform meshes
+FINE = 0.4, 0.3  # mm where the stress is largest, and the growth of sizes with the distance from there, of the mesh for the exact stress
 
 
 def parser():
@@ -29,11 +30,20 @@ def plate():
     import FreeCAD
     import Part
 
-    return Part.makeBox(100, 40, 5).cut(Part.makeCylinder(8, 5, FreeCAD.Vector(50, 20, 0)))
+    return Part.makeBox(100, 50, 4).cut(Part.makeCylinder(2.5, 4, FreeCAD.Vector(50, 25, 0)))
+
+
+def away(name, points):
+    """The distances from the edge of the hole, or from the fillet, mm."""
+    import numpy as np
+
+    if name == "plate":
+        return np.abs(np.hypot(points[:, 0] - 50, points[:, 1] - 25) - 2.5)
+    return np.hypot(np.hypot(points[:, 1], points[:, 2]) - 5, points[:, 0] - 14)
 
 
 def analysis_of(name, document):
-    """The analysis with a coarse mesh, and the name of the face where the stress is largest."""
+    """The analysis with a coarse mesh."""
     import cantilever
 
     import MeshQuality as mq
@@ -46,8 +56,7 @@ def analysis_of(name, document):
         force = next(obj for obj in analysis.Group if obj.isDerivedFrom("Fem::ConstraintForce"))
         force.Direction, force.Reversed = (part, [cantilever.face_at(part.Shape, "x", 1)]), False
     mq.add_fem_mesh(part, analysis=analysis, max_edge=EDGES[name][0], order=2)
-    kind = "Part::GeomCylinder" if name == "plate" else "Part::GeomToroid"
-    return analysis, next(f"Face{i}" for i, face in enumerate(part.Shape.Faces, 1) if face.Surface.TypeId == kind)
+    return analysis
 
 
 def work(arguments):
@@ -62,8 +71,7 @@ def work(arguments):
         if arguments.only not in name:
             continue
         document = FreeCAD.newDocument()
-        analysis, fine = analysis_of(name, document)
-        solver = AnalysisOnMeshes(analysis, 2, None, lambda function: function())
+        solver = AnalysisOnMeshes(analysis_of(name, document), 2, None, lambda function: function())
 
         def measured(mesh, kind, solver=solver, name=name):
             found = solver.results(mesh)
@@ -78,7 +86,8 @@ def work(arguments):
             measured(mq.curve(solver.shape, order=2, volume=True, max_edge=edge), "uniform")
         mq.adapt(lambda mesh: measured(mesh, "adapted"), solver.shape, target_error=0.002, max_unknowns=arguments.most, steps=6, strains=True,
                  max_edge=EDGES[name][0])
-        measured(mq.curve(solver.shape, order=2, volume=True, max_edge=EDGES[name][1], local_sizes={fine: 0.6}), "exact")
+        measured(mq.curve(solver.shape, order=2, volume=True, max_edge=EDGES[name][1],
+                          size_field=lambda points, name=name: FINE[0] + FINE[1] * away(name, points)), "exact")
         FreeCAD.closeDocument(document.Name)
     exact = {row["part"]: row["stress"] for row in rows if row["kind"] == "exact"}
     for row in rows:

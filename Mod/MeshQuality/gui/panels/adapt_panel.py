@@ -70,17 +70,19 @@ class AdaptPanel(WritingPanel):
 
             return thread.call(run, progress)
 
-        return lambda progress: adapted_mesh.adapt_analysis(
-            self.obj, **values, progress=progress, in_document=lambda function: in_document(progress, function)), self._land
+        def work(progress):
+            return adapted_mesh.adapt_analysis(self.obj, **values, progress=progress,
+                                               in_document=lambda function: in_document(progress, function)).stopped
 
-    def _land(self, found):
-        self._show_steps(adapted_mesh.steps_in(self.obj))
+        return work, self._land
+
+    def _land(self, stopped):
         self.ended_with = {
             "target": translate("MeshQuality", "The error is below the target."),
             "unknowns": translate("MeshQuality", "A finer mesh would have more unknowns than allowed."),
             "steps": translate("MeshQuality", "All steps are done; the error is above the target."),
             "no fall": translate("MeshQuality", "The error does not get lower any more."),
-        }[found.stopped]
+        }[stopped]
 
     @staticmethod
     def said_of_cancelling():
