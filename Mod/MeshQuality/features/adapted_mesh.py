@@ -147,14 +147,14 @@ class AnalysisOnMeshes:
         """Writes the steps into the spreadsheet of the analysis, as one undo step or a part of one."""
         document = self._obj.Document
         rows = [(i, step.unknowns, step.elements, step.error, step.least_size) for i, step in enumerate(found.steps, 1)]
-        if rows == steps_in(self._analysis):
-            return
+        if [row[:3] for row in rows] == [row[:3] for row in steps_in(self._analysis)]:
+            return  # the spreadsheet rounds the others
         with undo_step(document, f"Adapt {self._obj.Label}"):
             sheet = table_of(self._analysis)
             if sheet is None:
                 sheet = document.addObject("Spreadsheet::Sheet", TABLE)
                 sheet.Label = window().translated(Text(label_phrases.LABELS["adaptation"], name=self._analysis.Label))
-                sheet.addProperty("App::PropertyLink", "Analysis", "Adaptation", "What was adapted").Analysis = self._analysis
+                self._analysis.addObject(sheet)
             sheet.clearAll()
             for row, cells in enumerate((COLUMNS, *rows), 1):
                 for column, cell in zip("ABCDE", cells):
@@ -165,7 +165,7 @@ class AnalysisOnMeshes:
 
 def table_of(analysis):
     """The spreadsheet with the steps in which an analysis was adapted; None without one."""
-    return next((user for user in analysis.InList if user.Name.startswith(TABLE) and user.isDerivedFrom("Spreadsheet::Sheet")), None)
+    return next((member for member in analysis.Group if member.Name.startswith(TABLE) and member.isDerivedFrom("Spreadsheet::Sheet")), None)
 
 
 def steps_in(analysis):
