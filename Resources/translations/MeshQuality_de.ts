@@ -835,10 +835,6 @@
         <source>No mesh is made that is expected to have more unknowns</source>
         <translation>Kein Netz wird erzeugt, das voraussichtlich mehr Unbekannte hat</translation>
     </message>
-    <message>
-        <source>What was adapted</source>
-        <translation>Was angepasst wurde</translation>
-    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -4953,10 +4949,6 @@
     <message>
         <source>Error</source>
         <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>Least size</source>
-        <translation>Kleinste Größe</translation>
     </message>
     <message>
         <source>Analysis: {}</source>

@@ -146,8 +146,8 @@ class AnalysisOnMeshes:
     def show_table(self, found):
         """Writes the steps into the spreadsheet of the analysis, as one undo step or a part of one."""
         document = self._obj.Document
-        rows = [(i, step.unknowns, step.elements, step.error, step.least_size) for i, step in enumerate(found.steps, 1)]
-        if [row[:3] for row in rows] == [row[:3] for row in steps_in(self._analysis)]:
+        rows, there = [(i, *step) for i, step in enumerate(found.steps, 1)], steps_in(self._analysis)
+        if [row[:3] for row in rows] == [row[:3] for row in there]:
             return  # the spreadsheet rounds the others
         with undo_step(document, f"Adapt {self._obj.Label}"):
             sheet = table_of(self._analysis)
@@ -155,8 +155,8 @@ class AnalysisOnMeshes:
                 sheet = document.addObject("Spreadsheet::Sheet", TABLE)
                 sheet.Label = window().translated(Text(label_phrases.LABELS["adaptation"], name=self._analysis.Label))
                 self._analysis.addObject(sheet)
-            sheet.clearAll()
-            for row, cells in enumerate((COLUMNS, *rows), 1):
+            # Undo does not bring back what clearAll() takes away.
+            for row, cells in enumerate((COLUMNS, *rows, *[("",) * len(COLUMNS)] * (len(there) - len(rows))), 1):
                 for column, cell in zip("ABCDE", cells):
                     sheet.set(f"{column}{row}", cell if isinstance(cell, str) else repr(cell))
             sheet.recompute()

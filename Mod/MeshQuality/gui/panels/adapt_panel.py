@@ -9,7 +9,7 @@ from ...features import adapted_mesh
 from .. import jobs
 from ..document_thread import DocumentThread
 from ..panel_operation import obstacle_in
-from ..quantities import count_text
+from ..quantities import count_text, length_text
 from .convergence_plot import ConvergencePlot
 from .option_form import OptionForm
 from .task_form import is_in_task_view
@@ -32,9 +32,11 @@ class AdaptPanel(WritingPanel):
         self.options = OptionForm(options.adapt.ADAPT)
         self.plot, self.table, self.doing = ConvergencePlot(), QtGui.QTableWidget(0, 4), QtGui.QLabel()
         self.table.setHorizontalHeaderLabels([translate("MeshQuality", "Unknowns"), translate("MeshQuality", "Elements"),
-                                              translate("MeshQuality", "Error"), translate("MeshQuality", "Least size")])
+                                              translate("MeshQuality", "Error"), translate("MeshQuality", "Size")])
         self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
-        self.table.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.Stretch)
+        self.table.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
+        self.table.verticalHeader().hide()
+        self.table.setSizeAdjustPolicy(QtGui.QAbstractScrollArea.AdjustToContents)
         of = QtGui.QLabel(translate("MeshQuality", "Analysis: {}").format(self.label))
         for label in (of, self.doing):
             label.setWordWrap(True)
@@ -49,8 +51,7 @@ class AdaptPanel(WritingPanel):
         self.plot.show_steps([(unknowns, error) for _, unknowns, _, error, _ in steps], self.options.values()["target_error"])
         self.table.setRowCount(len(steps))
         for row, (_, unknowns, elements, error, size) in enumerate(steps):
-            length = FreeCAD.Units.Quantity(size, FreeCAD.Units.Length).UserString
-            for column, text in enumerate((count_text(unknowns), count_text(elements), f"{error:.2%}", length)):
+            for column, text in enumerate((count_text(unknowns), count_text(elements), f"{100 * error:.3g} %", length_text(size))):
                 item = QtGui.QTableWidgetItem(text)
                 item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
                 self.table.setItem(row, column, item)
