@@ -30,11 +30,11 @@ class AdaptPanel(WritingPanel):
 
     def add_fields(self, layout):
         self.options = OptionForm(options.adapt.ADAPT)
-        self.plot, self.table, self.doing = ConvergencePlot(), QtGui.QTableWidget(0, 4), QtGui.QLabel()
-        self.table.setHorizontalHeaderLabels([translate("MeshQuality", "Unknowns"), translate("MeshQuality", "Elements"),
-                                              translate("MeshQuality", "Error"), translate("MeshQuality", "Size")])
+        self.plot, self.table, self.doing = ConvergencePlot(), QtGui.QTableWidget(0, 3), QtGui.QLabel()
+        self.table.setHorizontalHeaderLabels([translate("MeshQuality", "Unknowns"), translate("MeshQuality", "Error"),
+                                              translate("MeshQuality", "Size")])
         self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
-        self.table.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
+        self.table.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.Stretch)
         self.table.verticalHeader().hide()
         self.table.setSizeAdjustPolicy(QtGui.QAbstractScrollArea.AdjustToContents)
         of = QtGui.QLabel(translate("MeshQuality", "Analysis: {}").format(self.label))
@@ -50,8 +50,8 @@ class AdaptPanel(WritingPanel):
     def _show_steps(self, steps):
         self.plot.show_steps([(unknowns, error) for _, unknowns, _, error, _ in steps], self.options.values()["target_error"])
         self.table.setRowCount(len(steps))
-        for row, (_, unknowns, elements, error, size) in enumerate(steps):
-            for column, text in enumerate((count_text(unknowns), count_text(elements), f"{100 * error:.3g} %", length_text(size))):
+        for row, (_, unknowns, _, error, size) in enumerate(steps):
+            for column, text in enumerate((count_text(unknowns), f"{100 * error:.3g} %", length_text(size))):
                 item = QtGui.QTableWidgetItem(text)
                 item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
                 self.table.setItem(row, column, item)
