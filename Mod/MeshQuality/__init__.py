@@ -33,7 +33,10 @@ Meshes for scripts
     voids         closed cavities, from which nothing comes out                          -> VoidReport
     deviation     signed distances of a mesh, scan or point cloud from CAD or another mesh, aligned before -> DeviationMap
     size_field    edge lengths by place, sampled: drawn or asked before meshing           -> SizeField
+    flow_sizes    sizes by the second derivatives of a field that OpenFOAM has computed  -> FlowSizes
     adapt         tetrahedra that are refined where the error of a solution is         -> Adaptation
+    follow        the same triangles on a part after an edit of its dimensions                  -> FollowedMesh
+    sensitivity   by how much each point of a mesh moves with a dimension of the part
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
@@ -127,12 +130,17 @@ _LAZY = {
     "MeshSolid": "MeshQuality.core.mesh_to_solid",
     "wrap": "MeshQuality.core.wrapping",
     "WrapMesh": "MeshQuality.core.wrapping",
+    "follow": "MeshQuality.core.following.follow",
+    "FollowedMesh": "MeshQuality.core.following.follow",
+    "sensitivity": "MeshQuality.features.sensitivity",
     "adapt": "MeshQuality.features.adapted_mesh",
     "Adaptation": "MeshQuality.core.adapting",
     "volume_mesh": "MeshQuality.core.volumes.volume_mesh",
     "VolumeMesh": "MeshQuality.core.volumes.volume_mesh",
     "size_field": "MeshQuality.core.sizes.size_field",
     "SizeField": "MeshQuality.core.sizes.size_field",
+    "flow_sizes": "MeshQuality.core.sizes.flow_sizes",
+    "FlowSizes": "MeshQuality.core.sizes.flow_sizes",
     "add_size_region": "MeshQuality.features.size_region",
     "add_quality_mesh": "MeshQuality.features.quality_mesh",
     "add_curved_mesh": "MeshQuality.features.curved_mesh",

@@ -61,6 +61,8 @@ STAGES = {
     "cutting into triangles": "dividing into triangles",
     "checking elements": "checking the elements",
     "comparing curved triangles": "finding curved triangles that cross",
+    "waiting for the window": "waiting for the window",
+    "solving": "CalculiX solves",
     "growing layers": "growing layers on the walls",
     "done": "done",
     # What the work can wait for, without being able to interrupt it.

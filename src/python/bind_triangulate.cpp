@@ -13,6 +13,9 @@
 #include "geometry/occt/brep_text.h"
 #include "geometry/occt/placeholder_surfaces.h"
 #include "geometry/occt/stream/shape_stream.h"
+#include "mesh/quality/exemptions.h"
+#include "mesh/quality/triangle_quality.h"
+#include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/bound_fields.h"
 #include "python/freecad/freecad_shape.h"
@@ -52,6 +55,34 @@ mesh::MeshReport measure_against(const Result& surface, const FreecadShape& part
         mesh::MeshReport report = workflows::measure_against_shape(surface, *part.shape, handle);
         report.bridge = part.bridge;
         return report;
+    });
+}
+
+/// The same triangles on the same entities with other vertices, measured against the shape that has these entities.
+/// Triangles that were exempt from the bound on angles stay so.
+std::shared_ptr<Result> with_vertices(const Result& surface, const PointArray& vertices, const FreecadShape& part,
+                                      double min_angle, double chord_height, const py::object& progress) {
+    auto moved = std::make_shared<Result>();
+    moved->mesh = surface.mesh;
+    moved->mesh.vertices = points_of(vertices);
+    return watch(progress, [&](Progress& handle) {
+        mesh::MeshReport& report = moved->report;
+        report = mesh::measure(moved->mesh, &handle);
+        report.min_angle_asked = min_angle;
+        std::vector<std::pair<std::int32_t, mesh::ExemptReason>> exempt;
+        for (const auto& entry : surface.report.exempt) {
+            const auto& [a, b, c] = moved->mesh.triangles[entry.first];
+            const std::vector<Vec3>& at = moved->mesh.vertices;
+            if (mesh::min_angle_of({at[a], at[b], at[c]}) < min_angle) {
+                exempt.push_back(entry);
+            }
+        }
+        mesh::set_exempt(moved->mesh, std::move(exempt), report);
+        report.chord_height_asked = chord_height;
+        report = workflows::measure_against_shape(*moved, *part.shape, handle);
+        report.overlaps = 0;
+        report.bridge = part.bridge;
+        return moved;
     });
 }
 
@@ -199,6 +230,10 @@ void bind_triangulate(py::module_& m) {
           "The surface's report with its self-intersections, which are searched unless they are known.");
     m.def("measure_against", &measure_against, py::arg("surface"), py::arg("shape"), py::arg("progress") = py::none(),
           "The surface's report with its largest distance to the faces of a Part.Shape.");
+    m.def("with_vertices", &with_vertices, py::arg("surface"), py::arg("vertices"), py::arg("shape"),
+          py::arg("min_angle"), py::arg("chord_height"), py::arg("progress") = py::none(),
+          "A Surface with the same triangles and entities and the vertices (V, 3), relative to its origin, measured "
+          "against the Part.Shape that has these entities; bounds in degrees and mm for its report.");
     m.def("triangle_deviations", &triangle_deviations, py::arg("surface"), py::arg("shape"),
           py::arg("progress") = py::none(),
           "float64 (T,): the largest distance of each triangle's corners, edge middles and centroid from the faces of "

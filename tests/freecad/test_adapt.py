@@ -15,6 +15,7 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality.core.sizes import error_estimate as estimate
+from MeshQuality.features import adapted_mesh
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks", "solvers"))
 import cantilever  # noqa: E402
@@ -176,6 +177,7 @@ class Analyses(helpers.DocumentTest):
         self.assertEqual(obj.FemMesh.VolumeCount, len(result.mesh.tetrahedra))
         self.assertEqual((len(obj.SizeField), obj.Certificate), (1, "met"))
         self.assertTrue(obj in analysis.Group)
+        self.assertEqual([row[1:3] for row in adapted_mesh.steps_in(analysis)], [step[:2] for step in result.steps])
         path = os.path.join(tempfile.mkdtemp(), "bracket.FCStd")
         self.addCleanup(shutil.rmtree, os.path.dirname(path))
         self.document.saveAs(path)

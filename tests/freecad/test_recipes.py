@@ -91,6 +91,9 @@ class Recipes(helpers.DocumentTest):
         self.assertEqual((self.names["solid"].faces, self.names["solid"].facets), (11, 0))
         self.assertEqual(os.listdir("."), ["hollow.step"])
 
+    def test_following(self):
+        self.follow("docs/use/follow.md")
+
     def test_adapting(self):
         self.follow("docs/use/adapt.md")
         self.assertEqual(self.names["result"].stopped, "target")

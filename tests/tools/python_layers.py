@@ -39,7 +39,7 @@ CORE = [
     ["meshes"],
     ["sizes"],
     ["triangulation", "improvement", "simplification", "quality", "fem"],
-    ["curved", "certify"],
+    ["curved", "certify", "following"],
     ["operands", "verify"],
     ["booleans", "curving", "inspect"],
     ["adapting", "measures", "mesh_to_solid", "offsetting", "repair", "solid_expression", "wrapping"],

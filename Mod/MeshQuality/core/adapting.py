@@ -66,7 +66,8 @@ class Adaptation(metaclass=Public):
         return f"<Adaptation: {len(self.steps)} steps, error {self.error:.2%}, ended by {self.stopped}>"
 
 
-def adapt(solve, shape, target_error=0.05, max_unknowns=200_000, steps=8, order=2, size_field=None, progress=None, strains=False, **values):
+def adapt(solve, shape, target_error=0.05, max_unknowns=200_000, steps=8, order=2, size_field=None, progress=None, strains=False, kept=None,
+          **values):
     """A mesh of tetrahedra that is refined where the error of a solution is, until that is small enough.
 
     solve         function(mesh) that solves on a CurvedMesh and returns values at mesh.nodes: (N,), or (N, k) of k components
@@ -78,6 +79,7 @@ def adapt(solve, shape, target_error=0.05, max_unknowns=200_000, steps=8, order=
     size_field    bounds sizes in all steps, as for triangulate; values: further options of curve, for the first mesh and all others
     strains       of three components, displacements: the error of the strains counts, not that of the gradient
     progress      callable(fraction 0..1, stage); returning False cancels, what it raises comes out
+    kept          callable(Adaptation) after each step whose error is the least until then; None: nobody is told
 
     The error is estimated by superconvergent patch recovery (Zienkiewicz and Zhu 1992); new sizes are those of the mesh with the
     fewest elements for the target, changed by a factor of 2 at most. Returns an Adaptation. What `solve` raises comes out.
@@ -96,6 +98,8 @@ def adapt(solve, shape, target_error=0.05, max_unknowns=200_000, steps=8, order=
         table.append(AdaptStep(found.size, len(mesh.tetrahedra), error, float(sizes.min())))
         if best is None or error < best[0]:
             best = error, mesh, found, errors, wanted
+            if kept is not None:
+                kept(Adaptation(*best[1:], list(table), ""))
         without = _without_fall(table)
         stopped = _stopped(table, without, target_error, max_unknowns)
         if stopped:

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Folders for meshers of flows, of document objects and of meshes."""
 
+import functools
 import os
 
 from .. import phrases
 from ..core.meshes import openfoam_case
 from ..core.meshes.surface_mesh import SurfaceMesh
+from ..core.sizes.refinement_regions import refinement_boxes
 from ..core.sources import convert, frames
 from ..errors import InvalidInput, IoError
 from .export import flat_maker_of
@@ -14,7 +16,8 @@ from .mesh_object import SourceMesh
 _ready = {}  # (key of the object, folder, flow, cell) of a case that write_ahead has written: its levels
 
 
-def write_openfoam_case(mesh, folder, name="surface", flow="internal", cell=None, scale=0.001, types=None):
+def write_openfoam_case(mesh, folder, name="surface", flow="internal", cell=None, scale=0.001, types=None,
+                        size_field=None):
     """Writes a case in which OpenFOAM's blockMesh and snappyHexMesh, or cfMesh's cartesianMesh, fill a part or the space
     around it, with the names of its patches.
 
@@ -28,6 +31,8 @@ def write_openfoam_case(mesh, folder, name="surface", flow="internal", cell=None
     scale   factor of the coordinates; 0.001: metres, which OpenFOAM takes
     types   {patch: "wall" or "patch"}; others are walls, but for those with names that begin with inlet, outlet,
             opening or farfield
+    size_field
+            lengths of cells by place, as for triangulate, such as of flow_sizes: boxes of refinement for snappyHexMesh
 
     Surfaces get levels of refinement at which cells are as large as the triangles there, at most 6.
     Returns the levels: {patch: (least, greatest)}. Raises InvalidInput for a mesh that is open; IoError.
@@ -45,10 +50,11 @@ def write_openfoam_case(mesh, folder, name="surface", flow="internal", cell=None
     else:
         make = maker_of(mesh, flow)
         ready = _ready.pop((frames.key_of(mesh), folder, flow, cell), None)
-        if ready is not None and (name, scale, types) == ("surface", 0.001, None):
+        if ready is not None and (name, scale, types, size_field) == ("surface", 0.001, None, None):
             return ready
         surface = make()
-    return openfoam_case.write_case(surface, folder, name, flow, cell, scale, types).levels
+    regions_of = None if size_field is None else functools.partial(refinement_boxes, size_field)
+    return openfoam_case.write_case(surface, folder, name, flow, cell, scale, types, regions_of).levels
 
 
 def maker_of(obj, flow):

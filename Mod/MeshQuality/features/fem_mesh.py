@@ -84,11 +84,22 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
     @classmethod
     def compute(cls, shape, values, progress):
         """The Result."""
+        curve_values, note = cls.curve_values(shape, values)
+        curved = hidden_parts.noted(curve(shape, **curve_values, progress=progress), [note] if note else [])
+        return cls.result_of(curved, shape, curve_values)
+
+    @staticmethod
+    def curve_values(shape, values):
+        """(the options of curve that stand for those of a FEM mesh, a note on them or "")."""
         length, note = fem_size.longest_edge(shape, values)
         values = {**values, "volume": values["volume"] and bool(shape.Solids), "max_edge": length}
         del values["elements_through"]
-        curved = hidden_parts.noted(curve(shape, **values, progress=progress), [note] if note else [])
-        return Result(fem.elements_of(curved, groups=True), curved_mesh.Proof(curved, shape, values))
+        return values, note
+
+    @staticmethod
+    def result_of(curved, shape, curve_values):
+        """The Result of a CurvedMesh that was made with these options."""
+        return Result(fem.elements_of(curved, groups=True), curved_mesh.Proof(curved, shape, curve_values))
 
     def take(self, obj, result):
         """Shows the elements and their report."""

@@ -12,11 +12,12 @@ from ..core.curving import holds_elements
 from ..core.inspect.deviation import has_points
 from ..core.sources import convert, frames
 from ..errors import Error
-from ..features import (boolean, cam_mesh, cured_mesh, curved_mesh, deviation, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
+from ..features import (adapted_mesh, boolean, cam_mesh, cured_mesh, curved_mesh, deviation, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
                         offset, quality_mesh, repaired_mesh, simplified_mesh, wrap)
 from . import help_pages, quality_data, saving
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
+from .panels.adapt_panel import AdaptPanel
 from .panels.binary_panel import BinaryPanel
 from .panels.case_panel import CasePanel
 from .panels.export_panel import ExportPanel
@@ -71,6 +72,15 @@ class _Command:
     def trial(self, sources):
         """Estimates the number of triangles or elements; None: that would take as long as the work itself."""
         return None
+
+
+class _OfOne(_Command):
+    """Opens PANEL, a class, for the one object that is selected."""
+
+    PANEL = None
+
+    def Activated(self):
+        FreeCADGui.Control.showDialog(self.PANEL(self.selected()[0]))
 
 
 class Triangulate(_Command):
@@ -150,6 +160,21 @@ class Cure(_Command):
         return [Operation(self.TEXT, self.KIND, selected)]
 
 
+class Adapt(_OfOne):
+    PANEL = AdaptPanel
+    NAME = "MeshQuality_Adapt"
+    TEXT = "Adapt mesh"
+    TIP = "Refine the FEM mesh of the selected analysis where the error of its solution is, step by step, solved by CalculiX"
+    NEEDS = "Select an analysis with a FEM mesh of MeshQuality, or that mesh, first."
+    KEYS = "Q, Y"
+
+    def selected(self):
+        """The analysis: selected itself, or that of the selected mesh."""
+        found = [frames.linked_of(source)[0] for source in _selected()]
+        analyses = {obj if fem_mesh.is_analysis(obj) else fem_mesh.analysis_around(obj) for obj in found}
+        return [obj for obj in analyses if obj is not None and adapted_mesh.mesh_of_analysis(obj) is not None] if len(analyses) == 1 else []
+
+
 class Boolean(_Command):
     KIND = boolean.MeshBoolean
     NAME = KIND.COMMAND
@@ -211,13 +236,8 @@ class Wrap(Boolean):
     KEYS = "Q, W"
 
 
-class _OfOneMesh(_Command):
-    """Opens PANEL, a class, for the mesh that is selected."""
-
-    PANEL = None
-
-    def Activated(self):
-        FreeCADGui.Control.showDialog(self.PANEL(self.selected()[0]))
+class _OfOneMesh(_OfOne):
+    """The same for the mesh that is selected."""
 
     def selected(self):
         return _if_one(convert.is_mesh)
@@ -475,7 +495,7 @@ def _has_shape(source):
 # By task: the title of a submenu, or none, and its commands.
 _MENUS = (
     (QT_TRANSLATE_NOOP("Workbench", "Mesh"), (Triangulate, Quick, Curve, Boolean, Wrap)),
-    (QT_TRANSLATE_NOOP("Workbench", "Solve"), (FemMesh, Cure, Patches, FlowCase, CfdSurface)),
+    (QT_TRANSLATE_NOOP("Workbench", "Solve"), (FemMesh, Adapt, Cure, Patches, FlowCase, CfdSurface)),
     (QT_TRANSLATE_NOOP("Workbench", "Print"), (Offset, Hollow, CamMesh)),
     (QT_TRANSLATE_NOOP("Workbench", "Inspect"), (Analyse, Thickness, Inspect, Deviation)),
     (QT_TRANSLATE_NOOP("Workbench", "Repair"), (Repair, Improve, Simplify)),

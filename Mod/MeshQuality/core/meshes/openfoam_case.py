@@ -4,7 +4,7 @@
 import numbers
 import os
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -44,6 +44,7 @@ class Case:
     levels    by patch the least and the greatest level of refinement
     types     by patch "wall" or "patch"
     flow      one of FLOWS
+    regions   [(low, high, level), ...]: boxes with cells that are halved so often
     """
 
     name: str
@@ -54,11 +55,18 @@ class Case:
     levels: dict
     types: dict
     flow: str
+    regions: list
 
 
-def write_case(mesh, folder, name="surface", flow="internal", cell=None, scale=0.001, types=None):
-    """Writes the files; see mq.write_openfoam_case. Returns the Case."""
+def write_case(mesh, folder, name="surface", flow="internal", cell=None, scale=0.001, types=None, regions_of=None):
+    """Writes the files; see mq.write_openfoam_case. Returns the Case.
+
+    regions_of  function(low, high, cell, most level) -> [(low, high, level), ...] in mm; None: no regions
+    """
     case = case_of(mesh, name, flow, cell, writing.checked_scale(scale), types)
+    if regions_of is not None:
+        boxes = regions_of(case.low / scale, case.high / scale, case.cell / scale, MOST_LEVELS)
+        case = replace(case, regions=[(low * scale, high * scale, level) for low, high, level in boxes])
     for path in ("constant/triSurface", "system"):
         try:
             os.makedirs(os.path.join(folder, path), exist_ok=True)
@@ -115,7 +123,7 @@ def case_of(mesh, name, flow, cell, scale, types):
         # Off the planes of the cells, on which no such point may lie.
         low, high, inside = low - before, high + behind, low - before + np.array([0.37, 0.41, 0.43]) * cell
     kinds = {patch: types.get(patch, _PATCH if patch.lower().startswith(_OPEN) else _WALL) for patch in levels}
-    return Case(name, cell, low, high, inside, levels, kinds, flow)
+    return Case(name, cell, low, high, inside, levels, kinds, flow, [])
 
 
 def require_closed(mesh):
@@ -220,8 +228,12 @@ def _snappy(case):
         for patch, (least, most) in case.levels.items())
     lowest = min(least for least, _ in case.levels.values())
     highest = max(most for _, most in case.levels.values())
+    boxes = "".join(f"    region{i}\n    {{\n        type searchableBox;\n        min {_vector(low)};\n        max {_vector(high)};\n    }}\n"
+                    for i, (low, high, _) in enumerate(case.regions))
+    inside_boxes = "".join(f"        region{i} {{ mode inside; levels ((1e15 {level})); }}\n" for i, (_, _, level) in enumerate(case.regions))
     return _HEADER.format("snappyHexMeshDict") + _SNAPPY.format(
-        name=case.name, regions=regions, levels=levels, lowest=lowest, highest=highest, inside=_vector(case.inside))
+        name=case.name, regions=regions, levels=levels, lowest=lowest, highest=highest, inside=_vector(case.inside), boxes=boxes,
+        inside_boxes=inside_boxes)
 
 
 def _cfmesh(case):
@@ -264,7 +276,7 @@ geometry
 {regions}
         }}
     }}
-}}
+{boxes}}}
 castellatedMeshControls
 {{
     maxLocalCells 2000000;
@@ -286,7 +298,9 @@ castellatedMeshControls
             }}
         }}
     }}
-    refinementRegions {{}}
+    refinementRegions
+    {{
+{inside_boxes}    }}
 }}
 snapControls
 {{

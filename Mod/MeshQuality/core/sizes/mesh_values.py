@@ -48,7 +48,7 @@ def of_file(path):
     try:
         if suffix == ".pos":
             return _of_pos(path)
-        points, blocks, arrays = (_of_frd if suffix == ".frd" else _of_meshio)(path)
+        points, blocks, arrays = (of_frd if suffix == ".frd" else _of_meshio)(path)
     except Error:
         raise
     except Exception as error:  # of libraries, or a damaged file
@@ -147,7 +147,7 @@ _FRD_TYPES = {1: ("hexahedron", 8), 2: ("prism", 6), 3: ("tetrahedron", 4), 4: (
               11: ("line", 2), 12: ("line", 3)}
 
 
-def _of_frd(path):
+def of_frd(path):
     """The same of CalculiX's results, text; arrays are the components of the last step, by name."""
     nodes, elements, arrays, state, names, dataset = {}, {}, {}, "", [], ""
     kind, count, corners = "", 0, []

@@ -20,7 +20,7 @@ translate = FreeCAD.Qt.translate
 
 
 class WritingPanel:
-    """A panel for FreeCADGui.Control.showDialog: OK writes, then closes; what goes wrong is said in the panel.
+    """A panel for FreeCADGui.Control.showDialog: OK writes, then closes unless it STAYS; what goes wrong is said in the panel.
 
     A subclass has
     COMMAND, TITLE      its command, and the text of that
@@ -32,6 +32,7 @@ class WritingPanel:
     """
 
     COMMAND = TITLE = ""
+    STAYS = False  # whether the panel stays open when the work has succeeded
     modifyStandardButtons = staticmethod(narrow_buttons)
     DROP = staticmethod(lambda result: None)  # called with a result that nobody takes
 
@@ -110,11 +111,11 @@ class WritingPanel:
         if not is_in_task_view(self.form):
             return
         self._enable(True)
-        if job.state == jobs.DONE:
+        if job.state == jobs.DONE and not self.STAYS:
             self._close()
         elif job.state == jobs.FAILED:
             self.say(translated(job.error), error=True)
-        else:
+        elif job.state == jobs.CANCELLED:
             self.say(self.said_of_cancelling())
 
     def _enable(self, enabled):
