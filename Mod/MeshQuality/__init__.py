@@ -23,6 +23,7 @@ Meshes for scripts
     simplify      the same surface with fewer triangles, within a proven distance        -> SimplifiedMesh
     quality       measures any mesh                                                      -> MeshReport
     measures      Verdict's and OpenFOAM's measures of each element: skew, warpage, scaled Jacobian ... -> MeasureTable
+    section       a mesh cut by a plane: polygons, areas, and the half behind it in whole elements     -> MeshSection
     read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
                   curve takes such meshes, too: of prisms and hexahedra -> CurvedElementMesh
     certify       proves which elements of any mesh are valid                            -> MeshCertificate
@@ -90,6 +91,8 @@ _LAZY = {
     "quality": "MeshQuality.core.quality",
     "measures": "MeshQuality.core.measures",
     "MeasureTable": "MeshQuality.core.measures",
+    "section": "MeshQuality.core.sectioning",
+    "MeshSection": "MeshQuality.core.sectioning",
     "repair": "MeshQuality.core.repair",
     "add_repaired_mesh": "MeshQuality.features.repaired_mesh",
     "improve": "MeshQuality.core.improvement",

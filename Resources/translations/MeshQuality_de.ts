@@ -4930,6 +4930,50 @@
         <source>growing layers on the walls</source>
         <translation>Schichten wachsen an den Wänden</translation>
     </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Whole elements</source>
+        <translation>Ganze Elemente</translation>
+    </message>
+    <message>
+        <source>Cut the mesh open by a plane</source>
+        <translation>Das Netz mit einer Ebene aufschneiden</translation>
+    </message>
+    <message>
+        <source>Leave elements whole: those whose middle is not cut off</source>
+        <translation>Elemente ganz lassen: die, deren Mitte nicht abgeschnitten ist</translation>
+    </message>
+    <message>
+        <source>Picked</source>
+        <translation>Gewählt</translation>
+    </message>
+    <message>
+        <source>Direction across which the mesh is cut</source>
+        <translation>Richtung, quer zu der das Netz geschnitten wird</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Show the other half</source>
+        <translation>Die andere Hälfte zeigen</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>Then click on the mesh: the plane is parallel to its surface there</source>
+        <translation>Danach auf das Netz klicken: die Ebene ist parallel zu seiner Oberfläche dort</translation>
+    </message>
+    <message>
+        <source>Where the plane is: its coordinate, or its distance from the picked place</source>
+        <translation>Wo die Ebene ist: ihre Koordinate, oder ihr Abstand von der gewählten Stelle</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>

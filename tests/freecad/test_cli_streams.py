@@ -187,6 +187,7 @@ class Api(unittest.TestCase):
         "simplify": {"mesh", "progress"},
         "quality": {"mesh", "progress"},
         "measures": {"mesh"},
+        "section": {"mesh", "point"},  # --point 0,0,0
         "certify": {"mesh", "progress"},
         "verify": {"certificate", "progress"},
         "thickness": {"source", "progress"},

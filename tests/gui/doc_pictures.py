@@ -155,6 +155,28 @@ class Pictures(gui_helpers.GuiTest):
         gui_helpers.wait(0.3)
         form.grab().save(os.path.join(DOCS, f"{name}.png"))
 
+    def test_sections(self):
+        """A FEM mesh cut open, and in whole elements, beside the panel."""
+        source = self.document.addObject("Part::Feature", "Shaft")
+        source.Shape = cantilever.bracket()
+        self.document.recompute()
+        panel = quality_panel.open_panel(mq.add_fem_mesh(source, max_edge=6.0))
+        self.addCleanup(lambda: panel.ended or panel.reject())
+        self.until(lambda: panel.values is not None)
+        panel.measures.setCurrentIndex(panel.data.measures.index(quality_data.DISTORTION))
+        self.until(lambda: panel.measure is quality_data.DISTORTION)
+        panel.range.high.setText("3")
+        panel.range.high.editingFinished.emit()
+        self.view.viewAxonometric()
+        panel.section.on.setChecked(True)
+        panel.section.direction.setCurrentIndex(1)
+        self.picture("section", DOCS)
+        panel.section.whole.setChecked(True)
+        self.picture("section_whole", DOCS)
+        panel.form.setFixedWidth(260)
+        gui_helpers.wait(0.3)
+        panel.section.grab().save(os.path.join(DOCS, "panel_section.png"))
+
     def test_panel_of_quality_mesh(self):
         source = self.bracket()
         FreeCADGui.Selection.clearSelection()

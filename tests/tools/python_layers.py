@@ -42,7 +42,7 @@ CORE = [
     ["curved", "certify"],
     ["operands", "verify"],
     ["booleans", "curving", "inspect"],
-    ["adapting", "measures", "mesh_to_solid", "offsetting", "repair", "solid_expression", "wrapping"],
+    ["adapting", "measures", "mesh_to_solid", "offsetting", "repair", "sectioning", "solid_expression", "wrapping"],
     ["machining", "volumes"],
     ["reporting"],
 ]

@@ -26,7 +26,7 @@ _GRACE = 30  # seconds beyond the limit, after which it ends without its owner
 # What is said without findings; some commands have no options that request anything.
 _ALL_MET = "all requested limits are met"
 _NO_FINDING = {**dict.fromkeys(("quality", "certify"), "no limits were requested, and no faults were found"),
-               "measures": "no limits were requested",
+               **dict.fromkeys(("measures", "section"), "no limits were requested"),
                "voids": "there are none",
                "verify": "all of it holds"}
 
@@ -150,10 +150,22 @@ def quality(job):
         verdict.of_measured(mesh, report, shape is None or verdict.must_be_closed(shape))
 
 
+def _elements_of(job):
+    """The mesh, or the name of the file of elements, that is measured."""
+    return read_mesh(job["input"]) if job["input"].lower().endswith(MESH_SUFFIXES) else job["input"]
+
+
 def measures(job):
     """Likewise; there are no findings, as nothing was requested."""
-    found = mq.measures(read_mesh(job["input"]) if job["input"].lower().endswith(MESH_SUFFIXES) else job["input"])
+    found = mq.measures(_elements_of(job))
     return found, f"measured {_count(len(found), 'element')} of {job['input']}{_table_written(job, found)}", []
+
+
+def section(job):
+    """Likewise."""
+    found = mq.section(_elements_of(job), job["point"], job["normal"])
+    where = written(job, lambda path: found.half().write(path, format=job["suffix"][1:]))
+    return found, f"cut {_count(len(found.element), 'element')} of {job['input']}: {found.area:.6g} mm^2{_table_written(job, found)}{where}", []
 
 
 def certify(job):
@@ -262,7 +274,7 @@ def run(job):
     input_files.left_out.clear()
     try:
         report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve, "simplify": simplify,
-                                         "quality": quality, "measures": measures, "certify": certify, "verify": verify, "thickness": thickness,
+                                         "quality": quality, "measures": measures, "section": section, "certify": certify, "verify": verify, "thickness": thickness,
                                          "clearance": clearance, "draft": draft, "voids": voids, "deviation": deviation,
                                          "offset": offset, "hollow": hollow, "wrap": wrap, "cam": cam, "adapt": adapt, "volume": volume}[job["command"]](job)
         text += _write_page(job, findings) if job.get("page") else ""
