@@ -42,6 +42,7 @@ Objects of the document, which follow what they are made of
     add_simplified_mesh  a mesh with fewer triangles
     add_offset, add_hollow   solids grown, shrunk, and made walls of
     add_cam_mesh        a mesh of a solid on one side of it, for machining
+    add_solid           the CAD solid of a mesh, with exact surfaces
     add_wrap            a closed surface around objects
     add_inspection      thickness, clearance, draft or voids of a solid, measured anew after each edit, against a limit
     add_deviation       a scan or mesh in the colours of its deviation from a part, measured anew after each edit
@@ -128,6 +129,7 @@ _LAZY = {
     "add_cam_mesh": "MeshQuality.features.cam_mesh",
     "to_solid": "MeshQuality.core.mesh_to_solid",
     "MeshSolid": "MeshQuality.core.mesh_to_solid",
+    "add_solid": "MeshQuality.features.mesh_solid",
     "wrap": "MeshQuality.core.wrapping",
     "WrapMesh": "MeshQuality.core.wrapping",
     "adapt": "MeshQuality.features.adapted_mesh",

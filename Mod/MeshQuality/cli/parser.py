@@ -14,11 +14,12 @@ from ..version import __version__
 
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
 MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
+SOLID_SUFFIXES = (".step", ".stp")
 POINT_SUFFIXES = (".xyz", ".asc", ".txt", ".csv", ".pts")  # a line a point; more columns than three are left out
 ELEMENT_SUFFIXES = tuple(READABLE)  # extensions of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES, "simplify": MESH_SUFFIXES,
-          "quality": MESH_SUFFIXES, "measures": MESH_SUFFIXES + ELEMENT_SUFFIXES, "section": MESH_SUFFIXES + ELEMENT_SUFFIXES, "certify": ELEMENT_SUFFIXES,
+          "quality": MESH_SUFFIXES, "measures": MESH_SUFFIXES + ELEMENT_SUFFIXES, "section": MESH_SUFFIXES + ELEMENT_SUFFIXES, "to-solid": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES,
           "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
           "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
           "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
@@ -26,15 +27,15 @@ INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SU
           "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "cam": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES,
           "adapt": (".fcstd",), "volume": CAD_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES, "simplify": SUFFIXES,
-           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "cam": SUFFIXES,
-           "adapt": CURVED_SUFFIXES, "section": ELEMENTS_WRITTEN, "volume": tuple(suffix for suffix in ELEMENTS_WRITTEN if suffix != ".re2"),  # no prisms
+           **dict.fromkeys(("boolean", "offset", "hollow"), SUFFIXES + SOLID_SUFFIXES), "wrap": SUFFIXES, "cam": SUFFIXES,
+           "adapt": CURVED_SUFFIXES, "section": ELEMENTS_WRITTEN, "to-solid": SOLID_SUFFIXES, "volume": tuple(suffix for suffix in ELEMENTS_WRITTEN if suffix != ".re2"),  # no prisms
            **dict.fromkeys(("quality", "measures", "certify", "verify", "thickness", "clearance", "draft", "voids", "deviation"), ())}
 WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve", "volume")
 FOLDERS = ("volume",)  # commands that write a case of OpenFOAM into an output without extension
 TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*options.CURVE, options.THREADS),
-          "improve": options.IMPROVE, "simplify": options.simplify.SIMPLIFY, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "measures": (), "section": (),
+          "improve": options.IMPROVE, "simplify": options.simplify.SIMPLIFY, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "measures": (), "section": (), "to-solid": (),
           "certify": (), "verify": (), "thickness": options.inspection.THICKNESS, "clearance": options.inspection.CLEARANCE,
           "draft": options.inspection.DRAFT, "voids": options.inspection.VOIDS,
           "deviation": options.inspection.DEVIATION,
@@ -120,6 +121,11 @@ examples:
 examples:
   meshquality section mesh.msh --point 0,0,12.5 --normal z --csv cut.csv
   meshquality section part.stl --point 5,0,0 --normal 1,1,0 -o half.vtu --json
+""",
+    "to-solid": """
+examples:
+  meshquality to-solid print.stl -o print.step
+  meshquality hollow part.step --thickness 2 -o shell.step   exact surfaces, as the CAD is known
 """,
     "certify": """
 examples:
@@ -270,6 +276,11 @@ def _add_measures(commands):
     one.add_argument("--csv", metavar="FILE.csv", help="file for the area of each element that is cut")
 
 
+    _add_single(commands, "to-solid", "a CAD solid of planar facets from a closed mesh",
+                "Makes a CAD solid of a closed mesh, coplanar triangles merged to one face, checks it and reads the STEP file back. A mesh in a\n"
+                "file knows no CAD: boolean, offset and hollow of CAD files write solids with exact surfaces into .step themselves.")
+
+
 def _add_volumes(commands):
     _add_single(commands, "adapt", "refine the mesh of an analysis where its error is",
                 "Solves the analysis of a FreeCAD document by CalculiX, refines its FEM mesh where the estimated error is, and so on\n"
@@ -367,7 +378,7 @@ def _add_single(commands, name, title, description):
     if name in WITH_PATCHES:
         _add_writing(one, with_patches=True, with_interfaces=name == "triangulate", with_text=name != "volume")
     _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
-    if name not in ("improve", "simplify", "verify", "measures", "section"):
+    if name not in ("improve", "simplify", "verify", "measures", "section", "to-solid"):
         one.add_argument("--object", metavar="NAME",
                          help="name or label of the object to take from an FCStd file; default: all "
                               "final ones")
