@@ -1427,7 +1427,7 @@
         <translation>Alle Optionen auf ihre Standardwerte setzen</translation>
     </message>
     <message>
-        <source>Relative to size</source>
+        <source>Relative</source>
         <translation>Relativ</translation>
     </message>
     <message>
@@ -2504,7 +2504,7 @@
     </message>
     <message>
         <source>Least / largest Jacobian</source>
-        <translation>Kleinste / größte Jacobi-Determinante</translation>
+        <translation>Jacobi: kleinste / größte</translation>
     </message>
     <message>
         <source>1 = not distorted by its middle nodes, ≤ 0 = not proven valid; those are marked.</source>

@@ -51,7 +51,7 @@ class ToSolid(gui_helpers.PanelTest):
         panel.facets.setChecked(False)
         self.until(lambda: panel.said)
         self.assertEqual((panel.found, panel.made.text()), (None, ""))
-        self.assertEqual(panel.message.text(), "no solid with exact surfaces: the mesh does not know the CAD it was made of")
+        self.assertEqual(panel.message.text(), "No solid with exact surfaces: the mesh does not know the CAD it was made of")
         self.narrow(panel, "panel_to_solid_refused")
         panel.accept()
         self.until(lambda: panel.job is None)

@@ -395,7 +395,8 @@ class QualityPanel:
     def _draw_edges(self, *_):
         if not self.edges.isChecked() or self.data.has_lines:
             self.scene.draw_edges(self.data, self.edges.isChecked())
-            self._light_up(self.lit)
+            if self.section.plane is not None:
+                self._light_up(self.lit)
             return
         jobs.queue().add(jobs.Job(
             translate("MeshQuality", "Draw edges"), lambda progress: self.data.lines, lambda lines: self._draw_edges(),

@@ -68,13 +68,17 @@ class SolidPanel(WritingPanel):
         job, self.job = self.job, None
         self._enable(True)
         if job.state == jobs.FAILED:
-            self.say(translated(job.error), error=True)
+            self._fail(job.error)
         elif job.state != jobs.DONE:
             self.say(self.said_of_cancelling())
         elif self._accepted:
             self._add()
             return
         self._accepted = False
+
+    def _fail(self, error):
+        text = translated(error)
+        self.say(text[:1].upper() + text[1:], error=True)
 
     def _add(self):
         facets, solid = self.found
@@ -83,7 +87,7 @@ class SolidPanel(WritingPanel):
         try:
             FreeCADGui.doCommand(f"mq.add_solid({name_of(self.source)}{'' if facets else ', facets=False'})")
         except Error as error:
-            self.say(translated(error), error=True)
+            self._fail(error)
             return
         finally:
             forget()
