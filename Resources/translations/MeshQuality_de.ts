@@ -2620,7 +2620,7 @@
     </message>
     <message>
         <source>Inscribed spheres</source>
-        <translation>Einbeschriebene Kugeln</translation>
+        <translation>Inkugeln</translation>
     </message>
     <message>
         <source>Largest distance between neighbouring points that are measured</source>

@@ -41,7 +41,10 @@ class SolidPanel(WritingPanel):
         layout.addWidget(self.made)
         layout.addWidget(self.facets)
         self.facets.toggled.connect(self._start)
-        self.fields = (self.facets,)
+
+    def _enable(self, enabled):
+        self.bar.setVisible(not enabled)
+        self.facets.setVisible(enabled)  # dark style sheets have the text of what is disabled as light as FreeCAD's panels
 
     @staticmethod
     def said_of_cancelling():
