@@ -4,6 +4,8 @@
 import importlib.util
 import unittest
 
+import FreeCAD
+import FreeCADGui
 import given_meshes
 import gui_helpers
 import numpy as np
@@ -103,7 +105,9 @@ class Section(gui_helpers.PanelTest):
         gui_helpers.wait()
         panel.section.on.setChecked(True)
         self.assertEqual(panel.section.direction.currentText(), "Z")
+        self.assertGreater(len(cap(panel)), 0)
         panel.section.pick.setChecked(True)
+        self.assertEqual(len(cap(panel)), 0)  # the whole mesh is seen meanwhile
         self.click(*self.pixel_of((7.0, 0.0, 30.0)))
         self.assertFalse(panel.section.pick.isChecked())
         self.assertEqual(panel.section.direction.currentText(), "Picked")
@@ -112,6 +116,24 @@ class Section(gui_helpers.PanelTest):
         np.testing.assert_allclose(panel.section.plane.point[:2], (7.0, 0.0), atol=0.3)
         gui_helpers.typed(panel.section.offset.lineEdit(), "-10 mm")
         self.assertAlmostEqual(cap(panel)[..., 2].mean(), 20.0, places=3)
+        panel.section.pick.setChecked(True)
+        panel.reject()
+        self.click(*self.pixel_of((7.0, 0.0, 30.0)))  # nothing listens any more
+
+    def test_the_document_is_closed_while_a_place_is_picked(self):
+        other = FreeCAD.newDocument("Other")
+        gui_helpers.wait()
+        source = other.addObject("Part::Feature", "Box")
+        source.Shape = Part.makeBox(1, 2, 3)
+        other.recompute()
+        panel = self.open(mq.add_quality_mesh(source))
+        panel.section.on.setChecked(True)
+        panel.section.pick.setChecked(True)
+        FreeCAD.closeDocument(other.Name)
+        gui_helpers.wait(0.3)
+        self.assertTrue(panel.ended)
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+        FreeCAD.setActiveDocument(self.document.Name)
 
     def pixel_of(self, point):
         """Pixels of the window from the upper left corner of the 3D view."""

@@ -79,8 +79,8 @@ class SectionBox(QtGui.QWidget):
 
     @property
     def plane(self):
-        """The Plane; None where the mesh is not cut."""
-        if not self.on.isChecked() or self.data is None:
+        """The Plane; None where the mesh is not cut, as while a place on it is picked."""
+        if not self.on.isChecked() or self.data is None or self.pick.isChecked():
             return None
         normal = self._normal()
         return Plane(self._base + self.offset.value() * normal, -normal if self._flipped else normal)
@@ -94,7 +94,8 @@ class SectionBox(QtGui.QWidget):
         self._scene = scene
 
     def end(self):
-        """Takes no more clicks."""
+        """Takes no more clicks, and asks for no more drawing."""
+        self.blockSignals(True)
         self.pick.setChecked(False)
         self._timer.stop()
 
@@ -151,6 +152,7 @@ class SectionBox(QtGui.QWidget):
         elif not on and self._callback is not None:
             self._scene.view.removeEventCallback("SoMouseButtonEvent", self._callback)
             self._callback = None
+        self.changed.emit()
 
     def _clicked(self, event):
         if event["Button"] != "BUTTON1" or event["State"] != "DOWN":
