@@ -23,6 +23,7 @@ Meshes for scripts
     simplify      the same surface with fewer triangles, within a proven distance        -> SimplifiedMesh
     quality       measures any mesh                                                      -> MeshReport
     measures      Verdict's and OpenFOAM's measures of each element: skew, warpage, scaled Jacobian ... -> MeasureTable
+    section       a mesh cut by a plane: polygons, areas, and the half behind it in whole elements     -> MeshSection
     read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
                   curve takes such meshes, too: of prisms and hexahedra -> CurvedElementMesh
     certify       proves which elements of any mesh are valid                            -> MeshCertificate
@@ -44,6 +45,7 @@ Objects of the document, which follow what they are made of
     add_simplified_mesh  a mesh with fewer triangles
     add_offset, add_hollow   solids grown, shrunk, and made walls of
     add_cam_mesh        a mesh of a solid on one side of it, for machining
+    add_solid           the CAD solid of a mesh, with exact surfaces
     add_wrap            a closed surface around objects
     add_inspection      thickness, clearance, draft or voids of a solid, measured anew after each edit, against a limit
     add_deviation       a scan or mesh in the colours of its deviation from a part, measured anew after each edit
@@ -93,6 +95,8 @@ _LAZY = {
     "quality": "MeshQuality.core.quality",
     "measures": "MeshQuality.core.measures",
     "MeasureTable": "MeshQuality.core.measures",
+    "section": "MeshQuality.core.sectioning",
+    "MeshSection": "MeshQuality.core.sectioning",
     "repair": "MeshQuality.core.repair",
     "add_repaired_mesh": "MeshQuality.features.repaired_mesh",
     "improve": "MeshQuality.core.improvement",
@@ -128,6 +132,7 @@ _LAZY = {
     "add_cam_mesh": "MeshQuality.features.cam_mesh",
     "to_solid": "MeshQuality.core.mesh_to_solid",
     "MeshSolid": "MeshQuality.core.mesh_to_solid",
+    "add_solid": "MeshQuality.features.mesh_solid",
     "wrap": "MeshQuality.core.wrapping",
     "WrapMesh": "MeshQuality.core.wrapping",
     "follow": "MeshQuality.core.following.follow",

@@ -4,5 +4,5 @@ FreeCAD."""
 
 LABELS = {word: f"{{name}} {word}" for word in (
     "quality mesh", "curved mesh", "FEM mesh", "cured mesh", "improved", "simplified", "repaired", "inspection", "deviation", "offset", "hollow", "wrap",
-    "CFD surface", "CAM mesh", "union", "intersection", "difference", "symmetric difference", "adaptation")}
+    "CFD surface", "CAM mesh", "solid", "union", "intersection", "difference", "symmetric difference", "adaptation")}
 TEXTS = tuple(LABELS.values())

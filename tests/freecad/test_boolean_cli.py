@@ -86,7 +86,7 @@ class BooleanCommand(helpers.DocumentTest):
                 ((self.a, self.b, "--resolution", "3"), "resolution"),
                 ((self.a, self.b, "--method", "sampled"), "method"),
                 ((self.a, self.b, "-o", "/nowhere/x.ply"), "/nowhere"),
-                ((self.a, self.b, "-o", self.folder + "/x.step"), "x.step")):
+                ((self.a, self.b, "-o", self.folder + "/x.iges"), "x.iges")):
             with self.subTest(arguments):
                 status, out, err = run("boolean", *arguments)
                 self.assertEqual((status, out), (2, ""))

@@ -178,7 +178,7 @@ class Streams(helpers.DocumentTest):
 
 class Api(unittest.TestCase):
     # What a command line has in another way: the shapes, callbacks, objects of a running FreeCAD.
-    CALLED = {"volume": "volume_mesh"}  # functions with another name than the command
+    CALLED = {"volume": "volume_mesh", "to-solid": "to_solid"}  # functions with another name than the command
     ELSEWHERE = {
         "triangulate": {"shape", "progress", "cache"},
         "curve": {"shape_or_mesh", "shape", "progress"},
@@ -187,6 +187,8 @@ class Api(unittest.TestCase):
         "simplify": {"mesh", "progress"},
         "quality": {"mesh", "progress"},
         "measures": {"mesh"},
+        "section": {"mesh", "point"},  # --point 0,0,0
+        "to-solid": {"mesh", "facets", "progress"},  # a mesh in a file has facets only
         "certify": {"mesh", "progress"},
         "verify": {"certificate", "progress"},
         "thickness": {"source", "progress"},

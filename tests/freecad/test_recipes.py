@@ -66,6 +66,11 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/measures.md")
         self.assertEqual(os.listdir("."), ["measures.csv"])
 
+    def test_sections(self):
+        self.follow("docs/use/section.md")
+        self.assertEqual(sorted(os.listdir(".")), ["cut.csv", "half.vtu"])
+        self.assertAlmostEqual(self.names["cut"].area, 24 * 3.14159, delta=1.5)
+
     def test_improving(self):
         self.follow("docs/use/improve.md")
         self.assertGreaterEqual(self.names["better"].report.min_angle, 25)

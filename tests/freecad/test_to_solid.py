@@ -45,6 +45,14 @@ class ToSolid(unittest.TestCase):
         self.check(mq.to_solid(mq.hollow(BOX, 2.0)), 6000 - 6 * 16 * 26, 12, {"Plane"})
         self.check(mq.to_solid(mq.hollow(BOX, 2.0, ["Face6"])), 6000 - 6 * 16 * 28, 11, {"Plane"})
 
+    def test_an_opening_that_goes_on_smoothly_in_roundings(self):
+        """The wall is round about the edges between: within 2 of (3, 0) and (17, 0)."""
+        box = Part.makeBox(20, 20, 10)
+        part = box.makeFillet(3, [edge for edge in box.Edges if abs(edge.tangentAt(0).z) > 0.5])
+        front = next(f"Face{i + 1}" for i, face in enumerate(part.Faces) if face.BoundBox.YMax < 1e-6)
+        solid = mq.to_solid(mq.hollow(part, 2.0, [front]))
+        self.check(solid, 3640 + 90 * math.pi - 6 * (280 - math.pi), solid.faces, {"Plane", "Cylinder"})
+
     def test_booleans_of_shapes_and_of_meshes_made_of_shapes(self):
         solid = mq.to_solid(mq.boolean(BOX, CYLINDER, "difference"))
         self.check(solid, BOX.cut(CYLINDER).Volume, 8, {"Plane", "Cylinder"})

@@ -21,6 +21,7 @@ from MeshQuality.core.sources import convert
 from MeshQuality.gui import commands, curved_view, element_measures, quality_data
 from MeshQuality.gui.panels import quality_panel
 from MeshQuality.gui.panels.mesh_panel import MeshPanel
+from MeshQuality.gui.panels.solid_panel import SolidPanel
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks", "solvers"))
 import cantilever  # noqa: E402
@@ -154,6 +155,49 @@ class Pictures(gui_helpers.GuiTest):
         form.setFixedWidth(260)
         gui_helpers.wait(0.3)
         form.grab().save(os.path.join(DOCS, f"{name}.png"))
+
+    def test_sections(self):
+        """A FEM mesh cut open, and in whole elements, beside the panel."""
+        source = self.document.addObject("Part::Feature", "Shaft")
+        source.Shape = cantilever.bracket()
+        self.document.recompute()
+        panel = quality_panel.open_panel(mq.add_fem_mesh(source, max_edge=6.0))
+        self.addCleanup(lambda: panel.ended or panel.reject())
+        self.until(lambda: panel.values is not None)
+        panel.measures.setCurrentIndex(panel.data.measures.index(quality_data.DISTORTION))
+        self.until(lambda: panel.measure is quality_data.DISTORTION)
+        panel.range.high.setText("3")
+        panel.range.high.editingFinished.emit()
+        self.view.viewAxonometric()
+        panel.section.on.setChecked(True)
+        panel.section.direction.setCurrentIndex(1)
+        self.picture("section", DOCS)
+        panel.section.whole.setChecked(True)
+        self.picture("section_whole", DOCS)
+        panel.form.setFixedWidth(260)
+        gui_helpers.wait(0.3)
+        panel.section.grab().save(os.path.join(DOCS, "panel_section.png"))
+
+    def test_to_solid(self):
+        """The mesh of a hollow, and its solid with exact faces beside it."""
+        source = self.document.addObject("Part::Feature", "Part")
+        source.Shape = Part.makeBox(40, 30, 20).cut(Part.makeCylinder(8, 40, FreeCAD.Vector(20, -5, 10), FreeCAD.Vector(0, 1, 0)))
+        self.document.recompute()
+        hollow = mq.add_hollow(source, 2.0, ["Face6"], tolerance=0.2)
+        hollow.ViewObject.DisplayMode = "Flat Lines"
+        panel = SolidPanel(hollow)
+        FreeCADGui.Control.showDialog(panel)
+        self.until(lambda: panel.found is not None and panel.job is None)
+        panel.form.setFixedWidth(260)
+        gui_helpers.wait(0.3)
+        panel.form.grab(QtCore.QRect(0, 0, 260, panel.facets.geometry().bottom() + 8)).save(os.path.join(DOCS, "panel_to_solid.png"))
+        panel.reject()
+        solid = mq.add_solid(hollow)
+        hollow.ViewObject.Visibility = True
+        solid.ViewObject.Visibility = False
+        beside = self.document.addObject("Part::Feature", "Beside")
+        beside.Shape = solid.Shape.translated(FreeCAD.Vector(55, 0, 0))
+        self.picture("to_solid", DOCS)
 
     def test_panel_of_quality_mesh(self):
         source = self.bracket()

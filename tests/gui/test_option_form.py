@@ -134,9 +134,9 @@ class Distance(FormTest):
         field = panel.options._fields["chord_height"]
         self.assertIs(panel.options._fields["chord_height_relative"], field)
         self.assertEqual([field.choice.itemText(i) for i in range(3)],
-                         ["Relative to size", "Absolute", "No limit"])
+                         ["Relative", "Absolute", "No limit"])
         shown = []
-        for title in ("Relative to size", "Absolute", "No limit"):
+        for title in ("Relative", "Absolute", "No limit"):
             field.choice.setCurrentIndex(field.choice.findText(title))
             gui_helpers.wait()
             shown.append((field.fraction.isVisible(), field.length.isVisible()))

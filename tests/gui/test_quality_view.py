@@ -185,7 +185,7 @@ class QualityView(gui_helpers.GuiTest):
         measure = quality_data.DISTORTION
         scale = panel.data.scale(measure, values)
         panel._show(measure, quality_panel._Found(
-            values, scale, None, np.zeros((len(values), 4)), None, quality_data.Histogram.of(values, scale),
+            values, scale, None, values, np.zeros((len(values), 4)), None, quality_data.Histogram.of(values, scale),
             panel.data.faces(values, measure), measure.order(values)))
         self.assertIn("worst ∞, mean 1.5", panel.summary.text())
         self.assertTrue(panel.worst.item(0).text().startswith("∞: element 3 on Face"))
@@ -553,7 +553,7 @@ class QualityView(gui_helpers.GuiTest):
             self.view.viewAxonometric()
             self.view.fitAll()
             gui_helpers.wait(0.6)
-            drawn = panel.scene.node.getChild(0).whichChild
+            drawn = panel.scene.scene._switch.whichChild
             self.assertEqual(drawn.getValue(), 0)
             fine = self.saved("quality_fine")
             self.until(lambda: panel.scene.scene.drawing_seconds > 0.0)
@@ -566,7 +566,7 @@ class QualityView(gui_helpers.GuiTest):
         self.assertFalse(panel.edges.isChecked() or panel.data.has_lines)
         panel.edges.setChecked(True)
         self.until(lambda: panel.data.has_lines)
-        detail = panel.scene.node.getChild(0).getChild(0).getChild(2).getPart("contents", False).getChild(0)
+        detail = panel.scene.scene._switch.getChild(0).getChild(2).getPart("contents", False).getChild(0)
         self.until(lambda: detail.getChild(0).getChild(2).coordIndex.getNum() == len(panel.data.lines[1]))
         self.assertGreater(np.abs(fine - coarse).max(), 0)
         self.assertLess(np.abs(fine - coarse).mean(), 2)
@@ -575,4 +575,4 @@ class QualityView(gui_helpers.GuiTest):
         panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
         self.assertIsNone(panel.data.coarse)
         panel.scene.scene.moving(True)
-        self.assertEqual(panel.scene.node.getChild(0).whichChild.getValue(), 0)
+        self.assertEqual(panel.scene.scene._switch.whichChild.getValue(), 0)

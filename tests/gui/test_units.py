@@ -9,7 +9,8 @@ import Part
 from PySide import QtCore, QtGui
 
 import MeshQuality as mq
-from MeshQuality.gui import commands, quantities
+from MeshQuality.features import hollow
+from MeshQuality.gui import commands, preferences, quantities
 from MeshQuality.gui.panels import quality_panel
 from MeshQuality.gui.translation import translated, translated_certificate
 
@@ -94,6 +95,12 @@ class Said(UnitsTest):
         self.assertEqual(obj.Status, "failed: min_edge = 5.08 mm is longer than max_edge = 2.54 mm")
         self.assertIn(f"{obj.Label}: {expected}", view.toPlainText())
         self.assertIn(f"The last update failed: {expected}", self.certificate(obj)[1])
+
+    def test_first_lengths_have_two_digits_in_the_unit_of_the_user(self):
+        self.assertEqual(preferences.suggested(hollow.HollowObject, 1000.0), {"thickness": 2.0066})
+        gui_helpers.use_units(gui_helpers.MM)
+        self.assertEqual(preferences.suggested(hollow.HollowObject, 1000.0), {"thickness": 2.0})
+        self.assertEqual(preferences.suggested(hollow.HollowObject, 0.0), {})
 
     def test_a_value_out_of_range(self):
         for value, said in ((0.0, "0 in"), (-2.54, "-0.1 in"), (float("inf"), "inf in")):

@@ -10,7 +10,7 @@ from PySide import QtGui
 
 import MeshQuality as mq
 from MeshQuality.gui import commands
-from MeshQuality.gui.panels import case_panel, export_panel, patches_panel, quality_panel
+from MeshQuality.gui.panels import case_panel, export_panel, patches_panel, quality_panel, solid_panel
 
 _ARROW = 20  # pixels that a box with choices or a spin box takes beside its text, at least
 _WINDOW = (1366, 768)
@@ -97,10 +97,11 @@ class Widths(gui_helpers.PanelTest):
                     self.check(panel, f"width_{language}_{command.__name__}")
                 finally:
                     panel.reject()
-        for kind in (patches_panel.PatchesPanel, export_panel.ExportPanel, case_panel.CasePanel):
+        for kind in (patches_panel.PatchesPanel, export_panel.ExportPanel, case_panel.CasePanel, solid_panel.SolidPanel):
             panel = kind(net)
             FreeCADGui.Control.showDialog(panel)
             gui_helpers.wait()
+            self.until(lambda made=panel: made.job is None if hasattr(made, "job") else True)
             with self.subTest(kind.__name__):
                 try:
                     self.check(panel, f"width_{language}_{kind.__name__}")
@@ -109,6 +110,7 @@ class Widths(gui_helpers.PanelTest):
         panel = quality_panel.open_panel(net)
         self.addCleanup(lambda: panel.ended or panel.reject())
         self.until(lambda: panel.values is not None)
+        panel.section.on.setChecked(True)
         for i in range(panel.measures.count()):
             panel.measures.setCurrentIndex(i)
             self.until(lambda k=i: panel.measure is panel.data.measures[k])

@@ -12,7 +12,7 @@ from MeshQuality.cli import input_files
 from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
 from MeshQuality.cli.input_files import (mesh_of, read_analysis, read_mesh, read_operand, read_points, read_shape,
                                         read_shape_and_objects, size_field_in, sizes_in)
-from MeshQuality.cli.output_file import patches_of, write_curved, writing_of, written
+from MeshQuality.cli.output_file import patches_of, write_curved, write_solid_mesh, writing_of, written
 from MeshQuality.cli.parser import MESH_SUFFIXES, TABLES
 from MeshQuality.cli.progress_line import end_progress_line, progress_line
 from MeshQuality.cli.report_fields import WRAP_FIELDS, plain, report_fields
@@ -26,7 +26,7 @@ _GRACE = 30  # seconds beyond the limit, after which it ends without its owner
 # What is said without findings; some commands have no options that request anything.
 _ALL_MET = "all requested limits are met"
 _NO_FINDING = {**dict.fromkeys(("quality", "certify"), "no limits were requested, and no faults were found"),
-               "measures": "no limits were requested",
+               **dict.fromkeys(("measures", "section", "to-solid"), "no limits were requested"),
                "voids": "there are none",
                "verify": "all of it holds"}
 
@@ -78,7 +78,7 @@ def boolean(job):
     sources = [read_operand(path, job.get("object")) for path in job["inputs"]]
     mesh = mq.boolean(sources, **job["options"], progress=progress_line())
     job["shown"] = mesh, None
-    report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
+    report, where = mesh.report, write_solid_mesh(job, mesh)
     return report, f"{_count(report.triangles, 'triangle')}{where}, {report.retained} of them unchanged from the " \
                    "operands", verdict.of_boolean(mesh)
 
@@ -116,7 +116,7 @@ def wrap(job):
 
 def _offset_written(job, mesh):
     job["shown"] = mesh, None
-    report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
+    report, where = mesh.report, write_solid_mesh(job, mesh)
     return report, f"{_count(report.triangles, 'triangle')}{where}", verdict.of_boolean(mesh)
 
 
@@ -150,10 +150,28 @@ def quality(job):
         verdict.of_measured(mesh, report, shape is None or verdict.must_be_closed(shape))
 
 
+def _elements_of(job):
+    """The mesh, or the name of the file of elements, that is measured."""
+    return read_mesh(job["input"]) if job["input"].lower().endswith(MESH_SUFFIXES) else job["input"]
+
+
 def measures(job):
     """Likewise; there are no findings, as nothing was requested."""
-    found = mq.measures(read_mesh(job["input"]) if job["input"].lower().endswith(MESH_SUFFIXES) else job["input"])
+    found = mq.measures(_elements_of(job))
     return found, f"measured {_count(len(found), 'element')} of {job['input']}{_table_written(job, found)}", []
+
+
+def section(job):
+    """Likewise."""
+    found = mq.section(_elements_of(job), job["point"], job["normal"])
+    where = written(job, lambda path: found.half().write(path, format=job["suffix"][1:]))
+    return found, f"cut {_count(len(found.element), 'element')} of {job['input']}: {found.area:.6g} mm^2{_table_written(job, found)}{where}", []
+
+
+def solid(job):
+    """Likewise."""
+    found = mq.to_solid(mesh_of(read_mesh(job["input"])), progress=progress_line())
+    return found, f"made a solid of {_count(found.facets, 'facet')}{written(job, found.write)}", []
 
 
 def certify(job):
@@ -262,7 +280,7 @@ def run(job):
     input_files.left_out.clear()
     try:
         report, text, findings, *more = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve, "simplify": simplify,
-                                         "quality": quality, "measures": measures, "certify": certify, "verify": verify, "thickness": thickness,
+                                         "quality": quality, "measures": measures, "section": section, "to-solid": solid, "certify": certify, "verify": verify, "thickness": thickness,
                                          "clearance": clearance, "draft": draft, "voids": voids, "deviation": deviation,
                                          "offset": offset, "hollow": hollow, "wrap": wrap, "cam": cam, "adapt": adapt, "volume": volume}[job["command"]](job)
         text += _write_page(job, findings) if job.get("page") else ""

@@ -6,6 +6,7 @@ import os
 import MeshQuality as mq
 from MeshQuality import files
 from MeshQuality.cli.input_files import patches_in
+from MeshQuality.cli.parser import SOLID_SUFFIXES
 from MeshQuality.formats import CURVED_SUFFIXES
 
 
@@ -36,6 +37,15 @@ def written(job, write):
     finally:
         files.remove_if_there(ready)
     return f" in {path}"
+
+
+def write_solid_mesh(job, mesh):
+    """Writes a mesh that may know the CAD it was made of: as a solid into STEP, else by `written`; says where, and what the solid has."""
+    if job["suffix"] not in SOLID_SUFFIXES or not job.get("output"):
+        return written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
+    solid = mq.to_solid(mesh)
+    faces = f"{solid.faces} exact faces" if solid.faces else f"{solid.facets} facets, as {solid.notes[0]}"
+    return f"{written(job, solid.write)}, a solid of {faces}"
 
 
 def write_curved(mesh, path, deviation, **how):

@@ -14,26 +14,28 @@ from ..version import __version__
 
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
 MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
+SOLID_SUFFIXES = (".step", ".stp")
 POINT_SUFFIXES = (".xyz", ".asc", ".txt", ".csv", ".pts")  # a line a point; more columns than three are left out
 ELEMENT_SUFFIXES = tuple(READABLE)  # extensions of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES, "simplify": MESH_SUFFIXES,
-          "quality": MESH_SUFFIXES, "measures": MESH_SUFFIXES + ELEMENT_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
+          "quality": MESH_SUFFIXES, "measures": MESH_SUFFIXES + ELEMENT_SUFFIXES, "section": MESH_SUFFIXES + ELEMENT_SUFFIXES, "to-solid": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES,
+          "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
           "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
           "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
           "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES,
           "wrap": MESH_SUFFIXES + CAD_SUFFIXES, "cam": MESH_SUFFIXES + CAD_SUFFIXES, "deviation": MESH_SUFFIXES + POINT_SUFFIXES,
           "adapt": (".fcstd",), "volume": CAD_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES, "simplify": SUFFIXES,
-           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "cam": SUFFIXES,
-           "adapt": CURVED_SUFFIXES, "volume": tuple(suffix for suffix in ELEMENTS_WRITTEN if suffix != ".re2"),  # no prisms
+           **dict.fromkeys(("boolean", "offset", "hollow"), SUFFIXES + SOLID_SUFFIXES), "wrap": SUFFIXES, "cam": SUFFIXES,
+           "adapt": CURVED_SUFFIXES, "section": ELEMENTS_WRITTEN, "to-solid": SOLID_SUFFIXES, "volume": tuple(suffix for suffix in ELEMENTS_WRITTEN if suffix != ".re2"),  # no prisms
            **dict.fromkeys(("quality", "measures", "certify", "verify", "thickness", "clearance", "draft", "voids", "deviation"), ())}
 WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve", "volume")
 FOLDERS = ("volume",)  # commands that write a case of OpenFOAM into an output without extension
 TABLES = {"triangulate": (*options.TRIANGULATE, options.THREADS), "curve": (*options.CURVE, options.THREADS),
-          "improve": options.IMPROVE, "simplify": options.simplify.SIMPLIFY, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "measures": (),
+          "improve": options.IMPROVE, "simplify": options.simplify.SIMPLIFY, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "measures": (), "section": (), "to-solid": (),
           "certify": (), "verify": (), "thickness": options.inspection.THICKNESS, "clearance": options.inspection.CLEARANCE,
           "draft": options.inspection.DRAFT, "voids": options.inspection.VOIDS,
           "deviation": options.inspection.DEVIATION,
@@ -114,6 +116,16 @@ examples:
 examples:
   meshquality measures part.stl
   meshquality measures mesh.msh --csv measures.csv --json
+""",
+    "section": """
+examples:
+  meshquality section mesh.msh --point 0,0,12.5 --normal z --csv cut.csv
+  meshquality section part.stl --point 5,0,0 --normal 1,1,0 -o half.vtu --json
+""",
+    "to-solid": """
+examples:
+  meshquality to-solid print.stl -o print.step
+  meshquality hollow part.step --thickness 2 -o shell.step   exact surfaces, as the CAD is known
 """,
     "certify": """
 examples:
@@ -255,6 +267,18 @@ def _add_measures(commands):
                       "Measures each element of a mesh: edge ratio, aspect ratio, scaled Jacobian, equiangle skew, angles, skew, taper and\n"
                       "warpage as Verdict defines them, and of volumes OpenFOAM's non-orthogonality and skewness.")
     one.add_argument("--csv", metavar="FILE.csv", help="file for the measures of each element")
+    one = _add_single(commands, "section", "cut a mesh by a plane",
+                      "Cuts a mesh by a plane: how many elements it cuts, the area of the cut, of a surface of what it encloses. -o writes the\n"
+                      "whole elements whose middle is not in the half that is cut off.")
+    one.add_argument("--point", default=(0.0, 0.0, 0.0), type=_place, metavar="X,Y,Z", help="a place on the plane, mm (default: 0,0,0)")
+    one.add_argument("--normal", required=True, metavar="X,Y,Z",
+                     help="direction to the half that is cut off, of any length, or one of x, y, z, -x, -y, -z")
+    one.add_argument("--csv", metavar="FILE.csv", help="file for the area of each element that is cut")
+
+
+    _add_single(commands, "to-solid", "a CAD solid of planar facets from a closed mesh",
+                "Makes a CAD solid of a closed mesh, coplanar triangles merged to one face, checks it and reads the STEP file back. A mesh in a\n"
+                "file knows no CAD: boolean, offset and hollow of CAD files write solids with exact surfaces into .step themselves.")
 
 
 def _add_volumes(commands):
@@ -289,6 +313,13 @@ def _places(text):
     if any(len(place) != 3 for place in places):
         raise argparse.ArgumentTypeError(f"'{text}' is no list of places such as '0, 0, 300; 10, 0, 20'")
     return places
+
+
+def _place(text):
+    places = _places(text)
+    if len(places) != 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is no place such as 0,0,12.5")
+    return places[0]
 
 
 def _add_offsets(commands):
@@ -347,7 +378,7 @@ def _add_single(commands, name, title, description):
     if name in WITH_PATCHES:
         _add_writing(one, with_patches=True, with_interfaces=name == "triangulate", with_text=name != "volume")
     _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
-    if name not in ("improve", "simplify", "verify", "measures"):
+    if name not in ("improve", "simplify", "verify", "measures", "section", "to-solid"):
         one.add_argument("--object", metavar="NAME",
                          help="name or label of the object to take from an FCStd file; default: all "
                               "final ones")

@@ -7,9 +7,10 @@ import FreeCAD
 import numpy as np
 import Part
 
-from .. import options
+from .. import options, phrases, solid_phrases
 from ..errors import GeometryError, InvalidInput, IoError
 from ..listing import Public
+from ..phrases import Text
 from .brep.construction import tolerance_of
 from .inspect.deviation import deviation
 from .meshes.surface_mesh import SurfaceMesh, surface_of
@@ -65,6 +66,17 @@ class MeshSolid(metaclass=Public):
         if not back.Solids or not back.isValid() or abs(back.Volume - self.volume) > 1e-6 * self.volume:
             raise IoError(f"{path}: the solid that is read back is not the one that was written")
 
+    def to_dict(self):
+        """All but the shape, for JSON."""
+        return {name: getattr(self, name) for name in ("faces", "facets", "volume", "mesh_volume", "deviation", "deviation_back", "tolerance")} \
+            | {"notes": list(map(str, self.notes))}
+
+    def __str__(self):
+        what = f"{self.faces:,} exact faces" if self.faces else f"{self.facets:,} planar facets"
+        return "\n".join((f"solid        {what}, {self.volume:.6g} mm^3; mesh {self.mesh_volume:.6g} mm^3",
+                          f"deviation    {self.deviation:.3g} mm of the mesh from the solid, {self.deviation_back:.3g} mm back, {self.tolerance:.3g} mm "
+                          "are allowed", *(f"note         {note}" for note in self.notes))) + "\n"
+
     def __repr__(self):
         what = f"{self.faces} exact faces" if self.faces else f"{self.facets} facets"
         return f"<MeshSolid: {what}, {self.volume:.6g} mm^3, {self.deviation:.3g} mm from the mesh>"
@@ -89,14 +101,14 @@ def to_solid(mesh, facets=True, progress=None):
     surface = surface_of(mesh)
     report = surface.report
     if not (report.closed and report.manifold and report.oriented) or not len(surface.triangles):
-        raise InvalidInput("the mesh is not closed, manifold and oriented: repair it first")
+        raise InvalidInput(Text(solid_phrases.REPAIR_FIRST))
     given = _Given(surface)
     try:
         return _exact(mesh, given, progress)
     except _NoSolidError as error:
         if not facets:
-            raise GeometryError(f"no solid with exact surfaces: {error}") from error
-        return _facets(given, (str(error),))
+            raise GeometryError(Text(solid_phrases.NO_EXACT, phrase=phrases.text_of(error))) from error
+        return _facets(given, phrases.text_of(error))
 
 
 class _NoSolidError(Exception):
@@ -121,14 +133,14 @@ def _exact(mesh, given, progress):
     construction = mesh._construction if isinstance(mesh, SurfaceMesh) else None
     faces = None if construction is None else construction.faces()
     if not faces:
-        raise _NoSolidError("the mesh does not know the CAD it was made of")
+        raise _NoSolidError(Text(solid_phrases.NO_CAD))
     tolerance = tolerance_of(mesh) + _ROUNDING * given.size
     try:
         pieces = faces[0].generalFuse(faces[1:])[0].Faces if len(faces) > 1 else faces
         chosen = _on_mesh(pieces, given, tolerance, part_of(progress, 0.2, 0.6))
         shape = _merged(_solid_of(chosen))
     except Part.OCCError as error:
-        raise _NoSolidError(f"OpenCASCADE cannot intersect the faces ({error})") from error
+        raise _NoSolidError(Text(solid_phrases.NOT_INTERSECTED, text=str(error))) from error
     return _checked(shape, given, tolerance, len(shape.Faces), 0, ())
 
 
@@ -163,12 +175,12 @@ def _samples_of(face, size, most):
 def _solid_of(faces):
     """The Part.Solid, or the Part.Compound of them, that faces bound; raises _NoSolidError."""
     if not faces:
-        raise _NoSolidError("no face of the CAD lies on the mesh")
+        raise _NoSolidError(Text(solid_phrases.NONE_ON_MESH))
     sewn = Part.makeCompound(faces)
     sewn.sewShape()
     shells = sewn.Shells or [Part.Shell(faces)]  # a sphere or torus alone is not sewn
     if sum(len(shell.Faces) for shell in shells) != len(sewn.Faces) or not all(shell.isClosed() for shell in shells):
-        raise _NoSolidError("the faces of the CAD on the mesh do not close")
+        raise _NoSolidError(Text(solid_phrases.NOT_CLOSED))
     return _nested([_outward(Part.Solid(shell)) for shell in shells])
 
 
@@ -197,30 +209,29 @@ def _merged(shape):
     return merged if merged.Solids and merged.isValid() else shape
 
 
-def _facets(given, notes):
-    """The MeshSolid of planar facets."""
+def _facets(given, why):
+    """The MeshSolid of planar facets; `why` says why it has no exact faces."""
     if len(given.triangles) > _MOST_FACETS:
-        raise InvalidInput(f"{notes[0]}, and {len(given.triangles):,} triangles are too many facets: simplify the mesh to at most "
-                           f"{_MOST_FACETS:,}")
+        raise InvalidInput(Text(solid_phrases.TOO_MANY, phrase=why, count=f"{len(given.triangles):,}", count2=f"{_MOST_FACETS:,}"))
     shape = Part.Shape()
     shape.makeShapeFromMesh(([FreeCAD.Vector(*point) for point in given.points.tolist()], [tuple(triangle) for triangle in given.triangles.tolist()]), 1e-7)
     try:
         shape = _merged(_solid_of(shape.Faces))
-        return _checked(shape, given, _ROUNDING * given.size, 0, len(shape.Faces), notes)
+        return _checked(shape, given, _ROUNDING * given.size, 0, len(shape.Faces), (why,))
     except (_NoSolidError, Part.OCCError) as error:
-        raise GeometryError(f"{notes[0]}, and facets make no solid: {error}") from error
+        raise GeometryError(Text(solid_phrases.NO_FACETS, phrase=why, phrase2=phrases.text_of(error))) from error
 
 
 def _checked(shape, given, tolerance, faces, facets, notes):
     """The MeshSolid, once it is shown to be one; raises _NoSolidError."""
     if not shape.Solids or not shape.isValid():
-        raise _NoSolidError("the solid is not valid by OpenCASCADE's check")
+        raise _NoSolidError(Text(solid_phrases.NOT_VALID))
     if abs(shape.Volume - given.volume) > tolerance * given.area:
-        raise _NoSolidError(f"the volume of the solid, {shape.Volume:.6g} mm^3, is not that of the mesh, {given.volume:.6g} mm^3")
+        raise _NoSolidError(Text(solid_phrases.OTHER_VOLUME, volume=f"{shape.Volume:.6g} mm³", volume2=f"{given.volume:.6g} mm³"))
     points = np.concatenate([[tuple(vertex.Point) for vertex in shape.Vertexes], *(_samples_of(face, given.size, _MANY)[0] for face in shape.Faces)])
     there = deviation(given.samples(), shape).max_deviation
     back = deviation(points, (given.points, given.triangles)).max_deviation
     tolerance *= _CORNERS
     if max(there, back) > tolerance:
-        raise _NoSolidError(f"the solid is {max(there, back):.3g} mm from the mesh, and {tolerance:.3g} mm are allowed")
+        raise _NoSolidError(Text(solid_phrases.TOO_FAR, length=f"{max(there, back):.3g} mm", length2=f"{tolerance:.3g} mm"))
     return MeshSolid(shape, faces, facets, shape.Volume, given.volume, there, back, tolerance, notes)

@@ -152,7 +152,7 @@ def _require_current(holder, patches):
     """Raises InvalidInput where patches name faces of a source that has changed since it was meshed: other triangles would
     be in them. Warns where an old mesh is written without. Returns whether the mesh is that of its sources.
     """
-    if not isinstance(getattr(holder, "Proxy", None), PatchedMesh) or not _is_outdated(holder):
+    if not isinstance(getattr(holder, "Proxy", None), PatchedMesh) or not is_outdated(holder):
         return True
     text = f"{holder.Label} is out of date: its source or an option has changed since the mesh was made"
     if patches:
@@ -161,7 +161,8 @@ def _require_current(holder, patches):
     return False
 
 
-def _is_outdated(holder):
+def is_outdated(holder):
+    """Whether the mesh of an object of this package is not that of its sources and options as they are now."""
     sources, held = holder.Proxy.sources(holder), holder.Proxy.held(holder)
     if not held or None in sources:
         return False

@@ -42,6 +42,9 @@ class Windowless:
     def show_faces(self, obj, colours):
         """Shows the faces of an object with a shape in colours: red, green, blue from 0 to 255, in place of its sources."""
 
+    def show_solid(self, obj):
+        """Shows an object with a solid that was made of its Source, in place of that."""
+
     def show_values(self, obj, values, limit=None):
         """Colours the triangles of an object by thicknesses in mm, or by deviations between -limit and limit; None: it has one
         colour.

@@ -24,6 +24,7 @@ from .panels.export_panel import ExportPanel
 from .panels.mesh_panel import MeshPanel
 from .panels.patches_panel import PatchesPanel
 from .panels.repair_panel import RepairPanel
+from .panels.solid_panel import SolidPanel
 from .selection import picked_faces
 from .translation import translated
 from .triangle_estimate import FemTrial, Trial
@@ -361,6 +362,18 @@ class SaveReport(Export):
             FreeCAD.Console.PrintError if is_error else FreeCAD.Console.PrintMessage)(text + "\n"))
 
 
+class ToSolid(_OfOneMesh):
+    PANEL = SolidPanel
+    NAME = "MeshQuality_ToSolid"
+    TEXT = "To solid"
+    TIP = "Make a CAD solid of the selected closed mesh, with the exact surfaces of the shapes that it was made of"
+    NEEDS = "Select one closed mesh first."
+    KEYS = "Q, N"
+
+    def selected(self):
+        return _if_one(lambda source: convert.is_mesh(source) and not holds_elements(source))
+
+
 class FlowCase(_OfOneMesh):
     PANEL = CasePanel
     NAME = "MeshQuality_FlowCase"
@@ -499,7 +512,7 @@ _MENUS = (
     (QT_TRANSLATE_NOOP("Workbench", "Print"), (Offset, Hollow, CamMesh)),
     (QT_TRANSLATE_NOOP("Workbench", "Inspect"), (Analyse, Thickness, Inspect, Deviation)),
     (QT_TRANSLATE_NOOP("Workbench", "Repair"), (Repair, Improve, Simplify)),
-    (QT_TRANSLATE_NOOP("Workbench", "Hand over"), (Export, SaveReport)),
+    (QT_TRANSLATE_NOOP("Workbench", "Hand over"), (Export, ToSolid, SaveReport)),
     ("", (Update,)),
     (QT_TRANSLATE_NOOP("Workbench", "Help"), (FirstSteps, Examples)),
 )
@@ -507,7 +520,7 @@ _MENUS = (
 _TOOLBARS = (
     (QT_TRANSLATE_NOOP("Workbench", "Mesh Quality"), (Triangulate, Quick, Curve, FemMesh, Boolean, Wrap, Update)),
     (QT_TRANSLATE_NOOP("Workbench", "Mesh Quality: inspect and repair"), (Analyse, Thickness, Inspect, Deviation, Repair, Improve, Simplify)),
-    (QT_TRANSLATE_NOOP("Workbench", "Mesh Quality: print and hand over"), (Offset, Hollow, CamMesh, Patches, Export, SaveReport)),
+    (QT_TRANSLATE_NOOP("Workbench", "Mesh Quality: print and hand over"), (Offset, Hollow, CamMesh, Patches, Export, ToSolid, SaveReport)),
 )
 _COMMANDS = tuple(command for _, commands in _MENUS[:-1] for command in commands)  # commands for selected objects
 

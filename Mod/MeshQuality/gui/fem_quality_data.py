@@ -19,6 +19,7 @@ from ..core.sources import frames
 from ..errors import Error, InvalidInput
 from ..features import cured_mesh
 from .element_measures import measures_of
+from .flat_faces import sides_of, triangles_of_faces
 from .quality_data import ASPECT, DISTANCE, DISTORTION, MIN_ANGLE, QualityData, runs_of_sides
 from .quality_measure import Measure
 from .quantities import count_text
@@ -42,11 +43,6 @@ VOLUME = Measure(
 AREA = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Area"), QT_TRANSLATE_NOOP("MeshQuality", "Of the element with straight sides."),
     " mm²", 0.0, 1.0, lambda data, _: data.contents)
-# Flat triangles of faces by their number of nodes, and the sides of those: middle nodes come after the corners.
-_TRIANGLES = {3: ((0, 1, 2),), 4: ((0, 1, 2), (0, 2, 3)), 6: ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)),
-              8: ((0, 4, 7), (4, 1, 5), (5, 2, 6), (6, 3, 7), (4, 5, 6), (4, 6, 7)),
-              9: ((0, 4, 8), (4, 1, 8), (1, 5, 8), (5, 2, 8), (2, 6, 8), (6, 3, 8), (3, 7, 8), (7, 0, 8))}
-_RING = {3: (0, 1, 2), 4: (0, 1, 2, 3), 6: (0, 3, 1, 4, 2, 5), 8: (0, 4, 1, 5, 2, 6, 3, 7), 9: (0, 4, 1, 5, 2, 6, 3, 7)}
 _MOST_INSIDE = 1000  # elements inside of the mesh that light up at a time
 
 
@@ -75,6 +71,11 @@ class FemQualityData(QualityData):
         """They are called elements."""
         return True
 
+    @property
+    def solid(self):
+        """The mesh, where it has volumes."""
+        return self._mesh if self._mesh.dimension == 3 else None
+
     def _made_table(self):
         found = table_of_elements(self._mesh)
         found.face, found.numbers = self.face, np.array(self._numbers)
@@ -93,7 +94,7 @@ class FemQualityData(QualityData):
                                         for name in ("angle", "aspect", "distortion", "content"))
         self._nodes = mesh.nodes.astype(np.float32)
         owners = [self._starts[block] + element for _, block, element in found]
-        rows = [_triangles(nodes) for nodes, _, _ in found]
+        rows = [triangles_of_faces(nodes) for nodes, _, _ in found]
         self.corners = np.concatenate([self._nodes[part].reshape(-1, 3, 3) for part in rows])
         self.element = np.concatenate([np.repeat(owner, part.shape[1]) for owner, part in zip(owners, rows)])
         self._outside = np.zeros(self._starts[-1], dtype=bool)
@@ -102,7 +103,7 @@ class FemQualityData(QualityData):
         self._at_surface = owners[0] if len(owners) == 1 else None
         if self._certificate.triangle_face is not None:
             self.face[self._at_surface] = self._certificate.triangle_face
-        self._lines = lambda: (self._nodes, runs_of_sides(np.concatenate([_sides(nodes) for nodes, _, _ in found])))
+        self._lines = lambda: (self._nodes, runs_of_sides(np.concatenate([sides_of(nodes) for nodes, _, _ in found])))
 
     def _certified(self, mesh):
         """The MeshCertificate; where the mesh is none of the part, that is told where distances are asked for."""
@@ -161,7 +162,7 @@ class FemQualityData(QualityData):
         for block, first, end in zip(self._mesh.blocks, self._starts, self._starts[1:]):
             nodes = block.nodes[inside[(inside >= first) & (inside < end)] - first]
             if len(nodes):
-                parts += [self._nodes[_triangles(nodes[:, local])].reshape(-1, 3, 3)
+                parts += [self._nodes[triangles_of_faces(nodes[:, local])].reshape(-1, 3, 3)
                           for _, local in kinds.faces_of(block.kind, block.nodes.shape[1])]
         return np.concatenate(parts)
 
@@ -172,14 +173,3 @@ def _numbers_of(obj, mesh):
     count = sum(len(block.nodes) for block in of_highest)
     numbers = obj.FemMesh.Volumes if mesh.dimension == 3 else obj.FemMesh.Faces
     return sorted(numbers) if len(of_highest) == 1 and len(numbers) == count else range(1, count + 1)
-
-
-def _triangles(faces):
-    """int (F, k, 3): the flat triangles of each face."""
-    return faces[:, np.array(_TRIANGLES[faces.shape[1]])]
-
-
-def _sides(faces):
-    """int (n, 2): the sides of faces, from node to node."""
-    ring = faces[:, list(_RING[faces.shape[1]])]
-    return np.stack([ring, np.roll(ring, -1, axis=1)], axis=2).reshape(-1, 2)

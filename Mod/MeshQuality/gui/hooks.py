@@ -51,6 +51,10 @@ class Window(Windowless):
         """As visibility.show_faces."""
         visibility.show_faces(obj, colours)
 
+    def show_solid(self, obj):
+        """As visibility.show_solid."""
+        visibility.show_solid(obj)
+
     def show_values(self, obj, values, limit=None):
         """As value_colours.show."""
         value_colours.show(obj, values, limit)

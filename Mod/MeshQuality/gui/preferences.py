@@ -9,6 +9,7 @@ import FreeCAD
 from .. import options
 from ..errors import InvalidInput
 from ..features.file_settings import stored
+from .quantities import Unit
 
 
 def first_values(kind):
@@ -31,9 +32,12 @@ def defaults(kind):
 
 
 def suggested(kind, size):
-    """{option: length in mm} with which a panel of this kind begins for a part of this size; {} for size 0, unknown."""
-    return {option.name: float(f"{min(option.suggested[0] * size, option.suggested[1]):.2g}")
-            for option in kind.OPTIONS if option.suggested and size > 0.0}
+    """{option: length in mm} with which a panel of this kind begins for a part of this size, two digits in the user's unit; {} for
+    size 0, unknown.
+    """
+    lengths = {option.name: min(option.suggested[0] * size, option.suggested[1])
+               for option in kind.OPTIONS if option.suggested and size > 0.0}
+    return {name: Unit.of(length).rounded(length, 2) for name, length in lengths.items()}
 
 
 def remember(kind, values):

@@ -294,6 +294,11 @@ class QualityData:
         return self._curved is not None
 
     @property
+    def solid(self):
+        """What ElementMesh.of makes the volume elements of; None of a surface."""
+        return self._curved if self.tetrahedra else None
+
+    @property
     def elements(self):
         """The number of elements."""
         return len(self.face)

@@ -46,6 +46,11 @@ class Unit:
         """The value in this unit: the number with the fewest digits that says as many digits of it."""
         return _shortest(value, self.factor, digits)
 
+    def rounded(self, value, digits):
+        """The value in mm or degrees that has these many digits in this unit and is nearest to it."""
+        number = float(f"{value / self.factor:.{digits}g}")
+        return number if self.factor == 1.0 else float(f"{number * self.factor:.{_ALL_DIGITS - 2}g}")
+
     def written(self, number):
         """A number with the unit behind it, as the user writes it."""
         return f"{in_locale(_positional(number))} {self.name}"

@@ -15,9 +15,17 @@ MOST_WITH_EDGES = 10_000  # triangles: on a screen the edges of more lie so clos
 class FacesView(PlainState):
     """Proxy of the view of a CFD surface: its icon in the tree."""
 
+    COMMAND = "MeshQuality_CfdSurface"
+
     def getIcon(self):
         """Called by FreeCAD."""
-        return badge.path_of("MeshQuality_CfdSurface")
+        return badge.path_of(self.COMMAND)
+
+
+class SolidView(FacesView):
+    """Likewise of the solid of a mesh."""
+
+    COMMAND = "MeshQuality_ToSolid"
 
 
 def show_in_place_of_sources(obj):
@@ -50,13 +58,23 @@ def show_faces(obj, colours):
     """Gives the faces of an object with a Source and a shape their colours: red, green, blue from 0 to 255; a new one is
     seen in place of its source.
     """
+    _give_view(obj, FacesView)
+    obj.ViewObject.DiffuseColor = [tuple(part / 255 for part in colour) for colour in colours]
+
+
+def show_solid(obj):
+    """Has an object with a Source and a shape seen, a new one in place of its source."""
+    _give_view(obj, SolidView)
+
+
+def _give_view(obj, kind):
+    """FreeCAD shows no shape of a Python object without a proxy of its view."""
     view = obj.ViewObject
-    if not isinstance(view.Proxy, FacesView):  # FreeCAD shows no shape of a Python object without one
+    if not isinstance(view.Proxy, FacesView):
         is_new = view.Proxy is None
-        view.Proxy = FacesView()
+        view.Proxy = kind()
         if is_new:
             obj.Source.ViewObject.Visibility = False
-    view.DiffuseColor = [tuple(part / 255 for part in colour) for colour in colours]
 
 
 def _made_of_the_same(obj):

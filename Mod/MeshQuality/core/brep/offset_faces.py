@@ -31,6 +31,11 @@ def offset_faces(shape, distance, left_out=()):
             found.append(tube)
         for vertex in edge.Vertexes:
             tubes.setdefault(vertex.hashCode(), (vertex, []))[1].append(normals)
+    for edge, side, opening in _edges_of_openings(offset, [shape.Faces[i] for i in left_out]):
+        directions = _rim(edge, side, opening, distance)
+        tube = None if directions is None else _tube(edge, directions, abs(distance))
+        if tube is not None:
+            found.append(tube)
     for vertex, ends in tubes.values():
         if len(ends) > 2:
             found.append(_sphere(vertex.Point, sum((normal for pair in ends for normal in pair), FreeCAD.Vector()), abs(distance)))
@@ -74,18 +79,39 @@ def _edges_between(faces):
     return [entry for entry in sides.values() if len(entry[1]) == 2]
 
 
+def _edges_of_openings(faces, openings):
+    """(edge, face, opening) of the edges between one of the faces and an opening."""
+    around = {edge.hashCode(): opening for opening in openings for edge in opening.Edges}
+    return [(edge, face, around[edge.hashCode()]) for face in faces for edge in face.Edges
+            if not edge.Degenerated and edge.hashCode() in around]
+
+
+def _rim(edge, side, opening, distance):
+    """The two directions, of length 1, between which the offset of a face is round about its edge at an opening, at the beginning of
+    the edge; None where they meet at a right angle or less, so that nothing of the solid lies beyond the edge.
+    """
+    if -_into(edge, side, 0.5).dot(_into(edge, opening, 0.5)) < _SMOOTH:
+        return None
+    normal, = _normals(edge, [side], 0.0)
+    return [math.copysign(1.0, distance) * normal, _into(edge, opening, 0.0)]
+
+
+def _into(edge, face, fraction):
+    """The direction, of length 1, from a point of an edge, at a fraction of its parameters, into a face beside it."""
+    (middle,), (normal,) = _normals(edge, [face], 0.5), _normals(edge, [face], fraction)
+    at = [edge.FirstParameter + part * (edge.LastParameter - edge.FirstParameter) for part in (0.5, fraction)]
+    across = middle.cross(edge.tangentAt(at[0]))
+    is_inward = face.isPartOfDomain(*face.Surface.parameter(edge.valueAt(at[0]) + _STEP * edge.Length * across))
+    return normal.cross(edge.tangentAt(at[1])) * (1.0 if is_inward else -1.0)
+
+
 def _rounded(edge, sides, distance):
     """The two directions, of length 1, between which the offset is round about an edge at its beginning; None where it is not."""
     normals = _normals(edge, sides, 0.5)
     across = normals[0].cross(normals[1])
     if across.Length < _SMOOTH and normals[0].dot(normals[1]) > 0.0:
         return None
-    middle = 0.5 * (edge.FirstParameter + edge.LastParameter)
-    into = normals[0].cross(edge.tangentAt(middle))
-    point, step = edge.valueAt(middle), _STEP * edge.Length
-    if not sides[0].isPartOfDomain(*sides[0].Surface.parameter(point + step * into)):
-        into = -into
-    if into.dot(normals[1]) * distance >= 0.0:
+    if _into(edge, sides[0], 0.5).dot(normals[1]) * distance >= 0.0:
         return None
     sign = math.copysign(1.0, distance)
     return [sign * normal for normal in _normals(edge, sides, 0.0)]

@@ -79,6 +79,7 @@ def _of_ours(mesh):
     for kind, nodes, entity, name in kinds_of:
         numbers = np.arange(last + 1, last + len(nodes) + 1)
         last += len(nodes)
+        entity = entity if len(entity) else np.full(len(nodes), -1)  # of a mesh that was made of no CAD
         parts.sections.append(Section(kind, np.array(nodes, dtype=np.int64), numbers, np.array(entity, dtype=np.int64)))
         if kind == "triangle" and mesh.patches:
             for i, patch in enumerate(mesh.patches):

@@ -151,8 +151,8 @@ def draft(source, pull_direction="z", min_draft=1.0, tolerance=None, progress=No
     return DraftMap(core, pull, values["min_draft"])
 
 
-def direction_of(given):
-    """float64 (3,) of a direction; raises InvalidInput."""
+def direction_of(given, name="pull_direction"):
+    """float64 (3,) of a direction, which the error calls by the name of an argument; raises InvalidInput."""
     found = given
     if isinstance(given, str):
         axis = given.strip().lower().lstrip("+")
@@ -163,6 +163,6 @@ def direction_of(given):
     except (TypeError, ValueError):
         found = np.zeros(0)
     if found.shape != (3,) or not np.isfinite(found).all() or not found.any():
-        raise InvalidInput(f"pull_direction = {given!r} is not allowed: give three numbers such as (0, 0, 1), or one of x, y, z, "
+        raise InvalidInput(f"{name} = {given!r} is not allowed: give three numbers such as (0, 0, 1), or one of x, y, z, "
                            "-x, -y, -z")
     return found

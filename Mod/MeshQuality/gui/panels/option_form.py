@@ -359,7 +359,7 @@ class _Distance(_Field):
         row = QtGui.QHBoxLayout(widget)
         row.setContentsMargins(0, 0, 0, 0)
         self.choice = QtGui.QComboBox()
-        for bound, title in ((options.RELATIVE, translate("MeshQuality", "Relative to size")),
+        for bound, title in ((options.RELATIVE, translate("MeshQuality", "Relative")),
                              (options.ABSOLUTE, translate("MeshQuality", "Absolute")),
                              (options.UNBOUNDED, translate("MeshQuality", "No limit"))):
             self.choice.addItem(title, bound)

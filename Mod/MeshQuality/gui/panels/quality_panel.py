@@ -18,6 +18,7 @@ from .. import jobs, visibility
 from ..fem_quality_data import FemQualityData
 from ..quality_data import DEVIATION, DISTANCE, THICKNESS, Histogram, QualityData, Scale
 from ..quantities import count_text
+from ..section_data import SectionData
 from ..translation import translated
 from ..view import badge
 from ..view.quality_scene import QualityScene
@@ -26,6 +27,7 @@ from .histogram import HistogramView
 from .mesh_panel import title_of
 from .range_box import RangeBox
 from .saving_box import SavingBox
+from .section_box import SectionBox
 from .task_form import Form, Message, narrow
 
 translate = FreeCAD.Qt.translate
@@ -43,6 +45,7 @@ class _Found:
     scale      Scale of them
     of_all     (worst, mean) of all tetrahedra, of which the elements are those at the surface; None
                where the elements are all there are
+    whole      float64, the values of all elements that a section cuts
     colours    uint8 (T, 4), of the triangles that are drawn
     coarse     uint8 (n, 4), of the coarse ones; None without them
     histogram  Histogram
@@ -53,6 +56,7 @@ class _Found:
     values: np.ndarray
     scale: Scale
     of_all: Optional[tuple]
+    whole: np.ndarray
     colours: np.ndarray
     coarse: Optional[np.ndarray]
     histogram: Histogram
@@ -82,6 +86,8 @@ class QualityPanel:
         self.measures.setCurrentIndex(self.data.measures.index(measure) if measure in self.data.measures else 0)
         view = FreeCADGui.getDocument(self._document).activeView()
         self.scene = QualityScene(view)
+        self.section.watch(self.scene)
+        self.section.changed.connect(lambda: self._light_up(self.lit))
         self._source, self._hidden = source, None
         FreeCAD.addDocumentObserver(self)
         self._choose_measure()
@@ -98,6 +104,7 @@ class QualityPanel:
         self.worst, self.faces = QtGui.QListWidget(), QtGui.QTableWidget(0, 4)
         self.edges = QtGui.QCheckBox(translate("MeshQuality", "Draw edges"))
         self.edges.setEnabled(False)
+        self.section = SectionBox(lambda: SectionData(self.data))
         for measure in self.data.measures:
             self.measures.addItem(translate("MeshQuality", measure.title))
         for label in (of, self.meaning, self.summary, self.hint):
@@ -131,7 +138,7 @@ class QualityPanel:
         layout = QtGui.QVBoxLayout(self.form)
         layout.setContentsMargins(0, 0, 0, 0)
         for widget in (of, self.measures, self.meaning, self.summary, self.warning, self.histogram, self.range, self.hint,
-                       self.tabs, self.edges, self.saving):
+                       self.tabs, self.edges, self.section, self.saving):
             layout.addWidget(widget)
         self._show_numbers(False)
         self.histogram.picked.connect(self._pick_bar)
@@ -170,8 +177,8 @@ class QualityPanel:
             return
         self.ended = True
         FreeCAD.removeDocumentObserver(self)
-        self.faults.end()
-        self.saving.end()
+        for box in (self.faults, self.saving, self.section):
+            box.end()
         if self._job is not None and self._job.active:
             self._job.cancel()
         if gone:
@@ -203,7 +210,7 @@ class QualityPanel:
         self._show_numbers(False)
 
     def _show_numbers(self, shown):
-        for widget in (self.histogram, self.range, self.hint, self.worst, self.faces, self.saving):
+        for widget in (self.histogram, self.range, self.hint, self.worst, self.faces, self.section, self.saving):
             widget.setVisible(shown)
 
     def _tell(self, job):
@@ -218,15 +225,15 @@ class QualityPanel:
         self.data.prepare()
         if len(self.data.corners) <= visibility.MOST_WITH_EDGES:
             _ = self.data.lines
-        values = np.asarray(measure.values(self.data, progress))
+        whole = values = np.asarray(measure.values(self.data, progress))
         scale, of_all = self.data.scale(measure, values), None
         if self.data.tetrahedra:
-            whole = measure.of_all(self.data, progress)
+            whole = np.asarray(measure.of_all(self.data, progress))
             of_all = whole[measure.order(whole)[0]], _mean(whole)
         colours = colour_scale.bytes_of(scale.goodness(values))[self.data.element]
         coarse = None if self.data.coarse is None else self.data.coarse_colours(colours)
         order = measure.order(values)
-        return _Found(values, scale, of_all, colours, coarse, Histogram.of(values, scale),
+        return _Found(values, scale, of_all, whole, colours, coarse, Histogram.of(values, scale),
                       self.data.faces(values, measure), order[~np.isnan(values[order])][:WORST])
 
     def _take(self, measure, found):
@@ -242,7 +249,7 @@ class QualityPanel:
 
     def _show(self, measure, found):
         found = self._within_range(measure, found)
-        self.measure, self.values, self._bars = measure, found.values, found.histogram
+        self.measure, self.values, self._bars, self._whole = measure, found.values, found.histogram, found.whole
         self._worst, self.scale = found.worst, found.scale
         self._show_numbers(True)
         self.meaning.setText(self._meaning(measure))
@@ -342,7 +349,10 @@ class QualityPanel:
         if not self.data.is_inside(self._worst[row]):
             self.scene.fly_to(corners)
             return
-        self.scene.open_before(corners)
+        if self.section.plane is None:
+            self.scene.open_before(corners)
+        else:
+            self.section.through(self.section.data.centre(self._worst[row]))
         self.scene.fly_to(corners, _AROUND_INSIDE)
 
     def _pick_face(self):
@@ -365,10 +375,28 @@ class QualityPanel:
         self.lit = chosen
         self.scene.close_again()
         self.scene.light_up(self.data.triangles_of(chosen))
+        if self.section.plane is not None:
+            self._cut(self.section.plane)
+
+    def _cut(self, plane):
+        """Draws the half of the mesh behind a plane, in the colours of its elements; those that are lit up stay so."""
+        whole, data = self.section.whole.isChecked(), self.section.data
+        drawn = data.whole(plane) if whole else data.cut(plane)
+        values = np.append(self._whole, np.nan)[drawn.element]  # the last one: of no element
+        colours = colour_scale.bytes_of(np.where(np.isnan(values), np.nan, self.scale.goodness(values)))
+        lines = drawn.lines if self.edges.isChecked() else None
+        is_lit = np.append(self.lit, False)[drawn.element] if len(self.lit) == len(self._whole) else np.zeros(len(values), dtype=bool)
+        if whole:
+            self.scene.show_part(drawn.corners, colours, lines)
+            self.scene.light_up(drawn.corners[is_lit])
+        else:
+            self.scene.clip(plane, drawn.corners, colours, is_lit, lines)
 
     def _draw_edges(self, *_):
         if not self.edges.isChecked() or self.data.has_lines:
             self.scene.draw_edges(self.data, self.edges.isChecked())
+            if self.section.plane is not None:
+                self._light_up(self.lit)
             return
         jobs.queue().add(jobs.Job(
             translate("MeshQuality", "Draw edges"), lambda progress: self.data.lines, lambda lines: self._draw_edges(),

@@ -10,7 +10,7 @@ from . import edge_detail
 from .coin_fields import fill, separator, unlit
 
 _GREY = (204, 204, 204, 255)  # of triangles before they are coloured
-_LIT = 0xFF20FFFF  # red, green, blue, opacity: a colour that no scale has
+LIT = (255, 32, 255, 255)  # red, green, blue, opacity: a colour that no scale has
 _EDGES = (0.15, 0.15, 0.15)  # red, green, blue: dark grey
 _OUTLINE = 3.0  # width of outlines, pixels
 _DARKEST = 0.65  # fraction of its colour that a triangle keeps when it is turned away from the light
@@ -45,15 +45,22 @@ class MeshNodes:
         self._switch.addChild(fine)
         self._switch.addChild(self._coarse.node)
         self._switch.whichChild = _FINE
+        self._clip, self._cap = coin.SoClipPlane(), ShadedTriangles()
+        self._cap_points, self._cap_edges = coin.SoVertexProperty(), coin.SoIndexedLineSet()
+        self._cap_edges.vertexProperty = self._cap_points
+        clipped = coin.SoSeparator()
+        for node in (self._clip, self._switch, self._lit()):
+            clipped.addChild(node)
         self.root = coin.SoSeparator()
-        self.root.addChild(self._switch)
-        self.root.addChild(self._lit())
+        self.root.addChild(clipped)
+        self.root.addChild(separator(self._cap.node, unlit(), colour, self._cap_edges))
+        self.clip(None)
 
     def _lit(self):
         style = coin.SoDrawStyle()
         style.lineWidth = _OUTLINE
         self._lit_points = coin.SoVertexProperty()
-        self._lit_points.orderedRGBA = _LIT
+        self._lit_points.orderedRGBA = int.from_bytes(LIT, "big")
         self._lit_points.materialBinding = coin.SoVertexProperty.OVERALL
         self._lit_faces, self._outlines = coin.SoFaceSet(), coin.SoLineSet()
         for shape in (self._lit_faces, self._outlines):
@@ -82,6 +89,20 @@ class MeshNodes:
     def colour(self, colours):
         """uint8 (T, 4): red, green, blue, opacity of each triangle."""
         self._fine.colour(colours)
+
+    def clip(self, plane, corners=None, colours=None, lines=None):
+        """Draws nothing of the mesh where a core.inspect.section.Plane cuts it off, and the cut as triangles, float32 (n, 3, 3), in
+        colours, uint8 (n, 4), with lines as of edges; None: all of it and no cut.
+        """
+        self._clip.on = plane is not None
+        if plane is not None:
+            self._clip.plane = coin.SbPlane(coin.SbVec3f(*(-plane.normal).tolist()), float(-plane.normal @ plane.point))
+        self._cap.show(np.zeros((0, 3, 3), dtype=np.float32) if plane is None else corners)
+        if plane is not None:
+            self._cap.colour(colours)
+        points, runs = lines or (np.zeros((0, 3)), np.zeros(0, dtype=np.int32))
+        fill(self._cap_points.vertex, points)
+        fill(self._cap_edges.coordIndex, runs)
 
     def show_coarse(self, corners):
         """float32 (n, 3, 3): what is drawn in place of triangles and edges while the camera moves."""

@@ -8,12 +8,13 @@ from PySide import QtCore
 
 from . import legend
 from .legend_node import LegendNode
-from .mesh_nodes import MeshNodes
+from .mesh_nodes import LIT, MeshNodes
 
 _STEPS, _TICK = 16, 25  # steps of a flight; ms between them
 _SLOW = 0.05  # seconds of drawing from which on moving is drawn coarsely
 _STILL = 250  # ms without a move after which all is drawn again
 _CLOSED = 1e-6  # share of the squared size: the vector areas of an element's sides add up to zero but for rounding
+_NO_LINES = np.zeros((0, 3)), np.zeros(0, dtype=np.int32)
 _AROUND = 25.0  # width of the view around a place, in sizes of the place, ...
 _FITS = 1.5  # ... and of one in which it is seen whole
 
@@ -34,6 +35,7 @@ class QualityScene:
         self._graph.addChild(self.node)
         self.flight = None
         self._corners = self._colours = None
+        self._lines = _NO_LINES
         self._opened = False
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
@@ -68,14 +70,14 @@ class QualityScene:
         pose = (camera.position.getValue().getValue(), camera.orientation.getValue().getValue(),
                 size.getValue())
         moved, self._pose = pose != self._pose, pose
-        if moved and self.scene.drawing_seconds > _SLOW:
+        if moved and self.scene.drawing_seconds > _SLOW and not self._opened:  # coarse triangles would be those of the whole
             self.scene.moving(True)
             self._timer.start()
 
     def draw_edges(self, data, wanted):
         """Draws the edges, or not."""
-        lines = data.lines if wanted else (np.zeros((0, 3)), np.zeros(0, dtype=np.int32))
-        self.scene.draw_edges(*lines)
+        self._lines = data.lines if wanted else _NO_LINES
+        self.scene.draw_edges(*self._lines)
 
     def colour(self, colours, coarse, scale):
         """uint8 (T, 4) colours of the triangles, (n, 4) of the coarse ones, and the legend of the
@@ -102,20 +104,70 @@ class QualityScene:
 
     def open_before(self, corners):
         """Lights up triangles inside of the mesh, without the surface on the camera's side of them, which would hide them."""
-        ahead = self._camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1)).getValue()
+        ahead = self.ahead().astype(np.float32)
         nearest = (corners.reshape(-1, 3) @ ahead).min()
-        behind = (self._corners @ np.array(ahead, dtype=np.float32)).min(axis=1) >= nearest
+        behind = (self._corners @ ahead).min(axis=1) >= nearest
         self.scene.show(self._corners[behind])
         self.scene.colour(self._colours[behind])
         self.scene.light_up(corners)  # the lit triangles were removed with the surface
         self._opened = True
 
+    def show_part(self, corners, colours, lines):
+        """Draws triangles, with colours and edges or None, in place of the surface, until close_again; nothing is lit up."""
+        self.scene.show(corners)
+        self.scene.colour(colours)
+        self.scene.draw_edges(*(lines or _NO_LINES))
+        self._opened = True
+
+    def clip(self, plane, corners, colours, is_lit, lines):
+        """Cuts the surface off by a core.inspect.section.Plane until close_again, and draws the cut: triangles, with colours, those that
+        are lit, and edges or None.
+        """
+        self.scene.clip(plane, corners, np.where(is_lit[:, None], np.array(LIT, dtype=np.uint8), colours), lines or _NO_LINES)
+
     def close_again(self):
         """The whole surface is there."""
+        self.scene.clip(None)
         if self._opened:
             self._opened = False
             self.scene.show(self._corners)
             self.scene.colour(self._colours)
+            self.scene.draw_edges(*self._lines)
+
+
+    def ahead(self):
+        """float64 (3,): the direction in which the camera looks."""
+        return np.array(self._camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1)).getValue())
+
+    def hit(self, x, y):
+        """The first of the triangles of the mesh, float64 (3, 3), that is seen at a pixel, from the lower left corner of the view, and the
+        point there, (3,); None where there is none.
+        """
+        start, ahead = _ray(self._camera, *self.view.getSize(), x, y)
+        a, b, c = np.moveaxis(self._corners.astype(np.float64), 1, 0)
+        normals = np.cross(b - a, c - a)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            along = np.einsum("ij,ij->i", a - start, normals) / (normals @ ahead)
+        found = np.flatnonzero(np.isfinite(along) & (along > 0.0))
+        points = start + along[found, None] * ahead
+        for p, q in ((a, b), (b, c), (c, a)):
+            inside = np.einsum("ij,ij->i", np.cross(q[found] - p[found], points - p[found]), normals[found]) >= 0.0
+            found, points = found[inside], points[inside]
+        if not len(found):
+            return None
+        first = along[found].argmin()
+        return self._corners[found[first]].astype(np.float64), points[first]
+
+
+def _ray(camera, width, height, x, y):
+    """(float64 (3,), (3,)): where the ray through a pixel begins, and its direction."""
+    turn = camera.orientation.getValue()
+    right, up, ahead = (np.array(turn.multVec(coin.SbVec3f(*axis)).getValue()) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, -1)))
+    place, pixel = np.array(camera.position.getValue().getValue()), 1.0 / min(width, height)  # the shorter side is as long as is said
+    across = (x - 0.5 * width) * pixel * right + (y - 0.5 * height) * pixel * up
+    if camera.isOfType(coin.SoPerspectiveCamera.getClassTypeId()):
+        return place, ahead + 2.0 * np.tan(0.5 * camera.heightAngle.getValue()) * across
+    return place + camera.height.getValue() * across, ahead
 
 
 def flight_to(view, corners, around=_AROUND, within=None):
