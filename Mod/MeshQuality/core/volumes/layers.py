@@ -50,12 +50,19 @@ class Surface:
     """A closed surface and its walls.
 
     points float64 (V, 3), mm; triangles int (T, 3), outward; face int (T,), the CAD face; is_wall bool (T,)
+    far    (index of the first face of a far field, names of those)
     """
 
     points: np.ndarray
     triangles: np.ndarray
     face: np.ndarray
     is_wall: np.ndarray
+    far: tuple = (0, ())
+
+    def name_of(self, face):
+        """What a face is called, by its index."""
+        first, names = self.far
+        return names[face - first] if names and face >= first else f"Face{face + 1}"
 
     @property
     def edges(self):

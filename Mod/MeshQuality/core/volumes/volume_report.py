@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..measures import table_of_elements
+from .first_height import FirstHeight
 
 _FULL = 0.95  # share of the height that was asked for from which on it counts as reached
 
@@ -14,7 +15,7 @@ _FULL = 0.95  # share of the height that was asked for from which on it counts a
 class WallCoverage:
     """The layers on one wall face.
 
-    face              "Face3"
+    face              "Face3"; "zMin" of a far field's
     area              mm^2, of its triangles
     covered           share of the area with all layers; there are none on the rest
     full_height       share of the area with layers at least 0.95 times as high as asked for
@@ -96,7 +97,7 @@ def coverage_of(surface, layers, first_height):
         area, on = areas[there].sum(), layers.covered[there]
         heights = first_height * mean[there][on]
         found.append(WallCoverage(
-            f"Face{face + 1}", float(area), float(areas[there][on].sum() / area), float(areas[there][share[there] >= _FULL].sum() / area),
+            surface.name_of(face), float(area), float(areas[there][on].sum() / area), float(areas[there][share[there] >= _FULL].sum() / area),
             first_height * float(share[there][on].min()) if on.any() else float("nan"),
             float(np.average(heights, weights=areas[there][on])) if on.any() else float("nan")))
     whole = areas[walls].sum()
@@ -109,9 +110,10 @@ def report_of(mesh, surface, layers, values, heights, chord_height):
     walls, covered, full = coverage_of(surface, layers, values["first_height"])
     notes = [f"{wall.face} has layers on {wall.covered:.1%} of its area only: elsewhere they would be lower than a fifth of what was asked "
              "for, or invalid, or not end in the face beside it" for wall in walls if wall.covered < 1.0]
+    notes += [str(values["first_height"])] if isinstance(values["first_height"], FirstHeight) else []
     notes += [f"the layers on {wall.face} are lower than asked for on {wall.covered - wall.full_height:.1%} of its area, the first one "
               f"{wall.least_height:.3g} mm at least" for wall in walls if wall.covered - wall.full_height > 0.0005]
-    return VolumeReport(values["layers"], values["first_height"], values["growth_rate"], tuple(heights.tolist()), dict(table.kinds),
+    return VolumeReport(values["layers"], float(values["first_height"]), values["growth_rate"], tuple(heights.tolist()), dict(table.kinds),
                         len(mesh.nodes), walls, covered, full, _volume(mesh), table.worst("scaled_jacobian")[1],
                         table.worst("non_orthogonality")[1], table.worst("skewness")[1], chord_height, tuple(notes))
 
