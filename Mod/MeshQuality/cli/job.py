@@ -237,7 +237,7 @@ def volume(job):
     mesh = mq.volume_mesh(shape, **values, walls=job.get("walls"), far_field=far_field, symmetry=job["symmetry"], **patches_of(how),
                           progress=progress_line())
     report = mesh.report
-    where = written(job, lambda path: mesh.write(path, how.get("scale"), how["format"] or None))
+    where = written(job, lambda path: mesh.write(path, how.get("scale"), how["format"] or None, job["binary"]))
     return report, f"{_count(sum(report.elements.values()), 'element')}{where}, layers on {report.covered:.1%} of the walls", \
         [verdict.Finding(f"{wall.face} has layers on {wall.covered:.1%} of its area only.", faces=(wall.face,))
          for wall in report.walls if wall.covered < 1.0]

@@ -271,6 +271,7 @@ def _add_volumes(commands):
     one.add_argument("--wall", dest="walls", metavar="NAMES", type=lambda text: [name.strip() for name in text.split(",")],
                      help="faces, or patches of --patches, that get layers, such as Face1,Face4; the faces beside them must be planes "
                           "(default: all of the part)")
+    one.add_argument("--binary", action="store_true", help="of a case of OpenFOAM: numbers as bytes instead of text")
     one.add_argument("--far-field", metavar="FORM",
                      help="the flow goes around the part: box or sphere, with its distance in sizes of the part, such as box:10 (default: 5), "
                           "or a CAD file with a solid. Its faces are xMin to zMax, farField, Far1, Far2, ... in --patches")

@@ -84,18 +84,21 @@ class VolumeMesh(ElementMesh, metaclass=Public):
     def _patch_of_face(self, faces):
         return patches_of(self._patches.division, faces, len(faces)).of_triangle.tolist()
 
-    def write(self, path, scale=None, format=None):  # noqa: A002
+    def write(self, path, scale=None, format=None, binary=False):  # noqa: A002
         """Writes into a file, as ElementMesh.write does, or, where the name has no extension, a case of OpenFOAM into a folder:
-        constant/polyMesh as text, and system, without which no program of OpenFOAM starts.
+        constant/polyMesh, and system, without which no program of OpenFOAM starts.
 
         scale   factor of the coordinates, which are mm; None: 1, and 0.001, metres, for OpenFOAM
         format  the format whatever the extension, such as "msh"; "openfoam": a case
+        binary  of OpenFOAM: numbers as bytes, with labels of 32 bits, instead of text
 
         Raises InvalidInput naming elements or a patch that the format cannot hold; IoError naming the path.
         """
         name = os.fsdecode(convert.file_name(path))
         if format == "openfoam" or (format is None and not os.path.splitext(name)[1]):
-            polymesh.write_case(self, name, checked_scale(_METRES if scale is None else scale), self.patch_types)
+            polymesh.write_case(self, name, checked_scale(_METRES if scale is None else scale), self.patch_types, binary)
+        elif binary:
+            raise InvalidInput("binary is for cases of OpenFOAM: the extension says which other files are")
         else:
             super().write(path, 1.0 if scale is None else scale, format)
 
@@ -262,7 +265,7 @@ def _require_room(surface, gap, total):
 
 def _require_some(surface, layers, total):
     for face in np.unique(surface.face[surface.is_wall]).tolist():
-        if not layers.covered[surface.face == face].any():
+        if not layers.share[surface.triangles[surface.face == face]].any():
             raise InvalidInput(f"{surface.name_of(face)}: nowhere on it do layers of {total:.4g} mm fit, not even a fifth as high, and end in the "
                                "faces beside it: give fewer or thinner layers, a finer surface by local_sizes, or leave it out of walls")
 
