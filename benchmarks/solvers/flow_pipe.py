@@ -2,7 +2,7 @@
 """A laminar flow in a straight pipe by OpenFOAM's simpleFoam on meshes of volume_mesh, against Hagen and Poiseuille.
 
     freecadcmd -P <root>/Mod benchmarks/solvers/flow_pipe.py </dev/null
-Needs simpleFoam (Debian: openfoam). EDGES="2 1.4 1": mm, of the meshes. A line each.
+Needs simpleFoam (Debian: openfoam). EDGES="2.5 1.7 1.2": mm, of the meshes. A line each.
 
 Pipe of radius 5 mm and length 40 mm, Reynolds number 100. The parabola of the developed flow enters, so that the flow is developed
 all along, and the pressure falls by 8 nu L Q / (pi R^4) for a flux Q.
@@ -38,7 +38,7 @@ TEXTS = {
                           "functions {\n" + PROBE.format(name="p", patch="inlet", operation="areaAverage", field="p")
                           + PROBE.format(name="phi", patch="inlet", operation="sum", field="phi")
                           + PROBE.format(name="phi", patch="outlet", operation="sum", field="phi") + "}\n",
-    "system/fvSchemes": HEAD.format("dictionary", "fvSchemes") + "ddtSchemes { default steadyState; }\ngradSchemes { default leastSquares; }\n"
+    "system/fvSchemes": HEAD.format("dictionary", "fvSchemes") + "ddtSchemes { default steadyState; }\ngradSchemes { default Gauss linear; }\n"
                         "divSchemes { default none; div(phi,U) bounded Gauss linear; "
                         "div((nuEff*dev2(T(grad(U))))) Gauss linear; }\nlaplacianSchemes { default Gauss linear corrected; }\n"
                         "interpolationSchemes { default linear; }\nsnGradSchemes { default corrected; }\n",
@@ -102,7 +102,7 @@ def solved(mesh):
 
 def main():
     region = Part.makeCylinder(RADIUS, LENGTH)
-    for edge in map(float, os.environ.get("EDGES", "2 1.4 1").split()):
+    for edge in map(float, os.environ.get("EDGES", "2.5 1.7 1.2").split()):
         mesh = mq.volume_mesh(region, layers=4, first_height=0.1 * edge, growth_rate=1.2, walls=["Face1"], max_edge=edge,
                               chord_height=edge**2 / 100.0, patches={"inlet": ["Face3"], "outlet": ["Face2"]}, patch_rest="pipe")
         found = solved(mesh)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Layers of prisms on walls: as high as asked where that is valid, lower where it is not, and left off where they would be lower
-than LEAST of that. There they run out within one triangle, all of them together: prisms of which an edge has no height, which are
+than LEAST of that. There they run out within one triangle, all together: prisms of which an edge has no height, which are
 pyramids, or two, tetrahedra. So all elements conform, and no side of a layer is left to be filled.
 """
 
@@ -134,17 +134,17 @@ def _assembled(surface, alive, moved, fractions, share):
     point_at = np.tile(np.arange(count)[:, None], (1, levels + 1))  # by vertex and level
     point_at[columns, 1:] = count + np.arange(len(columns))[:, None] + len(columns) * np.arange(levels)[None, :]
     inward = surface.triangles[surface.is_wall][:, [0, 2, 1]]
-    heights = alive[inward].sum(axis=1)
-    first = np.where(heights == 1, np.argmax(alive[inward], axis=1), np.argmin(alive[inward], axis=1))  # the one that is unlike the others
+    corners = alive[inward].sum(axis=1)
+    first = np.where(corners == 1, np.argmax(alive[inward], axis=1), np.argmin(alive[inward], axis=1))  # unlike the other two
     turned = np.take_along_axis(inward, (first[:, None] + np.arange(3)) % 3, axis=1)
     prisms, pyramids, tetrahedra = [], [], []
     for k in range(levels):
         low, high = point_at[:, k], point_at[:, k + 1]
-        a, b, c = turned[heights == 3].T
+        a, b, c = turned[corners == 3].T
         prisms.append(np.column_stack([low[a], low[b], low[c], high[a], high[b], high[c]]))
-        a, b, c = turned[heights == 2].T
+        a, b, c = turned[corners == 2].T
         pyramids.append(np.column_stack([low[b], high[b], high[c], low[c], low[a]]))
-        a, b, c = turned[heights == 1].T
+        a, b, c = turned[corners == 1].T
         tetrahedra.append(np.column_stack([low[a], low[b], low[c], high[a]]))
     covered = surface.is_wall & alive[surface.triangles].all(axis=1)
     top = point_at[:, -1]
@@ -195,8 +195,8 @@ def _bad_vertices(surface, made):
         crossing, not_proven, *_ = extension().surface_crossings(made.points, [("triangle", 1, made.inner.astype(np.int32))])
         pairs = np.array([*crossing, *not_proven], dtype=np.int64).reshape(-1)
         found.append(made.inner[pairs].ravel())
-    columns = np.flatnonzero(made.share)
-    vertex_of = np.concatenate([np.arange(len(surface.points)), np.tile(columns, (len(made.points) - len(surface.points)) // max(len(columns), 1))])
+    count, columns = len(surface.points), np.flatnonzero(made.share)
+    vertex_of = np.concatenate([np.arange(count), np.tile(columns, (len(made.points) - count) // max(len(columns), 1))])
     return np.unique(vertex_of[np.concatenate(found).astype(np.int64)])
 
 

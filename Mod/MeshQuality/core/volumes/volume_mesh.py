@@ -126,7 +126,7 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
 
     Vertices march by the direction from which all of their walls are seen best. Layers get lower than asked for where elements
     would be invalid or nearly vanish, or where they would take more than 0.4 of a gap; where they would get lower than a fifth, they
-    are left off, and pyramids and tetrahedra lead from them to the bare wall. The report says so for each face. Every element is
+    are left off: beside the bare wall they run out within one triangle, as pyramids and tetrahedra. The report says so for each face. Every element is
     proven valid, and that all conform is checked.
 
     Raises InvalidInput for what is no single solid, for walls that are none of its faces, for a curved face in which layers would

@@ -17,10 +17,10 @@ class WallCoverage:
 
     face              "Face3"; "zMin" of a far field's
     area              mm^2, of its triangles
-    covered           share of the area with all layers; there are none on the rest
+    covered           share of the area with prisms in all layers; on the rest they run out, or there are none
     full_height       share of the area with layers at least 0.95 times as high as asked for
     least_height, mean_height
-                      mm, of the first layer where there are layers; not a number where there are none
+                      mm, of the first layer where there are layers; None where there are none
     """
 
     face: str
@@ -77,8 +77,9 @@ class VolumeReport:
                  f"layers       {self.layers}, the first {self.first_height:g} mm high, each {self.growth_rate:g} times as high as the "
                  f"one before: {sum(self.heights):.4g} mm together",
                  f"coverage     {self.covered:.2%} of the walls, {self.full_height:.2%} with the height asked for"]
-        lines += [f"  {wall.face:<10} {wall.covered:.2%}, {wall.full_height:.2%} with the height asked for; first layer "
-                  f"{wall.least_height:.4g} mm at least, {wall.mean_height:.4g} mm on average" for wall in self.walls]
+        lines += [f"  {wall.face:<10} {wall.covered:.2%}, {wall.full_height:.2%} with the height asked for" + (
+            f"; first layer {wall.least_height:.4g} mm at least, {wall.mean_height:.4g} mm on average" if wall.covered else "")
+            for wall in self.walls]
         lines += [f"quality      least scaled Jacobian {self.min_scaled_jacobian:.4g}, non-orthogonality up to "
                   f"{self.max_non_orthogonality:.4g}°, skewness up to {self.max_skewness:.4g}",
                   f"accuracy     the surface deviates by at most {self.chord_height:.3g} mm from the shape"]
@@ -98,8 +99,8 @@ def coverage_of(surface, layers, first_height):
         heights = first_height * mean[there][on]
         found.append(WallCoverage(
             surface.name_of(face), float(area), float(areas[there][on].sum() / area), float(areas[there][share[there] >= _FULL].sum() / area),
-            first_height * float(share[there][on].min()) if on.any() else float("nan"),
-            float(np.average(heights, weights=areas[there][on])) if on.any() else float("nan")))
+            first_height * float(share[there][on].min()) if on.any() else None,
+            float(np.average(heights, weights=areas[there][on])) if on.any() else None))
     whole = areas[walls].sum()
     return tuple(found), float(areas[layers.covered].sum() / whole), float(areas[share >= _FULL].sum() / whole)
 
