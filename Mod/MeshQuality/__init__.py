@@ -10,7 +10,8 @@ First steps
 Meshes for scripts
     triangulate   a triangle mesh of a shape with a bound on its angles and its distance -> SurfaceMesh
     curve         curved triangles or tetrahedra on a shape, each proven valid           -> CurvedMesh
-    volume_mesh   a solid filled for flow solvers, with layers of prisms on its walls      -> VolumeMesh
+    volume_mesh   a solid, or the space around one, filled for flow solvers, with layers of prisms on the walls -> VolumeMesh
+    first_height  how high the first layer must be for a y+                              -> FirstHeight
     boolean       joins, intersects or subtracts closed meshes and shapes                -> BooleanMesh
     Solid         the same by operators, in sequences that are rounded once: (a - b) | c
     offset        a solid grown or shrunk by a distance                                  -> OffsetMesh
@@ -142,6 +143,8 @@ _LAZY = {
     "Adaptation": "MeshQuality.core.adapting",
     "volume_mesh": "MeshQuality.core.volumes.volume_mesh",
     "VolumeMesh": "MeshQuality.core.volumes.volume_mesh",
+    "first_height": "MeshQuality.core.volumes.first_height",
+    "FirstHeight": "MeshQuality.core.volumes.first_height",
     "size_field": "MeshQuality.core.sizes.size_field",
     "SizeField": "MeshQuality.core.sizes.size_field",
     "flow_sizes": "MeshQuality.core.sizes.flow_sizes",

@@ -2,10 +2,11 @@
 """Layers of volume_mesh in random regions of flows: coverage, validity, and what OpenFOAM's checkMesh says.
 
     SEED=1 COUNT=14 freecadcmd -P <root>/Mod benchmarks/solvers/flow_layers.py </dev/null
-Needs checkMesh (Debian: openfoam). OPENINGS=1: up to three plane faces of each region have no layers.
+Needs checkMesh (Debian: openfoam). OPENINGS=1: up to three plane faces of each region have no layers. HARD=1: 13 regions in which layers
+have to end, instead of random ones.
 
 Seven kinds of regions in turn: ducts with ribs, junctions of pipes, banks of cylinders, bent ducts, chambers with pipes, diffusers, oblique
-prisms. A line each, and a sum at the end.
+prisms. A line each, and a sum at the end: how many checkMesh accepts, and how many with -allGeometry.
 """
 
 import math
@@ -81,17 +82,47 @@ def regions(seed, count, openings):
         yield kind.__name__, shape, given
 
 
-def checked(mesh):
+def wedge(angle):
+    turned = Vector(10 * math.cos(math.radians(angle)), 10 * math.sin(math.radians(angle)), 0)
+    return Part.Face(Part.makePolygon([Vector(), Vector(10, 0, 0), turned, Vector()])).extrude(Vector(0, 0, 5))
+
+
+def hard_regions():
+    """(name, solid, options) of regions in which layers have to end: acute edges and apexes, narrow gaps, walls that go on in openings."""
+    bank_of_one = Part.makeBox(12, 8, 4).cut(Part.makeCylinder(2, 4, Vector(6, 4, 0)))
+    slot = Part.makeBox(20, 8, 6).cut(Part.makeBox(6, 8, 5.8, Vector(7, 0, 0)))
+    touching = Part.makeBox(12, 8, 4).cut(Part.makeCylinder(2, 4, Vector(6, 2.02, 0)))
+    nose = Part.makeCone(0, 3, 12)
+    lens = Part.makeSphere(8, Vector(0, 0, -6)).common(Part.makeSphere(8, Vector(0, 0, 6)))
+    step = Part.makeBox(10, 10, 5).fuse(Part.makeBox(10, 10, 5, Vector(10, 0, 0))).Solids[0]  # two coplanar faces on each side
+    ring = Part.makeCone(2, 4, 10).fuse(Part.makeCylinder(1, 6, Vector(0, 0, -5)))
+    crossing = Part.makeCylinder(3, 24, Vector(0, 0, -12)).fuse(Part.makeCylinder(2.95, 14, Vector(), Vector(1, 0, 0.4)))
+    star = Part.Face(Part.makePolygon([Vector((6 if i % 2 else 2) * math.cos(math.pi * i / 5), (6 if i % 2 else 2) * math.sin(math.pi * i / 5), 0)
+                                       for i in [*range(10), 0]])).extrude(Vector(0, 0, 6))
+    usual = {"layers": 4, "first_height": 0.05, "growth_rate": 1.3, "max_edge": 1.5}
+    for name, shape, more in (
+            ("wedge of 20 degrees", wedge(20), {}), ("its two sides alone", wedge(20), {"walls": ["Face1", "Face3"]}),
+            ("wedge of 35 degrees", wedge(35), {}), ("wedge of 10 degrees, many layers", wedge(10), {"layers": 8, "first_height": 0.01}),
+            ("narrow slot", slot, {}), ("cylinder that almost touches", touching, {}), ("cylinder in a channel", bank_of_one, {"first_height": 0.01}),
+            ("cone", nose, {}), ("lens", lens, {}), ("wall that goes on in an opening", step, {"walls": ["Face1", "Face2"]}),
+            ("diffuser, its cone alone", ring, {"walls": ["Face1"]}), ("junction of almost equal pipes", crossing, {}),
+            ("star", star, {"max_edge": 1.0})):
+        yield name, shape.removeSplitter().Solids[0] if name[0] != "w" else shape, {**usual, **more}
+
+
+def checked(mesh, *more):
     """The faults that checkMesh finds; none: it says "Mesh OK"."""
     with tempfile.TemporaryDirectory() as folder:
         mesh.write(os.path.join(folder, "case"))
-        said = subprocess.run(["checkMesh"], cwd=os.path.join(folder, "case"), env=ENVIRONMENT, capture_output=True, text=True).stdout
+        said = subprocess.run(["checkMesh", *more], cwd=os.path.join(folder, "case"), env=ENVIRONMENT, capture_output=True, text=True).stdout
     return [] if "Mesh OK." in said else [line.strip() for line in said.splitlines() if "***" in line] or ["no verdict"]
 
 
 def main():
-    count = accepted = 0
-    for kind, shape, given in regions(int(os.environ.get("SEED", 1)), int(os.environ.get("COUNT", 14)), "OPENINGS" in os.environ):
+    count = accepted = strictly = 0
+    drawn = hard_regions() if "HARD" in os.environ else regions(int(os.environ.get("SEED", 1)), int(os.environ.get("COUNT", 14)),
+                                                                "OPENINGS" in os.environ)
+    for kind, shape, given in drawn:
         start, count = time.time(), count + 1
         try:
             mesh = mq.volume_mesh(shape, **given)
@@ -99,11 +130,12 @@ def main():
             print(f"{kind}: {error}; {given}", flush=True)
             continue
         seconds, certificate, faults, report = time.time() - start, mq.certify(mesh), checked(mesh), mesh.report
-        accepted += not faults
+        more = checked(mesh, "-allGeometry")
+        accepted, strictly = accepted + (not faults), strictly + (not more)
         print(f"{kind}: {seconds:.1f} s, {sum(report.elements.values()):,} elements, {certificate.invalid} invalid, covered "
               f"{report.covered:.3f}, full height {report.full_height:.3f}, non-orthogonality {report.max_non_orthogonality:.0f}°, "
-              f"skewness {report.max_skewness:.1f}, {faults or 'Mesh OK'}", flush=True)
-    print(f"{accepted} of {count} accepted by checkMesh", flush=True)
+              f"skewness {report.max_skewness:.1f}, {faults or 'Mesh OK'}; all geometry: {more or 'Mesh OK'}", flush=True)
+    print(f"{accepted} of {count} accepted by checkMesh, {strictly} with -allGeometry", flush=True)
 
 
 main()

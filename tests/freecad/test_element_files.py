@@ -117,7 +117,7 @@ class Written(helpers.DocumentTest):
                     self.assertLess(np.abs(found.nodes[block.nodes[0]] - expected).max(), 1e-9)
                     self.assertEqual(found.faults, ())
         self.assertEqual({ending: count for ending, count in tried.items() if ending != ".re2"},
-                         {".msh": 39, ".vtu": 35, ".inp": 13, ".unv": 12, ".nas": 13, ".bdf": 13, ".su2": 7,
+                         {".msh": 39, ".vtu": 35, ".inp": 13, ".unv": 12, ".nas": 13, ".bdf": 13, ".su2": 7, ".cgns": 24,
                           ".h5": 23 if HAS_H5PY else 0})
 
     def test_groups_come_back(self):

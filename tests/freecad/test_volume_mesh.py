@@ -7,13 +7,18 @@ import os
 import re
 import shutil
 import subprocess
+import unittest
 
 import helpers
 import numpy as np
 import Part
 from FreeCAD import Vector
 from test_cli import run
+from test_curved_files import PYTHON, has
+from test_exchange import READ_BY_GMSH, READ_BY_HDF5, READ_BY_MESHIO
+from test_exchange import run as exchange_run
 from test_measures import ENVIRONMENT
+from test_patches import has_cgns
 
 import MeshQuality as mq
 from MeshQuality.core.elements import kinds
@@ -110,11 +115,12 @@ class VolumeMeshes(helpers.DocumentTest):
         self.assertGreater(len(mesh.pyramids), 0)
         self.assertTrue(0.6 < mesh.report.covered < 1.0, mesh.report)
         on_walls = mesh.prisms[mesh.prism_layer == 0][:, :3]
-        whole = {tuple(sorted(side)) for side in on_walls.tolist()}  # those beside bare walls are no prisms any more
+        whole = {tuple(sorted(side)) for side in on_walls.tolist()}
         bare = [tuple(sorted(side)) not in whole for side in mesh.boundary_triangles.tolist()]
         corners = mesh.nodes[mesh.boundary_triangles[bare]]
         left_off = sum(wall.area * (1 - wall.covered) for wall in mesh.report.walls)
-        self.assertGreater(areas(corners).sum(), left_off)
+        self.assertAlmostEqual(areas(corners).sum(), left_off)
+        self.assertLess(mesh.report.max_non_orthogonality, 80.0)
         self.assertTrue(any("Face1" in note for note in mesh.report.notes))
 
     def test_walls_that_end_beside_bare_ones_leave_the_openings_whole(self):
@@ -168,7 +174,7 @@ class VolumeFiles(helpers.DocumentTest):
 
     def test_files_hold_all_of_it(self):
         mesh = self.bend()
-        for suffix in ("msh", "vtu", "su2"):
+        for suffix in ("msh", "vtu", "su2", "cgns"):
             path = os.path.join(self.folder, f"bend.{suffix}")
             mesh.write(path)
             back = mq.read_mesh(path)
@@ -181,6 +187,65 @@ class VolumeFiles(helpers.DocumentTest):
                 self.assertEqual(len(back.groups), 4)
             else:
                 self.assertTrue({"inlet", "outlet", "pipe"} <= set(back.groups), (suffix, back.groups))
+
+    def with_pyramids(self):
+        """A wedge in whose acute edge layers end."""
+        return mq.volume_mesh(wedge(20), layers=3, first_height=0.05, max_edge=1.5, patches={"side": ["Face1"]}, patch_rest="others")
+
+    @unittest.skipUnless(has("gmsh"), "Gmsh (python3-gmsh) is not installed")
+    def test_gmsh_reads_prisms_and_pyramids(self):
+        mesh = self.with_pyramids()
+        self.assertGreater(len(mesh.pyramids), 0)
+        path = os.path.join(self.folder, "wedge.msh")
+        mesh.write(path)
+        found = json.loads(exchange_run(PYTHON, "-c", READ_BY_GMSH, path))
+        self.assertEqual(found["nodes"], len(mesh.nodes))
+        self.assertEqual(found["elements"]["3"], len(mesh.tetrahedra) + len(mesh.pyramids) + len(mesh.prisms))
+        self.assertEqual(found["elements"]["2"], len(mesh.boundary_triangles) + len(mesh.boundary_quadrilaterals))
+
+    @unittest.skipUnless(has("meshio"), "meshio (python3-meshio) is not installed")
+    def test_meshio_reads_prisms_and_pyramids(self):
+        mesh = self.with_pyramids()
+        solid = {"tetra": len(mesh.tetrahedra), "pyramid": len(mesh.pyramids), "wedge": len(mesh.prisms)}
+        for suffix, form in (("msh", "gmsh"), ("vtu", "vtu"), ("su2", "su2")):
+            path = os.path.join(self.folder, f"wedge.{suffix}")
+            mesh.write(path)
+            found = json.loads(exchange_run(PYTHON, "-c", READ_BY_MESHIO, path, form))
+            self.assertEqual({name: found["cells"][name] for name in solid}, solid, suffix)
+            self.assertEqual(found["points"], len(mesh.nodes), suffix)
+
+    @unittest.skipUnless(has_cgns() and has("h5py"), "the CGNS library or h5py is not installed")
+    def test_cgns_has_mixed_sections_families_and_conditions(self):
+        for mesh in (self.with_pyramids(), self.bend()):
+            path = os.path.join(self.folder, "mesh.cgns")
+            mesh.write(path, scale=0.001)
+            found = json.loads(exchange_run(PYTHON, "-c", READ_BY_HDF5, path))
+            sizes = {name: sum(len(rows) for _, rows in parts) for name, parts in mesh.group_members.items()}
+            self.assertEqual((found["sections"]["fluid"], sum(found["sections"].values()), found["points"]),
+                             (sizes["fluid"], sum(sizes.values()), len(mesh.nodes)))
+            self.assertEqual(found["families"], {name: name for name in mesh.patch_names})
+            if shutil.which("cgnscheck"):
+                said = exchange_run("cgnscheck", path)
+                self.assertNotRegex(said, r"ERROR|WARNING")
+            back = mq.read_mesh(path, scale=1000.0)
+            self.assertEqual([(block.kind, len(block.nodes)) for block in back.blocks], [(block.kind, len(block.nodes)) for block in mesh.blocks])
+            self.assertEqual({name: sum(len(rows) for _, rows in parts) for name, parts in back.group_members.items()}, sizes)
+            np.testing.assert_allclose(back.nodes, mesh.nodes, atol=1e-9)
+
+    def test_binary_cases_are_those_of_text(self):
+        mesh, said = self.with_pyramids(), {}
+        for binary in (False, True):
+            folder = os.path.join(self.folder, f"case{binary:d}")
+            mesh.write(folder, binary=binary)
+            if shutil.which("checkMesh"):
+                text = subprocess.run(["checkMesh"], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, timeout=300).stdout
+                said[binary] = text[text.index("Mesh stats"):]
+                self.assertIn("Mesh OK.", text)
+        points = (open(os.path.join(self.folder, "case1", "constant", "polyMesh", "points"), "rb").read().split(b"(", 1)[1])[:24 * len(mesh.nodes)]
+        np.testing.assert_array_equal(np.frombuffer(points).reshape(-1, 3), mesh.nodes * 0.001)
+        self.assertEqual(said.get(False), said.get(True))
+        with self.assertRaisesRegex(mq.InvalidInput, "binary"):
+            mesh.write(os.path.join(self.folder, "wedge.msh"), binary=True)
 
     def test_openfoam_takes_the_case(self):
         folder = os.path.join(self.folder, "case")

@@ -13,7 +13,7 @@ from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
 from MeshQuality.cli.input_files import (mesh_of, read_analysis, read_mesh, read_operand, read_points, read_shape,
                                         read_shape_and_objects, size_field_in, sizes_in)
 from MeshQuality.cli.output_file import patches_of, write_curved, write_solid_mesh, writing_of, written
-from MeshQuality.cli.parser import MESH_SUFFIXES, TABLES
+from MeshQuality.cli.parser import CAD_SUFFIXES, MESH_SUFFIXES, TABLES
 from MeshQuality.cli.progress_line import end_progress_line, progress_line
 from MeshQuality.cli.report_fields import WRAP_FIELDS, plain, report_fields
 from MeshQuality.core.certify import verdict
@@ -229,14 +229,33 @@ def adapt(job):
             f"The estimated error is {found.error:.2%}, above what is asked for: ended by {found.stopped}.")])]
 
 
+def _first_height(job, given):
+    """mm, by --y-plus."""
+    if given is not None:
+        raise mq.InvalidInput("--first-height and --y-plus both say how high the first layer is: give one of them")
+    if job["speed"] is None or job["length"] is None:
+        raise mq.InvalidInput("--y-plus needs the flow: give --speed in m/s and --length in mm")
+    try:
+        fluid = float(job["fluid"])
+    except ValueError:
+        fluid = job["fluid"]
+    return mq.first_height(job["speed"], job["length"], fluid, job["y_plus"])
+
+
 def volume(job):
     """Likewise; walls without layers are findings."""
     shape, objects = read_shape_and_objects(job["input"], job.get("object"))
     values = {**job["options"], "local_sizes": sizes_in(shape, objects, job["input"], job["options"].get("local_sizes"))}
     how = writing_of(job, shape, objects)
-    mesh = mq.volume_mesh(shape, **values, walls=job.get("walls"), **patches_of(how), progress=progress_line())
+    if job["y_plus"] is not None:
+        values["first_height"] = _first_height(job, values["first_height"])
+    far_field = job["far_field"]
+    if far_field and far_field.lower().endswith(CAD_SUFFIXES):
+        far_field = read_shape(far_field)
+    mesh = mq.volume_mesh(shape, **values, walls=job.get("walls"), far_field=far_field, symmetry=job["symmetry"], **patches_of(how),
+                          progress=progress_line())
     report = mesh.report
-    where = written(job, lambda path: mesh.write(path, how.get("scale"), how["format"] or None))
+    where = written(job, lambda path: mesh.write(path, how.get("scale"), how["format"] or None, job["binary"]))
     return report, f"{_count(sum(report.elements.values()), 'element')}{where}, layers on {report.covered:.1%} of the walls", \
         [verdict.Finding(f"{wall.face} has layers on {wall.covered:.1%} of its area only.", faces=(wall.face,))
          for wall in report.walls if wall.covered < 1.0]

@@ -28,6 +28,9 @@ def job_of(arguments):
     require_input(job.get("shape"), CAD_SUFFIXES, job["input_format"])
     require_input(job.get("mesh"), ELEMENT_SUFFIXES, job["input_format"])
     require_input(job.get("reference"), CAD_SUFFIXES + MESH_SUFFIXES, job["input_format"])
+    if (job.get("far_field") or "").lower().endswith(CAD_SUFFIXES):
+        job["far_field"] = _absolute(job["far_field"])
+        require_input(job["far_field"], CAD_SUFFIXES)
     if (job["inputs"] + [job.get("shape"), job.get("mesh"), job.get("reference")]).count(STANDARD) > 1:
         raise Error("standard input, -, can be read once only: name a file for the others")
     if len(job["inputs"]) == 1 and command == "boolean":

@@ -167,6 +167,7 @@ examples:
 examples:
   meshquality volume pipe.step -o case --layers 5 --first-height 0.05 --growth-rate 1.2 --wall Face1
   meshquality volume duct.step -o duct.msh --layers 8 --first-height 0.01 --patches bc.json --wall walls
+  meshquality volume wing.step -o case --far-field box:10 --symmetry 'y>0' --layers 12 --y-plus 1 --speed 30 --length 200
 """,
     "deviation": """
 examples:
@@ -286,13 +287,26 @@ def _add_volumes(commands):
                 "Solves the analysis of a FreeCAD document by CalculiX, refines its FEM mesh where the estimated error is, and so on\n"
                 "until that is small enough. --object: the analysis, where there are several.")
 
-    one = _add_single(commands, "volume", "fill a solid for flow solvers, with layers on walls",
-                      "Fills a CAD solid, the region of a flow, with layers of prisms on its walls and tetrahedra inside, each proven valid.\n"
+    one = _add_single(commands, "volume", "fill a solid, or the space around it, for flow solvers, with layers on walls",
+                      "Fills a CAD solid, the region of a flow, or the space around a part with layers of prisms on the walls and tetrahedra,\n"
+                      "each proven valid.\n"
                       "Where -o FILE has no extension it is a folder, which becomes a case of OpenFOAM with constant/polyMesh, in metres.\n"
                       "Exit status 3 with --strict where layers had to be left off.")
     one.add_argument("--wall", dest="walls", metavar="NAMES", type=lambda text: [name.strip() for name in text.split(",")],
                      help="faces, or patches of --patches, that get layers, such as Face1,Face4; the faces beside them must be planes "
-                          "(default: all)")
+                          "(default: all of the part)")
+    one.add_argument("--binary", action="store_true", help="of a case of OpenFOAM: numbers as bytes instead of text")
+    one.add_argument("--far-field", metavar="FORM",
+                     help="the flow goes around the part: box or sphere, with its distance in sizes of the part, such as box:10 (default: 5), "
+                          "or a CAD file with a solid. Its faces are xMin to zMax, farField, Far1, Far2, ... in --patches")
+    one.add_argument("--symmetry", metavar="HALF", help="half-space of the fluid, 'y>0' or 'z>-2.5', in mm; its plane is the patch symmetry")
+    flow = one.add_argument_group("first height by y+")
+    flow.add_argument("--y-plus", type=float, metavar="N",
+                      help="of the centre of the first cell: instead of --first-height, estimated as on a flat plate")
+    flow.add_argument("--speed", type=float, metavar="M/S", help="of the free flow")
+    flow.add_argument("--length", type=float, metavar="MM", help="of the wall along the flow; of a duct its diameter")
+    flow.add_argument("--fluid", default="air", metavar="NAME", help="air or water of 20 degrees Celsius, or m^2/s of kinematic viscosity "
+                                                                     "(default: air)")
 
 
 def _add_deviation(commands):

@@ -14,5 +14,7 @@ VOLUME = (
            suggested=(0.002, 0.1), help="Height of the layer on the wall"),
     Option("growth_rate", float, 1.2, low=1.0, high=4.0, above=False, group="Layers", title="Growth of layers",
            help="How many times as high each layer is as the one before it"),
+    Option("far_edge", float, None, unit="mm", low=0.0, group="Far field", title="Longest edge far away", unset="a fifth of its distance",
+           help="Longest edges of triangles on the far field"),
     *SURFACE,
 )

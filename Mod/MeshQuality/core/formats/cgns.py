@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CGNS files by the CGNS library: written with one unstructured zone, a section and a boundary condition a patch; read are the
+"""CGNS files by the CGNS library: written with one unstructured zone, a section and a boundary condition a patch or group; read are the
 unstructured zones of the first base, with their boundary conditions as groups.
 """
 
@@ -20,7 +20,7 @@ from .arrays import element_blocks, points_of
 # Values of the enumerations of cgnslib.h.
 _MODE_READ, _MODE_WRITE = 0, 1
 _UNSTRUCTURED, _REAL_DOUBLE, _POINT_RANGE, _FAMILY_SPECIFIED = 3, 4, 4, 25
-_VERTEX, _CELL_CENTER, _FACE_CENTER = 2, 3, 4
+_VERTEX, _CELL_CENTER, _FACE_CENTER, _EDGE_CENTER = 2, 3, 4, 8
 _DIMENSIONAL, _UNKNOWN_DIMENSION = 2, 4
 _LIST, _RANGE = (2, 7), (_POINT_RANGE, 6)  # of points, or of elements: values of PointSetType_t
 _NODE, _MIXED = 2, 20
@@ -29,6 +29,7 @@ _TYPES = {3: ("line", 2), 4: ("line", 3), 5: ("triangle", 3), 6: ("triangle", 6)
           12: ("pyramid", 5), 13: ("pyramid", 14), 14: ("prism", 6), 15: ("prism", 15), 16: ("prism", 18),
           17: ("hexahedron", 8), 18: ("hexahedron", 20), 19: ("hexahedron", 27), 21: ("pyramid", 13), 24: ("line", 4),
           26: ("triangle", 10), 30: ("tetrahedron", 20), 40: ("line", 5), 42: ("triangle", 15), 47: ("tetrahedron", 35)}
+TYPES = frozenset(_TYPES.values())
 _NAMES = {22: "polygons (NGON_n)", 23: "polyhedra (NFACE_n)"}
 _NUMBERS = {known: number for number, known in _TYPES.items()}
 _DENSEST = 1000  # how many times a compressed file may grow
@@ -129,10 +130,78 @@ def write(mesh, path, patches, solids, scale):
             last = _section(file, (base, zone), name, ("triangle", first), triangles[members].astype(size))
             _condition(file, (base, zone), name, place, np.array([first, last - 1], dtype=size))
             first = last
-        _call("cg_goto", file.number, base, _text("end"))
-        _call("cg_dataclass_write", _DIMENSIONAL if scale in _LENGTHS else _UNKNOWN_DIMENSION)
-        if scale in _LENGTHS:
-            _call("cg_units_write", 0, _LENGTHS[scale], 0, 0, 0)
+        _units(file, base, scale)
+
+
+def write_elements(mesh, path, scale):
+    """Writes an ElementMesh: a section for each group of elements of the highest dimension, mixed where that has several kinds, and
+    for those in none; of groups of their boundaries a condition each, on a section for each kind: cgnscheck 3.4 takes
+    quadrilaterals in mixed ones for none of the boundary.
+    """
+    size, points = size_type(), mesh.nodes * scale
+    numbers, place = np.array([len(points), 0, 0], dtype=size), {3: _FACE_CENTER, 2: _EDGE_CENTER}.get(mesh.dimension, _VERTEX)
+    sections = []
+    for dimension in (mesh.dimension, mesh.dimension - 1):
+        sections += [(name, rows, dimension < mesh.dimension) for name, rows in _rows_of_groups(mesh, dimension)]
+    numbers[1] = sum(len(nodes) for _, rows, at_boundary in sections if not at_boundary for _, nodes in rows)
+    with _File(path, arrays=points.nbytes + sum(2 * size().nbytes * nodes.size for _, rows, _ in sections for _, nodes in rows)) as file:
+        base = file.base(mesh.dimension)
+        zone = file.zone(base, numbers)
+        for axis, column in zip("XYZ", points.T):
+            _coordinate(file, (base, zone), f"Coordinate{axis}", np.ascontiguousarray(column))
+        first = 1
+        for name, rows, at_boundary in sections:
+            last, rows = first, [(kind, nodes.astype(size)) for kind, nodes in rows]
+            if len(rows) > 1 and not at_boundary:
+                last = _mixed_section(file, (base, zone), name, first, rows)
+            else:
+                for kind, nodes in rows:
+                    last = _section(file, (base, zone), name if last == first else f"{kind}_{last}", (kind, last), nodes)
+            if at_boundary:
+                _condition(file, (base, zone), name, place, np.array([first, last - 1], dtype=size))
+            first = last
+        _units(file, base, scale)
+
+
+def _rows_of_groups(mesh, dimension):
+    """[(name, [(kind, its nodes in the order of CGNS, from 1), ...]), ...]: each element once, those in no group of the highest
+    dimension as "Elements".
+    """
+    blocks = {i: block for i, block in enumerate(mesh.blocks) if kinds.DIMENSION[block.kind] == dimension}
+    left = {i: np.ones(len(block.nodes), dtype=bool) for i, block in blocks.items()}
+    rest = [("Elements", tuple((i, None) for i in blocks))] if dimension == mesh.dimension else []
+    found = []
+    for name, parts in [*mesh.group_members.items(), *rest]:
+        rows = []
+        for i, members in parts:
+            if i in blocks:
+                chosen = left[i] if members is None else left[i] & np.isin(np.arange(len(left[i])), members)
+                if chosen.any():
+                    rows.append((blocks[i].kind, _in_order(blocks[i].kind, blocks[i].nodes[chosen])))
+                left[i] &= ~chosen
+        if rows:
+            found.append((name, rows))
+    return found
+
+
+def _mixed_section(file, place, name, first, rows):
+    """Writes elements of several kinds, numbered from `first` on; returns the number after the last one."""
+    integer = ctypes.c_int64 if rows[0][1].dtype == np.int64 else ctypes.c_int32
+    values = np.concatenate([np.insert(nodes, 0, _NUMBERS[kind, nodes.shape[1]], axis=1).ravel() for kind, nodes in rows])
+    lengths = np.concatenate([np.full(len(nodes), nodes.shape[1] + 1) for _, nodes in rows])
+    offsets = np.concatenate([[0], np.cumsum(lengths)]).astype(values.dtype)
+    last = first + len(lengths) - 1
+    _call("cg_poly_section_write", file.number, *place, _text(name), _MIXED, integer(first), integer(last), 0, address(values),
+          address(offsets), ctypes.byref(ctypes.c_int()))
+    return last + 1
+
+
+def _units(file, base, scale):
+    """Says the unit of lengths, where it is one that the format knows."""
+    _call("cg_goto", file.number, base, _text("end"))
+    _call("cg_dataclass_write", _DIMENSIONAL if scale in _LENGTHS else _UNKNOWN_DIMENSION)
+    if scale in _LENGTHS:
+        _call("cg_units_write", 0, _LENGTHS[scale], 0, 0, 0)
 
 
 def _in_order(kind, nodes):

@@ -9,12 +9,12 @@ from ... import formats
 from ...compat import extension
 from ...errors import InvalidInput
 from ..elements import kinds
-from ..formats import hopr, nek
+from ..formats import cgns, hopr, nek
 from ..formats.sides import faces_of_groups
 from ..sources import convert
 from . import writing
 
-_HOPR, _NEK = ".h5", ".re2"
+_CGNS, _HOPR, _NEK = ".cgns", ".h5", ".re2"
 
 
 def write(mesh, path, scale=1.0, format=None):  # noqa: A002 - an option of ElementMesh.write
@@ -32,8 +32,9 @@ def write(mesh, path, scale=1.0, format=None):  # noqa: A002 - an option of Elem
         if (block.kind, block.nodes.shape[1]) not in types:
             raise InvalidInput(f"{suffix} files hold no {kinds.PLURALS[block.kind]} of order {block.order} with "
                                f"{block.nodes.shape[1]} nodes: choose one of {' '.join(suffixes_for(mesh))}")
-    if suffix == _NEK:
-        writing.atomically(name, suffix, lambda ready: nek.write(mesh, ready, scale))
+    if suffix in (_CGNS, _NEK):
+        write_into = cgns.write_elements if suffix == _CGNS else nek.write
+        writing.atomically(name, suffix, lambda ready: write_into(mesh, ready, scale))
         return
     blocks = [(block.kind, block.nodes, block.geometry, _lagrange_order(block)) for block in mesh.blocks]
     groups = [(group, [part for part in parts if len(part[1])]) for group, parts in mesh.group_members.items()]
@@ -63,7 +64,8 @@ def _holds(mesh, suffix):
 
 def _held(suffix):
     """How much lower dimensions of elements in a format may be than the highest, and the (kind, nodes) that it holds."""
-    return (0, nek.TYPES) if suffix == _NEK else extension().element_formats()[suffix[1:]]
+    own = {_CGNS: (1, cgns.TYPES), _NEK: (0, nek.TYPES)}
+    return own[suffix] if suffix in own else extension().element_formats()[suffix[1:]]
 
 
 def _written(mesh, below):

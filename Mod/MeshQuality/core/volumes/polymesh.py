@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The folder constant/polyMesh of OpenFOAM, as text."""
+"""The folder constant/polyMesh of OpenFOAM, as text or binary."""
 
 import os
 import re
@@ -15,7 +15,7 @@ from ..meshes import openfoam_case, writing
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.+\-]*")
 
 
-def write_case(mesh, folder, scale, types):
+def write_case(mesh, folder, scale, types, binary):
     """Writes a VolumeMesh as a case of OpenFOAM: constant/polyMesh, and the dictionaries in system without which its programs do
     not start. See VolumeMesh.write.
     """
@@ -24,23 +24,25 @@ def write_case(mesh, folder, scale, types):
     if wrong is not None:
         raise InvalidInput(Text(phrases.FOAM_PATCH, name=repr(wrong)))
     faces, owner, neighbour, patch = faces_of(mesh)
-    inner = len(neighbour)
-    texts = {
-        "points": ("vectorField", _list_of("(%r %r %r)", mesh.nodes * scale)),
-        "faces": ("faceList", _faces(faces)),
-        "owner": ("labelList", _list_of("%d", owner[:, None])),
-        "neighbour": ("labelList", _list_of("%d", neighbour[:, None])),
-        "boundary": ("polyBoundaryMesh", _boundary(names, types, patch, inner)),
-    }
-    places = {os.path.join("constant", "polyMesh", name): _header(kind, name) + text for name, (kind, text) in texts.items()}
-    places.update({os.path.join(*path.split("/")): text for path, text in openfoam_case.solver_texts().items()})
-    for path, text in places.items():
+    kind, points, listed = ("faceCompactList", _binary_points, _binary_list) if binary else ("faceList", _points, _list)
+    boundary = _boundary(names, types, patch, len(neighbour)).encode()
+    files = {"points": ("vectorField", points(mesh.nodes * scale)), "faces": (kind, _binary_faces(faces) if binary else _faces(faces)),
+             "owner": ("labelList", listed(owner)), "neighbour": ("labelList", listed(neighbour)), "boundary": ("polyBoundaryMesh", boundary)}
+    places = {os.path.join("constant", "polyMesh", name): _header(kind, name, binary and name != "boundary") + content
+              for name, (kind, content) in files.items()}
+    places.update({os.path.join(*path.split("/")): text.encode() for path, text in openfoam_case.solver_texts().items()})
+    for path, content in places.items():
         path = os.path.join(folder, path)
         try:
             os.makedirs(os.path.dirname(path), exist_ok=True)
         except OSError as error:
             raise IoError(f"{os.path.dirname(path)} cannot be made: {error.strerror}") from error
-        writing.atomically(path, "", lambda ready, text=text: openfoam_case.save(ready, text))
+        writing.atomically(path, "", lambda ready, content=content: _save(ready, content))
+
+
+def _save(path, content):
+    with open(path, "wb") as stream:
+        stream.write(content)
 
 
 def faces_of(mesh):
@@ -63,18 +65,44 @@ def faces_of(mesh):
     return np.concatenate([rings[first], rings[outer]]), np.concatenate([owner[first], owner[outer]]), owner[second], patch
 
 
-def _header(kind, name):
-    return (f"FoamFile\n{{\n    version 2.0;\n    format ascii;\n    class {kind};\n    location \"constant/polyMesh\";\n"
-            f"    object {name};\n}}\n")
+def _header(kind, name, binary):
+    form = "    format binary;\n    arch \"LSB;label=32;scalar=64\";\n" if binary else "    format ascii;\n"
+    return (f"FoamFile\n{{\n    version 2.0;\n{form}    class {kind};\n    location \"constant/polyMesh\";\n"
+            f"    object {name};\n}}\n").encode()
 
 
-def _list_of(form, rows):
-    return f"{len(rows)}\n(\n" + "".join(form % tuple(row) + "\n" for row in rows.tolist()) + ")\n"
+def _lines(lines):
+    return f"{len(lines)}\n(\n{''.join(lines)})\n".encode()
+
+
+def _points(points):
+    return _lines(["(%r %r %r)\n" % tuple(row) for row in points.tolist()])
+
+
+def _list(numbers):
+    return _lines(["%d\n" % number for number in numbers.tolist()])
 
 
 def _faces(rings):
-    lines = [f"3({a} {b} {c})\n" if d < 0 else f"4({a} {b} {c} {d})\n" for a, b, c, d in rings.tolist()]
-    return f"{len(lines)}\n(\n" + "".join(lines) + ")\n"
+    return _lines([f"3({a} {b} {c})\n" if d < 0 else f"4({a} {b} {c} {d})\n" for a, b, c, d in rings.tolist()])
+
+
+def _binary(array, count):
+    return b"%d\n(%s)\n" % (count, array.tobytes())
+
+
+def _binary_points(points):
+    return _binary(points.astype("<f8"), len(points))
+
+
+def _binary_list(numbers):
+    return _binary(numbers.astype("<i4"), len(numbers))
+
+
+def _binary_faces(rings):
+    """Where the corners of each face begin, and the corners."""
+    corners = rings >= 0
+    return _binary_list(np.concatenate([[0], np.cumsum(corners.sum(axis=1))])) + _binary_list(rings[corners])
 
 
 def _boundary(names, types, patch, inner):

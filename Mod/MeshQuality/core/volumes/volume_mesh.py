@@ -19,6 +19,7 @@ from ..patches.patches import division_for, index_in, patches_of
 from ..sources import convert
 from ..triangulation import triangulate
 from . import polymesh
+from .far_field import SYMMETRY, region_around
 from .layers import Surface, layers_of, unproven
 from .marching import marching_of
 from .volume_report import report_of
@@ -40,11 +41,11 @@ class VolumeMesh(ElementMesh, metaclass=Public):
     triangle_face, quadrilateral_face
                  int32 (F,): they lie on shape.Faces[...]
     patch_names  of the boundary; groups of the mesh, as is the region "fluid"
-    patch_types  {patch: "wall" or "patch"}
+    patch_types  {patch: "wall", "patch", or "symmetry" of those without layers whose names begin so}
     report       VolumeReport
     """
 
-    __slots__ = {"_report": None, "_patches": None, "prism_layer": "int32 (P,), 0 is on the wall", "patch_types": '{patch: "wall" or "patch"}'}
+    __slots__ = {"_report": None, "_patches": None, "prism_layer": "int32 (P,), 0 is on the wall", "patch_types": '{patch: "wall", "patch" or "symmetry"}'}
 
     def __init__(self, content, prism_layer, patches, patch_types):
         super().__init__(content)
@@ -83,39 +84,49 @@ class VolumeMesh(ElementMesh, metaclass=Public):
     def _patch_of_face(self, faces):
         return patches_of(self._patches.division, faces, len(faces)).of_triangle.tolist()
 
-    def write(self, path, scale=None, format=None):  # noqa: A002
+    def write(self, path, scale=None, format=None, binary=False):  # noqa: A002
         """Writes into a file, as ElementMesh.write does, or, where the name has no extension, a case of OpenFOAM into a folder:
-        constant/polyMesh as text, and system, without which no program of OpenFOAM starts.
+        constant/polyMesh, and system, without which no program of OpenFOAM starts.
 
         scale   factor of the coordinates, which are mm; None: 1, and 0.001, metres, for OpenFOAM
         format  the format whatever the extension, such as "msh"; "openfoam": a case
+        binary  of OpenFOAM: numbers as bytes, with labels of 32 bits, instead of text
 
         Raises InvalidInput naming elements or a patch that the format cannot hold; IoError naming the path.
         """
         name = os.fsdecode(convert.file_name(path))
         if format == "openfoam" or (format is None and not os.path.splitext(name)[1]):
-            polymesh.write_case(self, name, checked_scale(_METRES if scale is None else scale), self.patch_types)
+            polymesh.write_case(self, name, checked_scale(_METRES if scale is None else scale), self.patch_types, binary)
+        elif binary:
+            raise InvalidInput("binary is for cases of OpenFOAM: the extension says which other files are")
         else:
             super().write(path, 1.0 if scale is None else scale, format)
 
 
 def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_angle=25.0, chord_height=None,
-                chord_height_relative=None, max_edge=None, local_sizes=None, patches=None, patch_rest=None, progress=None):
-    """Fills a solid, the region of a flow, with layers of prisms on its walls and tetrahedra inside -> VolumeMesh.
+                chord_height_relative=None, max_edge=None, local_sizes=None, patches=None, patch_rest=None, far_field=None,
+                symmetry=None, far_edge=None, progress=None):
+    """Fills a solid, the region of a flow, or the space around a part with layers of prisms on the walls and tetrahedra
+    -> VolumeMesh.
 
-    shape         Part.Shape, or a document object that has one: one solid, which is the fluid
+    shape         Part.Shape, or a document object that has one: one solid, which is the fluid; with far_field solids that it flows around
     layers        how many layers of prisms, 1 to 100
-    first_height  mm, of the one on the wall
+    first_height  mm, of the one on the wall; mq.first_height estimates it for a y+
     growth_rate   how many times as high each layer is as the one before it, 1 to 4
     walls         names of faces, or of patches, that get layers; None: all faces. Layers end in the other faces beside them, which
                   must be planes
     min_angle, chord_height, chord_height_relative, max_edge, local_sizes, patches, patch_rest
-                  of the surface, as for triangulate
+                  of the surface, as for triangulate. Around a part they are of the part; patches may also name faces of the far field
+    far_field     the flow goes around the shape, as far as a "box" or "sphere" in 5 times its largest dimension, in 10 times:
+                  "box:10", or a Part.Shape of one solid. Its faces are xMin, xMax, yMin, yMax, zMin, zMax of a box, farField of a
+                  sphere, Far1, Far2, ... of a solid: patches by these names unless patches has them
+    symmetry      the half-space of the fluid, "y>0" or "z>-2.5" (mm), in whose plane a box or a sphere ends in the patch symmetry
+    far_edge      mm, longest edges of triangles on the far field; None: a fifth of its distance
     progress      callable(fraction 0..1, stage); returning False cancels
 
     Vertices march by the direction from which all of their walls are seen best. Layers get lower than asked for where elements
     would be invalid or nearly vanish, or where they would take more than 0.4 of a gap; where they would get lower than a fifth, they
-    are left off, and pyramids and tetrahedra lead from them to the bare wall. The report says so for each face. Every element is
+    are left off: beside the bare wall they run out within one triangle, as pyramids and tetrahedra. The report says so for each face. Every element is
     proven valid, and that all conform is checked.
 
     Raises InvalidInput for what is no single solid, for walls that are none of its faces, for a curved face in which layers would
@@ -125,19 +136,35 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
     values = options.check(options.volume.VOLUME, {
         "layers": layers, "first_height": first_height, "growth_rate": growth_rate, "min_angle": min_angle,
         "chord_height": chord_height, "chord_height_relative": chord_height_relative, "max_edge": max_edge,
-        "local_sizes": local_sizes})
+        "local_sizes": local_sizes, "far_edge": far_edge})
     for name in ("layers", "first_height"):
         if not values[name]:
             raise InvalidInput(f"{name} = {values[name]!r}: it must be given, above 0")
+    if far_field is not None:
+        region = region_around(shape, far_field, symmetry, values["far_edge"])
+        division = region.division(shape, patches, patch_rest)
+        chosen = _walls_of(shape, walls, division) or set(range(region.count))
+        surface_values = region.sizes(values, shape)
+    else:
+        region, division = None, division_for(shape, patches, patch_rest)
+        chosen, surface_values = _walls_of(_one_solid(shape, symmetry, values["far_edge"]), walls, division), values
+    sizes = {name: surface_values[name] for name in (option.name for option in options.volume.SURFACE)}
+    mesh = triangulate(shape if region is None else region.shape, **sizes, progress=part_of(progress, 0.0, 0.3))
+    surface = _surface_of(mesh, region, chosen)
+    return _filled(mesh, surface, {**values, "first_height": first_height}, patches_of(division, surface.face, len(surface.triangles)),
+                   progress)
+
+
+def _one_solid(shape, symmetry, far_edge):
+    """The shape, which must be one solid."""
+    alone = next((name for name, value in (("symmetry", symmetry), ("far_edge", far_edge)) if value is not None), None)
+    if alone is not None:
+        raise InvalidInput(f"{alone} is of a far field: give far_field, too, or leave it out")
     solids = convert.shape_of(shape).countElement("Solid")
     if solids != 1:
         raise InvalidInput(f"{convert.label_of(shape)} has {solids} solids, not one: the fluid must be a single solid; unite several, or "
-                           "make one of the faces")
-    division = division_for(shape, patches, patch_rest)
-    chosen = _walls_of(shape, walls, division)
-    sizes = {name: values[name] for name in (option.name for option in options.volume.SURFACE)}
-    mesh = triangulate(shape, **sizes, patches=patches, patch_rest=patch_rest, progress=part_of(progress, 0.0, 0.3))
-    return _filled(mesh, _surface_of(mesh, chosen), values, patches_of(division, mesh.triangle_face, len(mesh.triangles)), progress)
+                           "make one of the faces; for the flow around them give far_field")
+    return shape
 
 
 def _walls_of(shape, walls, division):
@@ -164,16 +191,16 @@ def _walls_of(shape, walls, division):
     return found
 
 
-def _surface_of(mesh, chosen):
-    """The Surface of a SurfaceMesh; raises GeometryError where it is not closed."""
-    triangles = np.array(mesh.triangles, dtype=np.int64)
-    face = np.array(mesh.triangle_face, dtype=np.int64)
+def _surface_of(mesh, region, chosen):
+    """The Surface of a SurfaceMesh, of the Region around a part or, None, of a solid; raises GeometryError where it is not closed."""
+    triangles, face = np.array(mesh.triangles, dtype=np.int64), np.array(mesh.triangle_face, dtype=np.int64)
+    face, far = (face, (0, ())) if region is None else (region.origin[face], (region.count, region.names))
     edges = np.sort(np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
     _, counts = np.unique(edges, axis=0, return_counts=True)
     if not mesh.report.closed or (counts != 2).any():
         raise GeometryError("the surface of the solid is not closed, or touches itself along an edge: repair the solid")
     is_wall = np.ones(len(triangles), dtype=bool) if chosen is None else np.isin(face, sorted(chosen))
-    return Surface(np.array(mesh.vertices) + mesh.origin, triangles, face, is_wall)
+    return Surface(np.array(mesh.vertices) + mesh.origin, triangles, face, is_wall, far)
 
 
 def _plane_normals(surface):
@@ -192,7 +219,7 @@ def _plane_normals(surface):
         if np.ptp(surface.points[np.unique(rows)] @ normal) <= _PLANE * size:
             found[surface.face == face] = normal
         elif at_walls[rows].any():
-            raise InvalidInput(f"Face{face + 1} is not plane, but beside walls: layers cannot end in it; make it a wall, too")
+            raise InvalidInput(f"{surface.name_of(face)} is not plane, but beside walls: layers cannot end in it; make it a wall, too")
     return found
 
 
@@ -232,14 +259,14 @@ def _require_room(surface, gap, total):
     for face in np.unique(surface.face[surface.is_wall]).tolist():
         widest = gap[surface.face == face].max()
         if total > widest:
-            raise InvalidInput(f"Face{face + 1}: the layers are {total:.4g} mm thick, but the gap there is {widest:.4g} mm at most: "
+            raise InvalidInput(f"{surface.name_of(face)}: the layers are {total:.4g} mm thick, but the gap there is {widest:.4g} mm at most: "
                                "give fewer or thinner layers")
 
 
 def _require_some(surface, layers, total):
     for face in np.unique(surface.face[surface.is_wall]).tolist():
-        if not layers.covered[surface.face == face].any():
-            raise InvalidInput(f"Face{face + 1}: nowhere on it do layers of {total:.4g} mm fit, not even a fifth as high, and end in the "
+        if not layers.share[surface.triangles[surface.face == face]].any():
+            raise InvalidInput(f"{surface.name_of(face)}: nowhere on it do layers of {total:.4g} mm fit, not even a fifth as high, and end in the "
                                "faces beside it: give fewer or thinner layers, a finer surface by local_sizes, or leave it out of walls")
 
 
@@ -279,8 +306,8 @@ def _mesh_of(surface, layers, points, tetrahedra, patches):
                 members[name].append((len(blocks), chosen))
         blocks.append(ElementBlock(kind, 1, number[rows], (patch_of[faces] + 1).astype(np.int32), faces.astype(np.int32)))
     walls = set(np.unique(surface.face[surface.is_wall]).tolist())
-    types = {name: "wall" if set(np.unique(surface.face[patches.of_triangle == i]).tolist()) <= walls else "patch"
-             for i, name in enumerate(patches.names)}
+    types = {name: "wall" if set(np.unique(surface.face[patches.of_triangle == i]).tolist()) <= walls else
+             "symmetry" if name.lower().startswith(SYMMETRY) else "patch" for i, name in enumerate(patches.names)}
     return VolumeMesh(Content(points[used], tuple(blocks), {name: tuple(parts) for name, parts in members.items()}, ()),
                       layers.level.astype(np.int32), patches, types)
 

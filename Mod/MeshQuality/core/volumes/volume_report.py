@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..measures import table_of_elements
+from .first_height import FirstHeight
 
 _FULL = 0.95  # share of the height that was asked for from which on it counts as reached
 
@@ -14,12 +15,12 @@ _FULL = 0.95  # share of the height that was asked for from which on it counts a
 class WallCoverage:
     """The layers on one wall face.
 
-    face              "Face3"
+    face              "Face3"; "zMin" of a far field's
     area              mm^2, of its triangles
-    covered           share of the area with all layers; there are none on the rest
+    covered           share of the area with prisms in all layers; on the rest they run out, or there are none
     full_height       share of the area with layers at least 0.95 times as high as asked for
     least_height, mean_height
-                      mm, of the first layer where there are layers; not a number where there are none
+                      mm, of the first layer where there are layers; None where there are none
     """
 
     face: str
@@ -76,8 +77,9 @@ class VolumeReport:
                  f"layers       {self.layers}, the first {self.first_height:g} mm high, each {self.growth_rate:g} times as high as the "
                  f"one before: {sum(self.heights):.4g} mm together",
                  f"coverage     {self.covered:.2%} of the walls, {self.full_height:.2%} with the height asked for"]
-        lines += [f"  {wall.face:<10} {wall.covered:.2%}, {wall.full_height:.2%} with the height asked for; first layer "
-                  f"{wall.least_height:.4g} mm at least, {wall.mean_height:.4g} mm on average" for wall in self.walls]
+        lines += [f"  {wall.face:<10} {wall.covered:.2%}, {wall.full_height:.2%} with the height asked for" + (
+            f"; first layer {wall.least_height:.4g} mm at least, {wall.mean_height:.4g} mm on average" if wall.covered else "")
+            for wall in self.walls]
         lines += [f"quality      least scaled Jacobian {self.min_scaled_jacobian:.4g}, non-orthogonality up to "
                   f"{self.max_non_orthogonality:.4g}°, skewness up to {self.max_skewness:.4g}",
                   f"accuracy     the surface deviates by at most {self.chord_height:.3g} mm from the shape"]
@@ -96,9 +98,9 @@ def coverage_of(surface, layers, first_height):
         area, on = areas[there].sum(), layers.covered[there]
         heights = first_height * mean[there][on]
         found.append(WallCoverage(
-            f"Face{face + 1}", float(area), float(areas[there][on].sum() / area), float(areas[there][share[there] >= _FULL].sum() / area),
-            first_height * float(share[there][on].min()) if on.any() else float("nan"),
-            float(np.average(heights, weights=areas[there][on])) if on.any() else float("nan")))
+            surface.name_of(face), float(area), float(areas[there][on].sum() / area), float(areas[there][share[there] >= _FULL].sum() / area),
+            first_height * float(share[there][on].min()) if on.any() else None,
+            float(np.average(heights, weights=areas[there][on])) if on.any() else None))
     whole = areas[walls].sum()
     return tuple(found), float(areas[layers.covered].sum() / whole), float(areas[share >= _FULL].sum() / whole)
 
@@ -109,9 +111,10 @@ def report_of(mesh, surface, layers, values, heights, chord_height):
     walls, covered, full = coverage_of(surface, layers, values["first_height"])
     notes = [f"{wall.face} has layers on {wall.covered:.1%} of its area only: elsewhere they would be lower than a fifth of what was asked "
              "for, or invalid, or not end in the face beside it" for wall in walls if wall.covered < 1.0]
+    notes += [str(values["first_height"])] if isinstance(values["first_height"], FirstHeight) else []
     notes += [f"the layers on {wall.face} are lower than asked for on {wall.covered - wall.full_height:.1%} of its area, the first one "
               f"{wall.least_height:.3g} mm at least" for wall in walls if wall.covered - wall.full_height > 0.0005]
-    return VolumeReport(values["layers"], values["first_height"], values["growth_rate"], tuple(heights.tolist()), dict(table.kinds),
+    return VolumeReport(values["layers"], float(values["first_height"]), values["growth_rate"], tuple(heights.tolist()), dict(table.kinds),
                         len(mesh.nodes), walls, covered, full, _volume(mesh), table.worst("scaled_jacobian")[1],
                         table.worst("non_orthogonality")[1], table.worst("skewness")[1], chord_height, tuple(notes))
 
