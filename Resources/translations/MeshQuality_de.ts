@@ -827,6 +827,54 @@
         <source>Triangles with small angles get their points in rounds, which several threads share, or, with circumcentre, one after the other, the worst first, as in Aftosmis 1999</source>
         <translation>Dreiecke mit kleinen Winkeln bekommen ihre Punkte in Runden, die sich mehrere Threads teilen, oder, mit dem Umkreismittelpunkt, nacheinander, das schlechteste zuerst, wie in Aftosmis 1999</translation>
     </message>
+    <message>
+        <source>Both are at most this</source>
+        <translation>Beide sind höchstens so groß</translation>
+    </message>
+    <message>
+        <source>Estimated relative error of the strains at which the work ends</source>
+        <translation>Geschätzter relativer Fehler der Dehnungen, bei dem die Arbeit endet</translation>
+    </message>
+    <message>
+        <source>Most meshes that are made</source>
+        <translation>Größte Zahl der Netze</translation>
+    </message>
+    <message>
+        <source>No mesh is made that is expected to have more unknowns</source>
+        <translation>Kein Netz wird erzeugt, das voraussichtlich mehr Unbekannte hat</translation>
+    </message>
+    <message>
+        <source>Number of its faces on exact surfaces of the CAD; either this or FacetCount is 0</source>
+        <translation>Anzahl seiner Flächen auf exakten Flächen des CAD; diese oder FacetCount ist 0</translation>
+    </message>
+    <message>
+        <source>Number of its faces that are planar facets of the mesh</source>
+        <translation>Anzahl seiner Flächen, die ebene Facetten des Netzes sind</translation>
+    </message>
+    <message>
+        <source>The largest distance of the mesh from the solid, measured at points</source>
+        <translation>Der größte Abstand des Netzes vom Festkörper, an Punkten gemessen</translation>
+    </message>
+    <message>
+        <source>The largest distance of the solid from the mesh, measured at points</source>
+        <translation>Der größte Abstand des Festkörpers vom Netz, an Punkten gemessen</translation>
+    </message>
+    <message>
+        <source>The solid has planar facets where exact surfaces do not close; off: it is refused then</source>
+        <translation>Der Festkörper hat ebene Facetten, wo exakte Flächen nicht schließen; aus: dann wird er abgelehnt</translation>
+    </message>
+    <message>
+        <source>Volume of the mesh</source>
+        <translation>Volumen des Netzes</translation>
+    </message>
+    <message>
+        <source>Volume of the solid</source>
+        <translation>Volumen des Festkörpers</translation>
+    </message>
+    <message>
+        <source>Why it has facets, where it has</source>
+        <translation>Warum er Facetten hat, falls er welche hat</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -1393,10 +1441,6 @@
     <message>
         <source>Set all options to their defaults</source>
         <translation>Alle Optionen auf ihre Standardwerte setzen</translation>
-    </message>
-    <message>
-        <source>Relative to size</source>
-        <translation>Relativ</translation>
     </message>
     <message>
         <source>Absolute</source>
@@ -4954,6 +4998,214 @@
         <source>worst first</source>
         <translation>das schlechteste zuerst</translation>
     </message>
+    <message>
+        <source>Unknowns</source>
+        <translation>Unbekannte</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Analysis: {}</source>
+        <translation>Analyse: {}</translation>
+    </message>
+    <message>
+        <source>The error is below the target.</source>
+        <translation>Der Fehler ist kleiner als das Ziel.</translation>
+    </message>
+    <message>
+        <source>A finer mesh would have more unknowns than allowed.</source>
+        <translation>Ein feineres Netz hätte mehr Unbekannte als erlaubt.</translation>
+    </message>
+    <message>
+        <source>All steps are done; the error is above the target.</source>
+        <translation>Alle Schritte sind getan; der Fehler ist größer als das Ziel.</translation>
+    </message>
+    <message>
+        <source>The error does not get lower any more.</source>
+        <translation>Der Fehler wird nicht mehr kleiner.</translation>
+    </message>
+    <message>
+        <source>Cancelled; the last good step stays.</source>
+        <translation>Abgebrochen; der letzte gute Schritt bleibt.</translation>
+    </message>
+    <message>
+        <source>Solve the analysis once more for its results.</source>
+        <translation>Die Analyse noch einmal lösen, dann sind ihre Ergebnisse da.</translation>
+    </message>
+    <message>
+        <source>Relative</source>
+        <translation>Relativ</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Whole elements</source>
+        <translation>Ganze Elemente</translation>
+    </message>
+    <message>
+        <source>Cut the mesh open by a plane</source>
+        <translation>Das Netz mit einer Ebene aufschneiden</translation>
+    </message>
+    <message>
+        <source>Leave elements whole: those whose middle is not cut off</source>
+        <translation>Elemente ganz lassen: die, deren Mitte nicht abgeschnitten ist</translation>
+    </message>
+    <message>
+        <source>Picked</source>
+        <translation>Gewählt</translation>
+    </message>
+    <message>
+        <source>Direction across which the mesh is cut</source>
+        <translation>Richtung, quer zu der das Netz geschnitten wird</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Show the other half</source>
+        <translation>Die andere Hälfte zeigen</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>Then click on the mesh: the plane is parallel to its surface there</source>
+        <translation>Danach auf das Netz klicken: die Ebene ist parallel zu seiner Oberfläche dort</translation>
+    </message>
+    <message>
+        <source>Where the plane is: its coordinate, or its distance from the picked place</source>
+        <translation>Wo die Ebene ist: ihre Koordinate, oder ihr Abstand von der gewählten Stelle</translation>
+    </message>
+    <message>
+        <source>Facets where surfaces are not known</source>
+        <translation>Facetten, wo Flächen unbekannt sind</translation>
+    </message>
+    <message>
+        <source>A single face that is not known turns all faces into planar facets; off: the mesh is refused then</source>
+        <translation>Eine einzige unbekannte Fläche macht alle Flächen zu ebenen Facetten; aus: dann wird das Netz abgelehnt</translation>
+    </message>
+    <message>
+        <source>Adapt</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>CalculiX solves</source>
+        <translation>CalculiX löst</translation>
+    </message>
+    <message>
+        <source>Estimated relative error of the strains at which the work ends</source>
+        <translation>Geschätzter relativer Fehler der Dehnungen, bei dem die Arbeit endet</translation>
+    </message>
+    <message>
+        <source>Mesh and solid are within {length} of each other, measured at points; {length2} are allowed. Its volume is {volume}, that of the mesh {volume2}.</source>
+        <translation>Netz und Festkörper sind höchstens {length} voneinander entfernt, an Punkten gemessen; {length2} sind erlaubt. Sein Volumen ist {volume}, das des Netzes {volume2}.</translation>
+    </message>
+    <message>
+        <source>Most meshes that are made</source>
+        <translation>Größte Zahl der Netze</translation>
+    </message>
+    <message>
+        <source>Most unknowns</source>
+        <translation>Höchstzahl der Unbekannten</translation>
+    </message>
+    <message>
+        <source>No mesh is made that is expected to have more unknowns</source>
+        <translation>Kein Netz wird erzeugt, das voraussichtlich mehr Unbekannte hat</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE cannot intersect the faces ({text})</source>
+        <translation>OpenCASCADE kann die Flächen nicht schneiden ({text})</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Target of the error</source>
+        <translation>Ziel des Fehlers</translation>
+    </message>
+    <message>
+        <source>The solid has 1 face on an exact surface.</source>
+        <translation>Der Festkörper hat 1 Fläche auf einer exakten Fläche.</translation>
+    </message>
+    <message>
+        <source>The solid has 1 planar facet: {phrase}.</source>
+        <translation>Der Festkörper hat 1 ebene Facette: {phrase}.</translation>
+    </message>
+    <message>
+        <source>The solid has {count} faces on exact surfaces.</source>
+        <translation>Der Festkörper hat {count} Flächen auf exakten Flächen.</translation>
+    </message>
+    <message>
+        <source>The solid has {count} planar facets: {phrase}.</source>
+        <translation>Der Festkörper hat {count} ebene Facetten: {phrase}.</translation>
+    </message>
+    <message>
+        <source>no face of the CAD lies on the mesh</source>
+        <translation>keine Fläche des CAD liegt auf dem Netz</translation>
+    </message>
+    <message>
+        <source>no solid with exact surfaces: {phrase}</source>
+        <translation>kein Festkörper mit exakten Flächen: {phrase}</translation>
+    </message>
+    <message>
+        <source>the faces of the CAD on the mesh do not close</source>
+        <translation>die Flächen des CAD auf dem Netz schließen nicht</translation>
+    </message>
+    <message>
+        <source>the mesh does not know the CAD it was made of</source>
+        <translation>das Netz kennt das CAD nicht, aus dem es entstand</translation>
+    </message>
+    <message>
+        <source>the mesh is not closed, manifold and oriented: repair it first</source>
+        <translation>das Netz ist nicht geschlossen, mannigfaltig und orientiert: reparieren Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>the solid is not valid by OpenCASCADE&apos;s check</source>
+        <translation>der Festkörper ist nach OpenCASCADEs Prüfung nicht gültig</translation>
+    </message>
+    <message>
+        <source>the solid is {length} from the mesh, and {length2} are allowed</source>
+        <translation>der Festkörper ist {length} vom Netz entfernt, und {length2} sind erlaubt</translation>
+    </message>
+    <message>
+        <source>the volume of the solid, {volume}, is not that of the mesh, {volume2}</source>
+        <translation>das Volumen des Festkörpers, {volume}, ist nicht das des Netzes, {volume2}</translation>
+    </message>
+    <message>
+        <source>waiting for the window</source>
+        <translation>wartet auf das Fenster</translation>
+    </message>
+    <message>
+        <source>{name} adaptation</source>
+        <translation>{name} Anpassung</translation>
+    </message>
+    <message>
+        <source>{name} holds no mesh: give an object with a mesh</source>
+        <translation>{name} enthält kein Netz: geben Sie ein Objekt mit einem Netz an</translation>
+    </message>
+    <message>
+        <source>{name} is out of date: update it first</source>
+        <translation>{name} ist nicht aktuell: aktualisieren Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>{name} solid</source>
+        <translation>{name} Festkörper</translation>
+    </message>
+    <message>
+        <source>{phrase}, and facets make no solid: {phrase2}</source>
+        <translation>{phrase}, und Facetten ergeben keinen Festkörper: {phrase2}</translation>
+    </message>
+    <message>
+        <source>{phrase}, and {count} triangles are too many facets: simplify the mesh to at most {count2}</source>
+        <translation>{phrase}, und {count} Dreiecke sind zu viele Facetten: vereinfachen Sie das Netz auf höchstens {count2}</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>
@@ -5099,6 +5351,19 @@
     <message>
         <source>One for each core</source>
         <translation>Einer je Kern</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Adapt</name>
+    <message>
+        <source>Adapt mesh...</source>
+        <translation>Netz anpassen...</translation>
+    </message>
+    <message>
+        <source>Refine the FEM mesh of the selected analysis where the error of its solution is, step by step, solved by CalculiX
+Select an analysis with a FEM mesh of MeshQuality, or that mesh, first.</source>
+        <translation>Das FEM-Netz der gewählten Analyse dort verfeinern, wo der Fehler der Lösung ist, Schritt für Schritt, gelöst von CalculiX
+Zuerst eine Analyse mit einem FEM-Netz von MeshQuality wählen, oder dieses Netz.</translation>
     </message>
 </context>
 <context>
@@ -5392,6 +5657,19 @@ Zuerst ein Netz oder mehrere Netze wählen.</translation>
 Select one closed mesh first.</source>
         <translation>Das gewählte geschlossene Netz nach der Dicke seiner Wände färben und die dünnsten finden
 Zuerst ein geschlossenes Netz wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_ToSolid</name>
+    <message>
+        <source>Make a CAD solid of the selected closed mesh, with the exact surfaces of the shapes that it was made of
+Select one closed mesh first.</source>
+        <translation>Aus dem gewählten geschlossenen Netz einen CAD-Festkörper mit den exakten Flächen der Formen machen, aus denen es entstand
+Wählen Sie zuerst ein geschlossenes Netz.</translation>
+    </message>
+    <message>
+        <source>To solid...</source>
+        <translation>In Festkörper umwandeln...</translation>
     </message>
 </context>
 <context>
