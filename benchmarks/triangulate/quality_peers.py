@@ -34,12 +34,12 @@ from pathlib import Path
 
 sys.path += map(str, Path(__file__).resolve().parents[1].iterdir())
 import inside_freecad
+from setting_search import coarsest
 
 HERE = Path(__file__).resolve().parent
 MODELS = ("netgen_screw.step", "gmsh_t20_data.step", "linkrods.step")
 INSTALLED = "/usr/share/freecad/Mod/Idf/Idflibs/SOT428_DPAK.stp"
 FIRST, LAST = 0, 14  # of the grid of settings
-CRASHES = 2  # in turn, and no finer setting is tried
 SAMPLES = "20000"  # of the surface, for the judge
 GROWTH = 4.0  # chord heights go down by this factor
 STAGES = ("chord height", "taking out vertices", "crossings", "checking")  # that large meshes take time in
@@ -213,24 +213,6 @@ def distance_with(part, peer, setting, scratch):
         return part.measured(off, "--no-si")["distance"]
     except (subprocess.SubprocessError, ValueError, IndexError):
         return None
-
-
-def coarsest(grid, distance, target):
-    """The first of the grid, coarse to fine, whose distance is within the target.
-
-    Distances fall by about 2 from one to the next, which tells where to look.
-    """
-    low, high, k, crashes = 0, len(grid), 2, 0
-    while low < high and crashes < CRASHES:
-        found = distance(grid[k])
-        crashes = crashes + 1 if found is None else 0
-        if found is not None and found <= target:
-            high = k
-        else:
-            low = k + 1
-        step = math.ceil(math.log2(found / target)) if found else 1
-        k = min(max(low, k + step), high - 1)
-    return grid[high] if high < len(grid) else None
 
 
 def compare(part, level, peers, settings, scratch, runs):
