@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """MeshQuality beside today's best, in one run: a table a task, which --write puts into docs/measurements/peers.md.
 
-    /usr/bin/python3 benchmarks/peers/peers.py --task surface --judge PROGRAM [--most 4] [--runs 3] [--write]
+    /usr/bin/python3 benchmarks/peers --task surface --judge PROGRAM [--most 4] [--runs 3] [--write]
 
 Tasks: surface, boolean, simplify, fill. The newest rivals are installed by pip into a scratch environment, which is
 kept in the folder --cache; CGAL is compiled where Debian's headers are. What cannot be had is named with the reason.
