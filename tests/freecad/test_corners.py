@@ -43,6 +43,21 @@ class KeptCorners(unittest.TestCase):
                 self.assertEqual(len(report.exempt), 4)
                 self.assertGreater(report.min_angle, 15.0 / 1.08)
                 self.assertLess(report.min_angle, 15.0)
+                for _, why in report.exempt_reasons:
+                    self.assertAlmostEqual(why.angle, 15.0, places=6)
+
+    def test_edges_that_touch_have_none(self):
+        corner, ends = FreeCAD.Vector(), (FreeCAD.Vector(10, 0, 0), FreeCAD.Vector(10, 6, 0))
+        arc = Part.Arc(corner, FreeCAD.Vector(*(10 / 1.7 * x for x in (math.sin(1.0), 1 - math.cos(1.0), 0))),
+                       FreeCAD.Vector(*(10 / 1.7 * x for x in (math.sin(1.5), 1 - math.cos(1.5), 0))))
+        end = arc.EndPoint
+        sides = [Part.makeLine(corner, ends[0]), Part.makeLine(ends[0], FreeCAD.Vector(10, end.y, 0)),
+                 Part.makeLine(FreeCAD.Vector(10, end.y, 0), end), arc.toShape()]
+        part = Part.Face(Part.Wire(sides)).extrude(FreeCAD.Vector(0, 0, 5))
+        report = mq.triangulate(part, corners="keep").report
+        self.assertEqual({why.cause for _, why in report.exempt_reasons}, {"narrow_corner"})
+        for triangle, why in report.exempt_reasons:
+            self.assertAlmostEqual(why.angle, 0.0, places=5)
 
 
 class CutCorners(unittest.TestCase):

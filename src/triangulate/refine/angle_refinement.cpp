@@ -286,7 +286,7 @@ bool AngleRefinement::request_finer_chords(int a, int b, int vertex) {
         return Vec3(work_.mesh.vertex(far).point - work_.mesh.vertex(vertex).point);
     };
     const double enclosed = angle_between(chord(a), chord(b));
-    if (*angle < kNarrowed * enclosed && (*angle < bound_ || enclosed >= bound_)) {
+    if (angle->least() < kNarrowed * enclosed && (angle->least() < bound_ || enclosed >= bound_)) {
         return false;
     }
     ++sharpened_[vertex];

@@ -43,13 +43,14 @@ ExemptReason narrow_corner(const Workspace& work, JoinedCorners& joined, int tri
     const int vertex = work.mesh.vertex_of(smallest.half_edge);
     const int a = work.mesh.segment_of(smallest.half_edge);
     const int b = work.mesh.segment_of(ClassifiedMesh::prev(smallest.half_edge));
-    const ExemptReason reason = between_segments(work, a, b, vertex, smallest.angle);
     const auto spanned = work.spanning.find(triangle);
     const auto found = joined.at(
         vertex, spanned != work.spanning.end() ? spanned->second.faces : std::vector<int>{work.mesh.face_of(triangle)});
-    return found && found->own > std::max(bound, kNarrowed * smallest.angle)
-               ? joined_corner(work, found->joined, reason)
-               : reason;
+    if (found && found->own > std::max(bound, kNarrowed * smallest.angle)) {
+        return joined_corner(work, found->joined, between_segments(work, a, b, vertex, smallest.angle));
+    }
+    const auto enclosed = angle_between_edges(work, a, b, vertex);
+    return between_segments(work, a, b, vertex, enclosed ? enclosed->angle : smallest.angle);
 }
 
 // The corner of the mesh at a vertex, if it is below `angle`, and no corner of the shape there is; radians.
@@ -74,7 +75,7 @@ bool fills_corner(const Workspace& work, int triangle) {
         return false;
     }
     const auto enclosed = angle_between_edges(work, a, b, vertex);
-    return enclosed && *enclosed < kNarrowed * smallest.angle;
+    return enclosed && enclosed->least() < kNarrowed * smallest.angle;
 }
 
 // Whether three triangles around the vertex cannot all reach the bound, since the total angle is too small.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/work_mesh/edges_angle.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/angle.h"
@@ -30,13 +29,13 @@ Departure departure(const Workspace& work, int segment, int vertex) {
 
 }  // namespace
 
-std::optional<double> angle_between_edges(const Workspace& work, int a, int b, int vertex) {
+std::optional<EdgesAngle> angle_between_edges(const Workspace& work, int a, int b, int vertex) {
     const Departure first = departure(work, a, vertex);
     const Departure second = departure(work, b, vertex);
     if (!(first.way.squaredNorm() > 0.0) || !(second.way.squaredNorm() > 0.0)) {
         return std::nullopt;
     }
-    return std::max(0.0, angle_between(first.way, second.way) - first.gap - second.gap);
+    return EdgesAngle{angle_between(first.way, second.way), first.gap + second.gap};
 }
 
 }  // namespace mq::triangulate
