@@ -28,16 +28,17 @@ struct Block {
     CollapseLimits limits;
     Contour surface;
     std::vector<std::int32_t> triangles;  ///< those that reach into it, by their index in the whole surface
-    std::vector<char> fixed;              ///< by triangle: whether it is in other blocks, too
+    std::vector<char> fixed;              ///< by triangle: whether it stays, or is in other blocks, too
     std::vector<std::int32_t> vertices;   ///< the vertices of fixed triangles, by their index in the whole surface
 };
 
 class Blocks {
   public:
     /// @param shift  of the blocks along each axis, as a fraction of their side
-    Blocks(Contour& surface, double side, double shift) : surface_(surface), side_(side), shift_(shift) {
+    Blocks(Contour& surface, double side, double shift, const std::vector<char>& stays)
+        : surface_(surface), side_(side), shift_(shift) {
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-            distribute(static_cast<std::int32_t>(t));
+            distribute(static_cast<std::int32_t>(t), !stays.empty() && stays[t] != 0);
         }
     }
 
@@ -50,6 +51,7 @@ class Blocks {
             const Box within = block.limits.within;
             block.limits = limits;
             block.limits.within = within;
+            block.limits.fixed.clear();
             fill(block);
             Progress piece(&progress);
             collapse(block, crossings, piece);
@@ -91,7 +93,7 @@ class Blocks {
         return blocks_[at->second];
     }
     /// Adds a triangle to all blocks into which its box reaches.
-    void distribute(std::int32_t t) {
+    void distribute(std::int32_t t, bool stays) {
         Box box;
         for (const std::int32_t v : surface_.triangles[t]) {
             box.add(surface_.points[v]);
@@ -105,7 +107,7 @@ class Blocks {
                     block.triangles.push_back(t);
                     const bool is_inside =
                         block.limits.within.contains(box.low) && block.limits.within.contains(box.high);
-                    block.fixed.push_back(is_inside ? 0 : 1);
+                    block.fixed.push_back(is_inside && !stays ? 0 : 1);
                 }
             }
         }
@@ -189,6 +191,15 @@ class Blocks {
     tsl::robin_map<BlockKey, std::size_t, KeyHash> numbers_;
 };
 
+/// By triangle of a surface: whether it is a fixed one of those that it was made of.
+std::vector<char> still_fixed(const Contour& surface, const std::vector<char>& fixed) {
+    std::vector<char> found;
+    for (std::size_t t = 0; t < surface.triangles.size() && !fixed.empty(); ++t) {
+        found.push_back(fixed[static_cast<std::size_t>(surface.source[t])]);
+    }
+    return found;
+}
+
 }  // namespace
 
 void simplify(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits, double block,
@@ -196,9 +207,11 @@ void simplify(Contour& surface, const std::vector<Crossing>& crossings, const Co
     // In the second round most triangles that lay between blocks are inside of one. The shifts avoid whole multiples of
     // lengths, in which faces of models often lie.
     for (const double shift : {kShift, kShift + 0.5}) {
-        Blocks(surface, block, shift).simplify(crossings, limits, progress);
+        Blocks(surface, block, shift, still_fixed(surface, limits.fixed)).simplify(crossings, limits, progress);
     }
-    collapse_edges(surface, crossings, limits, progress, 0.9);
+    CollapseLimits rest = limits;
+    rest.fixed = still_fixed(surface, limits.fixed);
+    collapse_edges(surface, crossings, rest, progress, 0.9);
 }
 
 }  // namespace mq::contour

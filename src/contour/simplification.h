@@ -16,7 +16,7 @@ namespace mq::contour {
 /// First, blocks of space are simplified in parallel: each holds the triangles whose corners are all in it, and changes
 /// nothing outside of itself, so that blocks do not meet. Triangles between blocks are fixed meanwhile. Then the rest
 /// is simplified together. The result is the same for any number of threads.
-/// @param limits  whose fields `fixed` and `within` are empty
+/// @param limits  whose `fixed` goes by the triangles that surface.source names, and whose `within` is empty
 /// @param block  mm: side of the blocks, which should be far longer than the edges of triangles
 /// @throws Cancelled
 void simplify(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits, double block,

@@ -2,8 +2,10 @@
 #include "workflows/simplify_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -69,7 +71,8 @@ class Simplification {
                 limits.distance = std::max(limits.distance / 2.0, options_.tolerance);
             }
             if (result.rounds < kRounds) {
-                collapse(limits);
+                limits.fixed = fixed_;
+                contour::simplify(now_, planes_, limits, box_.largest_side() / kBlocks, progress_);
             }
             progress_.stage("proving the distance", 0.7, 0.9);
             if (!keep_what_is_far()) {
@@ -138,7 +141,6 @@ class Simplification {
             fixed_.push_back(std::any_of(t.begin(), t.end(), [&](std::int32_t v) { return on_border[v] != 0; }) ? 1
                                                                                                                 : 0);
         }
-        has_fixed_ = std::find(fixed_.begin(), fixed_.end(), 1) != fixed_.end();
     }
 
     contour::Contour contour_of(const mesh::TriangleMesh& given) {
@@ -175,15 +177,6 @@ class Simplification {
         return contour;
     }
 
-    void collapse(contour::CollapseLimits limits) {
-        if (has_fixed_) {
-            limits.fixed = fixed_;
-            contour::collapse_edges(now_, planes_, limits, progress_);
-        } else {
-            contour::simplify(now_, planes_, limits, box_.largest_side() / kBlocks, progress_);
-        }
-    }
-
     /// Whether sample points of a triangle are within a fraction of the tolerance of its patch of the given surface: so
     /// borders between patches stay, too, where the surface beside them is plane.
     bool is_near(const Corners& c, std::int32_t patch) const {
@@ -216,13 +209,88 @@ class Simplification {
         return all;
     }
 
+    /// Numbers the present triangles: those that are in the same place as in the round before keep their numbers.
+    void number(const std::vector<Corners>& own) {
+        std::map<std::array<double, 9>, std::int32_t> before = std::exchange(places_, {});
+        alive_.assign(near_own_.size(), 0);
+        numbers_.clear();
+        for (const Corners& c : own) {
+            const std::array<double, 9> place{c[0].x(), c[0].y(), c[0].z(), c[1].x(), c[1].y(),
+                                              c[1].z(), c[2].x(), c[2].y(), c[2].z()};
+            const auto known = before.find(place);
+            if (known == before.end()) {
+                near_own_.push_back(0);
+                alive_.push_back(1);
+            }
+            numbers_.push_back(known != before.end() ? known->second : static_cast<std::int32_t>(alive_.size()) - 1);
+            alive_[static_cast<std::size_t>(numbers_.back())] = 1;
+            places_.emplace(place, numbers_.back());
+        }
+    }
+    /// Whether the present surface has all triangles that proved a given one to be near.
+    bool is_still_near(std::size_t t) const {
+        return !witnesses_[t].empty() && std::all_of(witnesses_[t].begin(), witnesses_[t].end(), [&](std::int32_t n) {
+            return alive_[static_cast<std::size_t>(n)] != 0;
+        });
+    }
+
+    /// The given triangles that are too far from the present surface. What was proven in an earlier round and has not
+    /// changed is not proven again, here and in `own_far`.
+    std::vector<std::int32_t> given_far() {
+        std::vector<std::int32_t> asked;
+        std::vector<Corners> some;
+        witnesses_.resize(triangles_.size());
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            if (!is_still_near(t)) {
+                asked.push_back(static_cast<std::int32_t>(t));
+                some.push_back(corners(triangles_[t]));
+            }
+        }
+        std::vector<std::vector<std::int32_t>> found;
+        const offset::SearchedSurface present(now_.points, now_.triangles);
+        std::vector<std::int32_t> far = beyond(some, present, &found);
+        for (std::size_t k = 0; k < asked.size(); ++k) {
+            std::vector<std::int32_t>& of = witnesses_[static_cast<std::size_t>(asked[k])];
+            of.clear();
+            for (const std::int32_t t : found[k]) {
+                of.push_back(numbers_[static_cast<std::size_t>(t)]);
+            }
+            std::sort(of.begin(), of.end());
+            of.erase(std::unique(of.begin(), of.end()), of.end());
+        }
+        for (std::int32_t& t : far) {
+            t = asked[static_cast<std::size_t>(t)];
+            witnesses_[static_cast<std::size_t>(t)].clear();
+        }
+        return far;
+    }
+    /// The given triangles from which those of the present surface come that are too far from the given one.
+    std::vector<std::int32_t> own_far(const std::vector<Corners>& own) {
+        std::vector<std::int32_t> asked;
+        std::vector<Corners> some;
+        for (std::size_t t = 0; t < own.size(); ++t) {
+            char& near = near_own_[static_cast<std::size_t>(numbers_[t])];
+            if (std::exchange(near, 1) == 0) {
+                asked.push_back(static_cast<std::int32_t>(t));
+                some.push_back(own[t]);
+            }
+        }
+        std::vector<std::int32_t> far = beyond(some, searched_, nullptr);
+        for (std::int32_t& t : far) {
+            const auto index = static_cast<std::size_t>(asked[static_cast<std::size_t>(t)]);
+            near_own_[static_cast<std::size_t>(numbers_[index])] = 0;
+            t = now_.source[index];
+        }
+        return far;
+    }
+
     /// Fixes the given triangles around what is too far from the other surface; false where there is nothing.
     bool keep_what_is_far() {
-        const offset::SearchedSurface found(now_.points, now_.triangles);
-        std::vector<std::int32_t> far = beyond(given_corners(), found);
-        for (const std::int32_t t : beyond(own_corners(), searched_)) {
-            far.push_back(now_.source[static_cast<std::size_t>(t)]);
-        }
+        const std::vector<Corners> own = own_corners();
+        number(own);
+        std::vector<std::int32_t> far = given_far();
+        const std::vector<std::int32_t> others = own_far(own);
+        far.insert(far.end(), others.begin(), others.end());
         std::vector<char> around(points_.size(), 0);
         for (const std::int32_t t : far) {
             for (const std::int32_t v : triangles_[static_cast<std::size_t>(t)]) {
@@ -233,13 +301,14 @@ class Simplification {
             const Triangle& c = triangles_[t];
             if (around[c[0]] != 0 || around[c[1]] != 0 || around[c[2]] != 0) {
                 fixed_[t] = 1;
-                has_fixed_ = true;
             }
         }
         return !far.empty();
     }
-    std::vector<std::int32_t> beyond(const std::vector<Corners>& all, const offset::SearchedSurface& other) const {
-        return offset::triangles_beyond(all, other, 0.0, options_.tolerance, kFineness * options_.tolerance, progress_);
+    std::vector<std::int32_t> beyond(const std::vector<Corners>& all, const offset::SearchedSurface& other,
+                                     std::vector<std::vector<std::int32_t>>* witnesses) const {
+        return offset::triangles_beyond(all, other, 0.0, options_.tolerance, kFineness * options_.tolerance, progress_,
+                                        witnesses);
     }
 
     double bound() const {
@@ -256,11 +325,15 @@ class Simplification {
     const offset::SearchedSurface searched_;
     Box box_;
     std::vector<char> fixed_;  ///< by triangle: whether it is at an open border, or where simplifying went too far
-    bool has_fixed_ = false;
     std::vector<contour::Crossing> planes_;                  ///< by given triangle
     std::vector<std::unique_ptr<mesh::NearestTree>> trees_;  ///< by patch: its given triangles
     contour::Contour start_;
     contour::Contour now_;
+    std::map<std::array<double, 9>, std::int32_t> places_;  ///< numbers of the present triangles, by their corners
+    std::vector<std::int32_t> numbers_;                     ///< by present triangle
+    std::vector<char> alive_;                               ///< by number: whether the triangle is there
+    std::vector<char> near_own_;                            ///< by number: whether it was proven to be near
+    std::vector<std::vector<std::int32_t>> witnesses_;      ///< by given triangle: numbers of those that prove it near
 };
 
 }  // namespace

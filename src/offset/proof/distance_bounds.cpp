@@ -48,15 +48,18 @@ double distance(const Vec3& p, const Corners& t) {
     return (mesh::nearest_on_triangle(p, t[0], t[1], t[2]) - p).norm();
 }
 
-/// An upper bound for the distance of a triangle's points from a surface: the largest distance of its corners from the
-/// surface's triangle nearest to `middle`.
+/// The distance of a surface without triangles, mm.
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+/// An upper bound for the distance of a triangle's points from another one: that of its corners.
+double farthest(const Corners& t, const Corners& other) {
+    return std::max({distance(t[0], other), distance(t[1], other), distance(t[2], other)});
+}
+
+/// The same for a surface, by its triangle nearest to `middle`.
 double farthest(const Corners& t, const Vec3& middle, const SearchedSurface& surface) {
-    const std::int32_t nearest_triangle = surface.tree.nearest(middle).triangle;
-    if (nearest_triangle < 0) {
-        return std::numeric_limits<double>::infinity();  // the surface has no triangles
-    }
-    const Corners nearest = corners(surface, nearest_triangle);
-    return std::max({distance(t[0], nearest), distance(t[1], nearest), distance(t[2], nearest)});
+    const std::int32_t nearest = surface.tree.nearest(middle).triangle;
+    return nearest < 0 ? kNone : farthest(t, corners(surface, nearest));
 }
 
 /// Whether a point lies on the inner side of a closed surface. At edges and vertices several triangles are equally
@@ -133,26 +136,41 @@ void divide(const Corners& whole, MustDivide&& must_divide) {
     }
 }
 
-/// Raises a bound to the bound for one triangle.
+/// Raises a bound to the bound for one triangle. @param witnesses  gets the triangles of the surface near which pieces
+/// are that do not raise it; null: not asked for
 void raise_bound(const Corners& whole, const SearchedSurface& surface, double wanted, double fineness,
-                 ProvenBound& found) {
+                 ProvenBound& found, std::vector<std::int32_t>* witnesses = nullptr) {
     const Vec3 middle = centre(whole);
-    // No piece is nearer to the surface than the whole triangle is.
-    const double near = nearest_within(whole, middle, surface, wanted);
-    if (wanted - near > found.bound) {
-        found = {wanted - near, middle};
+    if (wanted > 0.0) {  // no piece is nearer to the surface than the whole triangle is
+        const double near = nearest_within(whole, middle, surface, wanted);
+        if (wanted - near > found.bound) {
+            found = {wanted - near, middle};
+        }
     }
+    std::int32_t nearest = -1;
     divide(whole, [&](const Corners& piece, int divisions) {
+        // The triangle that was nearest to the piece before is often near enough to this one, without a search.
         const Vec3 here = centre(piece);
-        const double far = farthest(piece, here, surface);
+        double far = nearest < 0 ? kNone : farthest(piece, corners(surface, nearest));
+        if (far - wanted > found.bound) {
+            nearest = surface.tree.nearest(here).triangle;
+            far = nearest < 0 ? kNone : farthest(piece, corners(surface, nearest));
+        }
         if (far - wanted <= found.bound) {
+            if (witnesses != nullptr) {
+                witnesses->push_back(nearest);
+            }
             return false;
         }
-        double attained = 0.0;
-        for (const Vec3& p : piece) {
-            attained = std::max(attained, surface.tree.nearest(p).distance);
-        }
-        if (far - std::max(attained, wanted) <= fineness || divisions == kMostDivisions) {
+        // Distances from one triangle are at least those from the surface: only corners as far from it as `enough` can
+        // be as far from all of it.
+        const double enough = far - fineness;
+        const bool attained =
+            nearest < 0 || wanted >= enough || std::any_of(piece.begin(), piece.end(), [&](const Vec3& p) {
+                return distance(p, corners(surface, nearest)) >= enough &&
+                       surface.tree.any_within(p, enough, nearest) < 0;
+            });
+        if (attained || divisions == kMostDivisions) {
             found = {far - wanted, here};
             return false;
         }
@@ -183,13 +201,18 @@ ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const
 }
 
 std::vector<std::int32_t> triangles_beyond(const std::vector<Corners>& triangles, const SearchedSurface& surface,
-                                           double wanted, double most, double fineness, const Progress& progress) {
+                                           double wanted, double most, double fineness, const Progress& progress,
+                                           std::vector<std::vector<std::int32_t>>* witnesses) {
     std::vector<char> is_beyond(triangles.size());
+    if (witnesses != nullptr) {
+        witnesses->assign(triangles.size(), {});
+    }
     for_chunks(static_cast<int>(triangles.size()), [&](int k) {
         progress.check();
         ProvenBound bound{most, Vec3::Zero()};
-        raise_bound(triangles[static_cast<std::size_t>(k)], surface, wanted, fineness, bound);
-        is_beyond[static_cast<std::size_t>(k)] = bound.bound > most ? 1 : 0;
+        const auto t = static_cast<std::size_t>(k);
+        raise_bound(triangles[t], surface, wanted, fineness, bound, witnesses != nullptr ? &(*witnesses)[t] : nullptr);
+        is_beyond[t] = bound.bound > most ? 1 : 0;
     });
     std::vector<std::int32_t> result;
     for (std::size_t t = 0; t < triangles.size(); ++t) {

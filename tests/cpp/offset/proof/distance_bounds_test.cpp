@@ -74,5 +74,28 @@ TEST(OffsetError, ATriangleThatCrossesTheSurfaceIsAtNoDistance) {
     EXPECT_NEAR(deviation_from_distance(through, surface, 2.0, 1e-3, kUnwatched).bound, 2.0, 1e-9);
 }
 
+TEST(OffsetError, WitnessesProveByThemselvesThatATriangleIsNear) {
+    const mesh::TriangleMesh box = solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
+    const SearchedSurface surface(box.vertices, box.triangles);
+    const std::vector<Corners> triangles{{Vec3(1, 1, 10.5), Vec3(9, 1, 10.5), Vec3(1, 9, 10.5)},
+                                         {Vec3(8, 1, 10.5), Vec3(10.5, 1, 8), Vec3(8, 9, 10.5)},
+                                         {Vec3(1, 1, 10.5), Vec3(9, 1, 12.5), Vec3(1, 9, 10.5)}};
+    std::vector<std::vector<std::int32_t>> witnesses;
+    const std::vector<std::int32_t> beyond =
+        triangles_beyond(triangles, surface, 0.0, 1.0, 0.01, kUnwatched, &witnesses);
+    EXPECT_EQ(beyond, std::vector<std::int32_t>{2});
+    for (const std::size_t k : {0U, 1U}) {
+        std::vector<mesh::Triangle> some;
+        for (const std::int32_t t : witnesses[k]) {
+            some.push_back(box.triangles[static_cast<std::size_t>(t)]);
+        }
+        const SearchedSurface alone(box.vertices, some);
+        EXPECT_TRUE(triangles_beyond({triangles[k]}, alone, 0.0, 1.0, 0.01, kUnwatched).empty());
+    }
+    const mesh::TriangleMesh none;
+    EXPECT_EQ(triangles_beyond(triangles, SearchedSurface(none.vertices, none.triangles), 0.0, 1.0, 0.01, kUnwatched),
+              (std::vector<std::int32_t>{0, 1, 2}));
+}
+
 }  // namespace
 }  // namespace mq::offset
