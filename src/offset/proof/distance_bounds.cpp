@@ -49,7 +49,7 @@ double distance(const Vec3& p, const Corners& t) {
 }
 
 /// The distance of a surface without triangles, mm.
-constexpr double kNone = std::numeric_limits<double>::infinity();
+constexpr double kNoDistance = std::numeric_limits<double>::infinity();
 
 /// An upper bound for the distance of a triangle's points from another one: that of its corners.
 double farthest(const Corners& t, const Corners& other) {
@@ -59,7 +59,7 @@ double farthest(const Corners& t, const Corners& other) {
 /// The same for a surface, by its triangle nearest to `middle`.
 double farthest(const Corners& t, const Vec3& middle, const SearchedSurface& surface) {
     const std::int32_t nearest = surface.tree.nearest(middle).triangle;
-    return nearest < 0 ? kNone : farthest(t, corners(surface, nearest));
+    return nearest < 0 ? kNoDistance : farthest(t, corners(surface, nearest));
 }
 
 /// Whether a point lies on the inner side of a closed surface. At edges and vertices several triangles are equally
@@ -151,10 +151,10 @@ void raise_bound(const Corners& whole, const SearchedSurface& surface, double wa
     divide(whole, [&](const Corners& piece, int divisions) {
         // The triangle that was nearest to the piece before is often near enough to this one, without a search.
         const Vec3 here = centre(piece);
-        double far = nearest < 0 ? kNone : farthest(piece, corners(surface, nearest));
+        double far = nearest < 0 ? kNoDistance : farthest(piece, corners(surface, nearest));
         if (far - wanted > found.bound) {
             nearest = surface.tree.nearest(here).triangle;
-            far = nearest < 0 ? kNone : farthest(piece, corners(surface, nearest));
+            far = nearest < 0 ? kNoDistance : farthest(piece, corners(surface, nearest));
         }
         if (far - wanted <= found.bound) {
             if (witnesses != nullptr) {
