@@ -292,7 +292,7 @@ class Batch(BatchTest):
                 ((self.parts, "-o", self.out, "--format", "xyz"), "ply"),
                 ((self.parts, "-o", self.out, "--jobs", "0"), "--jobs"),
                 ((self.parts, "-o", self.out, "--time-limit", "-1"), "--time-limit"),
-                ((self.parts, "-o", self.out, "--order", "2"), "--order"),
+                ((self.parts, "-o", self.out, "--order", "2"), "rounds, worst first"),
                 ((self.parts, "-o", self.out, "--command", "curve", "--deviation", "1"), "flat"),
                 ((self.parts,), "--output")):
             with self.subTest(arguments):
