@@ -37,6 +37,7 @@ struct Running {
     std::condition_variable changed;
     std::set<RunningWork*> works;
     bool closed = false;
+    bool given_up = false;  ///< whether work did not end within the grace: it is not waited for again
 };
 
 Running& running() {
@@ -53,7 +54,9 @@ bool end_all() {
     for (RunningWork* work : all.works) {
         work->cancel();
     }
-    return all.changed.wait_for(lock, kGrace, [&] { return all.works.empty(); });
+    const auto ended = [&] { return all.works.empty(); };
+    all.given_up = all.given_up || !all.changed.wait_for(lock, kGrace, ended);
+    return ended();
 }
 
 void end_work() {

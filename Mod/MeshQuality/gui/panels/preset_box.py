@@ -55,5 +55,5 @@ def _promise(values, size):
     height, relative = (values[name] for name in options.DISTANCE)
     length = length_text(height if bound == options.ABSOLUTE else relative * size)
     words = translate("MeshQuality", "Before it is curved, the mesh keeps within {} of the shape.") \
-        if "order" in values else translate("MeshQuality", "Keeps within {} of the shape.")
+        if "volume" in values else translate("MeshQuality", "Keeps within {} of the shape.")
     return words.format(length)
