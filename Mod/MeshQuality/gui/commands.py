@@ -244,6 +244,13 @@ class _OfOneMesh(_OfOne):
         return _if_one(convert.is_mesh)
 
 
+class _OfOneFlatMesh(_OfOne):
+    """The same for a mesh of flat triangles."""
+
+    def selected(self):
+        return _if_one(lambda source: convert.is_mesh(source) and not holds_elements(source))
+
+
 class Analyse(_OfOneMesh):
     NAME = "MeshQuality_Analyse"
     TEXT = "Analyse quality"
@@ -258,15 +265,12 @@ class Analyse(_OfOneMesh):
         quality_panel.open_panel(self.selected()[0])
 
 
-class Thickness(_OfOneMesh):
+class Thickness(_OfOneFlatMesh):
     NAME = "MeshQuality_Thickness"
     TEXT = "Wall thickness"
     TIP = "Colour the selected closed mesh by the thickness of its walls and find the thinnest"
     NEEDS = "Select one closed mesh first."
     KEYS = "Q, T"
-
-    def selected(self):
-        return _if_one(lambda source: convert.is_mesh(source) and not holds_elements(source))
 
     def Activated(self):
         quality_panel.open_panel(self.selected()[0], quality_data.THICKNESS)
@@ -362,16 +366,13 @@ class SaveReport(Export):
             FreeCAD.Console.PrintError if is_error else FreeCAD.Console.PrintMessage)(text + "\n"))
 
 
-class ToSolid(_OfOneMesh):
+class ToSolid(_OfOneFlatMesh):
     PANEL = SolidPanel
     NAME = "MeshQuality_ToSolid"
     TEXT = "To solid"
     TIP = "Make a CAD solid of the selected closed mesh, with the exact surfaces of the shapes that it was made of"
     NEEDS = "Select one closed mesh first."
     KEYS = "Q, N"
-
-    def selected(self):
-        return _if_one(lambda source: convert.is_mesh(source) and not holds_elements(source))
 
 
 class FlowCase(_OfOneMesh):
