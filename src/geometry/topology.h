@@ -94,6 +94,15 @@ struct Joined {
     bool by_shape = false;  ///< whether the shape's own tolerances make them one
 };
 
+/// Which narrow corners of faces are cut off (see cut_narrow_corners).
+enum class CornerCuts {
+    None,
+    /// Those where a face is pinched: parts of its border that do not follow each other meet there, as at a hole that is
+    /// tangent to an edge, or one of the edges is a seam, which is no line of the shape.
+    Pinches,
+    All,
+};
+
 struct Topology {
     std::vector<Node> nodes;
     std::vector<Edge> edges;
@@ -108,6 +117,7 @@ struct Topology {
     bool imprinted = false;  ///< faces of two solids that lie on each other are one face
     std::vector<Joined> joined;
     std::vector<int> joined_nodes;  ///< by node: the node with which it was joined; empty: no nodes are joined
+    CornerCuts corner_cuts = CornerCuts::None;
     /// Nodes where narrow corners of faces were cut off, each as far from its edges as its tolerance says.
     std::vector<int> cut_corners;
     std::vector<std::string> faults;  ///< faults of the model by the kernel's own checks, naming entities

@@ -177,7 +177,7 @@ CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, cons
     progress.stage("reading the shape", 0.0, 0.0);
     const auto model = model_of(engine, shape, geometry::Creases::Cut,
                                 {[&](const Box& box) { return straight.detail_of(box); }, straight.sew,
-                                 straight.imprint, straight.corners == triangulate::Corners::Cut},
+                                 straight.imprint, straight.corner_cuts()},
                                 progress);
     clock.end("reading the shape");
     CurvedMesh mesh = best_of_attempts(engine, model, straight, options, progress);
@@ -200,10 +200,13 @@ CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, co
     options.validate();
     const ThreadLimit threads(options.threads);
     const bool pieces = !surface.mesh.triangle_piece.empty();
-    const auto model = model_of(engine, shape, pieces ? geometry::Creases::Cut : geometry::Creases::Keep,
-                                {[&](const Box&) { return surface.report.detail; }, surface.report.sewn,
-                                 surface.report.imprinted, surface.report.cut_corners},
-                                progress);
+    const auto cuts = surface.report.cut_corners == 0 ? geometry::CornerCuts::None
+                      : surface.report.cut_pinches    ? geometry::CornerCuts::Pinches
+                                                      : geometry::CornerCuts::All;
+    const auto model = model_of(
+        engine, shape, pieces ? geometry::Creases::Cut : geometry::Creases::Keep,
+        {[&](const Box&) { return surface.report.detail; }, surface.report.sewn, surface.report.imprinted, cuts},
+        progress);
     CurvedMesh mesh = curve::curve(engine, model, surface.mesh, options, &progress);
     mesh.straight = surface.mesh;
     mesh.report.straight = surface.report;

@@ -60,6 +60,41 @@ class KeptCorners(unittest.TestCase):
             self.assertAlmostEqual(why.angle, 0.0, places=5)
 
 
+class Pinches(unittest.TestCase):
+    """A face that is pinched between two parts of its border, or beside a seam, is opened there by itself."""
+
+    def _holds(self, part):
+        kept = mq.triangulate(part, chord_height_relative=2e-3, corners="keep").report
+        self.assertGreaterEqual(len(kept.exempt), 2)
+        mesh = mq.triangulate(part, chord_height_relative=2e-3)
+        report = mesh.report
+        self.assertEqual((len(report.exempt), report.self_intersections), (0, 0), str(report))
+        self.assertTrue(report.closed and report.oriented and report.manifold)
+        self.assertEqual(report.cut_corners, 2)
+        self.assertLessEqual(report.max_chord_height, report.chord_height_asked)
+        self.assertAlmostEqual(report.volume / kept.volume, 1.0, delta=2e-3)
+        return mesh
+
+    def test_a_hole_that_touches_an_edge_or_nearly_does(self):
+        for gap in 0.0, 1e-5, 1e-4, 8e-4:  # mm; the detail is 0.002
+            with self.subTest(gap):
+                tool = Part.makeCone(3, 1.5, 8, FreeCAD.Vector(9, 3 + gap, 8), FreeCAD.Vector(0, 0, -1))
+                mesh = self._holds(Part.makeBox(20, 12, 8).cut(tool))
+                self.assertLess(len(mesh.triangles), 3000)
+
+    def test_two_holes_that_touch_each_other(self):
+        part = Part.makeBox(20, 12, 8)
+        for x, r in (6, 3), (11, 2):
+            part = part.cut(Part.makeCone(r, 0.4 * r, 6, FreeCAD.Vector(x, 6, 8), FreeCAD.Vector(0, 0, -1)))
+        self._holds(part)
+
+    def test_a_hole_that_touches_a_seam(self):
+        tool = Part.makeCylinder(0.75, 3, FreeCAD.Vector(0, 0.75, 5), FreeCAD.Vector(1, 0, 0))
+        part = Part.makeCylinder(2, 15).cut(tool)
+        mesh = self._holds(part)
+        self.assertEqual(mq.curve(mesh, shape=part).report.invalid, 0)
+
+
 class CutCorners(unittest.TestCase):
     """corners="cut": narrow corners of faces end where they are a detail wide."""
 

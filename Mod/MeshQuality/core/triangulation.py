@@ -43,7 +43,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            smoothly, so that tiny edges and slivers between such edges cost no triangles;
                            report.spanning then names the triangles that lie on several faces
     feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than this all along
-    corners                "cut": narrow ones of faces are cut off, by 1 / 20 of the distance asked for; "auto": where they need it; "keep"
+    corners                "cut": narrow ones of faces are cut off, by 1 / 20 of the distance asked for; "auto": at pinches, and where they need it; "keep"
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
     imprint                solids that share an area get the same triangles on both sides; see report.contacts

@@ -26,13 +26,14 @@
 #include "geometry/occt/evaluation/failure_text.h"
 #include "geometry/occt/geometry_fingerprint.h"
 #include "geometry/occt/plane_curves.h"
-#include "geometry/occt/topology/corner_cuts.h"
+#include "geometry/occt/narrow/border_contacts.h"
+#include "geometry/occt/narrow/corner_cuts.h"
 #include "geometry/occt/topology/creases.h"
-#include "geometry/occt/topology/degenerate_faces.h"
+#include "geometry/occt/narrow/degenerate_faces.h"
 #include "geometry/occt/topology/imprint.h"
-#include "geometry/occt/topology/loose_faces.h"
+#include "geometry/occt/narrow/loose_faces.h"
 #include "geometry/occt/topology/shape_map.h"
-#include "geometry/occt/topology/spikes.h"
+#include "geometry/occt/narrow/spikes.h"
 
 namespace mq::geometry {
 
@@ -175,9 +176,8 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     if (remove_spikes(topology_, live_, progress)) {
         remove_degenerate_faces(entities, topology_, live_, progress);  // what remains of a face can be thin, too
     }
-    if (join.cut_corners) {
-        cut_narrow_corners(topology_, live_, progress);
-    }
+    join_border_contacts(topology_, live_, progress);
+    cut_narrow_corners(topology_, live_, join.corner_cuts, progress);
     topology_.sewn = join.sew && topology_.detail > 0.0;
     if (topology_.sewn) {
         for (const int turned : join_loose_faces(topology_, live_, progress)) {

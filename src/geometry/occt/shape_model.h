@@ -27,8 +27,7 @@ struct VirtualTopology {
     bool sew = true;
     /// Whether faces of two solids that lie on each other are one face.
     bool imprint = false;
-    /// Whether narrow corners of faces are cut off (see cut_narrow_corners).
-    bool cut_corners = false;
+    CornerCuts corner_cuts = CornerCuts::None;
 };
 
 /// The live OpenCASCADE shape as a model. The shape is only read: neither its topology, nor its geometry, nor its

@@ -209,7 +209,8 @@ mesh::MeshReport final_report(const Workspace& work, MeasurementCache& findings,
     report.imprinted = work.session.topology().imprinted;
     report.contacts = solid_contacts(out.mesh);
     report.sewn = work.session.topology().sewn;
-    report.cut_corners = !work.session.topology().cut_corners.empty();
+    report.cut_corners = work.session.topology().cut_corners.size();
+    report.cut_pinches = work.session.topology().corner_cuts == geometry::CornerCuts::Pinches;
     report_exemptions(work, out, joined, report.min_angle_asked, report);
     report_spanning(work, out, report);
     for (const std::string& fault : work.session.topology().faults) {

@@ -41,6 +41,13 @@ double TriangulateOptions::detail_of(const Box& box) const {
                     kDetailOfWhatIsAsked * *std::min_element(asked.begin(), asked.end()));
 }
 
+geometry::CornerCuts TriangulateOptions::corner_cuts() const {
+    if (corners == Corners::Auto) {
+        return keeps_bounds() && min_angle > 0.0 ? geometry::CornerCuts::Pinches : geometry::CornerCuts::None;
+    }
+    return corners == Corners::Cut ? geometry::CornerCuts::All : geometry::CornerCuts::None;
+}
+
 void TriangulateOptions::validate() const {
     using namespace ranges::triangulate;
     if (min_angle != 0.0) {  // no bound

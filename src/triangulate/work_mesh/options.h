@@ -9,6 +9,7 @@
 #include "base/sizes/size_field.h"
 #include "base/vec.h"
 #include "geometry/evaluation.h"
+#include "geometry/topology.h"
 #include "triangulate/work_mesh/size_bounds.h"
 
 namespace mq::triangulate {
@@ -47,7 +48,7 @@ enum class KeepEdges {
 
 /// What becomes of corners of faces that are narrower than the bound on angles.
 enum class Corners {
-    Auto,  ///< they are cut off where refinement leaves further triangles below the bound otherwise
+    Auto,  ///< they are cut off at pinches, and where refinement leaves further triangles below the bound otherwise
     Keep,  ///< each keeps one triangle with the angle of the shape
     Cut,   ///< they are cut off where they are a detail wide, and keep the bound, where the faces beside allow it
 };
@@ -90,6 +91,8 @@ struct TriangulateOptions {
     std::uint64_t seed = 0;  ///< start of the random numbers of the Sprinkle method
 
     /// Whether the bounds hold for the result, not only for the samples.
+    /// The narrow corners that are cut off before refinement.
+    geometry::CornerCuts corner_cuts() const;
     bool keeps_bounds() const { return method == Method::Refine || polish; }
     std::size_t budget() const { return max_triangles > 0 ? max_triangles : 5'000'000; }
     /// The tolerance of the chord height for a shape of this box, mm; 0: no bound.

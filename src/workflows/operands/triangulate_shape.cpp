@@ -61,19 +61,20 @@ std::ptrdiff_t unexplained(const Result& result) {
     });
 }
 
-/// @return none where corners are to be cut off and none can be, which an attempt without that has shown before
+/// @param before  narrow corners that an attempt before this one has cut off
+/// @return none where no others can be cut off
 std::optional<Result> attempt(geometry::Engine& engine, const TopoDS_Shape& shape,
-                              const triangulate::TriangulateOptions& options, bool cut_corners, Progress& progress,
-                              triangulate::MeshCache* cache) {
+                              const triangulate::TriangulateOptions& options, geometry::CornerCuts cuts,
+                              std::optional<std::size_t> before, Progress& progress, triangulate::MeshCache* cache) {
     const Stopwatch watch;
     std::shared_ptr<geometry::Model> model;
     progress.stage("reading the shape", 0.0, 0.0);
     const geometry::VirtualTopology join{[&](const Box& box) { return options.detail_of(box); }, options.sew,
-                                         options.imprint, cut_corners};
+                                         options.imprint, cuts};
     engine.run(
         [&] { model = geometry::make_shape_model(shape, &progress, geometry::Creases::Cut, join, options.evaluation); },
         &progress);
-    if (cut_corners && options.corners == triangulate::Corners::Auto && model->topology().cut_corners.empty()) {
+    if (before && model->topology().cut_corners.size() == *before) {
         return std::nullopt;
     }
     const double reading = watch.wall();
@@ -90,11 +91,12 @@ Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
                          triangulate::MeshCache* cache) {
     options.validate();
     const Stopwatch watch_all;
-    Result result = *attempt(engine, shape, options, options.corners == triangulate::Corners::Cut, progress, cache);
+    Result result = *attempt(engine, shape, options, options.corner_cuts(), std::nullopt, progress, cache);
     if (options.corners == triangulate::Corners::Auto && options.keeps_bounds() && result.report.complete &&
         unexplained(result) > 0) {
         const double before = watch_all.wall();
-        std::optional<Result> cut = attempt(engine, shape, options, true, progress, nullptr);
+        std::optional<Result> cut =
+            attempt(engine, shape, options, geometry::CornerCuts::All, result.report.cut_corners, progress, nullptr);
         if (cut && unexplained(*cut) < unexplained(result) &&
             cut->report.self_intersections <= result.report.self_intersections) {
             result = std::move(*cut);

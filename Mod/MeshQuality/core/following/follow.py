@@ -115,7 +115,7 @@ def _unfit(mesh):
     """Why the points of a mesh do not all lie on the entities that they belong to."""
     report, found = mesh.report, []
     if report.cut_corners:
-        found.append('corners of faces were cut off (corners="cut")')
+        found.append('corners of faces were cut off (corners="keep" keeps them)')
     if report.spanning:
         found.append('triangles lie on several faces (keep_edges="feature")')
     if len(mesh.triangle_opposite):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/topology/edge_joining.h"
+#include "geometry/occt/narrow/edge_joining.h"
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Builder.hxx>
@@ -223,6 +223,18 @@ int EdgeJoining::divide(int e, double t, int node) {
         divide_use(use, second, share);
     }
     return second;
+}
+
+int EdgeJoining::piece_at(int face, int e, double t) const {
+    for (const Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
+        for (const int use : loop.uses) {
+            const Edge& piece = edge(edge_of(use));
+            if (topology_.of_shape({1, edge_of(use)}) == topology_.of_shape({1, e}) && t > piece.t0 && t < piece.t1) {
+                return edge_of(use);
+            }
+        }
+    }
+    return e;
 }
 
 // The use keeps the first piece of its edge, up to this share of its range; the second piece gets a use of its own.

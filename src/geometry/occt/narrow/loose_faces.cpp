@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/topology/loose_faces.h"
+#include "geometry/occt/narrow/loose_faces.h"
 
 #include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
@@ -17,7 +17,7 @@
 
 #include "base/angle.h"
 #include "geometry/occt/evaluation/conversion.h"
-#include "geometry/occt/topology/edge_joining.h"
+#include "geometry/occt/narrow/edge_joining.h"
 #include "geometry/occt/topology/face_orientation.h"
 
 namespace mq::geometry {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/topology/loose_faces.h"
+#include "geometry/occt/narrow/loose_faces.h"
 
 #include <gtest/gtest.h>
 

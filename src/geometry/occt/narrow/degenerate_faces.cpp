@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/topology/degenerate_faces.h"
+#include "geometry/occt/narrow/degenerate_faces.h"
 
 #include <BRepAdaptor_Surface.hxx>
 #include <algorithm>
@@ -17,7 +17,7 @@
 #include "geometry/detail.h"
 #include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/evaluation/edge_evaluator.h"
-#include "geometry/occt/topology/edge_joining.h"
+#include "geometry/occt/narrow/edge_joining.h"
 
 namespace mq::geometry {
 

@@ -14,6 +14,6 @@ namespace mq::geometry {
 /// other sides have a pole there, or would lie on each other beside the joined piece. `topology.faults` names the
 /// corners that are cut off. The new nodes are the last ones; the tolerance of each is its distance from the edges.
 /// @throws Cancelled
-void cut_narrow_corners(Topology& topology, ShapeMap& live, const Progress* progress);
+void cut_narrow_corners(Topology& topology, ShapeMap& live, CornerCuts kinds, const Progress* progress);
 
 }  // namespace mq::geometry

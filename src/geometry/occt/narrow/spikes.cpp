@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "geometry/occt/topology/spikes.h"
+#include "geometry/occt/narrow/spikes.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "base/message.h"
 #include "base/predicates.h"
 #include "geometry/detail.h"
-#include "geometry/occt/topology/edge_joining.h"
+#include "geometry/occt/narrow/edge_joining.h"
 
 namespace mq::geometry {
 

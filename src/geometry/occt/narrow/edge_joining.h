@@ -38,6 +38,9 @@ class EdgeJoining {
     /// Divides an edge at its parameter `t`, where it gets the node: the edge keeps the first piece.
     /// @return the second piece, a new edge (Topology::parts_of)
     int divide(int e, double t, int node);
+    /// The piece of an edge on the border of a face that has the parameter inside: the edge itself if it was not
+    /// divided.
+    int piece_at(int face, int e, double t) const;
     /// Merges two nodes, if both exist, and records that.
     void unite(int a, int b);
     bool same_node(int a, int b) { return a >= 0 && b >= 0 && nodes_.find(a) == nodes_.find(b); }
