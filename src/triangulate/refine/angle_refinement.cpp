@@ -156,7 +156,8 @@ bool AngleRefinement::retry_exempted() {
 
 bool AngleRefinement::refine_round() {
     work_.progress.check();
-    const std::vector<Job> jobs = next_jobs();
+    std::vector<Job> jobs = next_jobs();
+    drop_lost(jobs);
     if (jobs.empty()) {
         return !segments_.idle() || !queue_.empty() || !again_.empty() || !touched_.empty();
     }
@@ -172,6 +173,25 @@ bool AngleRefinement::refine_round() {
     }
     segments_.floors().check_after(jobs.size());
     return true;
+}
+
+// A graded fan can take away the neighbour in which the site of a triangle lies, and its number is that of another
+// triangle then, or of none.
+void AngleRefinement::drop_lost(std::vector<Job>& jobs) {
+    const ClassifiedMesh& mesh = work_.mesh;
+    const auto lost = [&](const Job& job) {
+        const int t = job.candidate.triangle;
+        if (mesh.stamp(job.bad.triangle) != job.bad.stamp) {
+            return true;
+        }
+        const bool gone =
+            t >= mesh.triangle_count() || mesh.gone(t) || mesh.face_of(t) != mesh.face_of(job.bad.triangle);
+        if (gone) {
+            touched_.push_back(job.bad.triangle);
+        }
+        return gone;
+    };
+    jobs.erase(std::remove_if(jobs.begin(), jobs.end(), lost), jobs.end());
 }
 
 std::vector<AngleRefinement::Job> AngleRefinement::next_jobs() {

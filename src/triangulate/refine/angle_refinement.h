@@ -64,6 +64,7 @@ class AngleRefinement {
     std::optional<QueuedTriangle> if_bad(int triangle) const;
     void push_touched();
     bool refine_round();
+    void drop_lost(std::vector<Job>& jobs);
     std::vector<Job> next_jobs();
     std::optional<Candidate> site_by_rule(int triangle, int attempt, int& blocking_segment) const;
     void handle_blocked(const QueuedTriangle& bad, int segment);

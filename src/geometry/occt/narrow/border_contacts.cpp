@@ -110,7 +110,7 @@ class BorderContacts : EdgeJoining {
         const double straight = 0.25 * topology_.detail;
         if (a.sagitta <= straight && b.sagitta <= straight) {
             const std::optional<Contact> contact = contact_near(a, b);
-            if (contact && is_new(*contact, contacts) && opens(face, *contact)) {
+            if (contact && is_new(face, *contact, contacts) && opens(face, *contact)) {
                 contacts.push_back(*contact);
             }
             return;
@@ -162,11 +162,11 @@ class BorderContacts : EdgeJoining {
     }
 
     /// Whether the edges stay nearer than the detail between a contact and a node that they have in common.
-    bool beside_node(const Contact& contact) const {
+    bool beside_node(int face, const Contact& contact) const {
         const auto [a, b] = contact.edges;
         for (const std::size_t i : {0, 1}) {
             for (const std::size_t k : {0, 1}) {
-                if (is_one(edge(a).nodes[i], edge(b).nodes[k]) &&
+                if (is_one(face, edge(a).nodes[i], edge(b).nodes[k]) &&
                     !apart_between(a, i == 0 ? edge(a).t0 : edge(a).t1, contact.at[0].t, b)) {
                     return true;
                 }
@@ -175,8 +175,28 @@ class BorderContacts : EdgeJoining {
         return false;
     }
 
+    /// Whether a contact at the end of an edge lies beside a corner of the other one with the edge that goes on there.
+    bool beside_next_corner(int face, const Contact& contact) const {
+        for (const std::size_t k : {0, 1}) {
+            const int node = node_beside(contact.edges[k], contact.at[k].t);
+            const int other = contact.edges[1 - k];
+            for (const Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
+                for (const int use : loop.uses) {
+                    const int next = edge_of(use);
+                    const auto& nodes = edge(next).nodes;
+                    if (node >= 0 && (nodes[0] == node || nodes[1] == node) && next != contact.edges[k] &&
+                        next != other &&
+                        beside_node(face, {{other, next}, {contact.at[1 - k], contact.at[k]}, contact.gap})) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
     /// Whether a contact is in no zone that has one, nor in that of a common node.
-    bool is_new(const Contact& contact, const std::vector<Contact>& contacts) const {
+    bool is_new(int face, const Contact& contact, const std::vector<Contact>& contacts) const {
         const auto [a, b] = contact.edges;
         for (const Contact& old : contacts) {
             const bool same = old.edges == contact.edges;
@@ -185,14 +205,19 @@ class BorderContacts : EdgeJoining {
                 return false;
             }
         }
-        return !beside_node(contact);
+        return !beside_node(face, contact) && !beside_next_corner(face, contact);
     }
 
-    /// Whether two nodes are one, or nearer than the detail.
-    bool is_one(int a, int b) const {
-        return a >= 0 && b >= 0 &&
-               (topology_.nodes[static_cast<std::size_t>(a)].point - topology_.nodes[static_cast<std::size_t>(b)].point)
-                       .norm() <= topology_.detail;
+    /// Whether two nodes are one, or an edge shorter than the detail joins them.
+    bool is_one(int face, int a, int b) const {
+        const std::vector<Loop>& loops = topology_.faces[static_cast<std::size_t>(face)].loops;
+        const auto joins = [&](int use) {
+            const std::array<int, 2>& nodes = edge(edge_of(use)).nodes;
+            return (nodes == std::array<int, 2>{a, b} || nodes == std::array<int, 2>{b, a}) && is_short(edge_of(use));
+        };
+        return a >= 0 && (a == b || std::any_of(loops.begin(), loops.end(), [&](const Loop& loop) {
+                              return std::any_of(loop.uses.begin(), loop.uses.end(), joins);
+                          }));
     }
 
     /// Whether the edges open to a detail on both sides of a contact, as far as the first one goes on, with the face
@@ -253,7 +278,7 @@ class BorderContacts : EdgeJoining {
             edges[k] = piece_at(face, contact.edges[k], contact.at[k].t);
             nodes[k] = node_beside(edges[k], contact.at[k].t);
         }
-        if (beside_node({edges, contact.at, contact.gap})) {
+        if (same_node(nodes[0], nodes[1]) || beside_node(face, {edges, contact.at, contact.gap})) {
             return;  // a contact before this one has given them the node
         }
         topology_.faults.push_back(topology_.name_of({2, face}) + ": " + topology_.name_of({1, edges[0]}) + " and " +
