@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How many solids with one narrow place each are meshed well: five classes of narrow_shapes.py, by seeds.
+"""How many solids with one narrow place each are meshed well: six classes of narrow_shapes.py, by seeds.
 
     /usr/bin/python3 benchmarks/triangulate/narrow_places.py [--parts 100] [--first 0] [--only corner] [--judge PROGRAM]
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random solids with one narrow place each, of five classes; the same class and seed give the same solid.
+"""Random solids with one narrow place each, of six classes; the same class and seed give the same solid.
 
 corner   two edges of a face, straight or curved, leave a vertex at 0.05 to 10 degrees
 contact  two edges of a face come as near as the tolerance, touch or cross: -3 to 3 tolerances between them
+rim      the rim of a hole comes as near to an edge or to another rim as 1e-9 to 1e-3 of the size, or touches it; the walls open below
 sliver   a face between a chain of n edges and one of m edges, 0.001 to 30 tolerances wide
 cusp     two edges of a face leave a vertex tangentially: their distance grows as the square of the way, or more slowly yet
 crest    a strip along the crest of a thread or of rings, 0.1 to 300 tolerances wide
@@ -14,7 +15,7 @@ import random
 import Part
 from FreeCAD import Rotation, Vector
 
-CLASSES = ("corner", "contact", "sliver", "cusp", "crest")
+CLASSES = ("corner", "contact", "rim", "sliver", "cusp", "crest")
 TOLERANCES = (1e-7, 1e-5, 1e-4, 1e-3)  # mm, of vertices and edges: OpenCASCADE's own, and those of exchanged files
 TRIES = 40  # solids that OpenCASCADE does not make valid are made again with other numbers
 Z = Vector(0, 0, 1)
@@ -103,6 +104,27 @@ def _contact(dice):
     return solid, {"tolerance": tolerance, "gap": gap / tolerance}
 
 
+def _rim(dice):
+    length, width, height = (_between(dice, 5.0, 50.0) for _ in range(3))
+    gap = max(length, width, height) * dice.choice((0.0, _between(dice, 1e-9, 1e-3)))
+    radius, shrunk = dice.uniform(0.08, 0.22) * min(length, width), dice.choice((0.4, 0.7, 0.9))
+    solid = Part.makeBox(length, width, height)
+    kind = dice.choice(("cone beside edge", "ball beside edge", "two cones"))
+    if kind == "two cones":
+        middle, other, way = Vector(0.5 * length, 0.5 * width, height), radius * dice.uniform(0.3, 1.0), dice.uniform(0, 360)
+        solid = solid.cut(Part.makeCone(radius, shrunk * radius, height, middle, -Z))
+        middle += _direction(way) * (radius + other + gap)
+        solid = solid.cut(Part.makeCone(other, shrunk * other, 0.7 * height, middle, -Z))
+    else:
+        place = Vector(length * dice.uniform(0.3, 0.7), radius + gap, height)
+        if kind == "cone beside edge":
+            solid = solid.cut(Part.makeCone(radius, shrunk * radius, height * dice.choice((0.6, 1.0)), place, -Z))
+        else:
+            ball = radius * dice.uniform(1.05, 3.0)
+            solid = solid.cut(Part.makeSphere(ball, place + Z * math.sqrt(ball**2 - radius**2)))
+    return solid, {"gap": gap, "kind": kind, "shrunk": shrunk}
+
+
 def _sliver(dice):
     tolerance, length = dice.choice(TOLERANCES), _between(dice, 5.0, 100.0)
     width, counts = tolerance * _between(dice, 1e-3, 30.0), (dice.randint(0, 4), dice.randint(0, 4))
@@ -153,4 +175,4 @@ def _crest(dice):
     return solid, {"tolerance": tolerance, "width": width / tolerance}
 
 
-MAKERS = {"corner": _corner, "contact": _contact, "sliver": _sliver, "cusp": _cusp, "crest": _crest}
+MAKERS = {"corner": _corner, "contact": _contact, "rim": _rim, "sliver": _sliver, "cusp": _cusp, "crest": _crest}

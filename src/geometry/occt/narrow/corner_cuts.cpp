@@ -96,7 +96,7 @@ class NarrowCorners : EdgeJoining {
   private:
     /// Radians: between faces that meet along a joined piece only. Their triangles share its edges, and open from
     /// there.
-    static constexpr double kLeastDihedral = 3.0 * kDegree;
+    static constexpr double kLeastDihedral = 0.5 * kDegree;
 
     /// The uses on a face that end in a node, and those that begin there.
     struct Ends {
