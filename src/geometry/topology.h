@@ -109,7 +109,7 @@ struct Topology {
     std::vector<Face> faces;
     std::vector<EdgeUse> uses;
     std::vector<Volume> volumes;
-    Box box;  ///< box of the whole model, mm; never smaller than the model
+    Box box;  ///< box of the faces, mm; never smaller than they are
     /// mm; edges shorter and faces thinner than this are not told apart where that is safe (degenerate_faces,
     /// triangulate/edges/short_edges); 0: all are
     double detail = 0.0;

@@ -88,7 +88,7 @@ Box box_of_edges(const ShapeMap& live, const Topology& topology, const Progress*
     for (std::size_t i = 0; i < live.edges.size(); ++i) {
         check_cancelled(progress);
         const Edge& edge = topology.edges[i];
-        if (!edge.degenerate) {
+        if (!edge.degenerate && !edge.uses.empty()) {
             const BRepAdaptor_Curve curve(live.edges[i]);
             CurveReach(curve, edge.t0, edge.t1).add_to(box);
         }
@@ -112,21 +112,14 @@ class QuickBoxes {
     NCollection_DataMap<TopoDS_Shape, Bnd_Box, TopTools_ShapeMapHasher> boxes_;
 };
 
-/// BRepBndLib::Add of the whole shape, with a look for a cancellation at every sub-shape.
+/// BRepBndLib::Add of all faces, with a look for a cancellation at each. Edges and vertices of no face are left out: no
+/// mesh has them, and the box would not be that of what is meshed.
 Bnd_Box quick_bounds(const TopoDS_Shape& shape, QuickBoxes& boxes, const Progress* progress) {
     Bnd_Box bounds;
     for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
         check_cancelled(progress);
         bounds.Add(boxes.of(faces.Current()));
     }
-    const auto add = [&](TopAbs_ShapeEnum kind, TopAbs_ShapeEnum except) {
-        for (TopExp_Explorer each(shape, kind, except); each.More(); each.Next()) {
-            check_cancelled(progress);
-            BRepBndLib::Add(each.Current(), bounds, Standard_False);
-        }
-    };
-    add(TopAbs_EDGE, TopAbs_FACE);
-    add(TopAbs_VERTEX, TopAbs_EDGE);
     return bounds;
 }
 

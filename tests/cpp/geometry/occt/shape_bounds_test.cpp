@@ -4,11 +4,14 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeHalfSpace.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRep_Builder.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
@@ -79,6 +82,15 @@ TEST(ShapeBox, FollowsTheLocation) {
 
 /// The region that was cut off a ball does not count: along the cut's normal the shape ends at the plane, and across it
 /// the edge is farthest where the plane passes the centre's far side.
+TEST(ShapeBox, LeavesOutEdgesOfNoFace) {
+    BRep_Builder builder;
+    TopoDS_Compound both;
+    builder.MakeCompound(both);
+    builder.Add(both, BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape());
+    builder.Add(both, BRepBuilderAPI_MakeEdge(gp_Pnt(-50.0, 0.0, 0.0), gp_Pnt(90.0, 0.0, 0.0)).Edge());
+    expect_box(both, Vec3::Zero(), Vec3(1.0, 2.0, 3.0));
+}
+
 TEST(ShapeBox, CountsOnlyWhatIsInsideTheFace) {
     const gp_Pln plane(gp_Pnt(0.0, 0.0, 1.0), gp::DZ());
     const TopoDS_Shape above =
