@@ -875,6 +875,98 @@
         <source>Why it has facets, where it has</source>
         <translation>Warum er Facetten hat, falls er welche hat</translation>
     </message>
+    <message>
+        <source>By how much longer edges of tetrahedra get for each length of distance from the walls: 0.1 is slow, 0.8 is fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate of the plane of symmetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faces of the part that get layers; none named: all. Layers end in the faces beside them, which must be planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For each wall the share of its area with all layers, and the height of the first one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Groups of the mesh that are of no face of the part: the fluid and the far field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the layer on the wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times as high each layer is as the one before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times the largest dimension of the part the far field is away from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kinds of elements, and the number of each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest angle between a face and the line through the centres beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest skewness of a face, as OpenFOAM measures it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least scaled Jacobian of prisms and tetrahedra</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest edges of triangles on the far field; unless given, a fifth of its distance; 0: by distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Max. deviation of the surface from the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of layers of prisms on the walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of volume elements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers of the nodes of pyramids, which FreeCAD&apos;s files do not hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of it with layers at least 0.95 times as high as asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the area of the walls with all layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The half-space of the fluid, whose plane is one of symmetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the faces of the source were like when the walls were last right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the fluid is: the part itself, or the space around it in a box or a sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -5206,6 +5298,242 @@
         <source>{phrase}, and {count} triangles are too many facets: simplify the mesh to at most {count2}</source>
         <translation>{phrase}, und {count} Dreiecke sind zu viele Facetten: vereinfachen Sie das Netz auf höchstens {count2}</translation>
     </message>
+    <message>
+        <source>air of 20 °C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>water of 20 °C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First height for a y+</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use this height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the free flow, or the mean one in a duct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished">Länge</translation>
+    </message>
+    <message>
+        <source>Of the wall along the flow; of a duct its diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fluid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y+</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the centre of the first cell: 1 where the solver resolves the layer at the wall, 30 and more with wall functions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}, as on a flat plate with a Reynolds number of {1}. Check the y+ that the solver finds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a patch to the walls ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patches of this mesh, and of other meshes of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counting cells ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About {} cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than {} cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By how much longer edges of tetrahedra get for each length of distance from the walls: 0.1 is slow, 0.8 is fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate of the plane of symmetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance in sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges far away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faces of the part that get layers; none named: all. Layers end in the faces beside them, which must be planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Far field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Growth inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Growth of layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the layer on the wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times as high each layer is as the one before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times the largest dimension of the part the far field is away from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest edges of triangles on the far field; unless given, a fifth of its distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of layers of prisms on the walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plane at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first height for a y+ needs a speed and a length above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The half-space of the fluid, whose plane is one of symmetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the fluid is: the part itself, or the space around it in a box or a sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wall names {value}, but {name} does not hold that: select it again in the 3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wall names {value}, but {name} has faces Face1 to {face}: take it out or name another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>around, box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>around, sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layers cover {number} % of the walls, and {number2} % with the height that was asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layers do not cover all of 1 wall: {list}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layers do not cover all of {count} walls: {list}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>non-orthogonality up to {number}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{face} of the walls may be another face after the edit: choose the walls anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{face} {number} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} flow mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>
@@ -5512,10 +5840,21 @@ Zuerst eine oder mehrere Formen wählen.</translation>
         <translation>OpenFOAM-Fall...</translation>
     </message>
     <message>
-        <source>Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it
+        <source>Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it, or finds the cells of a flow mesh
 Select one mesh first.</source>
-        <translation>Schreibt einen Ordner, in dem OpenFOAM den Raum im gewählten Netz oder um es herum vernetzt
-Zuerst ein Netz wählen.</translation>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_FlowMesh</name>
+    <message>
+        <source>Fill the selected solid, or the space around it, for flow solvers, with layers of prisms on walls
+Select one or more solids first, or faces of one that are walls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flow mesh...</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ... import flow_phrases, phrases
 from ..measures import table_of_elements
 from .first_height import FirstHeight
 
@@ -70,6 +71,12 @@ class VolumeReport:
         return {**vars(self), "heights": list(self.heights), "walls": [dict(vars(wall)) for wall in self.walls],
                 "notes": list(self.notes)}
 
+    def figures(self):
+        """Texts of what a line about the mesh tells."""
+        yield phrases.counted(flow_phrases.CELLS, sum(self.elements.values()))
+        yield phrases.Text(flow_phrases.COVERED, number=percent(self.covered), number2=percent(self.full_height))
+        yield phrases.Text(flow_phrases.NON_ORTHOGONAL, number=f"{self.max_non_orthogonality:.3g}")
+
     def __str__(self):
         counts = ", ".join(f"{count:,} {kind}{'s' if kind != 'tetrahedron' else ''}" for kind, count in self.elements.items())
         counts = counts.replace("tetrahedron", "tetrahedra")
@@ -84,6 +91,11 @@ class VolumeReport:
                   f"{self.max_non_orthogonality:.4g}°, skewness up to {self.max_skewness:.4g}",
                   f"accuracy     the surface deviates by at most {self.chord_height:.3g} mm from the shape"]
         return "\n".join([*lines, *(f"note         {note}" for note in self.notes)]) + "\n"
+
+
+def percent(share):
+    """As many percent, never 100 where something is missing."""
+    return "100" if share >= 1.0 else f"{min(100.0 * share, 99.9):.3g}"
 
 
 def coverage_of(surface, layers, first_height):

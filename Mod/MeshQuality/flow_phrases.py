@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is said of meshes for flows in documents; a part of the table of phrases. Imports nothing of FreeCAD."""
+
+NO_WALL = "a wall names {value}, but {name} has faces Face1 to {face}: take it out or name another one"
+WALL_ELSEWHERE = "a wall names {value}, but {name} does not hold that: select it again in the 3D view"
+WALL_LOST = "{face} of the walls may be another face after the edit: choose the walls anew"
+COVERED = "layers cover {number} % of the walls, and {number2} % with the height that was asked for"
+ON_WALL = "{face} {number} %"
+NOT_COVERED = ("layers do not cover all of 1 wall: {list}", "layers do not cover all of {count} walls: {list}")
+CELLS = ("1 cell", "{count} cells")
+NON_ORTHOGONAL = "non-orthogonality up to {number}°"
+NEEDS_NUMBERS = "The first height for a y+ needs a speed and a length above 0"
+TEXTS = (NO_WALL, WALL_ELSEWHERE, WALL_LOST, COVERED, ON_WALL, *NOT_COVERED, *CELLS, NON_ORTHOGONAL, NEEDS_NUMBERS)
