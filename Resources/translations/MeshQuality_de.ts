@@ -877,95 +877,95 @@
     </message>
     <message>
         <source>By how much longer edges of tetrahedra get for each length of distance from the walls: 0.1 is slow, 0.8 is fast</source>
-        <translation type="unfinished"></translation>
+        <translation>Um wie viel länger Kanten von Tetraedern je Länge des Abstands von den Wänden werden: 0.1 ist langsam, 0.8 schnell</translation>
     </message>
     <message>
         <source>Coordinate of the plane of symmetry</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate der Symmetrieebene</translation>
     </message>
     <message>
         <source>Faces of the part that get layers; none named: all. Layers end in the faces beside them, which must be planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen des Teils, die Schichten bekommen; keine genannt: alle. Schichten enden in den Flächen daneben, die eben sein müssen</translation>
     </message>
     <message>
         <source>For each wall the share of its area with all layers, and the height of the first one</source>
-        <translation type="unfinished"></translation>
+        <translation>Für jede Wand der Anteil ihrer Fläche mit allen Schichten und die Höhe der ersten</translation>
     </message>
     <message>
         <source>Groups of the mesh that are of no face of the part: the fluid and the far field</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppen des Netzes, die zu keiner Fläche des Teils gehören: das Fluid und das Fernfeld</translation>
     </message>
     <message>
         <source>Height of the layer on the wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe der Schicht an der Wand</translation>
     </message>
     <message>
         <source>How many times as high each layer is as the one before it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wievielmal so hoch jede Schicht ist wie die vorige</translation>
     </message>
     <message>
         <source>How many times the largest dimension of the part the far field is away from it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele größte Abmessungen des Teils das Fernfeld von ihm entfernt ist</translation>
     </message>
     <message>
         <source>Kinds of elements, and the number of each</source>
-        <translation type="unfinished"></translation>
+        <translation>Arten von Elementen und ihre Anzahl</translation>
     </message>
     <message>
         <source>Largest angle between a face and the line through the centres beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Winkel zwischen der Normale einer Seite und der Linie durch die Mitten daneben</translation>
     </message>
     <message>
         <source>Largest skewness of a face, as OpenFOAM measures it</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Schiefe einer Seite, wie OpenFOAM sie misst</translation>
     </message>
     <message>
         <source>Least scaled Jacobian of prisms and tetrahedra</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste skalierte Jacobi-Determinante von Prismen und Tetraedern</translation>
     </message>
     <message>
         <source>Longest edges of triangles on the far field; unless given, a fifth of its distance; 0: by distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Längste Kanten von Dreiecken auf dem Fernfeld; wenn nicht angegeben, ein Fünftel seines Abstands; 0: nach Abstand</translation>
     </message>
     <message>
         <source>Max. deviation of the surface from the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Max. Abweichung der Oberfläche vom Teil</translation>
     </message>
     <message>
         <source>Number of layers of prisms on the walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Schichten von Prismen an den Wänden</translation>
     </message>
     <message>
         <source>Number of nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Knoten</translation>
     </message>
     <message>
         <source>Number of volume elements</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Volumenelemente</translation>
     </message>
     <message>
         <source>Numbers of the nodes of pyramids, which FreeCAD&apos;s files do not hold</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummern der Knoten von Pyramiden, die FreeCADs Dateien nicht enthalten</translation>
     </message>
     <message>
         <source>Share of it with layers at least 0.95 times as high as asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil davon mit Schichten, die mindestens 0,95-mal so hoch sind wie verlangt</translation>
     </message>
     <message>
         <source>Share of the area of the walls with all layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Fläche der Wände mit allen Schichten</translation>
     </message>
     <message>
         <source>The half-space of the fluid, whose plane is one of symmetry</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Halbraum des Fluids, dessen Ebene eine Symmetrieebene ist</translation>
     </message>
     <message>
         <source>What the faces of the source were like when the walls were last right</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Flächen der Quelle waren, als die Wände zuletzt stimmten</translation>
     </message>
     <message>
         <source>Where the fluid is: the part itself, or the space around it in a box or a sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das Fluid ist: im Teil selbst oder im Raum darum in einem Quader oder einer Kugel</translation>
     </message>
 </context>
 <context>
@@ -5300,239 +5300,243 @@
     </message>
     <message>
         <source>air of 20 °C</source>
-        <translation type="unfinished"></translation>
+        <translation>Luft von 20 °C</translation>
     </message>
     <message>
         <source>water of 20 °C</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser von 20 °C</translation>
     </message>
     <message>
         <source>First height for a y+</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste Höhe für ein y+</translation>
     </message>
     <message>
         <source>Use this height</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Höhe verwenden</translation>
     </message>
     <message>
         <source>Of the free flow, or the mean one in a duct</source>
-        <translation type="unfinished"></translation>
+        <translation>Der freien Strömung oder die mittlere in einem Kanal</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished">Länge</translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>Of the wall along the flow; of a duct its diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Wand längs der Strömung; eines Kanals sein Durchmesser</translation>
     </message>
     <message>
         <source>Fluid</source>
-        <translation type="unfinished"></translation>
+        <translation>Fluid</translation>
     </message>
     <message>
         <source>y+</source>
-        <translation type="unfinished"></translation>
+        <translation>y+</translation>
     </message>
     <message>
         <source>Of the centre of the first cell: 1 where the solver resolves the layer at the wall, 30 and more with wall functions</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Mitte der ersten Zelle: 1, wo der Löser die Grenzschicht auflöst, 30 und mehr mit Wandfunktionen</translation>
     </message>
     <message>
         <source>{0}, as on a flat plate with a Reynolds number of {1}. Check the y+ that the solver finds.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, wie an einer ebenen Platte mit einer Reynolds-Zahl von {1}. Prüfen Sie das y+, das der Löser findet.</translation>
     </message>
     <message>
         <source>Add a patch to the walls ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Patch zu den Wänden ...</translation>
     </message>
     <message>
         <source>Patches of this mesh, and of other meshes of the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Patches dieses Netzes und anderer Netze des Teils</translation>
     </message>
     <message>
         <source>Counting cells ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen werden gezählt ...</translation>
     </message>
     <message>
         <source>{} cells</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Zellen</translation>
     </message>
     <message>
         <source>About {} cells</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa {} Zellen</translation>
     </message>
     <message>
         <source>More than {} cells</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr als {} Zellen</translation>
     </message>
     <message>
         <source>1 cell</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Zelle</translation>
     </message>
     <message>
         <source>By how much longer edges of tetrahedra get for each length of distance from the walls: 0.1 is slow, 0.8 is fast</source>
-        <translation type="unfinished"></translation>
+        <translation>Um wie viel länger Kanten von Tetraedern je Länge des Abstands von den Wänden werden: 0.1 ist langsam, 0.8 schnell</translation>
     </message>
     <message>
         <source>Coordinate of the plane of symmetry</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate der Symmetrieebene</translation>
     </message>
     <message>
         <source>Distance in sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand in Größen</translation>
     </message>
     <message>
         <source>Edges far away</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten in der Ferne</translation>
     </message>
     <message>
         <source>Faces of the part that get layers; none named: all. Layers end in the faces beside them, which must be planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen des Teils, die Schichten bekommen; keine genannt: alle. Schichten enden in den Flächen daneben, die eben sein müssen</translation>
     </message>
     <message>
         <source>Far field</source>
-        <translation type="unfinished"></translation>
+        <translation>Fernfeld</translation>
     </message>
     <message>
         <source>First height</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste Höhe</translation>
     </message>
     <message>
         <source>Growth inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Wachstum innen</translation>
     </message>
     <message>
         <source>Growth of layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Wachstum der Schichten</translation>
     </message>
     <message>
         <source>Height of the layer on the wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe der Schicht an der Wand</translation>
     </message>
     <message>
         <source>How many times as high each layer is as the one before it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wievielmal so hoch jede Schicht ist wie die vorige</translation>
     </message>
     <message>
         <source>How many times the largest dimension of the part the far field is away from it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele größte Abmessungen des Teils das Fernfeld von ihm entfernt ist</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten</translation>
     </message>
     <message>
         <source>Longest edges of triangles on the far field; unless given, a fifth of its distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Längste Kanten von Dreiecken auf dem Fernfeld; wenn nicht angegeben, ein Fünftel seines Abstands</translation>
     </message>
     <message>
         <source>Number of layers of prisms on the walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Schichten von Prismen an den Wänden</translation>
     </message>
     <message>
         <source>Plane at</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebene bei</translation>
     </message>
     <message>
         <source>Symmetry</source>
-        <translation type="unfinished"></translation>
+        <translation>Symmetrie</translation>
     </message>
     <message>
         <source>The first height for a y+ needs a speed and a length above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Die erste Höhe für ein y+ braucht eine Geschwindigkeit und eine Länge über 0</translation>
     </message>
     <message>
         <source>The half-space of the fluid, whose plane is one of symmetry</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Halbraum des Fluids, dessen Ebene eine Symmetrieebene ist</translation>
     </message>
     <message>
         <source>Walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Wände</translation>
     </message>
     <message>
         <source>Where the fluid is: the part itself, or the space around it in a box or a sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das Fluid ist: im Teil selbst oder im Raum darum in einem Quader oder einer Kugel</translation>
     </message>
     <message>
         <source>a wall names {value}, but {name} does not hold that: select it again in the 3D view</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Wand nennt {value}, aber {name} enthält das nicht: wählen Sie es in der 3D-Ansicht neu</translation>
     </message>
     <message>
         <source>a wall names {value}, but {name} has faces Face1 to {face}: take it out or name another one</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Wand nennt {value}, aber {name} hat die Flächen Face1 bis {face}: nehmen Sie sie heraus oder nennen Sie eine andere</translation>
     </message>
     <message>
         <source>all faces</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Flächen</translation>
     </message>
     <message>
         <source>around, box</source>
-        <translation type="unfinished"></translation>
+        <translation>außen, Quader</translation>
     </message>
     <message>
         <source>around, sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>außen, Kugel</translation>
     </message>
     <message>
         <source>by distance</source>
-        <translation type="unfinished"></translation>
+        <translation>nach Abstand</translation>
     </message>
     <message>
         <source>layers cover {number} % of the walls, and {number2} % with the height that was asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten bedecken {number} % der Wände, {number2} % in der verlangten Höhe</translation>
     </message>
     <message>
         <source>layers do not cover all of 1 wall: {list}</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten bedecken 1 Wand nicht ganz: {list}</translation>
     </message>
     <message>
         <source>layers do not cover all of {count} walls: {list}</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten bedecken {count} Wände nicht ganz: {list}</translation>
     </message>
     <message>
         <source>non-orthogonality up to {number}°</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichtorthogonalität bis {number}°</translation>
     </message>
     <message>
         <source>x above</source>
-        <translation type="unfinished"></translation>
+        <translation>x darüber</translation>
     </message>
     <message>
         <source>x below</source>
-        <translation type="unfinished"></translation>
+        <translation>x darunter</translation>
     </message>
     <message>
         <source>y above</source>
-        <translation type="unfinished"></translation>
+        <translation>y darüber</translation>
     </message>
     <message>
         <source>y below</source>
-        <translation type="unfinished"></translation>
+        <translation>y darunter</translation>
     </message>
     <message>
         <source>z above</source>
-        <translation type="unfinished"></translation>
+        <translation>z darüber</translation>
     </message>
     <message>
         <source>z below</source>
-        <translation type="unfinished"></translation>
+        <translation>z darunter</translation>
     </message>
     <message>
         <source>{count} cells</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Zellen</translation>
     </message>
     <message>
         <source>{face} of the walls may be another face after the edit: choose the walls anew</source>
-        <translation type="unfinished"></translation>
+        <translation>{face} der Wände kann nach der Änderung eine andere Fläche sein: wählen Sie die Wände neu</translation>
     </message>
     <message>
         <source>{face} {number} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{face} {number} %</translation>
     </message>
     <message>
         <source>{name} flow mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} Strömungsnetz</translation>
+    </message>
+    <message>
+        <source>in the part</source>
+        <translation>im Teil</translation>
     </message>
 </context>
 <context>
@@ -5842,7 +5846,8 @@ Zuerst eine oder mehrere Formen wählen.</translation>
     <message>
         <source>Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it, or finds the cells of a flow mesh
 Select one mesh first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Ordner schreiben, in dem OpenFOAM den Raum im gewählten Netz oder um es herum vernetzt oder die Zellen eines Strömungsnetzes findet
+Wählen Sie zuerst ein Netz.</translation>
     </message>
 </context>
 <context>
@@ -5850,11 +5855,12 @@ Select one mesh first.</source>
     <message>
         <source>Fill the selected solid, or the space around it, for flow solvers, with layers of prisms on walls
 Select one or more solids first, or faces of one that are walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den gewählten Körper oder den Raum um ihn für Strömungslöser füllen, mit Schichten von Prismen an Wänden
+Wählen Sie zuerst einen oder mehrere Körper oder Flächen eines Körpers, die Wände sind.</translation>
     </message>
     <message>
         <source>Flow mesh...</source>
-        <translation type="unfinished"></translation>
+        <translation>Strömungsnetz...</translation>
     </message>
 </context>
 <context>

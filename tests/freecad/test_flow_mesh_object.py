@@ -149,7 +149,7 @@ class FlowMeshObject(helpers.DocumentTest):
     def test_cells_are_expected_by_the_surface(self):
         shape = Part.makeCylinder(5, 20)
         for values in ({"layers": 1, "first_height": 0.05, "max_edge": 1.5}, {"layers": 1, "first_height": 0.1, "max_edge": 3.0, "growth_inside": 0.8},
-                       {"layers": 3, "first_height": 0.1, "max_edge": 3.0, "far_field": "box:2"}):
+                       {"layers": 3, "first_height": 0.1, "max_edge": 3.0, "far_field": "box:2", "growth_inside": 0.8}):
             made = sum(mq.volume_mesh(shape, **values).report.elements.values())
             told, whole = expected_cells(shape, 50_000, **values)
             self.assertTrue(whole)

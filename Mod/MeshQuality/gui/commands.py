@@ -12,8 +12,8 @@ from ..core.curving import holds_elements
 from ..core.inspect.deviation import has_points
 from ..core.sources import convert, frames
 from ..errors import Error
-from ..features import (adapted_mesh, boolean, cam_mesh, cfd, cured_mesh, curved_mesh, deviation, export, fem_mesh, flow_mesh, hollow, improved_mesh, inspection, mesh_object,
-                        offset, quality_mesh, repaired_mesh, simplified_mesh, wrap)
+from ..features import (adapted_mesh, boolean, cam_mesh, cfd, cured_mesh, curved_mesh, deviation, export, fem_mesh, flow_mesh, hollow, improved_mesh, inspection,
+                        mesh_object, offset, quality_mesh, repaired_mesh, simplified_mesh, wrap)
 from . import help_pages, quality_data, saving
 from .panel_operation import Operation, name_of
 from .panels import quality_panel

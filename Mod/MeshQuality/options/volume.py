@@ -32,7 +32,7 @@ FLOW = (
     Option("walls", list, None, group="Layers", title="Walls", unset="all faces",
            help="Faces of the part that get layers; none named: all. Layers end in the faces beside them, which must be planes"),
     Option("far_field", str, NONE, choices=(NONE, *FAR_FIELDS), group="Far field", title="Flow",
-           choice_titles=("inside", "around, box", "around, sphere"),
+           choice_titles=("in the part", "around, box", "around, sphere"),
            help="Where the fluid is: the part itself, or the space around it in a box or a sphere"),
     Option("far_distance", float, 5.0, low=0.5, high=1000.0, above=False, group="Far field", title="Distance in sizes", only_with=_AROUND,
            help="How many times the largest dimension of the part the far field is away from it"),
