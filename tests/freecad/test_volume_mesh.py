@@ -96,6 +96,22 @@ class VolumeMeshes(helpers.DocumentTest):
                 np.testing.assert_allclose(mesh.nodes[sides[faces == face]][..., 2], height, atol=1e-5)
         self.assertAlmostEqual(np.median(self.first_heights(mesh)), 0.05, delta=0.002)
 
+    def test_a_step_to_the_tetrahedra_is_told_with_what_removes_it(self):
+        region, given = Part.makeBox(10, 8, 6), {"first_height": 0.02, "growth_rate": 1.4, "max_edge": 1.5}
+        told = next(note for note in mq.volume_mesh(region, 2, **given).report.notes if note.startswith("the last layer is 0.028 mm high"))
+        layers = int(re.search(r"(\d+) layers would end", told)[1])
+        notes = mq.volume_mesh(region, layers, **given).report.notes
+        self.assertFalse([note for note in notes if note.startswith("the last layer")])
+        told = mq.volume_mesh(region, 2, **{**given, "growth_rate": 1.0}).report.notes
+        self.assertTrue([note for note in told if note.endswith("give a larger growth_rate, or shorter edges")])
+
+    def test_edges_inside_grow_as_asked(self):
+        counts = [len(mq.volume_mesh(Part.makeBox(10, 8, 6), 1, 0.05, max_edge=1.0, growth_inside=growth).tetrahedra) for growth in (0.1, 0.3, 0.8)]
+        self.assertGreater(counts[0], 1.5 * counts[1])
+        self.assertGreater(counts[1], 1.5 * counts[2])
+        with self.assertRaisesRegex(mq.InvalidInput, "growth_inside"):
+            mq.volume_mesh(Part.makeBox(1, 1, 1), 1, 0.05, growth_inside=0.0)
+
     def test_a_pipe_bend(self):
         mesh = mq.volume_mesh(pipe_bend(), layers=5, first_height=0.03, growth_rate=1.3, walls=["Face1"], max_edge=1.5)
         self.assert_sound(mesh)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What came of the layers of a volume mesh."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +10,8 @@ from ... import flow_phrases, phrases
 from ..measures import table_of_elements
 from .first_height import FirstHeight
 
+_LOW = 0.1  # of the edges on the walls: last layers that are lower are told of
+_MOST_LAYERS = 100  # as the option has it
 _FULL = 0.95  # share of the height that was asked for from which on it counts as reached
 
 
@@ -123,12 +126,26 @@ def report_of(mesh, surface, layers, values, heights, chord_height):
     walls, covered, full = coverage_of(surface, layers, values["first_height"])
     notes = [f"{wall.face} has layers on {wall.covered:.1%} of its area only: elsewhere they would be lower than a fifth of what was asked "
              "for, or invalid, or not end in the face beside it" for wall in walls if wall.covered < 1.0]
+    notes += _step_note(surface, values, heights[-1])
     notes += [str(values["first_height"])] if isinstance(values["first_height"], FirstHeight) else []
     notes += [f"the layers on {wall.face} are lower than asked for on {wall.covered - wall.full_height:.1%} of its area, the first one "
               f"{wall.least_height:.3g} mm at least" for wall in walls if wall.covered - wall.full_height > 0.0005]
     return VolumeReport(values["layers"], float(values["first_height"]), values["growth_rate"], tuple(heights.tolist()), dict(table.kinds),
                         len(mesh.nodes), walls, covered, full, _volume(mesh), table.worst("scaled_jacobian")[1],
                         table.worst("non_orthogonality")[1], table.worst("skewness")[1], chord_height, tuple(notes))
+
+
+def _step_note(surface, values, last):
+    """[a sentence] where the last layer is so low that solvers interpolate poorly between it and the tetrahedra on it."""
+    corners = surface.points[surface.triangles[surface.is_wall]]
+    edge = float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean())
+    if last >= _LOW * edge:
+        return []
+    growth, wanted = values["growth_rate"], 2.0 * _LOW * edge
+    layers = values["layers"] + math.ceil(math.log(wanted / last) / math.log(growth)) if growth > 1.0 else 0
+    remedy = f"{layers} layers would end at {wanted:.2g} mm" if 0 < layers <= _MOST_LAYERS else "give a larger growth_rate, or shorter edges"
+    return [f"the last layer is {last:.3g} mm high where edges are {edge:.3g} mm long, so that elements grow at once by a factor of {edge / last:.0f}: "
+            + remedy]
 
 
 def _areas(points, triangles):
