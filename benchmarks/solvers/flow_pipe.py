@@ -2,7 +2,7 @@
 """A laminar flow in a straight pipe by OpenFOAM's simpleFoam on meshes of volume_mesh, against Hagen and Poiseuille.
 
     freecadcmd -P <root>/Mod benchmarks/solvers/flow_pipe.py </dev/null
-Needs simpleFoam (Debian: openfoam). EDGES="2.5 1.7 1.2": mm, of the meshes; SCHEME=linear: how OpenFOAM interpolates at faces, in place of
+Needs simpleFoam (Debian: openfoam). EDGES="2.5 1.7 1.2": mm, of the meshes; SCHEME=linear: of gradients and of the convected velocity, in place of
 pointLinear; GROWTH=0.8: growth_inside, in place of 0.3. A line each.
 
 Pipe of radius 5 mm and length 40 mm, Reynolds number 100. The parabola of the developed flow enters. The pressure falls by 8 nu Q / (pi R^4)
@@ -45,7 +45,7 @@ TEXTS = {
 gradSchemes {{ default Gauss {SCHEME}; }}
 divSchemes {{ default none; div(phi,U) bounded Gauss {SCHEME}; div((nuEff*dev2(T(grad(U))))) Gauss linear; }}
 laplacianSchemes {{ default Gauss linear corrected; }}
-interpolationSchemes {{ default {SCHEME}; }}
+interpolationSchemes {{ default linear; }}
 snGradSchemes {{ default corrected; }}
 """,
     "system/fvSolution": HEAD.format("dictionary", "fvSolution") + "solvers {\n    p { solver GAMG; smoother GaussSeidel; tolerance 1e-12; relTol "

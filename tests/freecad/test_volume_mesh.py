@@ -274,6 +274,8 @@ class VolumeFiles(helpers.DocumentTest):
         self.assertTrue((inner < neighbour).all())
         self.assertTrue((np.diff(inner * (neighbour.max() + 1) + neighbour) > 0).all())  # upper-triangular order
         self.assertEqual(re.findall(r"type (\w+)", read["boundary"]), ["patch", "patch", "wall"])
+        with open(os.path.join(folder, "system", "fvSchemes"), encoding="utf-8") as stream:
+            self.assertIn("gradSchemes { default Gauss pointLinear; }", stream.read())
         if not shutil.which("checkMesh"):
             self.skipTest("checkMesh is missing: Debian's package openfoam has it")
         said = subprocess.run(["checkMesh"], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, timeout=300).stdout
