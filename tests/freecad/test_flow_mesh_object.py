@@ -137,11 +137,44 @@ class FlowMeshObject(helpers.DocumentTest):
                     texts.append(sorted(stream.read().replace(";", " ").split()))
         self.assertEqual([word for word in texts[0] if not word.isdigit()], [word for word in texts[1] if not word.isdigit()])
 
+    def test_walls_in_a_container(self):
+        box, group = self.document.addObject("Part::Box", "Box"), self.document.addObject("App::Part", "Group")
+        group.addObject(box)
+        group.Placement.Base = Vector(0, 0, 50)
+        self.document.recompute()
+        obj = self.added(group, walls=["Box.Face1"], patches={"wall": ["Box.Face1"]})
+        self.assertEqual((obj.Walls, obj.Coverage[0][:12]), (["Box.Face1"], "Face1: 100 %"))
+        self.assertEqual(flow_mesh.volume_mesh_of(obj).patch_types, {"wall": "wall", **{f"Face{i}": "patch" for i in range(2, 7)}})
+        box.Length = 12
+        self.document.recompute()
+        self.assertAlmostEqual(obj.MeshVolume.Value, box.Shape.Volume, delta=0.01)
+
+    def test_copies_links_and_undo(self):
+        obj = mq.add_flow_mesh(self.part(wedge(20)), 3, 0.05, max_edge=1.5)
+        count = obj.Elements
+        copy = self.document.copyObject(obj, False)
+        self.document.recompute()
+        self.assertEqual((copy.FemMesh.VolumeCount, copy.Source), (count, obj.Source))
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject, link.LinkPlacement = obj, FreeCAD.Placement(Vector(0, 0, 7), FreeCAD.Rotation())
+        self.document.recompute()
+        self.assertAlmostEqual(flow_mesh.volume_mesh_of(link).nodes[:, 2].min(), 7.0)
+        self.document.UndoMode = 1
+        mq.update(obj, layers=2)
+        self.assertNotEqual(obj.Elements, count)
+        self.document.undo()
+        with self.assertRaisesRegex(mq.InvalidInput, "out of date"):  # FreeCAD does not bring back the mesh
+            flow_mesh.volume_mesh_of(obj)
+        obj.touch()
+        self.document.recompute()
+        self.assertEqual((obj.Layers, obj.Elements, flow_mesh.volume_mesh_of(obj).prisms.shape[0] % 3), (3, count, 0))
+
     def test_what_is_refused(self):
         source = self.pipe()
         for values, words in (({"walls": ["Face9"]}, "a wall names Face9, but 'Pipe' has faces Face1 to Face3"),
                               ({"walls": "Face1"}, "give a list of faces"), ({"far_field": "cone"}, "far_field"),
-                              ({"walls": ["Face2"]}, "Face1 is not plane"), ({"patches": {"inlet": ["Face7"]}}, "Face7")):
+                              ({"walls": ["Face2"]}, "Face1 is not plane"), ({"patches": {"inlet": ["Face7"]}}, "Face7"),
+                              ({"patches": {"fluid": ["Face2"]}}, "patch 'fluid' has the name of a group"), ({"patch_rest": "xMin"}, "patch 'xMin'")):
             with self.subTest(values), self.assertRaisesRegex(mq.InvalidInput, words):
                 self.added(source, **values)
             self.assertEqual(self.document.Objects, [source])

@@ -6,7 +6,7 @@ from functools import partial
 import FreeCAD
 import numpy as np
 
-from .. import flow_phrases, options, phrases
+from .. import flow_phrases, options, phrases, solid_phrases
 from ..core.certify import verdict
 from ..core.elements import kinds
 from ..core.elements.assembly import Content
@@ -15,6 +15,7 @@ from ..core.meshes.element_mesh import ElementMesh
 from ..core.patches.patches import Patches, division_of
 from ..core.sources import convert, frames
 from ..core.volumes import volume_mesh as volumes
+from ..core.volumes.far_field import FAR_NAMES
 from ..core.volumes.volume_report import percent
 from ..errors import InvalidInput
 from . import fem_groups, fem_mesh, mesh_object, properties, transactions
@@ -74,6 +75,13 @@ class FlowMeshObject(fem_mesh.FemMeshObject):
         """The fem_mesh.Result."""
         mesh = volumes.volume_mesh(shape, **arguments_of(values), progress=progress)
         return fem_mesh.Result(fem.elements_of_mesh(mesh), _Proof(mesh, walls))
+
+    def require_patch_names(self, names):
+        """As in the base class; nor may they be called as the fluid or a face of a far field."""
+        super().require_patch_names(names)
+        wrong = next((name for name in names if name in (volumes.REGION, *FAR_NAMES)), None)
+        if wrong is not None:
+            raise InvalidInput(phrases.Text(phrases.PATCH_LIKE_GROUP, name=repr(wrong)))
 
     def take(self, obj, result):
         """As in the base class; which groups are none of the part's faces has to be known before patches become groups."""
@@ -155,7 +163,7 @@ def _largest_bare(mesh, names):
 def _line_of(wall):
     if not wall.covered:
         return f"{wall.face}: 0 %"
-    return f"{wall.face}: {percent(wall.covered)} %, {percent(wall.full_height)} % as high as asked for, first layer {wall.least_height:.4g} mm at least"
+    return f"{wall.face}: {percent(wall.covered)} %, {percent(wall.full_height)} % as high as asked for, first layer at least {wall.least_height:.4g} mm"
 
 
 def arguments_of(values):
@@ -176,9 +184,11 @@ def is_flow_mesh(obj):
 
 def volume_mesh_of(source):
     """The VolumeMesh, without a report and the numbers of layers, that an object of add_flow_mesh holds, or a link to one, where
-    that stands: patches are those of set_patches, else each face by its own name.
+    that stands: patches are those of set_patches, else each face by its own name. Raises InvalidInput where its mesh is not the one of its report.
     """
     obj = frames.linked_of(source)[0]
+    if obj.FemMesh.VolumeCount != obj.Elements:  # after undo, which does not bring back the FemMesh
+        raise InvalidInput(phrases.Text(solid_phrases.OUTDATED, name=f"'{obj.Label}'"))
     mesh = ElementMesh.of(source)
     members = mesh.group_members
     region, far = next(name for name in obj.GivenGroups if _is_solid(mesh, members[name])), set(obj.GivenGroups)
@@ -194,14 +204,12 @@ def volume_mesh_of(source):
                 left[name].append((block, free))
     names = [name for name, parts in left.items() if parts]
     renumbered = np.array([names.index(name) if name in names else -1 for name in left], dtype=np.int32)
-    walls = set(obj.Walls) or {name for name in faces if name not in far}
-    on_walls = _elements_of(members, walls)
+    on_walls = _elements_of(members, [line.partition(":")[0] for line in obj.Coverage])  # by the names of groups
     types = {name: "wall" if _elements_of(left, [name]) <= on_walls else "symmetry" if name.startswith("symmetry") else "patch"
              for name in names}
     for block, each in enumerate(blocks):
         if kinds.DIMENSION[each.kind] == 2:
-            patch = renumbered[patch_of[block]]
-            blocks[block] = each._replace(geometry=patch)
+            blocks[block] = each._replace(geometry=renumbered[patch_of[block]])
     division = division_of({name: [] for name in names})._replace(patch_of={i: i for i in range(len(names))})
     content = Content(mesh.nodes, tuple(blocks), {region: members[region], **{name: tuple(left[name]) for name in names}}, ())
     return volumes.VolumeMesh(content, None, Patches(division.names, division.colours, None, True, division), types)
@@ -224,7 +232,7 @@ def add_flow_mesh(source, layers, first_height, patches=None, patch_rest=None, *
                   as for set_patches
     values        growth_rate, walls, min_angle, chord_height, chord_height_relative, max_edge and local_sizes as for volume_mesh, walls as
                   names of faces; far_field: "none" (the part is the fluid), "box" or "sphere", far_distance: as many sizes of the part
-                  away from it; symmetry: "none", "x>", "x<", ... "z<", the side of the fluid, symmetry_at: mm; far_edge
+                  away from it; symmetry: "none", "x>", "x<", ... "z<", the side of the fluid, symmetry_at: mm; far_edge and growth_inside as there
 
     Its property FemMesh has the elements, with a group for each face of the part and of the far field, for each patch, and for the
     fluid. export_mesh writes it into files, write_openfoam_case into a case. After an edit of the source walls are found again.
@@ -238,6 +246,7 @@ def add_flow_mesh(source, layers, first_height, patches=None, patch_rest=None, *
     def begin(obj):
         fem_mesh.put_into(None, obj, source)
         if patches is not None or patch_rest is not None:
+            obj.Proxy.require_patch_names([*(patches or ()), *filter(None, (patch_rest,))])
             give_patches(obj, obj.Proxy.faces(obj), patches, patch_rest)
 
     return transactions.add_of_source(FlowMeshObject, source, {"layers": layers, "first_height": first_height, **values}, "FlowMesh",

@@ -25,7 +25,7 @@ from .marching import marching_of
 from .volume_report import report_of
 
 _PLANE = 2e-6  # share of the size: how far from a plane the points of a plane face are, which are single-precision numbers
-_REGION = "fluid"
+REGION = "fluid"  # the group of the volume elements
 _METRES = 0.001
 _USUAL_GROWTH = 0.8  # of edges by the distance from the surface, where the factor of fill_surface is 1
 _TETRAHEDRA = 2.0  # over the growth inside: tetrahedra on a triangle of the surface, where there is room for them; see _expected_inside
@@ -328,11 +328,11 @@ def _mesh_of(surface, layers, points, tetrahedra, patches):
     used = np.unique(np.concatenate([rows.ravel() for rows in solid.values()]))
     number = np.full(len(points), -1, dtype=np.int32)
     number[used] = np.arange(len(used))
-    names = [_REGION, *patches.names]
+    names = [REGION, *patches.names]
     blocks, members = [], {name: [] for name in names}
     for kind, rows in solid.items():
         if len(rows):
-            members[_REGION].append((len(blocks), np.arange(len(rows), dtype=np.int32)))
+            members[REGION].append((len(blocks), np.arange(len(rows), dtype=np.int32)))
             zero = np.zeros(len(rows), dtype=np.int32)
             blocks.append(ElementBlock(kind, 1, number[rows], zero, zero.copy()))
     patch_of = np.full(int(surface.face.max()) + 1, -1, dtype=np.int32)

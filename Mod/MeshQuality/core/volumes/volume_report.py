@@ -144,8 +144,7 @@ def _step_note(surface, values, last):
     growth, wanted = values["growth_rate"], 2.0 * _LOW * edge
     layers = values["layers"] + math.ceil(math.log(wanted / last) / math.log(growth)) if growth > 1.0 else 0
     remedy = f"{layers} layers would end at {wanted:.2g} mm" if 0 < layers <= _MOST_LAYERS else "give a larger growth_rate, or shorter edges"
-    return [f"the last layer is {last:.3g} mm high where edges are {edge:.3g} mm long, so that elements grow at once by a factor of {edge / last:.0f}: "
-            + remedy]
+    return [f"the last layer is {last:.3g} mm high, and edges are {edge:.3g} mm long, {edge / last:.0f} times as much: elements grow at once there; {remedy}"]
 
 
 def _areas(points, triangles):
