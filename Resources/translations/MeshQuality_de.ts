@@ -5538,6 +5538,30 @@
         <source>in the part</source>
         <translation>im Teil</translation>
     </message>
+    <message>
+        <source>no valid layers were found: give thinner ones, or a finer surface by max_edge</source>
+        <translation>es wurden keine gültigen Schichten gefunden: geben Sie dünnere an oder eine feinere Oberfläche durch eine kürzere längste Kante</translation>
+    </message>
+    <message>
+        <source>the surface of the solid is not closed, or touches itself along an edge: repair the solid</source>
+        <translation>die Oberfläche des Körpers ist nicht geschlossen oder berührt sich an einer Kante selbst: reparieren Sie den Körper</translation>
+    </message>
+    <message>
+        <source>{face} is not plane, but beside walls: layers cannot end in it; make it a wall, too</source>
+        <translation>{face} ist nicht eben, liegt aber neben Wänden: Schichten können darin nicht enden; machen Sie sie auch zur Wand</translation>
+    </message>
+    <message>
+        <source>{face}: nowhere on it do layers of {length} fit, not even a fifth as high, and end in the faces beside it: give fewer or thinner layers, a finer surface by local_sizes, or leave it out of walls</source>
+        <translation>{face}: nirgends darauf passen Schichten von {length}, auch nicht ein Fünftel so hohe, die in den Flächen daneben enden: geben Sie weniger oder dünnere Schichten an, eine feinere Oberfläche durch lokale Größen, oder lassen Sie sie bei den Wänden weg</translation>
+    </message>
+    <message>
+        <source>{face}: the layers are {length} thick, but the gap there is {length2} at most: give fewer or thinner layers</source>
+        <translation>{face}: die Schichten sind {length} dick, aber der Spalt dort ist höchstens {length2}: geben Sie weniger oder dünnere Schichten an</translation>
+    </message>
+    <message>
+        <source>{name} has {count} solids, not one: the fluid must be a single solid; unite several, or make one of the faces; for the flow around them give far_field</source>
+        <translation>{name} hat {count} Körper statt eines: das Fluid muss ein einziger Körper sein; vereinigen Sie mehrere oder machen Sie einen aus den Flächen; für die Strömung um sie geben Sie ein Fernfeld an</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>

@@ -5,10 +5,11 @@ import os
 
 import numpy as np
 
-from ... import options
+from ... import flow_phrases, options
 from ...compat import extension
 from ...errors import Cancelled, GeometryError, InvalidInput
 from ...listing import Public
+from ...phrases import Text
 from ..elements import conformity, kinds
 from ..elements.assembly import Content, ElementBlock
 from ..inspect.thickness import thickness
@@ -204,8 +205,7 @@ def _one_solid(shape, symmetry, far_edge):
         raise InvalidInput(f"{alone} is of a far field: give far_field, too, or leave it out")
     solids = convert.shape_of(shape).countElement("Solid")
     if solids != 1:
-        raise InvalidInput(f"{convert.label_of(shape)} has {solids} solids, not one: the fluid must be a single solid; unite several, or "
-                           "make one of the faces; for the flow around them give far_field")
+        raise InvalidInput(Text(flow_phrases.ONE_SOLID, name=convert.label_of(shape), count=str(solids)))
     return shape
 
 
@@ -240,7 +240,7 @@ def _surface_of(mesh, region, chosen):
     edges = np.sort(np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
     _, counts = np.unique(edges, axis=0, return_counts=True)
     if not mesh.report.closed or (counts != 2).any():
-        raise GeometryError("the surface of the solid is not closed, or touches itself along an edge: repair the solid")
+        raise GeometryError(Text(flow_phrases.OPEN_REGION))
     is_wall = np.ones(len(triangles), dtype=bool) if chosen is None else np.isin(face, sorted(chosen))
     return Surface(np.array(mesh.vertices) + mesh.origin, triangles, face, is_wall, far)
 
@@ -261,7 +261,7 @@ def _plane_normals(surface):
         if np.ptp(surface.points[np.unique(rows)] @ normal) <= _PLANE * size:
             found[surface.face == face] = normal
         elif at_walls[rows].any():
-            raise InvalidInput(f"{surface.name_of(face)} is not plane, but beside walls: layers cannot end in it; make it a wall, too")
+            raise InvalidInput(Text(flow_phrases.NOT_PLANE, face=surface.name_of(face)))
     return found
 
 
@@ -280,7 +280,7 @@ def _filled(mesh, surface, values, patches, progress):
     _require_room(surface, gap, heights.sum())
     layers = layers_of(surface, marching, heights, gap, _checker(progress))
     if layers is None:
-        raise GeometryError("no valid layers were found: give thinner ones, or a finer surface by max_edge")
+        raise GeometryError(Text(flow_phrases.NO_LAYERS))
     _require_some(surface, layers, heights.sum())
     points, tetrahedra = _inside(layers, values["growth_inside"], part_of(progress, 0.5, 0.95))
     made = _mesh_of(surface, layers, points, tetrahedra, patches)
@@ -301,15 +301,13 @@ def _require_room(surface, gap, total):
     for face in np.unique(surface.face[surface.is_wall]).tolist():
         widest = gap[surface.face == face].max()
         if total > widest:
-            raise InvalidInput(f"{surface.name_of(face)}: the layers are {total:.4g} mm thick, but the gap there is {widest:.4g} mm at most: "
-                               "give fewer or thinner layers")
+            raise InvalidInput(Text(flow_phrases.TOO_THICK, face=surface.name_of(face), length=f"{total:.4g} mm", length2=f"{widest:.4g} mm"))
 
 
 def _require_some(surface, layers, total):
     for face in np.unique(surface.face[surface.is_wall]).tolist():
         if not layers.share[surface.triangles[surface.face == face]].any():
-            raise InvalidInput(f"{surface.name_of(face)}: nowhere on it do layers of {total:.4g} mm fit, not even a fifth as high, and end in the "
-                               "faces beside it: give fewer or thinner layers, a finer surface by local_sizes, or leave it out of walls")
+            raise InvalidInput(Text(flow_phrases.NOWHERE, face=surface.name_of(face), length=f"{total:.4g} mm"))
 
 
 def _inside(layers, growth, progress):
