@@ -176,6 +176,20 @@ class VolumeMeshes(helpers.DocumentTest):
             with self.assertRaisesRegex(mq.InvalidInput, words):
                 mq.volume_mesh(shape, **given)
 
+    def test_a_face_too_narrow_for_layers_is_named_in_the_report(self):
+        corners = [Vector(), Vector(10, 0, 0), Vector(10, 3, 0), Vector(0, 0.02, 0), Vector()]
+        region = Part.Face(Part.makePolygon(corners)).extrude(Vector(0, 0, 5))
+        blunt = next(f"Face{i}" for i, face in enumerate(region.Faces, 1) if abs(face.Area - 0.1) < 1e-6)
+        given = {"layers": 3, "first_height": 0.1, "max_edge": 1.0}
+        mesh = mq.volume_mesh(region, **given)
+        self.assert_sound(mesh)
+        bare = {wall.face: wall for wall in mesh.report.walls}[blunt]
+        self.assertEqual((bare.covered, bare.least_height), (0.0, None))
+        self.assertTrue(any(note.startswith(f"{blunt} has layers on 0.0%") for note in mesh.report.notes))
+        self.assertGreater(mesh.report.covered, 0.5)
+        with self.assertRaisesRegex(mq.InvalidInput, f"{blunt}: nowhere on it do layers"):
+            mq.volume_mesh(region, **given, walls=[f"Face{i}" for i in range(1, 7)])
+
     def test_cancelling(self):
         with self.assertRaises(mq.Cancelled):
             mq.volume_mesh(Part.makeBox(10, 8, 6), 3, 0.05, progress=lambda fraction, stage: fraction < 0.42)

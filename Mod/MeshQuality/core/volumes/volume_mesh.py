@@ -134,7 +134,7 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
     proven valid, and that all conform is checked.
 
     Raises InvalidInput for what is no single solid, for walls that are none of its faces, for a curved face in which layers would
-    end, and for layers that fit nowhere on a wall, naming it; GeometryError where the inside cannot be filled; TopologyError; Cancelled.
+    end, for layers that are thicker than a gap, and for layers that fit nowhere on a face that walls names, naming it; GeometryError where the inside cannot be filled; TopologyError; Cancelled.
     """
     options.require_callable(progress)
     asked = _Asked(shape, walls, patches, patch_rest, far_field, symmetry, {
@@ -143,7 +143,7 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
         "local_sizes": local_sizes, "far_edge": far_edge, "growth_inside": growth_inside})
     mesh = asked.triangulated(progress=part_of(progress, 0.0, 0.3))
     surface = _surface_of(mesh, asked.region, asked.chosen)
-    return _filled(mesh, surface, {**asked.values, "first_height": first_height},
+    return _filled(mesh, surface, {**asked.values, "first_height": first_height, "named": walls is not None},
                    patches_of(asked.division, surface.face, len(surface.triangles)), progress)
 
 
@@ -281,7 +281,7 @@ def _filled(mesh, surface, values, patches, progress):
     layers = layers_of(surface, marching, heights, gap, _checker(progress))
     if layers is None:
         raise GeometryError(Text(flow_phrases.NO_LAYERS))
-    _require_some(surface, layers, heights.sum())
+    _require_some(surface, layers, heights.sum(), values["named"])
     points, tetrahedra = _inside(layers, values["growth_inside"], part_of(progress, 0.5, 0.95))
     made = _mesh_of(surface, layers, points, tetrahedra, patches)
     _require_valid(made)
@@ -304,10 +304,14 @@ def _require_room(surface, gap, total):
             raise InvalidInput(Text(flow_phrases.TOO_THICK, face=surface.name_of(face), length=f"{total:.4g} mm", length2=f"{widest:.4g} mm"))
 
 
-def _require_some(surface, layers, total):
-    for face in np.unique(surface.face[surface.is_wall]).tolist():
-        if not layers.share[surface.triangles[surface.face == face]].any():
-            raise InvalidInput(Text(flow_phrases.NOWHERE, face=surface.name_of(face), length=f"{total:.4g} mm"))
+def _require_some(surface, layers, total, named):
+    """Raises InvalidInput naming a wall face without any layers: one that was named as a wall, or where all have none. The report names
+    others, such as the blunt trailing edge of a wing.
+    """
+    faces = np.unique(surface.face[surface.is_wall]).tolist()
+    bare = [face for face in faces if not layers.share[surface.triangles[surface.face == face]].any()]
+    if bare and (named or len(bare) == len(faces)):
+        raise InvalidInput(Text(flow_phrases.NOWHERE, face=surface.name_of(bare[0]), length=f"{total:.4g} mm"))
 
 
 def _inside(layers, growth, progress):
