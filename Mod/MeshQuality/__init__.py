@@ -50,6 +50,7 @@ Objects of the document, which follow what they are made of
     add_wrap            a closed surface around objects
     add_inspection      thickness, clearance, draft or voids of a solid, measured anew after each edit, against a limit
     add_deviation       a scan or mesh in the colours of its deviation from a part, measured anew after each edit
+    add_flow_mesh       a volume mesh with layers for a flow in or around a part
     add_cured_mesh      valid elements of a FEM mesh that another program made
     add_size_region     how long edges are in a solid, near faces, or in a wake: size_field= of meshes takes it
     update              gives such an object other options, and computes it
@@ -154,6 +155,7 @@ _LAZY = {
     "add_curved_mesh": "MeshQuality.features.curved_mesh",
     "add_fem_mesh": "MeshQuality.features.fem_mesh",
     "add_cured_mesh": "MeshQuality.features.cured_mesh",
+    "add_flow_mesh": "MeshQuality.features.flow_mesh",
     "add_boolean": "MeshQuality.features.boolean",
     "add_offset": "MeshQuality.features.offset",
     "add_hollow": "MeshQuality.features.hollow",

@@ -3,6 +3,6 @@
 FreeCAD."""
 
 LABELS = {word: f"{{name}} {word}" for word in (
-    "quality mesh", "curved mesh", "FEM mesh", "cured mesh", "improved", "simplified", "repaired", "inspection", "deviation", "offset", "hollow", "wrap",
+    "quality mesh", "curved mesh", "FEM mesh", "flow mesh", "cured mesh", "improved", "simplified", "repaired", "inspection", "deviation", "offset", "hollow", "wrap",
     "CFD surface", "CAM mesh", "solid", "union", "intersection", "difference", "symmetric difference", "adaptation")}
 TEXTS = tuple(LABELS.values())

@@ -17,7 +17,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from . import fault_phrases, label_phrases, report_phrases, solid_phrases
+from . import fault_phrases, flow_phrases, label_phrases, report_phrases, solid_phrases
 from .error_phrases import ERRORS as CORE_ERRORS
 from .note_phrases import NOTES
 from .stage_names import STAGES
@@ -217,7 +217,7 @@ ERRORS = (
     IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES, FEM_BESIDE, FEM_BESIDE_ANY,
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
     TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
-    *fault_phrases.TEXTS, *label_phrases.TEXTS, *report_phrases.TEXTS, *solid_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
+    *fault_phrases.TEXTS, *flow_phrases.TEXTS, *label_phrases.TEXTS, *report_phrases.TEXTS, *solid_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES, NO_TRIANGLES, NO_POINTS, POINTS_NO_NUMBERS, DEVIATION_OF_TWO, POINTS_NEEDED, NOT_ALIGNED, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
 # Errors of patches, files and cases for meshers of flows.

@@ -875,6 +875,98 @@
         <source>Why it has facets, where it has</source>
         <translation>Warum er Facetten hat, falls er welche hat</translation>
     </message>
+    <message>
+        <source>By how much longer edges of tetrahedra get for each length of distance from the walls: 0.1 is slow, 0.8 is fast</source>
+        <translation>Um wie viel länger Kanten von Tetraedern je Länge des Abstands von den Wänden werden: 0.1 ist langsam, 0.8 schnell</translation>
+    </message>
+    <message>
+        <source>Coordinate of the plane of symmetry</source>
+        <translation>Koordinate der Symmetrieebene</translation>
+    </message>
+    <message>
+        <source>Faces of the part that get layers; none named: all. Layers end in the faces beside them, which must be planes</source>
+        <translation>Flächen des Teils, die Schichten bekommen; keine genannt: alle. Schichten enden in den Flächen daneben, die eben sein müssen</translation>
+    </message>
+    <message>
+        <source>For each wall the share of its area with all layers, and the height of the first one</source>
+        <translation>Für jede Wand der Anteil ihrer Fläche mit allen Schichten und die Höhe der ersten</translation>
+    </message>
+    <message>
+        <source>Groups of the mesh that are of no face of the part: the fluid and the far field</source>
+        <translation>Gruppen des Netzes, die zu keiner Fläche des Teils gehören: das Fluid und das Fernfeld</translation>
+    </message>
+    <message>
+        <source>Height of the layer on the wall</source>
+        <translation>Höhe der Schicht an der Wand</translation>
+    </message>
+    <message>
+        <source>How many times as high each layer is as the one before it</source>
+        <translation>Wievielmal so hoch jede Schicht ist wie die vorige</translation>
+    </message>
+    <message>
+        <source>How many times the largest dimension of the part the far field is away from it</source>
+        <translation>Wie viele größte Abmessungen des Teils das Fernfeld von ihm entfernt ist</translation>
+    </message>
+    <message>
+        <source>Kinds of elements, and the number of each</source>
+        <translation>Arten von Elementen und ihre Anzahl</translation>
+    </message>
+    <message>
+        <source>Largest angle between a face and the line through the centres beside it</source>
+        <translation>Größter Winkel zwischen der Normale einer Seite und der Linie durch die Mitten daneben</translation>
+    </message>
+    <message>
+        <source>Largest skewness of a face, as OpenFOAM measures it</source>
+        <translation>Größte Schiefe einer Seite, wie OpenFOAM sie misst</translation>
+    </message>
+    <message>
+        <source>Least scaled Jacobian of prisms and tetrahedra</source>
+        <translation>Kleinste skalierte Jacobi-Determinante von Prismen und Tetraedern</translation>
+    </message>
+    <message>
+        <source>Longest edges of triangles on the far field; unless given, a fifth of its distance; 0: by distance</source>
+        <translation>Längste Kanten von Dreiecken auf dem Fernfeld; wenn nicht angegeben, ein Fünftel seines Abstands; 0: nach Abstand</translation>
+    </message>
+    <message>
+        <source>Max. deviation of the surface from the part</source>
+        <translation>Max. Abweichung der Oberfläche vom Teil</translation>
+    </message>
+    <message>
+        <source>Number of layers of prisms on the walls</source>
+        <translation>Anzahl der Schichten von Prismen an den Wänden</translation>
+    </message>
+    <message>
+        <source>Number of nodes</source>
+        <translation>Anzahl der Knoten</translation>
+    </message>
+    <message>
+        <source>Number of volume elements</source>
+        <translation>Anzahl der Volumenelemente</translation>
+    </message>
+    <message>
+        <source>Numbers of the nodes of pyramids, which FreeCAD&apos;s files do not hold</source>
+        <translation>Nummern der Knoten von Pyramiden, die FreeCADs Dateien nicht enthalten</translation>
+    </message>
+    <message>
+        <source>Share of it with layers at least 0.95 times as high as asked for</source>
+        <translation>Anteil davon mit Schichten, die mindestens 0,95-mal so hoch sind wie verlangt</translation>
+    </message>
+    <message>
+        <source>Share of the area of the walls with all layers</source>
+        <translation>Anteil der Fläche der Wände mit allen Schichten</translation>
+    </message>
+    <message>
+        <source>The half-space of the fluid, whose plane is one of symmetry</source>
+        <translation>Der Halbraum des Fluids, dessen Ebene eine Symmetrieebene ist</translation>
+    </message>
+    <message>
+        <source>What the faces of the source were like when the walls were last right</source>
+        <translation>Wie die Flächen der Quelle waren, als die Wände zuletzt stimmten</translation>
+    </message>
+    <message>
+        <source>Where the fluid is: the part itself, or the space around it in a box or a sphere</source>
+        <translation>Wo das Fluid ist: im Teil selbst oder im Raum darum in einem Quader oder einer Kugel</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -5206,6 +5298,270 @@
         <source>{phrase}, and {count} triangles are too many facets: simplify the mesh to at most {count2}</source>
         <translation>{phrase}, und {count} Dreiecke sind zu viele Facetten: vereinfachen Sie das Netz auf höchstens {count2}</translation>
     </message>
+    <message>
+        <source>air of 20 °C</source>
+        <translation>Luft von 20 °C</translation>
+    </message>
+    <message>
+        <source>water of 20 °C</source>
+        <translation>Wasser von 20 °C</translation>
+    </message>
+    <message>
+        <source>First height for a y+</source>
+        <translation>Erste Höhe für ein y+</translation>
+    </message>
+    <message>
+        <source>Use this height</source>
+        <translation>Diese Höhe verwenden</translation>
+    </message>
+    <message>
+        <source>Of the free flow, or the mean one in a duct</source>
+        <translation>Der freien Strömung oder die mittlere in einem Kanal</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Of the wall along the flow; of a duct its diameter</source>
+        <translation>Der Wand längs der Strömung; eines Kanals sein Durchmesser</translation>
+    </message>
+    <message>
+        <source>Fluid</source>
+        <translation>Fluid</translation>
+    </message>
+    <message>
+        <source>y+</source>
+        <translation>y+</translation>
+    </message>
+    <message>
+        <source>Of the centre of the first cell: 1 where the solver resolves the layer at the wall, 30 and more with wall functions</source>
+        <translation>Der Mitte der ersten Zelle: 1, wo der Löser die Grenzschicht auflöst, 30 und mehr mit Wandfunktionen</translation>
+    </message>
+    <message>
+        <source>{0}, as on a flat plate with a Reynolds number of {1}. Check the y+ that the solver finds.</source>
+        <translation>{0}, wie an einer ebenen Platte mit einer Reynolds-Zahl von {1}. Prüfen Sie das y+, das der Löser findet.</translation>
+    </message>
+    <message>
+        <source>Add a patch to the walls ...</source>
+        <translation>Ein Patch zu den Wänden ...</translation>
+    </message>
+    <message>
+        <source>Patches of this mesh, and of other meshes of the part</source>
+        <translation>Patches dieses Netzes und anderer Netze des Teils</translation>
+    </message>
+    <message>
+        <source>Counting cells ...</source>
+        <translation>Zellen werden gezählt ...</translation>
+    </message>
+    <message>
+        <source>{} cells</source>
+        <translation>{} Zellen</translation>
+    </message>
+    <message>
+        <source>About {} cells</source>
+        <translation>Etwa {} Zellen</translation>
+    </message>
+    <message>
+        <source>More than {} cells</source>
+        <translation>Mehr als {} Zellen</translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>By how much longer edges of tetrahedra get for each length of distance from the walls: 0.1 is slow, 0.8 is fast</source>
+        <translation>Um wie viel länger Kanten von Tetraedern je Länge des Abstands von den Wänden werden: 0.1 ist langsam, 0.8 schnell</translation>
+    </message>
+    <message>
+        <source>Coordinate of the plane of symmetry</source>
+        <translation>Koordinate der Symmetrieebene</translation>
+    </message>
+    <message>
+        <source>Distance in sizes</source>
+        <translation>Abstand in Größen</translation>
+    </message>
+    <message>
+        <source>Edges far away</source>
+        <translation>Kanten in der Ferne</translation>
+    </message>
+    <message>
+        <source>Faces of the part that get layers; none named: all. Layers end in the faces beside them, which must be planes</source>
+        <translation>Flächen des Teils, die Schichten bekommen; keine genannt: alle. Schichten enden in den Flächen daneben, die eben sein müssen</translation>
+    </message>
+    <message>
+        <source>Far field</source>
+        <translation>Fernfeld</translation>
+    </message>
+    <message>
+        <source>First height</source>
+        <translation>Erste Höhe</translation>
+    </message>
+    <message>
+        <source>Growth inside</source>
+        <translation>Wachstum innen</translation>
+    </message>
+    <message>
+        <source>Growth of layers</source>
+        <translation>Wachstum der Schichten</translation>
+    </message>
+    <message>
+        <source>Height of the layer on the wall</source>
+        <translation>Höhe der Schicht an der Wand</translation>
+    </message>
+    <message>
+        <source>How many times as high each layer is as the one before it</source>
+        <translation>Wievielmal so hoch jede Schicht ist wie die vorige</translation>
+    </message>
+    <message>
+        <source>How many times the largest dimension of the part the far field is away from it</source>
+        <translation>Wie viele größte Abmessungen des Teils das Fernfeld von ihm entfernt ist</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Longest edges of triangles on the far field; unless given, a fifth of its distance</source>
+        <translation>Längste Kanten von Dreiecken auf dem Fernfeld; wenn nicht angegeben, ein Fünftel seines Abstands</translation>
+    </message>
+    <message>
+        <source>Number of layers of prisms on the walls</source>
+        <translation>Anzahl der Schichten von Prismen an den Wänden</translation>
+    </message>
+    <message>
+        <source>Plane at</source>
+        <translation>Ebene bei</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>The first height for a y+ needs a speed and a length above 0</source>
+        <translation>Die erste Höhe für ein y+ braucht eine Geschwindigkeit und eine Länge über 0</translation>
+    </message>
+    <message>
+        <source>The half-space of the fluid, whose plane is one of symmetry</source>
+        <translation>Der Halbraum des Fluids, dessen Ebene eine Symmetrieebene ist</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>Wände</translation>
+    </message>
+    <message>
+        <source>Where the fluid is: the part itself, or the space around it in a box or a sphere</source>
+        <translation>Wo das Fluid ist: im Teil selbst oder im Raum darum in einem Quader oder einer Kugel</translation>
+    </message>
+    <message>
+        <source>a wall names {value}, but {name} does not hold that: select it again in the 3D view</source>
+        <translation>eine Wand nennt {value}, aber {name} enthält das nicht: wählen Sie es in der 3D-Ansicht neu</translation>
+    </message>
+    <message>
+        <source>a wall names {value}, but {name} has faces Face1 to {face}: take it out or name another one</source>
+        <translation>eine Wand nennt {value}, aber {name} hat die Flächen Face1 bis {face}: nehmen Sie sie heraus oder nennen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>all faces</source>
+        <translation>alle Flächen</translation>
+    </message>
+    <message>
+        <source>around, box</source>
+        <translation>außen, Quader</translation>
+    </message>
+    <message>
+        <source>around, sphere</source>
+        <translation>außen, Kugel</translation>
+    </message>
+    <message>
+        <source>by distance</source>
+        <translation>nach Abstand</translation>
+    </message>
+    <message>
+        <source>layers cover {number} % of the walls, and {number2} % with the height that was asked for</source>
+        <translation>Schichten bedecken {number} % der Wände, {number2} % in der verlangten Höhe</translation>
+    </message>
+    <message>
+        <source>layers do not cover all of 1 wall: {list}</source>
+        <translation>Schichten bedecken 1 Wand nicht ganz: {list}</translation>
+    </message>
+    <message>
+        <source>layers do not cover all of {count} walls: {list}</source>
+        <translation>Schichten bedecken {count} Wände nicht ganz: {list}</translation>
+    </message>
+    <message>
+        <source>non-orthogonality up to {number}°</source>
+        <translation>Nichtorthogonalität bis {number}°</translation>
+    </message>
+    <message>
+        <source>x above</source>
+        <translation>x darüber</translation>
+    </message>
+    <message>
+        <source>x below</source>
+        <translation>x darunter</translation>
+    </message>
+    <message>
+        <source>y above</source>
+        <translation>y darüber</translation>
+    </message>
+    <message>
+        <source>y below</source>
+        <translation>y darunter</translation>
+    </message>
+    <message>
+        <source>z above</source>
+        <translation>z darüber</translation>
+    </message>
+    <message>
+        <source>z below</source>
+        <translation>z darunter</translation>
+    </message>
+    <message>
+        <source>{count} cells</source>
+        <translation>{count} Zellen</translation>
+    </message>
+    <message>
+        <source>{face} of the walls may be another face after the edit: choose the walls anew</source>
+        <translation>{face} der Wände kann nach der Änderung eine andere Fläche sein: wählen Sie die Wände neu</translation>
+    </message>
+    <message>
+        <source>{face} {number} %</source>
+        <translation>{face} {number} %</translation>
+    </message>
+    <message>
+        <source>{name} flow mesh</source>
+        <translation>{name} Strömungsnetz</translation>
+    </message>
+    <message>
+        <source>in the part</source>
+        <translation>im Teil</translation>
+    </message>
+    <message>
+        <source>no valid layers were found: give thinner ones, or a finer surface by max_edge</source>
+        <translation>es wurden keine gültigen Schichten gefunden: geben Sie dünnere an oder eine feinere Oberfläche durch eine kürzere längste Kante</translation>
+    </message>
+    <message>
+        <source>the surface of the solid is not closed, or touches itself along an edge: repair the solid</source>
+        <translation>die Oberfläche des Körpers ist nicht geschlossen oder berührt sich an einer Kante selbst: reparieren Sie den Körper</translation>
+    </message>
+    <message>
+        <source>{face} is not plane, but beside walls: layers cannot end in it; make it a wall, too</source>
+        <translation>{face} ist nicht eben, liegt aber neben Wänden: Schichten können darin nicht enden; machen Sie sie auch zur Wand</translation>
+    </message>
+    <message>
+        <source>{face}: nowhere on it do layers of {length} fit, not even a fifth as high, and end in the faces beside it: give fewer or thinner layers, a finer surface by local_sizes, or leave it out of walls</source>
+        <translation>{face}: nirgends darauf passen Schichten von {length}, auch nicht ein Fünftel so hohe, die in den Flächen daneben enden: geben Sie weniger oder dünnere Schichten an, eine feinere Oberfläche durch lokale Größen, oder lassen Sie sie bei den Wänden weg</translation>
+    </message>
+    <message>
+        <source>{face}: the layers are {length} thick, but the gap there is {length2} at most: give fewer or thinner layers</source>
+        <translation>{face}: die Schichten sind {length} dick, aber der Spalt dort ist höchstens {length2}: geben Sie weniger oder dünnere Schichten an</translation>
+    </message>
+    <message>
+        <source>{name} has {count} solids, not one: the fluid must be a single solid; unite several, or make one of the faces; for the flow around them give far_field</source>
+        <translation>{name} hat {count} Körper statt eines: das Fluid muss ein einziger Körper sein; vereinigen Sie mehrere oder machen Sie einen aus den Flächen; für die Strömung um sie geben Sie ein Fernfeld an</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>
@@ -5512,10 +5868,23 @@ Zuerst eine oder mehrere Formen wählen.</translation>
         <translation>OpenFOAM-Fall...</translation>
     </message>
     <message>
-        <source>Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it
+        <source>Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it, or finds the cells of a flow mesh
 Select one mesh first.</source>
-        <translation>Schreibt einen Ordner, in dem OpenFOAM den Raum im gewählten Netz oder um es herum vernetzt
-Zuerst ein Netz wählen.</translation>
+        <translation>Einen Ordner schreiben, in dem OpenFOAM den Raum im gewählten Netz oder um es herum vernetzt oder die Zellen eines Strömungsnetzes findet
+Wählen Sie zuerst ein Netz.</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_FlowMesh</name>
+    <message>
+        <source>Fill the selected solid, or the space around it, for flow solvers, with layers of prisms on walls
+Select one or more solids first, or faces of one that are walls.</source>
+        <translation>Den gewählten Körper oder den Raum um ihn für Strömungslöser füllen, mit Schichten von Prismen an Wänden
+Wählen Sie zuerst einen oder mehrere Körper oder Flächen eines Körpers, die Wände sind.</translation>
+    </message>
+    <message>
+        <source>Flow mesh...</source>
+        <translation>Strömungsnetz...</translation>
     </message>
 </context>
 <context>

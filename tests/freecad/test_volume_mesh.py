@@ -96,6 +96,22 @@ class VolumeMeshes(helpers.DocumentTest):
                 np.testing.assert_allclose(mesh.nodes[sides[faces == face]][..., 2], height, atol=1e-5)
         self.assertAlmostEqual(np.median(self.first_heights(mesh)), 0.05, delta=0.002)
 
+    def test_a_step_to_the_tetrahedra_is_told_with_what_removes_it(self):
+        region, given = Part.makeBox(10, 8, 6), {"first_height": 0.02, "growth_rate": 1.4, "max_edge": 1.5}
+        told = next(note for note in mq.volume_mesh(region, 2, **given).report.notes if note.startswith("the last layer is 0.028 mm high"))
+        layers = int(re.search(r"(\d+) layers would end", told)[1])
+        notes = mq.volume_mesh(region, layers, **given).report.notes
+        self.assertFalse([note for note in notes if note.startswith("the last layer")])
+        told = mq.volume_mesh(region, 2, **{**given, "growth_rate": 1.0}).report.notes
+        self.assertTrue([note for note in told if note.endswith("give a larger growth_rate, or shorter edges")])
+
+    def test_edges_inside_grow_as_asked(self):
+        counts = [len(mq.volume_mesh(Part.makeBox(10, 8, 6), 1, 0.05, max_edge=1.0, growth_inside=growth).tetrahedra) for growth in (0.1, 0.3, 0.8)]
+        self.assertGreater(counts[0], 1.5 * counts[1])
+        self.assertGreater(counts[1], 1.5 * counts[2])
+        with self.assertRaisesRegex(mq.InvalidInput, "growth_inside"):
+            mq.volume_mesh(Part.makeBox(1, 1, 1), 1, 0.05, growth_inside=0.0)
+
     def test_a_pipe_bend(self):
         mesh = mq.volume_mesh(pipe_bend(), layers=5, first_height=0.03, growth_rate=1.3, walls=["Face1"], max_edge=1.5)
         self.assert_sound(mesh)
@@ -159,6 +175,20 @@ class VolumeMeshes(helpers.DocumentTest):
                 (box, {"layers": 0, "first_height": 0.1}, "layers"), (box, {"layers": 3, "first_height": -1.0}, "first_height")):
             with self.assertRaisesRegex(mq.InvalidInput, words):
                 mq.volume_mesh(shape, **given)
+
+    def test_a_face_too_narrow_for_layers_is_named_in_the_report(self):
+        corners = [Vector(), Vector(10, 0, 0), Vector(10, 3, 0), Vector(0, 0.02, 0), Vector()]
+        region = Part.Face(Part.makePolygon(corners)).extrude(Vector(0, 0, 5))
+        blunt = next(f"Face{i}" for i, face in enumerate(region.Faces, 1) if abs(face.Area - 0.1) < 1e-6)
+        given = {"layers": 3, "first_height": 0.1, "max_edge": 1.0}
+        mesh = mq.volume_mesh(region, **given)
+        self.assert_sound(mesh)
+        bare = {wall.face: wall for wall in mesh.report.walls}[blunt]
+        self.assertEqual((bare.covered, bare.least_height), (0.0, None))
+        self.assertTrue(any(note.startswith(f"{blunt} has layers on 0.0%") for note in mesh.report.notes))
+        self.assertGreater(mesh.report.covered, 0.5)
+        with self.assertRaisesRegex(mq.InvalidInput, f"{blunt}: nowhere on it do layers"):
+            mq.volume_mesh(region, **given, walls=[f"Face{i}" for i in range(1, 7)])
 
     def test_cancelling(self):
         with self.assertRaises(mq.Cancelled):
@@ -258,6 +288,8 @@ class VolumeFiles(helpers.DocumentTest):
         self.assertTrue((inner < neighbour).all())
         self.assertTrue((np.diff(inner * (neighbour.max() + 1) + neighbour) > 0).all())  # upper-triangular order
         self.assertEqual(re.findall(r"type (\w+)", read["boundary"]), ["patch", "patch", "wall"])
+        with open(os.path.join(folder, "system", "fvSchemes"), encoding="utf-8") as stream:
+            self.assertIn("gradSchemes { default Gauss pointLinear; }", stream.read())
         if not shutil.which("checkMesh"):
             self.skipTest("checkMesh is missing: Debian's package openfoam has it")
         said = subprocess.run(["checkMesh"], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, timeout=300).stdout

@@ -178,6 +178,25 @@ class Pictures(gui_helpers.GuiTest):
         gui_helpers.wait(0.3)
         panel.section.grab().save(os.path.join(DOCS, "panel_section.png"))
 
+    def test_flow_mesh(self):
+        """A bend of a pipe, its layers in whole elements behind a cut."""
+        circle = Part.makeCircle(3, FreeCAD.Vector(12, 0, 0), FreeCAD.Vector(0, 1, 0))
+        source = self.document.addObject("Part::Feature", "Bend")
+        source.Shape = Part.Face(Part.Wire(circle)).revolve(FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 90)
+        self.document.recompute()
+        obj = mq.add_flow_mesh(source, 5, 0.1, growth_rate=1.3, max_edge=1.5, walls=["Face1"])
+        self.assertEqual(obj.Covered, 1.0)
+        panel = quality_panel.open_panel(obj)
+        self.addCleanup(lambda: panel.ended or panel.reject())
+        self.until(lambda: panel.values is not None)
+        panel.measures.setCurrentIndex(next(i for i, each in enumerate(panel.data.measures) if each.title.startswith("Scaled Jacobian")))
+        gui_helpers.wait(0.5)
+        self.until(lambda: panel.values is not None)
+        panel.section.on.setChecked(True)
+        panel.section.direction.setCurrentIndex(2)
+        panel.section.whole.setChecked(True)
+        self.picture("flow_mesh", DOCS)
+
     def test_to_solid(self):
         """The mesh of a hollow, and its solid with exact faces beside it."""
         source = self.document.addObject("Part::Feature", "Part")

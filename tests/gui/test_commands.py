@@ -290,8 +290,8 @@ class Commands(gui_helpers.PanelTest):
         curved = mq.add_curved_mesh(box)
         both = {"Offset", "Hollow", "CamMesh", "Wrap", "Inspect"}
         in_place = {"Analyse", "Patches", "Export", "SaveReport", "FlowCase", "CfdSurface"}  # of the mesh that is seen in place of the box
-        for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh", *both, *in_place}), ((), set()),
-                                 ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Simplify", "Deviation", "Update", *both}),
+        for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh", "FlowMesh", *both, *in_place}), ((), set()),
+                                 ((box, curved), {"Triangulate", "Curve", "FemMesh", "FlowMesh", "Boolean", "Improve", "Simplify", "Deviation", "Update", *both}),
                                  ((curved,), {"Improve", "Simplify", "Update", *in_place, *both})):
             self.select(*chosen)
             added = []

@@ -89,7 +89,7 @@ class Widths(gui_helpers.PanelTest):
                 (commands.Triangulate, sources[:1]), (commands.Curve, sources[:1]), (commands.FemMesh, sources[:1]),
                 (commands.Boolean, [net, other]), (commands.Improve, [net]), (commands.Simplify, [net]), (commands.Repair, [net]),
                 (commands.Offset, sources[:1]), (commands.Hollow, sources[:1]), (commands.Wrap, sources[:1]),
-                (commands.Inspect, sources[:1])):
+                (commands.Inspect, sources[:1]), (commands.FlowMesh, sources[:1])):
             with self.subTest(command.__name__):
                 panel = self.panel(command, *chosen)
                 try:

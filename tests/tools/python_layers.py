@@ -20,7 +20,7 @@ MAY_IMPORT = {
 # By module, or package with all below it, its layer. `scripts` is the package itself, as `import MeshQuality` has it.
 LAYER = {
     **dict.fromkeys(["charts", "html_page", "errors", "version", "listing", "compat", "files", "formats", "limits", "scratch", "options", "error_phrases",
-                     "fault_phrases", "label_phrases", "note_phrases", "report_phrases", "solid_phrases", "element_names", "phrases", "stage_names"], "foundation"),
+                     "fault_phrases", "flow_phrases", "label_phrases", "note_phrases", "report_phrases", "solid_phrases", "element_names", "phrases", "stage_names"], "foundation"),
     "core": "core",
     "features": "features",
     "": "scripts",

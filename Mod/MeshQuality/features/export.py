@@ -17,6 +17,7 @@ from ..core.sources import convert, frames
 from ..errors import Error, InvalidInput, IoError
 from ..phrases import Text
 from .cured_mesh import has_fem_mesh
+from .flow_mesh import is_flow_mesh, volume_mesh_of
 from .mesh_object import PatchedMesh, faces_of_runs
 from .patches import patches_of_object
 from .properties import options_of
@@ -119,7 +120,8 @@ def maker_of(obj, path, patches=None, patch_rest=None):
     if holds_fem_mesh(obj):
         if patches is not None or patch_rest is not None:
             raise InvalidInput(f"{convert.label_of(obj)} is a FEM mesh, whose groups are written: leave the patches out")
-        return partial(_as_it_is, ElementMesh.of(obj))
+        made = volume_mesh_of(obj) if is_flow_mesh(frames.linked_of(obj)[0]) else ElementMesh.of(obj)
+        return partial(_as_it_is, made)
     suffix = formats.known_suffix(os.path.splitext(path)[1], tuple(formats.FORMATS))
     curved = holds_elements(obj) and formats.FORMATS[suffix].curved
     make = taken_from(obj) if curved else _flat_maker(obj)

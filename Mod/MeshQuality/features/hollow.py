@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "Hollow": a wall that follows a solid of the document, with openings."""
 
-import json
-
 import FreeCAD
 import numpy as np
 
@@ -12,7 +10,8 @@ from ..core.certify import verdict
 from ..core.offsetting import run_hollow
 from ..core.sources import convert
 from ..errors import InvalidInput
-from . import face_matching, offset, transactions
+from . import offset, transactions
+from .chosen_faces import ChosenFaces, Said
 from .gui_hooks import window
 
 _OF_HOLLOW = (
@@ -21,6 +20,8 @@ _OF_HOLLOW = (
 )
 _FACES = ("OpeningFaces", "App::PropertyString",
           "What the faces of the source were like when the openings were last right: their kinds, areas and centres")
+
+_SAID = Said(phrases.OPENING_LOST, phrases.OPENING_ELSEWHERE, phrases.NO_OPENING)
 
 
 class HollowObject(offset.SolidMesh):
@@ -43,17 +44,17 @@ class HollowObject(offset.SolidMesh):
     @classmethod
     def compute(cls, given, values, progress):
         """The mesh and what belongs to it."""
-        mesh = run_hollow(given.operands, given.faces, values, progress)
+        mesh = run_hollow(given.operands, given.openings.faces, values, progress)
         return mesh, mesh.to_mesh(), verdict.of_boolean(mesh), given
 
     def take(self, obj, result):
         """Shows the mesh and its report, and the openings by their present names."""
-        finished, (mesh, *_, given) = super().take(obj, result), result
+        finished, mesh, openings = super().take(obj, result), result[0], result[-1].openings
         obj.HollowTriangles = int(np.count_nonzero(mesh.triangle_source[:, 0] == 1))
-        obj.HollowVolume = 0.0 if given.names else _volume_of(mesh)
-        obj.Openings, obj.OpeningFaces = given.names or [], given.described
-        obj.Notes = [*obj.Notes, *given.lost]
-        for sentence in given.lost:
+        obj.HollowVolume = 0.0 if openings.names else _volume_of(mesh)
+        obj.Openings, obj.OpeningFaces = openings.names or [], openings.described
+        obj.Notes = [*obj.Notes, *openings.lost]
+        for sentence in openings.lost:
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(sentence)}\n")
         return finished
 
@@ -77,65 +78,17 @@ def _volume_of(mesh):
 
 
 class _OpenGiven(offset.Given):
-    """The shape or the mesh of a source with openings.
-
-    names      of their faces, such as "Face3", or "Box.Face3" below a container; None: no openings
-    faces      the same as indices of the faces of the shape
-    described  what the faces are like, with the names, as text
-    lost       sentences about openings that an edit may have exchanged
-    """
+    """The shape or the mesh of a source with openings, ChosenFaces."""
 
     def __init__(self, source, names, before):
         super().__init__(source)
-        self.names, self.lost, self.faces, self.described = names, [], None, ""
-        if not names:
-            return
-        if not self.operands.is_shape(0):
+        if names and not self.operands.is_shape(0):
             raise InvalidInput(phrases.Text(phrases.OPENINGS_OF_MESH, name=convert.label_of(source)))
-        own = convert.own_shape_of(source)
-        faces = face_matching.described(own)
-        self.names, self.lost = _followed(names, before, faces)
-        self.faces = sorted({int(_face_of(source, name, len(own.Faces))[4:]) - 1 for name in self.names})
-        self.described = json.dumps({"names": self.names, "faces": faces})
+        self.openings = ChosenFaces(source, names, before, _SAID)
 
     def digest(self, values):
         """A hash by the present names of the openings."""
-        return super().digest({**values, "openings": self.faces})
-
-
-def _followed(names, before, now):
-    """(present names of the openings, sentences about those that are not found again).
-
-    before  the described text of the last result; openings that are others than there were chosen since
-    now     what the faces are like
-    """
-    try:
-        held = json.loads(before or "{}")
-        places = face_matching.followed(held["faces"], now) if held.get("names") == names else None
-        same = places is None
-    except (ValueError, KeyError, TypeError, IndexError, AttributeError):  # edited by hand
-        same = True
-    if same:
-        return names, []
-    found, lost = [], []
-    for name in names:
-        index = places.get(int(name[4:]) - 1) if "." not in name else None
-        if index is None and "." not in name:
-            lost.append(phrases.Text(phrases.OPENING_LOST, face=name))
-        found.append(name if index is None else f"Face{index + 1}")
-    return found, lost
-
-
-def _face_of(source, name, count):
-    """The name "Face12" that an opening has in the shape of the source, which has `count` faces."""
-    label = convert.label_of(source)
-    try:
-        plain, = convert.resolve_sizes(source, {name: 1.0})
-    except InvalidInput:
-        raise InvalidInput(phrases.Text(phrases.OPENING_ELSEWHERE, value=name, name=label)) from None
-    if int(plain[4:]) > count:
-        raise InvalidInput(phrases.Text(phrases.NO_OPENING, value=name, name=label, face=f"Face{count}"))
-    return plain
+        return super().digest({**values, "openings": self.openings.faces})
 
 
 def add_hollow(source, thickness, openings=None, tolerance=None):

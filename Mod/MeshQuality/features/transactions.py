@@ -44,7 +44,7 @@ def update(obj, progress=None, **values):
     """Brings a document object of this package up to date, with changed options; one undo step.
 
     obj       of add_quality_mesh, add_curved_mesh, add_fem_mesh, add_cured_mesh, add_boolean, add_repaired_mesh,
-              add_improved_mesh, add_simplified_mesh, add_offset, add_hollow, add_wrap, add_cam_mesh, add_inspection or add_deviation
+              add_improved_mesh, add_simplified_mesh, add_offset, add_hollow, add_wrap, add_cam_mesh, add_flow_mesh, add_inspection or add_deviation
     progress  callable(fraction 0..1, stage); returning False cancels
     values    options to change; the others stay as they are, but a bound on the distance replaces the
               one that was there
@@ -60,7 +60,7 @@ def update(obj, progress=None, **values):
     if not isinstance(proxy, MeshObject):
         raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
                            "add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_repaired_mesh, add_improved_mesh, "
-                           "add_simplified_mesh, add_offset, add_hollow, add_wrap, add_inspection or add_deviation")
+                           "add_simplified_mesh, add_offset, add_hollow, add_wrap, add_flow_mesh, add_inspection or add_deviation")
     table, sources = proxy.OPTIONS, proxy.sources(obj)
     before = options_of(obj, table)
     if values.get("size_field") is not None:
@@ -92,7 +92,7 @@ def set_patches(obj, patches, patch_rest=None):
     """Gives a mesh object named groups of the faces of its sources; one undo step. The mesh stays as it is.
 
     obj         of add_quality_mesh, add_curved_mesh, add_offset, add_hollow (triangles of the hollow are in the patch of the
-                face from which they are offset), add_wrap or add_fem_mesh, which has them as groups of its triangles
+                face from which they are offset), add_wrap, add_fem_mesh or add_flow_mesh, which have them as groups of their elements
     patches     {"inlet": ["Face1", "Face4"], ...}, or {"inlet": {"faces": [...], "colour": "#ff0000"}}; of a
                 container also "Box.Face1"; of a wrap "Box.Face1" by the name of the source, "Scan" of one that is a mesh,
                 and "gaps"; None: no patches
@@ -105,7 +105,7 @@ def set_patches(obj, patches, patch_rest=None):
         obj = frames.linked_of(obj)[0]
     if not isinstance(getattr(obj, "Proxy", None), PatchedMesh) or not obj.Proxy.has_faces(obj):
         raise InvalidInput(f"{convert.label_of(obj)} has no patches: give an object of add_quality_mesh, add_curved_mesh, "
-                           "add_fem_mesh, add_offset or add_hollow whose source is a shape, or of add_wrap")
+                           "add_fem_mesh, add_flow_mesh, add_offset or add_hollow whose source is a shape, or of add_wrap")
     obj.Proxy.require_patch_names([*(patches if isinstance(patches, dict) else ()), *filter(None, (patch_rest,))])
     with undo_step(obj.Document, f"Patches of {obj.Label}"):
         give_patches(obj, obj.Proxy.faces(obj), patches, patch_rest)

@@ -12,8 +12,8 @@ from ..core.curving import holds_elements
 from ..core.inspect.deviation import has_points
 from ..core.sources import convert, frames
 from ..errors import Error
-from ..features import (adapted_mesh, boolean, cam_mesh, cured_mesh, curved_mesh, deviation, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
-                        offset, quality_mesh, repaired_mesh, simplified_mesh, wrap)
+from ..features import (adapted_mesh, boolean, cam_mesh, cfd, cured_mesh, curved_mesh, deviation, export, fem_mesh, flow_mesh, hollow, improved_mesh, inspection,
+                        mesh_object, offset, quality_mesh, repaired_mesh, simplified_mesh, wrap)
 from . import help_pages, quality_data, saving
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
@@ -21,13 +21,14 @@ from .panels.adapt_panel import AdaptPanel
 from .panels.binary_panel import BinaryPanel
 from .panels.case_panel import CasePanel
 from .panels.export_panel import ExportPanel
+from .panels.flow_panel import FlowPanel
 from .panels.mesh_panel import MeshPanel
 from .panels.patches_panel import PatchesPanel
 from .panels.repair_panel import RepairPanel
 from .panels.solid_panel import SolidPanel
 from .selection import picked_faces
 from .translation import translated
-from .triangle_estimate import FemTrial, Trial
+from .triangle_estimate import FemTrial, FlowTrial, Trial
 from .update import update_in_background
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -139,6 +140,24 @@ class FemMesh(_Command):
         return [source for source in super().selected() if not fem_mesh.is_analysis(frames.leaf_of(source))]
 
 
+class FlowMesh(_Command):
+    KIND = flow_mesh.FlowMeshObject
+    NAME = KIND.COMMAND
+    TEXT = "Flow mesh"
+    TIP = "Fill the selected solid, or the space around it, for flow solvers, with layers of prisms on walls"
+    NEEDS = "Select one or more solids first, or faces of one that are walls."
+    KEYS = "Q, X"
+
+    def trial(self, sources):
+        return partial(FlowTrial, self.KIND, sources)
+
+    def panel(self, operations, **values):
+        return FlowPanel(operations, **values)
+
+    def operations(self, selected):
+        return _with_faces(self, selected, "walls")
+
+
 class Cure(_Command):
     KIND = cured_mesh.CuredMeshObject
     NAME = KIND.COMMAND
@@ -223,9 +242,7 @@ class Hollow(Offset):
     KEYS = "Q, H"
 
     def operations(self, selected):
-        faces = picked_faces(selected[0]) if len(selected) == 1 else []
-        return [Operation(self.TEXT, self.KIND, [source], chosen={"openings": faces} if faces else None)
-                for source in selected]
+        return _with_faces(self, selected, "openings")
 
 
 class Wrap(Boolean):
@@ -235,6 +252,13 @@ class Wrap(Boolean):
     TIP = "Close the outer surface of the selected objects, which may overlap, be open or have gaps, for flow simulations"
     NEEDS = "Select two or more objects first."
     KEYS = "Q, W"
+
+
+def _with_faces(command, selected, option):
+    """The operations of a command, of one object with the selected faces as a value of an option."""
+    faces = picked_faces(selected[0]) if len(selected) == 1 else []
+    return [Operation(command.TEXT, command.KIND, [source], command.trial([source]), chosen={option: faces} if faces else None)
+            for source in selected]
 
 
 class _OfOneMesh(_OfOne):
@@ -379,9 +403,12 @@ class FlowCase(_OfOneMesh):
     PANEL = CasePanel
     NAME = "MeshQuality_FlowCase"
     TEXT = "OpenFOAM case"
-    TIP = "Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it"
+    TIP = "Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it, or finds the cells of a flow mesh"
     NEEDS = "Select one mesh first."
     KEYS = "Q, O"
+
+    def selected(self):
+        return _if_one(lambda source: convert.is_mesh(source) or cfd.holds_cells(source))
 
 
 class CfdSurface(_OfOneMesh):
@@ -509,7 +536,7 @@ def _has_shape(source):
 # By task: the title of a submenu, or none, and its commands.
 _MENUS = (
     (QT_TRANSLATE_NOOP("Workbench", "Mesh"), (Triangulate, Quick, Curve, Boolean, Wrap)),
-    (QT_TRANSLATE_NOOP("Workbench", "Solve"), (FemMesh, Adapt, Cure, Patches, FlowCase, CfdSurface)),
+    (QT_TRANSLATE_NOOP("Workbench", "Solve"), (FemMesh, Adapt, Cure, FlowMesh, Patches, FlowCase, CfdSurface)),
     (QT_TRANSLATE_NOOP("Workbench", "Print"), (Offset, Hollow, CamMesh)),
     (QT_TRANSLATE_NOOP("Workbench", "Inspect"), (Analyse, Thickness, Inspect, Deviation)),
     (QT_TRANSLATE_NOOP("Workbench", "Repair"), (Repair, Improve, Simplify)),

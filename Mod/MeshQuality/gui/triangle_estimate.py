@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The estimate of how many triangles a quality mesh, or elements a FEM mesh, will have: it is tried."""
+"""The estimate of how many triangles a quality mesh, or elements a FEM mesh or a flow mesh, will have: it is tried."""
 
 import time
 
@@ -7,7 +7,9 @@ import FreeCAD
 
 from ..core.fem import fem_size
 from ..core.sources import convert
+from ..core.volumes.volume_mesh import expected_cells
 from ..errors import Cancelled
+from ..features.flow_mesh import arguments_of
 from .quantities import length_text
 
 translate = FreeCAD.Qt.translate
@@ -114,3 +116,34 @@ class FemTrial(_Moment):
         text = translate("MeshQuality", "{} elements, with edges up to {}") if all(trial.complete for trial in trials) \
             else translate("MeshQuality", "About {} elements, with edges up to {}")
         return text.format("{}", length_text(max(trial.length for trial in trials)))
+
+
+class FlowTrial(_Moment):
+    """The trial of a flow mesh; where a moment does not suffice, the number of cells is estimated by the triangles of its surface."""
+
+    def __init__(self, kind, sources, values, obj=None):
+        super().__init__(kind.work_on(sources, values, obj))
+        self._shape, self._resolved = convert.taken(convert.own_shape_of(sources[0])), self._work.resolved
+        self.count, self.complete, self.all = 0, False, True
+
+    def compute(self, progress):
+        """Fills `count`, `complete`, whether the count is exact, and `all`, whether it is not a bound; on any thread."""
+        self._result = self._for_a_moment(progress)
+        self.complete = self._result is not None
+        if self.complete:
+            self.count = sum(self._result.proof.report.elements.values())
+        else:
+            self.count, self.all = expected_cells(self._shape, _LIMIT, progress, **arguments_of(self._resolved))
+
+    @staticmethod
+    def begun():
+        """What is said while it runs."""
+        return translate("MeshQuality", "Counting cells ...")
+
+    @staticmethod
+    def words(trials):
+        """The text on the cells of all of these trials, with {} for their number."""
+        if all(trial.complete for trial in trials):
+            return translate("MeshQuality", "{} cells")
+        return translate("MeshQuality", "About {} cells") if all(trial.all for trial in trials) else \
+            translate("MeshQuality", "More than {} cells")

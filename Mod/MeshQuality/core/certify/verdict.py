@@ -119,13 +119,13 @@ def line(label, report, findings, say=str):
     """
     verdict = Text(_TARGETS[word(findings)], text=_joined(findings)) if findings else Text(phrases.ALL_MET)
     hint = f" {say(phrases.sentence(Text(phrases.OVERLAPS_HINT)))}" if getattr(report, "overlaps", 0) > 0 else ""
-    return f"{label}: {', '.join(map(say, _figures(report)))}; {say(verdict)}{hint}"
+    figures = map(say, getattr(report, "figures", lambda: _figures(report))())
+    return f"{label}: {', '.join(figures)}; {say(verdict)}{hint}"
 
 
 def _figures(report):
     """The figures of a MeshReport, BooleanReport or CurveReport in that line."""
-    curved = hasattr(report, "elements")
-    if curved:
+    if curved := hasattr(report, "elements"):
         yield counted_sentence(phrases.ELEMENTS, report.elements)
         yield Text(phrases.MAX_DISTORTION, number=_number(report.max_shape_distortion))
         yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.max_deviation)))

@@ -21,6 +21,7 @@ _SAME = 1e-5  # share of the part's size within which two places are the same
 SYMMETRY = "symmetry"  # what patches of that type are called
 _SPHERE_NAME = "farField"
 _SIDES = ("xMin", "xMax", "yMin", "yMax", "zMin", "zMax")
+FAR_NAMES = (SYMMETRY, _SPHERE_NAME, *_SIDES)
 
 
 @dataclass(frozen=True)

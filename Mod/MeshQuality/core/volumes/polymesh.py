@@ -30,7 +30,7 @@ def write_case(mesh, folder, scale, types, binary):
              "owner": ("labelList", listed(owner)), "neighbour": ("labelList", listed(neighbour)), "boundary": ("polyBoundaryMesh", boundary)}
     places = {os.path.join("constant", "polyMesh", name): _header(kind, name, binary and name != "boundary") + content
               for name, (kind, content) in files.items()}
-    places.update({os.path.join(*path.split("/")): text.encode() for path, text in openfoam_case.solver_texts().items()})
+    places.update({os.path.join(*path.split("/")): text.encode() for path, text in openfoam_case.solver_texts(openfoam_case.SKEW_SCHEMES).items()})
     for path, content in places.items():
         path = os.path.join(folder, path)
         try:

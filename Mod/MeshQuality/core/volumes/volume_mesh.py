@@ -5,10 +5,11 @@ import os
 
 import numpy as np
 
-from ... import options
+from ... import flow_phrases, options
 from ...compat import extension
 from ...errors import Cancelled, GeometryError, InvalidInput
 from ...listing import Public
+from ...phrases import Text
 from ..elements import conformity, kinds
 from ..elements.assembly import Content, ElementBlock
 from ..inspect.thickness import thickness
@@ -25,8 +26,10 @@ from .marching import marching_of
 from .volume_report import report_of
 
 _PLANE = 2e-6  # share of the size: how far from a plane the points of a plane face are, which are single-precision numbers
-_REGION = "fluid"
+REGION = "fluid"  # the group of the volume elements
 _METRES = 0.001
+_USUAL_GROWTH = 0.8  # of edges by the distance from the surface, where the factor of fill_surface is 1
+_TETRAHEDRA = 2.0  # over the growth inside: tetrahedra on a triangle of the surface, where there is room for them; see _expected_inside
 
 
 class VolumeMesh(ElementMesh, metaclass=Public):
@@ -105,7 +108,7 @@ class VolumeMesh(ElementMesh, metaclass=Public):
 
 def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_angle=25.0, chord_height=None,
                 chord_height_relative=None, max_edge=None, local_sizes=None, patches=None, patch_rest=None, far_field=None,
-                symmetry=None, far_edge=None, progress=None):
+                symmetry=None, far_edge=None, growth_inside=0.3, progress=None):
     """Fills a solid, the region of a flow, or the space around a part with layers of prisms on the walls and tetrahedra
     -> VolumeMesh.
 
@@ -122,6 +125,7 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
                   sphere, Far1, Far2, ... of a solid: patches by these names unless patches has them
     symmetry      the half-space of the fluid, "y>0" or "z>-2.5" (mm), in whose plane a box or a sphere ends in the patch symmetry
     far_edge      mm, longest edges of triangles on the far field; None: a fifth of its distance
+    growth_inside by how much longer edges of tetrahedra get for each length of distance from the surface that layers leave, 0.02 to 2
     progress      callable(fraction 0..1, stage); returning False cancels
 
     Vertices march by the direction from which all of their walls are seen best. Layers get lower than asked for where elements
@@ -130,29 +134,68 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
     proven valid, and that all conform is checked.
 
     Raises InvalidInput for what is no single solid, for walls that are none of its faces, for a curved face in which layers would
-    end, and for layers that fit nowhere on a wall, naming it; GeometryError where the inside cannot be filled; TopologyError; Cancelled.
+    end, for layers that are thicker than a gap, and for layers that fit nowhere on a face that walls names, naming it; GeometryError where the inside cannot be filled; TopologyError; Cancelled.
     """
     options.require_callable(progress)
-    values = options.check(options.volume.VOLUME, {
+    asked = _Asked(shape, walls, patches, patch_rest, far_field, symmetry, {
         "layers": layers, "first_height": first_height, "growth_rate": growth_rate, "min_angle": min_angle,
         "chord_height": chord_height, "chord_height_relative": chord_height_relative, "max_edge": max_edge,
-        "local_sizes": local_sizes, "far_edge": far_edge})
-    for name in ("layers", "first_height"):
-        if not values[name]:
-            raise InvalidInput(f"{name} = {values[name]!r}: it must be given, above 0")
-    if far_field is not None:
-        region = region_around(shape, far_field, symmetry, values["far_edge"])
-        division = region.division(shape, patches, patch_rest)
-        chosen = _walls_of(shape, walls, division) or set(range(region.count))
-        surface_values = region.sizes(values, shape)
-    else:
-        region, division = None, division_for(shape, patches, patch_rest)
-        chosen, surface_values = _walls_of(_one_solid(shape, symmetry, values["far_edge"]), walls, division), values
-    sizes = {name: surface_values[name] for name in (option.name for option in options.volume.SURFACE)}
-    mesh = triangulate(shape if region is None else region.shape, **sizes, progress=part_of(progress, 0.0, 0.3))
-    surface = _surface_of(mesh, region, chosen)
-    return _filled(mesh, surface, {**values, "first_height": first_height}, patches_of(division, surface.face, len(surface.triangles)),
-                   progress)
+        "local_sizes": local_sizes, "far_edge": far_edge, "growth_inside": growth_inside})
+    mesh = asked.triangulated(progress=part_of(progress, 0.0, 0.3))
+    surface = _surface_of(mesh, asked.region, asked.chosen)
+    return _filled(mesh, surface, {**asked.values, "first_height": first_height, "named": walls is not None},
+                   patches_of(asked.division, surface.face, len(surface.triangles)), progress)
+
+
+def expected_cells(shape, most, progress=None, walls=None, far_field=None, symmetry=None, **values):
+    """(about how many elements volume_mesh makes of a shape with these options, whether that is all): an estimate by the triangles
+    of the surface, of which at most `most` are made. Raises what volume_mesh raises of its arguments.
+    """
+    asked = _Asked(shape, walls, None, None, far_field, symmetry, values)
+    mesh = asked.triangulated(max_triangles=most, progress=progress)
+    face = np.asarray(mesh.triangle_face)
+    face = face if asked.region is None else asked.region.origin[face]
+    on_walls = len(face) if asked.chosen is None else int(np.isin(face, sorted(asked.chosen)).sum())
+    return round(asked.values["layers"] * on_walls + _expected_inside(mesh, asked.values["growth_inside"])), mesh.report.complete
+
+
+def _expected_inside(mesh, growth):
+    """About how many tetrahedra a SurfaceMesh gets. Edges that grow from h by g for each mm of depth make 2 / g of them in the column below
+    a triangle, less those below the depth, which is volume over area: (h / (h + g depth))^2 of them. Within 10 % on a box, a slab and
+    a pipe, growth 0.3 and 0.8; 30 % too few around a pin in a box.
+    """
+    a, b, c = mesh.vertices[mesh.triangles].transpose(1, 0, 2).astype(np.float64)
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2.0
+    edge, depth = np.sqrt(area * 4.0 / np.sqrt(3.0)), abs(mesh.report.volume) / area.sum()
+    return float((_TETRAHEDRA / growth * (1.0 - (edge / (edge + growth * depth)) ** 2)).sum())
+
+
+class _Asked:
+    """What volume_mesh is asked for, checked.
+
+    values    the options; region: the Region around a part, or None
+    division  of the patches; chosen: indices of the faces that are walls, None: all
+    """
+
+    def __init__(self, shape, walls, patches, patch_rest, far_field, symmetry, values):
+        self.values = values = options.check(options.volume.VOLUME, values)
+        for name in ("layers", "first_height"):
+            if not values[name]:
+                raise InvalidInput(f"{name} = {values[name]!r}: it must be given, above 0")
+        if far_field is not None:
+            self.region = region_around(shape, far_field, symmetry, values["far_edge"])
+            self.division = self.region.division(shape, patches, patch_rest)
+            self.chosen = _walls_of(shape, walls, self.division) or set(range(self.region.count))
+            self._shape, sizes = self.region.shape, self.region.sizes(values, shape)
+        else:
+            self.region, self.division = None, division_for(shape, patches, patch_rest)
+            self.chosen = _walls_of(_one_solid(shape, symmetry, values["far_edge"]), walls, self.division)
+            self._shape, sizes = shape, values
+        self._sizes = {option.name: sizes[option.name] for option in options.volume.SURFACE}
+
+    def triangulated(self, **others):
+        """The SurfaceMesh of the region."""
+        return triangulate(self._shape, **self._sizes, **others)
 
 
 def _one_solid(shape, symmetry, far_edge):
@@ -162,8 +205,7 @@ def _one_solid(shape, symmetry, far_edge):
         raise InvalidInput(f"{alone} is of a far field: give far_field, too, or leave it out")
     solids = convert.shape_of(shape).countElement("Solid")
     if solids != 1:
-        raise InvalidInput(f"{convert.label_of(shape)} has {solids} solids, not one: the fluid must be a single solid; unite several, or "
-                           "make one of the faces; for the flow around them give far_field")
+        raise InvalidInput(Text(flow_phrases.ONE_SOLID, name=convert.label_of(shape), count=str(solids)))
     return shape
 
 
@@ -198,7 +240,7 @@ def _surface_of(mesh, region, chosen):
     edges = np.sort(np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
     _, counts = np.unique(edges, axis=0, return_counts=True)
     if not mesh.report.closed or (counts != 2).any():
-        raise GeometryError("the surface of the solid is not closed, or touches itself along an edge: repair the solid")
+        raise GeometryError(Text(flow_phrases.OPEN_REGION))
     is_wall = np.ones(len(triangles), dtype=bool) if chosen is None else np.isin(face, sorted(chosen))
     return Surface(np.array(mesh.vertices) + mesh.origin, triangles, face, is_wall, far)
 
@@ -219,7 +261,7 @@ def _plane_normals(surface):
         if np.ptp(surface.points[np.unique(rows)] @ normal) <= _PLANE * size:
             found[surface.face == face] = normal
         elif at_walls[rows].any():
-            raise InvalidInput(f"{surface.name_of(face)} is not plane, but beside walls: layers cannot end in it; make it a wall, too")
+            raise InvalidInput(Text(flow_phrases.NOT_PLANE, face=surface.name_of(face)))
     return found
 
 
@@ -238,9 +280,9 @@ def _filled(mesh, surface, values, patches, progress):
     _require_room(surface, gap, heights.sum())
     layers = layers_of(surface, marching, heights, gap, _checker(progress))
     if layers is None:
-        raise GeometryError("no valid layers were found: give thinner ones, or a finer surface by max_edge")
-    _require_some(surface, layers, heights.sum())
-    points, tetrahedra = _inside(layers, part_of(progress, 0.5, 0.95))
+        raise GeometryError(Text(flow_phrases.NO_LAYERS))
+    _require_some(surface, layers, heights.sum(), values["named"])
+    points, tetrahedra = _inside(layers, values["growth_inside"], part_of(progress, 0.5, 0.95))
     made = _mesh_of(surface, layers, points, tetrahedra, patches)
     _require_valid(made)
     made._report = report_of(made, surface, layers, values, heights, float(mesh.report.max_chord_height))
@@ -259,22 +301,24 @@ def _require_room(surface, gap, total):
     for face in np.unique(surface.face[surface.is_wall]).tolist():
         widest = gap[surface.face == face].max()
         if total > widest:
-            raise InvalidInput(f"{surface.name_of(face)}: the layers are {total:.4g} mm thick, but the gap there is {widest:.4g} mm at most: "
-                               "give fewer or thinner layers")
+            raise InvalidInput(Text(flow_phrases.TOO_THICK, face=surface.name_of(face), length=f"{total:.4g} mm", length2=f"{widest:.4g} mm"))
 
 
-def _require_some(surface, layers, total):
-    for face in np.unique(surface.face[surface.is_wall]).tolist():
-        if not layers.share[surface.triangles[surface.face == face]].any():
-            raise InvalidInput(f"{surface.name_of(face)}: nowhere on it do layers of {total:.4g} mm fit, not even a fifth as high, and end in the "
-                               "faces beside it: give fewer or thinner layers, a finer surface by local_sizes, or leave it out of walls")
+def _require_some(surface, layers, total, named):
+    """Raises InvalidInput naming a wall face without any layers: one that was named as a wall, or where all have none. The report names
+    others, such as the blunt trailing edge of a wing.
+    """
+    faces = np.unique(surface.face[surface.is_wall]).tolist()
+    bare = [face for face in faces if not layers.share[surface.triangles[surface.face == face]].any()]
+    if bare and (named or len(bare) == len(faces)):
+        raise InvalidInput(Text(flow_phrases.NOWHERE, face=surface.name_of(bare[0]), length=f"{total:.4g} mm"))
 
 
-def _inside(layers, progress):
+def _inside(layers, growth, progress):
     """(points of all, tetrahedra of the inside as rows of these)."""
     used, triangles = np.unique(layers.inner, return_inverse=True)
     triangles = triangles.reshape(-1, 3).astype(np.int32)
-    added, tetrahedra = extension().fill_surface(layers.points[used], triangles, 1.0, progress)
+    added, tetrahedra = extension().fill_surface(layers.points[used], triangles, growth / _USUAL_GROWTH, progress)
     number = np.concatenate([used, len(layers.points) + np.arange(len(added) // 3)])
     return np.concatenate([layers.points, np.asarray(added).reshape(-1, 3)]), number[np.asarray(tetrahedra).reshape(-1, 4)]
 
@@ -286,11 +330,11 @@ def _mesh_of(surface, layers, points, tetrahedra, patches):
     used = np.unique(np.concatenate([rows.ravel() for rows in solid.values()]))
     number = np.full(len(points), -1, dtype=np.int32)
     number[used] = np.arange(len(used))
-    names = [_REGION, *patches.names]
+    names = [REGION, *patches.names]
     blocks, members = [], {name: [] for name in names}
     for kind, rows in solid.items():
         if len(rows):
-            members[_REGION].append((len(blocks), np.arange(len(rows), dtype=np.int32)))
+            members[REGION].append((len(blocks), np.arange(len(rows), dtype=np.int32)))
             zero = np.zeros(len(rows), dtype=np.int32)
             blocks.append(ElementBlock(kind, 1, number[rows], zero, zero.copy()))
     patch_of = np.full(int(surface.face.max()) + 1, -1, dtype=np.int32)

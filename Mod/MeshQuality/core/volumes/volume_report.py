@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What came of the layers of a volume mesh."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from ... import flow_phrases, phrases
 from ..measures import table_of_elements
 from .first_height import FirstHeight
 
+_LOW = 0.1  # of the edges on the walls: last layers that are lower are told of
+_MOST_LAYERS = 100  # as the option has it
 _FULL = 0.95  # share of the height that was asked for from which on it counts as reached
 
 
@@ -70,6 +74,12 @@ class VolumeReport:
         return {**vars(self), "heights": list(self.heights), "walls": [dict(vars(wall)) for wall in self.walls],
                 "notes": list(self.notes)}
 
+    def figures(self):
+        """Texts of what a line about the mesh tells."""
+        yield phrases.counted(flow_phrases.CELLS, sum(self.elements.values()))
+        yield phrases.Text(flow_phrases.COVERED, number=percent(self.covered), number2=percent(self.full_height))
+        yield phrases.Text(flow_phrases.NON_ORTHOGONAL, number=f"{self.max_non_orthogonality:.3g}")
+
     def __str__(self):
         counts = ", ".join(f"{count:,} {kind}{'s' if kind != 'tetrahedron' else ''}" for kind, count in self.elements.items())
         counts = counts.replace("tetrahedron", "tetrahedra")
@@ -84,6 +94,11 @@ class VolumeReport:
                   f"{self.max_non_orthogonality:.4g}°, skewness up to {self.max_skewness:.4g}",
                   f"accuracy     the surface deviates by at most {self.chord_height:.3g} mm from the shape"]
         return "\n".join([*lines, *(f"note         {note}" for note in self.notes)]) + "\n"
+
+
+def percent(share):
+    """As many percent, never 100 where something is missing."""
+    return "100" if share >= 1.0 else f"{min(100.0 * share, 99.9):.3g}"
 
 
 def coverage_of(surface, layers, first_height):
@@ -111,12 +126,25 @@ def report_of(mesh, surface, layers, values, heights, chord_height):
     walls, covered, full = coverage_of(surface, layers, values["first_height"])
     notes = [f"{wall.face} has layers on {wall.covered:.1%} of its area only: elsewhere they would be lower than a fifth of what was asked "
              "for, or invalid, or not end in the face beside it" for wall in walls if wall.covered < 1.0]
+    notes += _step_note(surface, values, heights[-1])
     notes += [str(values["first_height"])] if isinstance(values["first_height"], FirstHeight) else []
     notes += [f"the layers on {wall.face} are lower than asked for on {wall.covered - wall.full_height:.1%} of its area, the first one "
               f"{wall.least_height:.3g} mm at least" for wall in walls if wall.covered - wall.full_height > 0.0005]
     return VolumeReport(values["layers"], float(values["first_height"]), values["growth_rate"], tuple(heights.tolist()), dict(table.kinds),
                         len(mesh.nodes), walls, covered, full, _volume(mesh), table.worst("scaled_jacobian")[1],
                         table.worst("non_orthogonality")[1], table.worst("skewness")[1], chord_height, tuple(notes))
+
+
+def _step_note(surface, values, last):
+    """[a sentence] where the last layer is so low that solvers interpolate poorly between it and the tetrahedra on it."""
+    corners = surface.points[surface.triangles[surface.is_wall]]
+    edge = float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean())
+    if last >= _LOW * edge:
+        return []
+    growth, wanted = values["growth_rate"], 2.0 * _LOW * edge
+    layers = values["layers"] + math.ceil(math.log(wanted / last) / math.log(growth)) if growth > 1.0 else 0
+    remedy = f"{layers} layers would end at {wanted:.2g} mm" if 0 < layers <= _MOST_LAYERS else "give a larger growth_rate, or shorter edges"
+    return [f"the last layer is {last:.3g} mm high, and edges are {edge:.3g} mm long, {edge / last:.0f} times as much: elements grow at once there; {remedy}"]
 
 
 def _areas(points, triangles):

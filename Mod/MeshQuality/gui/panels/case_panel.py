@@ -20,19 +20,20 @@ from .writing_panel import WritingPanel
 
 translate = FreeCAD.Qt.translate
 
-_NEXT = "blockMesh && snappyHexMesh -overwrite && checkMesh"
+_NEXT, _NEXT_OF_CELLS = "blockMesh && snappyHexMesh -overwrite && checkMesh", "checkMesh"
 
 
 class CasePanel(WritingPanel):
     """OK writes the folder, then closes.
 
-    source  a document object with a closed mesh, or a link to one, see frames
+    source  a document object with a closed mesh, or a flow mesh, or a link to one, see frames
     """
 
     COMMAND, TITLE = "MeshQuality_FlowCase", "OpenFOAM case"
     DROP = staticmethod(lambda forget: forget())
 
     def add_fields(self, layout):
+        self._has_cells = cfd.holds_cells(self.source)
         self.flow = QtGui.QComboBox()
         for title, flow in ((translate("MeshQuality", "inside of the part"), "internal"),
                             (translate("MeshQuality", "around the part"), "external")):
@@ -54,6 +55,9 @@ class CasePanel(WritingPanel):
             label.setWordWrap(True)
             layout.addWidget(label)
             layout.addWidget(widget)
+            if widget is not self.path and self._has_cells:
+                label.hide()
+                widget.hide()
         self.fields = (self.flow, self.cell, self.path)
 
     def _folder_name(self):
@@ -71,8 +75,8 @@ class CasePanel(WritingPanel):
             raise InvalidInput(translate("MeshQuality", "Choose a folder, or type its name."))
         flow, cell = self.flow.currentData(), self.cell.value() or None
         make = cfd.maker_of(self.source, flow)
-        line = f"mq.write_openfoam_case({name_of(self.source)}, {folder!r}, flow={flow!r}" \
-            + (f", cell={cell!r})" if cell else ")")
+        how = "" if self._has_cells else f", flow={flow!r}" + (f", cell={cell!r}" if cell else "")
+        line = f"mq.write_openfoam_case({name_of(self.source)}, {folder!r}{how})"
         return lambda _progress: cfd.write_ahead(make, self.source, folder, flow, cell), partial(self._land, folder, line)
 
     def _land(self, folder, line, forget):
@@ -82,9 +86,9 @@ class CasePanel(WritingPanel):
         finally:
             forget()
         self.remember_folder(os.path.dirname(os.path.abspath(folder)))
-        folder = os.path.abspath(folder)
+        folder, then = os.path.abspath(folder), _NEXT_OF_CELLS if self._has_cells else _NEXT
         FreeCAD.Console.PrintMessage("{}\n".format(translate(
-            "MeshQuality", "Written: {0}. In a terminal with OpenFOAM type: {1}").format(folder, f"cd {shlex.quote(folder)} && {_NEXT}")))
+            "MeshQuality", "Written: {0}. In a terminal with OpenFOAM type: {1}").format(folder, f"cd {shlex.quote(folder)} && {then}")))
         if " " in folder:
             FreeCAD.Console.PrintWarning("{}\n".format(translate(
                 "MeshQuality", "OpenFOAM takes no blanks in paths: move the folder to where there are none.")))
