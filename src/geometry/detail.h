@@ -10,6 +10,9 @@ struct DetailCorners {
     /// Radians: least angle between the edges or faces that meet once a detail is contracted. Above the bounds that are
     /// usually asked for, so that no corner is made that cannot keep them.
     static constexpr double kLeastAngle = 30.0 * kDegree;
+    /// Radians: least angle between faces that meet along a joined edge only: their triangles share it, and open from
+    /// there.
+    static constexpr double kLeastDihedral = 0.5 * kDegree;
     /// Distance from a contracted edge at which its neighbours are compared, in lengths of detail.
     static constexpr double kReach = 8.0;
 };

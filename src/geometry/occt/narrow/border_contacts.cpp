@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/message.h"
+#include "geometry/detail.h"
 #include "geometry/occt/narrow/edge_joining.h"
 
 namespace mq::geometry {
@@ -35,6 +36,8 @@ class BorderContacts : EdgeJoining {
     /// Fraction of the detail. Narrow corners are cut off where they are a detail wide, where a contact has opened
     /// then.
     static constexpr double kContact = 0.5;
+    /// Fraction of the detail where the walls beside do not open, so that both corners have to stay.
+    static constexpr double kContactOfWalls = 0.125;
 
     /// The nearest points of two edges, in a zone where they are nearer than the detail.
     struct Contact {
@@ -221,7 +224,7 @@ class BorderContacts : EdgeJoining {
     }
 
     /// Whether the edges open to a detail on both sides of a contact, as far as the first one goes on, with the face
-    /// between them.
+    /// between them, and the walls beside open or the gap is too narrow to be meshed as it is.
     bool opens(int face, const Contact& contact) const {
         const auto [a, b] = contact.edges;
         bool any = false;
@@ -233,12 +236,38 @@ class BorderContacts : EdgeJoining {
                 continue;
             }
             const std::optional<std::array<Answer, 2>> open = opening(contact, end);
-            if (!open || !face_between(face, a, (*open)[0], b, (*open)[1])) {
+            if (!open) {
+                return false;
+            }
+            const Vec3 between = (*open)[1].point - (*open)[0].point;
+            const int first = inner_use(face, a, (*open)[0].t, between);
+            const int second = inner_use(face, b, (*open)[1].t, -between);
+            if (first < 0 || second < 0 ||
+                (contact.gap > kContactOfWalls * topology_.detail &&
+                 !walls_open(first, second, contact, (*open)[0].t))) {
                 return false;
             }
             any = true;
         }
         return any;
+    }
+
+    /// The use of an edge on a face, on whose inner side a direction points; -1: on none.
+    int inner_use(int face, int e, double t, const Vec3& direction) const {
+        const std::vector<int>& uses = edge(e).uses;
+        const auto found = std::find_if(uses.begin(), uses.end(), [&](int use) {
+            const auto into = use_of(use).face == face ? conormal(use, t) : std::nullopt;
+            return into && into->dot(direction) > 0.0;
+        });
+        return found == uses.end() ? -1 : *found;
+    }
+
+    /// Whether the faces on the other sides open half-way from a contact to this parameter of the first edge.
+    bool walls_open(int first, int second, const Contact& contact, double t) const {
+        const Answer half = curve(contact.edges[0]).point(0.5 * (contact.at[0].t + t));
+        const Answer across = nearest_on(contact.edges[1], half.point, topology_.detail);
+        return edge(edge_of(first)).uses.size() == 2 && edge(edge_of(second)).uses.size() == 2 && across.found() &&
+               angle_of_others(first, half.t, second, across.t) >= DetailCorners::kLeastDihedral;
     }
 
     /// The first points of two edges, from a contact to an end of the first edge, that are a detail apart.
@@ -258,17 +287,6 @@ class BorderContacts : EdgeJoining {
             }
         }
         return open;
-    }
-
-    bool face_between(int face, int a, const Answer& first, int b, const Answer& second) const {
-        const Vec3 between = second.point - first.point;
-        const auto inside = [&](int e, double t, const Vec3& direction) {
-            return std::any_of(edge(e).uses.begin(), edge(e).uses.end(), [&](int use) {
-                const auto into = use_of(use).face == face ? conormal(use, t) : std::nullopt;
-                return into && into->dot(direction) > 0.0;
-            });
-        };
-        return inside(a, first.t, between) && inside(b, second.t, -between);
     }
 
     void apply(int face, const Contact& contact) {

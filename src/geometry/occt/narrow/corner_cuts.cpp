@@ -94,10 +94,6 @@ class NarrowCorners : EdgeJoining {
     void rename() { rename_nodes(); }
 
   private:
-    /// Radians: between faces that meet along a joined piece only. Their triangles share its edges, and open from
-    /// there.
-    static constexpr double kLeastDihedral = 0.5 * kDegree;
-
     /// The uses on a face that end in a node, and those that begin there.
     struct Ends {
         std::vector<int> arriving;
@@ -298,11 +294,9 @@ class NarrowCorners : EdgeJoining {
     bool stays_open(int first, int second, double distance) const {
         const Answer a = point_at(first, true, 0.5 * distance);
         const Answer b = point_at(second, false, 0.5 * distance);
-        const auto into_first = a.found() ? conormal(opposite_use(first), a.t) : std::nullopt;
-        const auto into_second = b.found() ? conormal(opposite_use(second), b.t) : std::nullopt;
-        return into_first && into_second &&
-               angle_between(*into_first, *into_second) >=
-                   (others_meet(first, second) ? DetailCorners::kLeastAngle : kLeastDihedral);
+        return a.found() && b.found() &&
+               angle_of_others(first, a.t, second, b.t) >=
+                   (others_meet(first, second) ? DetailCorners::kLeastAngle : DetailCorners::kLeastDihedral);
     }
 
     /// Whether the faces on the other sides of two uses have an edge in common that leaves their corner: both would get

@@ -131,6 +131,12 @@ bool EdgeJoining::others_open(int use, int other) const {
     return angle && *angle >= DetailCorners::kLeastAngle;
 }
 
+double EdgeJoining::angle_of_others(int use, double t, int other, double other_t) const {
+    const std::optional<Vec3> first = conormal(opposite_use(use), t);
+    const std::optional<Vec3> second = conormal(opposite_use(other), other_t);
+    return first && second ? angle_between(*first, *second) : 0.0;
+}
+
 int EdgeJoining::opposite_use(int use) const {
     const std::vector<int>& uses = edge(topology_.uses[static_cast<std::size_t>(use)].edge).uses;
     return uses[0] == use ? uses[1] : uses[0];

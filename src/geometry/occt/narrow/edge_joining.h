@@ -77,6 +77,9 @@ class EdgeJoining {
     /// Whether the faces on the other sides of two uses, whose edges lie along each other, meet at
     /// DetailCorners::kLeastAngle or more, unlike those of a thin plate.
     bool others_open(int use, int other) const;
+    /// Radians: the angle between the faces on the other sides of two uses, each at a parameter of its edge; 0 if one
+    /// has no curve there.
+    double angle_of_others(int use, double t, int other, double other_t) const;
     /// The other use of the edge of one of its two uses.
     int opposite_use(int use) const;
     const EdgeEvaluator& curve(int e) const {
