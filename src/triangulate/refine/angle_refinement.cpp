@@ -181,12 +181,10 @@ void AngleRefinement::drop_lost(std::vector<Job>& jobs) {
     const ClassifiedMesh& mesh = work_.mesh;
     const auto lost = [&](const Job& job) {
         const int t = job.candidate.triangle;
-        if (mesh.stamp(job.bad.triangle) != job.bad.stamp) {
-            return true;
-        }
-        const bool gone =
-            t >= mesh.triangle_count() || mesh.gone(t) || mesh.face_of(t) != mesh.face_of(job.bad.triangle);
-        if (gone) {
+        const bool current = mesh.stamp(job.bad.triangle) == job.bad.stamp;
+        const bool gone = t >= mesh.triangle_count() || mesh.gone(t) ||
+                          (current && mesh.face_of(t) != mesh.face_of(job.bad.triangle));
+        if (gone && current) {
             touched_.push_back(job.bad.triangle);
         }
         return gone;

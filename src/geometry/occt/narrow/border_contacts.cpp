@@ -46,6 +46,10 @@ class BorderContacts : EdgeJoining {
         double gap;  // mm
     };
 
+    static Contact turned(const Contact& contact) {
+        return {{contact.edges[1], contact.edges[0]}, {contact.at[1], contact.at[0]}, contact.gap};
+    }
+
     /// A range of an edge, with the box of its curve as far as its ends and its middle tell.
     struct Piece {
         int edge;
@@ -113,7 +117,7 @@ class BorderContacts : EdgeJoining {
         const double straight = 0.25 * topology_.detail;
         if (a.sagitta <= straight && b.sagitta <= straight) {
             const std::optional<Contact> contact = contact_near(a, b);
-            if (contact && is_new(face, *contact, contacts) && opens(face, *contact)) {
+            if (contact && is_new(face, *contact, contacts) && opens(face, *contact) && opens(face, turned(*contact))) {
                 contacts.push_back(*contact);
             }
             return;
@@ -178,8 +182,8 @@ class BorderContacts : EdgeJoining {
         return false;
     }
 
-    /// Whether a contact at the end of an edge lies beside a corner of the other one with the edge that goes on there.
-    bool beside_next_corner(int face, const Contact& contact) const {
+    /// Whether a contact at the end of an edge goes on along the edge that follows there, and all of that.
+    bool goes_on(int face, const Contact& contact) const {
         for (const std::size_t k : {0, 1}) {
             const int node = node_beside(contact.edges[k], contact.at[k].t);
             const int other = contact.edges[1 - k];
@@ -188,8 +192,7 @@ class BorderContacts : EdgeJoining {
                     const int next = edge_of(use);
                     const auto& nodes = edge(next).nodes;
                     if (node >= 0 && (nodes[0] == node || nodes[1] == node) && next != contact.edges[k] &&
-                        next != other &&
-                        beside_node(face, {{other, next}, {contact.at[1 - k], contact.at[k]}, contact.gap})) {
+                        next != other && !apart_between(next, edge(next).t0, edge(next).t1, other)) {
                         return true;
                     }
                 }
@@ -208,7 +211,7 @@ class BorderContacts : EdgeJoining {
                 return false;
             }
         }
-        return !beside_node(face, contact) && !beside_next_corner(face, contact);
+        return !beside_node(face, contact) && !goes_on(face, contact);
     }
 
     /// Whether two nodes are one, or an edge shorter than the detail joins them.

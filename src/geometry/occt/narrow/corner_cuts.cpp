@@ -79,7 +79,7 @@ class NarrowCorners : EdgeJoining {
             const int second = divide(e, cut.t[k], node);
             tips[k] = tip_is_last ? second : e;
         }
-        const double within = 2.0 * topology_.detail;
+        const double within = kWithin * topology_.detail;
         if (!alignment(tips[0], tips[1], within) || !alignment(tips[1], tips[0], within)) {
             return;  // apart between the corner and the cut: both edges have a node more
         }
@@ -94,6 +94,8 @@ class NarrowCorners : EdgeJoining {
     void rename() { rename_nodes(); }
 
   private:
+    static constexpr double kWithin = 2.0;  // details: the largest distance of edges that are joined
+
     /// The uses on a face that end in a node, and those that begin there.
     struct Ends {
         std::vector<int> arriving;
@@ -216,6 +218,17 @@ class NarrowCorners : EdgeJoining {
             .at_distance(descending ? whole.t1 : whole.t0, descending ? whole.t0 : whole.t1, distance);
     }
 
+    /// Whether two edges lie along each other between their corner and a distance from it (mm).
+    bool stays_narrow(int first, int second, double distance) const {
+        for (int i = 1; i < kSamples; ++i) {
+            const std::optional<double> here = width(first, second, distance * i / kSamples);
+            if (!here || *here > kWithin * topology_.detail) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /// The largest depth that leaves enough of an edge for pieces that open from the cut on.
     double deepest(int e) const {
         constexpr double kRest = 4.0;  // details
@@ -278,7 +291,7 @@ class NarrowCorners : EdgeJoining {
         const Answer a = point_at(first, true, *depth);
         const Answer b = point_at(second, false, *depth);
         if (!a.found() || !b.found() || !face_between(first, a, second, b) ||
-            edge_between(ends, first, a, second, b, *depth)) {
+            edge_between(ends, first, a, second, b, *depth) || !stays_narrow(first, second, *depth)) {
             return std::nullopt;
         }
         return Cut{use_of(first).face,
