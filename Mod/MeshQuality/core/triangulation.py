@@ -11,6 +11,11 @@ from .patches.patches import division_for, kept
 from .sources import convert
 from .sources import hidden_parts
 from .sizes import size_field as size_fields
+from .stretching import forms as metric_forms
+from .stretching import stretch
+
+# Options that say how long edges are to be, or let triangles lie on several faces.
+_NOT_WITH_METRIC = ("size_field", "local_sizes", "edges_per_circle", "growth_rate", "imprint", "keep_edges", "method")
 
 
 @options.takes_aliases(options.TRIANGULATE, memory="cache")
@@ -18,7 +23,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 method="refine", max_triangles=None, progress=None, insertion="off-centre", order="rounds",
                 allow_missing_faces=False, connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None, size_field=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, corners="auto", cache=None,
-                sew=True, imprint=False, overlap="refuse", evaluation="fast", patches=None, patch_rest=None, threads=0):
+                sew=True, imprint=False, overlap="refuse", evaluation="fast", patches=None, patch_rest=None, threads=0,
+                metric="none", max_stretching=5.0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -58,9 +64,14 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            {"inlet": {"faces": ["Face1"], "colour": "#ff0000"}}; names as in local_sizes. They are
                            checked before the work, kept as mesh.patches, and are the default of mesh.write
     patch_rest             name of the patch of all other faces; None: each is one by its own name
+    metric                 triangles that follow a metric, fewer and stretched: "curvature" of the faces, for the distance; a function
+                           of points (n, 3) that returns symmetric matrices (n, 6), xx, yy, zz, xy, yz, zx for each mm^2, by which
+                           edges e of the wanted length have e M e = 1; or (points, matrices). The largest angle is bounded by 150
+                           degrees then, instead of the smallest one; see docs/use/sizes.md
+    max_stretching         longest length that a metric may want at a place, divided by the shortest, 1 to 100
     threads                at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any number
 
-    Returns a SurfaceMesh. The shape is only read.
+    Returns a SurfaceMesh; with a metric a StretchedMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
     """
     values = options.check(options.TRIANGULATE, {
@@ -70,10 +81,31 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "refine_samples": refine_samples, "seed": seed, "local_sizes": local_sizes,
         "edges_per_circle": edges_per_circle, "growth_rate": growth_rate, "keep_edges": keep_edges,
         "feature_angle": feature_angle, "corners": corners, "sew": sew, "imprint": imprint, "overlap": overlap, "evaluation": evaluation,
+        "metric": metric if isinstance(metric, str) else options.NO_METRIC, "max_stretching": max_stretching,
     })
     values["threads"] = options.THREADS.checked(threads)
     options.require_callable(progress)
-    return _meshed(shape, values, size_field, progress, cache, division_for(shape, patches, patch_rest))
+    chosen, stretching = values.pop("metric"), values.pop("max_stretching")
+    form = chosen if metric is None or isinstance(metric, str) else metric
+    division = division_for(shape, patches, patch_rest)
+    if isinstance(form, str) and form == options.NO_METRIC:
+        return _meshed(shape, values, size_field, progress, cache, division)
+    return _stretched(shape, values, size_field, form, stretching, progress, cache, division)
+
+
+def _stretched(shape, values, size_field, form, stretching, progress, cache, division):
+    """The StretchedMesh of a shape with checked options, of a quality mesh with the shortest lengths that the metric wants."""
+    for option in options.TRIANGULATE:
+        if option.name in _NOT_WITH_METRIC and (size_field if option.is_fields else values[option.name]) != option.default:
+            raise InvalidInput(f"{option.name} does not go with metric, which says how long edges are to be: leave one of the two out")
+    box = convert.shape_of(shape).BoundBox
+    longest = values["max_edge"] / stretch.LONGEST if values["max_edge"] else max(box.XLength, box.YLength, box.ZLength)
+    given = None if isinstance(form, str) else metric_forms.Given(form, longest, stretching)
+    mesh = _meshed(shape, {**values, "corners": "keep"}, given and given.shortest, progress, cache, None)
+    metric = given or metric_forms.Curvature.of(mesh.report.chord_height_asked, longest, stretching)
+    found, said = stretch.stretched(mesh, convert.shape_of(shape), metric, progress)
+    found._patches = kept(division, found)
+    return hidden_parts.noted(found, [*mesh.report.notes, *said])
 
 
 def _meshed(shape, values, size_field, progress, cache, division):

@@ -86,6 +86,20 @@ class Places:
         return self.entities.parameters_on_face(face, self._vectors[vertex], guess)
 
 
+def unfit(mesh):
+    """Sentences: why the points of a mesh do not all lie on the entities that they belong to."""
+    report, found = mesh.report, []
+    if report.cut_corners:
+        found.append('corners of faces were cut off (corners="cut")')
+    if report.spanning:
+        found.append('triangles lie on several faces (keep_edges="feature")')
+    if len(mesh.triangle_opposite):
+        found.append("solids share faces (imprint=True)")
+    if report.missing_faces:
+        found.append("faces have no triangles (allow_missing_faces=True)")
+    return found
+
+
 def _place(entities, dimension, index, share):
     if dimension == 0:
         return entities.vertices[index].Point
