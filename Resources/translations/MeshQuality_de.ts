@@ -875,6 +875,14 @@
         <source>Why it has facets, where it has</source>
         <translation>Warum er Facetten hat, falls er welche hat</translation>
     </message>
+    <message>
+        <source>Longest length that a metric may want at a place, divided by the shortest</source>
+        <translation>Größte Länge, die eine Metrik an einem Ort verlangen darf, geteilt durch die kleinste</translation>
+    </message>
+    <message>
+        <source>Triangles that are stretched along the direction in which the surface bends least, so that fewer keep the distance; the largest angle is bounded by 150 degrees then, instead of the smallest one</source>
+        <translation>Dreiecke, die in der Richtung gestreckt sind, in der sich die Fläche am wenigsten krümmt, so dass weniger die Abweichung einhalten; begrenzt ist dann der größte Winkel auf 150 Grad statt des kleinsten</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -5205,6 +5213,26 @@
     <message>
         <source>{phrase}, and {count} triangles are too many facets: simplify the mesh to at most {count2}</source>
         <translation>{phrase}, und {count} Dreiecke sind zu viele Facetten: vereinfachen Sie das Netz auf höchstens {count2}</translation>
+    </message>
+    <message>
+        <source>Largest stretching</source>
+        <translation>Größte Streckung</translation>
+    </message>
+    <message>
+        <source>Longest length that a metric may want at a place, divided by the shortest</source>
+        <translation>Größte Länge, die eine Metrik an einem Ort verlangen darf, geteilt durch die kleinste</translation>
+    </message>
+    <message>
+        <source>Stretched triangles</source>
+        <translation>Gestreckte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles that are stretched along the direction in which the surface bends least, so that fewer keep the distance; the largest angle is bounded by 150 degrees then, instead of the smallest one</source>
+        <translation>Dreiecke, die in der Richtung gestreckt sind, in der sich die Fläche am wenigsten krümmt, so dass weniger die Abweichung einhalten; begrenzt ist dann der größte Winkel auf 150 Grad statt des kleinsten</translation>
+    </message>
+    <message>
+        <source>by curvature</source>
+        <translation>nach der Krümmung</translation>
     </message>
 </context>
 <context>

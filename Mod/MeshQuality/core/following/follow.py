@@ -9,11 +9,12 @@ from ...errors import Cancelled, GeometryError, InvalidInput, TopologyError
 from ..brep.construction import Construction
 from ..meshes.surface_mesh import SurfaceMesh
 from ..patches.patches import kept
+from ..places.entities import Entities, differences
+from ..places.places import Places, unfit
 from ..sources import convert
 from ..triangulation import triangulate
 from .angles import Angles
-from .entities import Entities, differences
-from .moving import Places, moved, unfit
+from .moving import moved
 
 _OTHERWISE = "remesh", "refuse"
 _NAMED = 8  # faces that a reason names

@@ -5,9 +5,9 @@ import numpy as np
 
 from ...compat import extension
 from ...errors import Cancelled, InvalidInput
-from ..following.entities import Entities
-from ..following.moving import Places, unfit
 from ..meshes.surface_mesh import SurfaceMesh
+from ..places.entities import Entities
+from ..places.places import Places, unfit
 from .cad_pairs import CadPairs
 from .collapses import Collapses
 from .limits import LONGEST, Limits
@@ -17,8 +17,12 @@ from .triangles import Triangles, edge_keys
 
 LARGEST_ANGLE = 150.0  # degrees
 QUALITY = 0.3  # in the metric
-_STEPS = 1.0, 1.2, LONGEST  # edges shorter than these in the metric are collapsed, one step after the other
-_DISTANCES = 0.98, 0.8, 0.5  # fractions of the largest distance that triangles keep by their corners, until the measured one is kept
+_STEPS = 1.0, 1.0, 1.2, LONGEST  # edges shorter than these in the metric are collapsed, one step after the other
+_REPAIRS = 4  # rounds of swaps and moves for what is left beyond the largest angle
+# Attempts, until one keeps all that is measured: the fraction of the largest distance that triangles keep by their corners, and the
+# largest angle in the first step.
+_ATTEMPTS = (0.98, 170.0), (0.98, 155.0), (0.98, LARGEST_ANGLE), (0.8, LARGEST_ANGLE), (0.5, LARGEST_ANGLE)
+_COSINE = np.cos(np.radians(LARGEST_ANGLE))
 _PLANE = "Part::GeomPlane"
 
 
@@ -43,8 +47,10 @@ def stretched(mesh, shape, metric, progress=None):
     if reasons:
         raise InvalidInput(f"metric needs triangles that lie on single whole faces: {'; '.join(reasons)}")
     asked = mesh.report.chord_height_asked
-    for share in _DISTANCES:
-        triangles = _changed(mesh, shape, metric, share * (asked or np.inf), _poll(progress))
+    for share, first in _ATTEMPTS:
+        triangles = _changed(mesh, shape, metric, share * (asked or np.inf), first, _poll(progress))
+        if first > LARGEST_ANGLE and triangles.measures.cosine.min() < _COSINE:
+            continue
         surface = _surface(mesh, shape, triangles, progress)
         if not _worse(surface.report, mesh.report, asked):
             break
@@ -78,8 +84,8 @@ def _poll(progress):
     return poll
 
 
-def _changed(mesh, shape, metric, distance, poll):
-    """The Triangles of a mesh, changed."""
+def _changed(mesh, shape, metric, distance, first, poll):
+    """The Triangles of a mesh, changed; first: degrees, the largest angle in the first step."""
     places = Places(mesh, Entities(shape))
     corners = places.corners.astype(np.int64)
     pairs = CadPairs(places, corners)
@@ -91,10 +97,16 @@ def _changed(mesh, shape, metric, distance, poll):
     verify = None
     if np.isfinite(distance) and any(surface.TypeId != _PLANE for surface in places.entities.surfaces):
         verify = _Verifier(shape, mesh.report.chord_height_asked).too_far
-    limits = Limits(np.cos(np.radians(LARGEST_ANGLE)), distance, QUALITY, verify)
+    limits = Limits(np.cos(np.radians(first)), distance, QUALITY, verify)
     collapses, swaps, moves = Collapses(triangles, limits), Swaps(triangles, limits), Moves(triangles, limits, metric.at)
     for shorter in _STEPS:
         collapses.run(shorter, poll)
+        limits.cosine = _COSINE
+        swaps.run(poll)
+        moves.run(1, poll)
+    for _ in range(_REPAIRS):
+        if triangles.measures.cosine.min() >= _COSINE:
+            break
         swaps.run(poll)
         moves.run(1, poll)
     return triangles
