@@ -7,6 +7,7 @@ from ...errors import InvalidInput
 from ..sizes.interpolated import Interpolated
 from . import metrics
 
+NONE = "none"  # without a metric
 ACCEPTED = ("\"curvature\", a function of points (n, 3) that returns metrics (n, 6): xx, yy, zz, xy, yz, zx for each mm^2, "
             "or (points, metrics)")
 
