@@ -30,7 +30,7 @@ class StretchedMesh(SurfaceMesh):
     """A SurfaceMesh whose triangles follow a metric.
 
     largest_angle   degrees, of all triangles
-    metric_quality  float64 (T,): 4 sqrt(3) area / (sum of squared sides) in the metric; 1: equilateral
+    metric_quality  float64 (T,): 4 sqrt(3) area / (sum of squared sides) in the metric; 1: equilateral; nan where the quality mesh stayed
     given_triangles how many the quality mesh had that it was made of
     """
 
@@ -73,7 +73,7 @@ def _finished(surface, mesh, triangles):
     lengths = np.linalg.norm(sides, axis=2)
     cosines = -np.einsum("tij,tij->ti", sides, np.roll(sides, 1, axis=1)) / np.maximum(lengths * np.roll(lengths, 1, axis=1), 1e-300)
     found.largest_angle = float(np.degrees(np.arccos(np.clip(cosines.min(initial=1.0), -1.0, 1.0))))
-    found.metric_quality = np.ones(0) if triangles is None else triangles.measures.quality
+    found.metric_quality = np.full(len(mesh.triangles), np.nan) if triangles is None else triangles.measures.quality
     return found
 
 
@@ -177,7 +177,7 @@ def _segments(places):
     inner_of = [[] for _ in entities.edges]
     for v in np.flatnonzero(entity[:, 0] == 1).tolist():
         inner_of[entity[v, 1]].append(v)
-    corner = {int(entity[v, 1]): v for v in np.flatnonzero(entity[:, 0] == 0).tolist()}
+    corner = _corners_of_shape(places)
     segments, tangents, bent = [], [], []
     for number, (edge, inner) in enumerate(zip(entities.edges, inner_of)):
         if edge.Degenerated:
@@ -194,3 +194,13 @@ def _segments(places):
             tangents.append(along[k:k + 2])
             bent.append(curved[k:k + 2])
     return np.array(segments, dtype=np.int64).reshape(-1, 3), np.array(tangents).reshape(-1, 2, 3), np.array(bent).reshape(-1, 2)
+
+
+def _corners_of_shape(places):
+    """The vertex of the mesh at each vertex of the shape; several of these may have one, where they lie in one place."""
+    there = np.flatnonzero(places.entity[:, 0] == 0)
+    found = dict(zip(places.entity[there, 1].tolist(), there.tolist()))
+    for number, vertex in enumerate(places.entities.vertices):
+        if number not in found and len(there):
+            found[number] = int(there[np.argmin(np.linalg.norm(places.points[there] - np.array(vertex.Point), axis=1))])
+    return found
