@@ -104,7 +104,7 @@ def _stretched(shape, values, size_field, form, stretching, progress, cache, div
     metric = given or metric_forms.Curvature.of(mesh.report.chord_height_asked, longest, stretching)
     found, said = stretch.stretched(mesh, convert.shape_of(shape), metric, progress)
     found._patches = kept(division, found)
-    return hidden_parts.noted(found, [*mesh.report.notes, *said])
+    return hidden_parts.noted(found, [*(note for note in mesh.report.notes if note not in found.report.notes), *said])
 
 
 def _meshed(shape, values, size_field, progress, cache, division):

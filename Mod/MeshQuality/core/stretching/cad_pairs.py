@@ -92,7 +92,6 @@ def _forms(derivatives):
     scale = np.einsum("ij,ij->i", along_u, along_u) + np.einsum("ij,ij->i", along_v, along_v)
     found = lengths > _FLAT * np.maximum(scale, 1e-300)
     normals = across / np.where(found, lengths, 1.0)[:, None]
-    normals[~found] = 0.0
     second = np.einsum("nkj,nj->nk", derivatives[:, 2:], normals)
     # Dual vectors of the tangents: the form of a direction d is second(d . dual_u, d . dual_v).
     squared = np.where(found, lengths, 1.0)[:, None]
@@ -101,7 +100,8 @@ def _forms(derivatives):
     xy = (dual_u[:, :, None] * dual_v[:, None, :] + dual_v[:, :, None] * dual_u[:, None, :]) * second[:, 1, None, None]
     yy = dual_v[:, :, None] * dual_v[:, None, :] * second[:, 2, None, None]
     form = xx + xy + yy
-    form[~found] = 0.0
+    found &= np.isfinite(form).all(axis=(1, 2))
+    normals[~found], form[~found] = 0.0, 0.0
     return normals, sixes(form), found
 
 

@@ -10,14 +10,14 @@ _CHORD = 6.0  # h^2 = 6 distance / curvature: an equilateral triangle of that si
 
 def by_curvature(curvatures, normals, distance, longest, stretching):
     """(n, 6): lengths that have the distance (mm) in the directions of the two principal curvatures, at most `longest` and
-    at most `stretching` times the shorter one.
+    at most `stretching` times the shorter one; none is below the distance itself.
     """
     values, vectors = np.linalg.eigh(matrices(curvatures))
     # The eigenvector nearest to the normal has no curvature of the surface.
     off = np.argmax(np.abs(np.einsum("nij,ni->nj", vectors, normals)), axis=1)
     values = np.abs(values)
     values[np.arange(len(off)), off] = 0.0
-    return _bounded(values / (_CHORD * distance), vectors, longest, stretching)
+    return _bounded(np.minimum(values / (_CHORD * distance), distance**-2.0), vectors, longest, stretching)
 
 
 def bounded(rows, longest, stretching):
@@ -34,7 +34,7 @@ def _bounded(values, vectors, longest, stretching):
 
 def with_curves(rows, tangents, curvatures, distance, stretching):
     """(n, 6) that along tangents (n, 3) have at most the length for the curvature of a curve, and bounded stretching."""
-    along = curvatures / (8.0 * distance)
+    along = np.minimum(curvatures / (8.0 * distance), distance**-2.0)
     full = matrices(rows)
     have = np.einsum("ni,nij,nj->n", tangents, full, tangents)
     outer = tangents[:, :, None] * tangents[:, None, :]

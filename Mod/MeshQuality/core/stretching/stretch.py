@@ -187,13 +187,25 @@ def _segments(places):
         chain = [corner[ends[0]], *inner, corner[ends[-1]]]
         low, high = edge.ParameterRange
         at = [low + share * (high - low) for share in (0.0, *places.share[inner].tolist(), 1.0)]
-        along = [tuple(edge.tangentAt(t)) for t in at]
-        curved = [edge.curvatureAt(t) for t in at]
+        along, curved = zip(*(_direction(edge, t) for t in at))
         for k in range(len(chain) - 1):
             segments.append((chain[k], chain[k + 1], number))
             tangents.append(along[k:k + 2])
             bent.append(curved[k:k + 2])
     return np.array(segments, dtype=np.int64).reshape(-1, 3), np.array(tangents).reshape(-1, 2, 3), np.array(bent).reshape(-1, 2)
+
+
+def _direction(edge, parameter):
+    """(unit tangent, curvature) of an edge; that of its chord where the curve has none."""
+    try:
+        found = *edge.tangentAt(parameter), edge.curvatureAt(parameter)
+    except Exception:  # noqa: BLE001  FreeCAD raises errors of several kinds where the derivative is zero
+        found = (np.nan,)
+    if not np.isfinite(found).all():
+        low, high = edge.ParameterRange
+        chord = edge.valueAt(high) - edge.valueAt(low)
+        found = *(chord / max(chord.Length, 1e-300)), 0.0
+    return found[:3], found[3]
 
 
 def _corners_of_shape(places):
