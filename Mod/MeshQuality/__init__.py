@@ -9,6 +9,7 @@ First steps
 
 Meshes for scripts
     triangulate   a triangle mesh of a shape with a bound on its angles and its distance -> SurfaceMesh
+                  with metric= triangles that are stretched, fewer for the same distance -> StretchedMesh
     curve         curved triangles or tetrahedra on a shape, each proven valid           -> CurvedMesh
     volume_mesh   a solid, or the space around one, filled for flow solvers, with layers of prisms on the walls -> VolumeMesh
     first_height  how high the first layer must be for a y+                              -> FirstHeight
@@ -137,6 +138,7 @@ _LAZY = {
     "add_solid": "MeshQuality.features.mesh_solid",
     "wrap": "MeshQuality.core.wrapping",
     "WrapMesh": "MeshQuality.core.wrapping",
+    "StretchedMesh": "MeshQuality.core.stretching.stretch",
     "follow": "MeshQuality.core.following.follow",
     "FollowedMesh": "MeshQuality.core.following.follow",
     "sensitivity": "MeshQuality.features.sensitivity",

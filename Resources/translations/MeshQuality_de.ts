@@ -967,6 +967,14 @@
         <source>Where the fluid is: the part itself, or the space around it in a box or a sphere</source>
         <translation>Wo das Fluid ist: im Teil selbst oder im Raum darum in einem Quader oder einer Kugel</translation>
     </message>
+    <message>
+        <source>Longest length that a metric may want at a place, divided by the shortest</source>
+        <translation>Größte Länge, die eine Metrik an einem Ort verlangen darf, geteilt durch die kleinste</translation>
+    </message>
+    <message>
+        <source>Triangles that are stretched along the direction in which the surface bends least, so that fewer keep the distance; the largest angle is bounded by 150 degrees then, instead of the smallest one</source>
+        <translation>Dreiecke, die in der Richtung gestreckt sind, in der sich die Fläche am wenigsten krümmt, so dass weniger die Abweichung einhalten; begrenzt ist dann der größte Winkel auf 150 Grad statt des kleinsten</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -5561,6 +5569,26 @@
     <message>
         <source>{name} has {count} solids, not one: the fluid must be a single solid; unite several, or make one of the faces; for the flow around them give far_field</source>
         <translation>{name} hat {count} Körper statt eines: das Fluid muss ein einziger Körper sein; vereinigen Sie mehrere oder machen Sie einen aus den Flächen; für die Strömung um sie geben Sie ein Fernfeld an</translation>
+    </message>
+    <message>
+        <source>Largest stretching</source>
+        <translation>Größte Streckung</translation>
+    </message>
+    <message>
+        <source>Longest length that a metric may want at a place, divided by the shortest</source>
+        <translation>Größte Länge, die eine Metrik an einem Ort verlangen darf, geteilt durch die kleinste</translation>
+    </message>
+    <message>
+        <source>Stretched triangles</source>
+        <translation>Gestreckte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles that are stretched along the direction in which the surface bends least, so that fewer keep the distance; the largest angle is bounded by 150 degrees then, instead of the smallest one</source>
+        <translation>Dreiecke, die in der Richtung gestreckt sind, in der sich die Fläche am wenigsten krümmt, so dass weniger die Abweichung einhalten; begrenzt ist dann der größte Winkel auf 150 Grad statt des kleinsten</translation>
+    </message>
+    <message>
+        <source>by curvature</source>
+        <translation>nach der Krümmung</translation>
     </message>
 </context>
 <context>

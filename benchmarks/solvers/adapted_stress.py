@@ -22,7 +22,8 @@ FINE = 0.4, 0.3  # mm where the stress is largest, and the growth of sizes with 
 def parser():
     result = inside_freecad.command_line(__doc__)
     result.add_argument("--only", default="")
-    result.add_argument("--most", type=int, default=60_000, help="unknowns")
+    result.add_argument("--most", type=int, default=60_000, help="unknowns of adapted meshes; 0: uniform meshes alone")
+    result.add_argument("--edges", type=float, nargs="+", help="mm, of uniform meshes, in place of those in EDGES")
     return result
 
 
@@ -82,10 +83,11 @@ def work(arguments):
             print(json.dumps(rows[-1]), flush=True)
             return np.column_stack([found[key] for key in ("D1", "D2", "D3")])
 
-        for edge in EDGES[name]:
+        for edge in arguments.edges or EDGES[name]:
             measured(mq.curve(solver.shape, order=2, volume=True, max_edge=edge), "uniform")
-        mq.adapt(lambda mesh: measured(mesh, "adapted"), solver.shape, target_error=0.002, max_unknowns=arguments.most, steps=6, strains=True,
-                 max_edge=EDGES[name][0])
+        if arguments.most:
+            mq.adapt(lambda mesh: measured(mesh, "adapted"), solver.shape, target_error=0.002, max_unknowns=arguments.most, steps=6,
+                     strains=True, max_edge=EDGES[name][0])
         measured(mq.curve(solver.shape, order=2, volume=True, max_edge=EDGES[name][1],
                           size_field=lambda points, name=name: FINE[0] + FINE[1] * away(name, points)), "exact")
         FreeCAD.closeDocument(document.Name)

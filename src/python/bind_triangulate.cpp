@@ -20,6 +20,7 @@
 #include "python/bound_fields.h"
 #include "python/freecad/freecad_shape.h"
 #include "python/freecad/stream_cache.h"
+#include "python/patches_of.h"
 #include "python/progress_watch.h"
 #include "python/python_lock.h"
 #include "python/shared_engine.h"
@@ -83,6 +84,34 @@ std::shared_ptr<Result> with_vertices(const Result& surface, const PointArray& v
         report.overlaps = 0;
         report.bridge = part.bridge;
         return moved;
+    });
+}
+
+/// Other triangles on the same entities: rows of corners, their faces and solids, and (dimension, index) by vertex.
+std::shared_ptr<Result> with_triangles(const Result& surface, const PointArray& vertices, const Indices& triangles,
+                                       const Indices& faces, const Indices& solids, const Indices& entities,
+                                       const FreecadShape& part, double chord_height, const py::object& progress) {
+    auto made = std::make_shared<Result>();
+    mesh::TriangleMesh& mesh = made->mesh;
+    mesh.origin = surface.mesh.origin;
+    mesh.vertices = points_of(vertices);
+    mesh.triangles.resize(static_cast<std::size_t>(triangles.size()) / 3);
+    for (std::size_t k = 0; k < 3 * mesh.triangles.size(); ++k) {
+        mesh.triangles[k / 3][k % 3] = triangles.data()[k];
+    }
+    mesh.triangle_face.assign(faces.data(), faces.data() + faces.size());
+    mesh.triangle_solid.assign(solids.data(), solids.data() + solids.size());
+    mesh.vertex_entity.resize(mesh.vertices.size());
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        mesh.vertex_entity[v] = {entities.data()[2 * v], entities.data()[2 * v + 1]};
+    }
+    return watch(progress, [&](Progress& handle) {
+        made->report = mesh::measure(mesh, &handle);
+        made->report.chord_height_asked = chord_height;
+        made->report = workflows::measure_against_shape(*made, *part.shape, handle);
+        made->report.overlaps = 0;
+        made->report.bridge = part.bridge;
+        return made;
     });
 }
 
@@ -234,6 +263,11 @@ void bind_triangulate(py::module_& m) {
           py::arg("min_angle"), py::arg("chord_height"), py::arg("progress") = py::none(),
           "A Surface with the same triangles and entities and the vertices (V, 3), relative to its origin, measured "
           "against the Part.Shape that has these entities; bounds in degrees and mm for its report.");
+    m.def("with_triangles", &with_triangles, py::arg("surface"), py::arg("vertices"), py::arg("triangles"),
+          py::arg("triangle_face"), py::arg("triangle_solid"), py::arg("vertex_entity"), py::arg("shape"),
+          py::arg("chord_height"), py::arg("progress") = py::none(),
+          "A Surface of other triangles on the entities of the Part.Shape that a surface was made of, with the same "
+          "origin, measured against it; the bound on its distance in mm for its report.");
     m.def("triangle_deviations", &triangle_deviations, py::arg("surface"), py::arg("shape"),
           py::arg("progress") = py::none(),
           "float64 (T,): the largest distance of each triangle's corners, edge middles and centroid from the faces of "

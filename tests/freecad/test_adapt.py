@@ -186,3 +186,30 @@ class Analyses(helpers.DocumentTest):
                                    "--strict"], capture_output=True, text=True, timeout=300, check=False)
             self.assertEqual(done.returncode, status, done.stdout + done.stderr)
         self.assertIn("above what is asked for", done.stdout + done.stderr)
+
+    def test_sizes_of_a_part_in_moved_containers(self):
+        counts, fields = [], []
+        for base in ((0, 0, 0), (300, -200, 100)):
+            outer, inner = (self.document.addObject("App::Part", name) for name in ("Outer", "Inner"))
+            outer.Placement = FreeCAD.Placement(FreeCAD.Vector(*base), FreeCAD.Rotation(FreeCAD.Vector(1, 1, 0), 90.0 if any(base) else 0.0))
+            inner.Placement.Base = FreeCAD.Vector(*base) / 3
+            part = self.document.addObject("Part::Feature", "Bracket")
+            part.Shape = cantilever.bracket()
+            outer.addObject(inner)
+            inner.addObject(part)
+            self.document.recompute()
+            analysis = cantilever.add_analysis(part, "force")
+            obj = mq.add_fem_mesh(part, analysis=analysis, max_edge=12.0, order=1)
+            result = mq.adapt(analysis, target_error=0.02, max_unknowns=15_000, steps=2)
+            first = obj.FemMesh.VolumeCount
+            self.assertEqual(first, len(result.mesh.tetrahedra))
+            mq.update(obj, order=2)  # meshed anew, with the sizes of the document
+            counts.append((first, obj.FemMesh.VolumeCount))
+            center = part.Shape.CenterOfGravity
+            nodes = np.array(obj.SizeField[0].Nodes).reshape(-1, 3)
+            fields.append((nodes.min(axis=0), nodes.max(axis=0)))
+            box = part.getGlobalPlacement().multiply(part.Placement.inverse())
+            self.assertTrue((fields[-1][0] < np.array(box.multVec(center))).all() and (np.array(box.multVec(center)) < fields[-1][1]).all())
+        self.assertLess(abs(counts[1][0] / counts[0][0] - 1), 0.03)
+        self.assertLess(abs(counts[1][1] / counts[0][1] - 1), 0.03)
+        self.assertLess(abs(counts[1][1] / counts[1][0] - 1), 0.1)

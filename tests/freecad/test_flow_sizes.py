@@ -99,6 +99,36 @@ class FlowSizes(helpers.DocumentTest):
         np.testing.assert_allclose(binary.values, text.values, rtol=1e-15)
         np.testing.assert_allclose(binary.sizes, text.sizes, rtol=1e-9)
 
+    def test_decomposed_cases_read_like_whole_ones(self):
+        points = self.centres * 1000
+        values = np.sin(0.2 * points[:, 2]) + 0.01 * points[:, 0]**2
+        write_field(self.case, "T", values, self.patches)
+        whole = mq.flow_sizes(self.case, "T")
+        with open(os.path.join(self.case, "system", "decomposeParDict"), "w", encoding="utf-8") as stream:
+            stream.write("FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }\n"
+                         "numberOfSubdomains 3;\nmethod simple;\nsimpleCoeffs { n (1 1 3); delta 0.001; }\n")
+        self.run_openfoam("decomposePar", "-time", "0")
+        shutil.rmtree(os.path.join(self.case, "0"))
+        parts = mq.flow_sizes(self.case, "T")
+        self.assertEqual(parts.time, "0")
+        order, theirs = (np.lexsort(np.round(found.points, 6).T) for found in (whole, parts))
+        np.testing.assert_allclose(parts.points[theirs], whole.points[order], atol=1e-6)
+        np.testing.assert_allclose(parts.cells[theirs], whole.cells[order], rtol=1e-6)
+        np.testing.assert_allclose(parts.hessians[theirs], whole.hessians[order], atol=1e-6 * np.abs(whole.hessians).max())
+        np.testing.assert_allclose(parts.sizes[theirs], whole.sizes[order], rtol=1e-4)
+        mesh = mq.triangulate(Part.makeCylinder(10, 40), size_field=f"{self.case}#T")
+        self.assertEqual(len(mesh.triangles), len(mq.triangulate(Part.makeCylinder(10, 40), size_field=parts).triangles))
+        with self.assertRaisesRegex(mq.InvalidInput, "is a folder"):
+            mq.triangulate(Part.makeCylinder(10, 40), size_field=self.case)
+        write_field(self.case, "T", values, self.patches, "1")  # later than that of the parts
+        self.assertEqual(mq.flow_sizes(self.case, "T").time, "1")
+        self.assertEqual(mq.flow_sizes(self.case, "T", time=0).time, "0")
+        with self.assertRaisesRegex(mq.InvalidInput, "there at 0, 1"):
+            mq.flow_sizes(self.case, "T", time=7)
+        shutil.rmtree(os.path.join(self.case, "processor1"))
+        with self.assertRaisesRegex(mq.IoError, "processor1 is missing"):
+            mq.flow_sizes(self.case, "T")
+
     def test_surfaces_and_regions_follow(self):
         x = self.centres[:, 0] * 1000
         write_field(self.case, "T", np.tanh((self.centres[:, 2] * 1000 - 20) / 2) + 0 * x, self.patches, "12.5")

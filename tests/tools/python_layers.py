@@ -38,6 +38,8 @@ CORE = [
     ["formats"],
     ["meshes"],
     ["sizes"],
+    ["places"],
+    ["stretching"],
     ["triangulation", "improvement", "simplification", "quality", "fem"],
     ["curved", "certify", "following"],
     ["operands", "verify"],

@@ -11,6 +11,11 @@ from .patches.patches import division_for, kept
 from .sources import convert
 from .sources import hidden_parts
 from .sizes import size_field as size_fields
+from .stretching import forms as metric_forms
+from .stretching import stretch
+
+# Options that say how long edges are to be, or let triangles lie on several faces.
+_NOT_WITH_METRIC = ("size_field", "local_sizes", "edges_per_circle", "growth_rate", "imprint", "keep_edges", "method")
 
 
 @options.takes_aliases(options.TRIANGULATE, memory="cache")
@@ -18,14 +23,14 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 method="refine", max_triangles=None, progress=None, insertion="off-centre", order="rounds",
                 allow_missing_faces=False, connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None, size_field=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, corners="auto", cache=None,
-                sew=True, imprint=False, overlap="refuse", evaluation="fast", patches=None, patch_rest=None, threads=0):
+                sew=True, imprint=False, overlap="refuse", evaluation="fast", patches=None, patch_rest=None, threads=0, metric="none",
+                max_stretching=5.0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
     min_angle              degrees, 0 < min_angle <= 34
     chord_height           mm; largest distance to the shape; "none": no bound
-    chord_height_relative  the same as a fraction of the largest dimension; give one of the two, or
-                           neither for 0.003 of the largest dimension
+    chord_height_relative  the same as a fraction of the largest dimension; give one of the two, or neither for 0.003
     max_edge, min_edge     mm; None: no bound
     local_sizes            {"Face3": 0.5, "Edge7": 0.2, "Vertex1": 0.1}: longest edges in mm of the
                            triangles on a face, along an edge, around a vertex; of a container or link
@@ -53,27 +58,53 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     refine_samples         of star and sprinkle: refine afterwards, so that the bounds hold
     seed                   of sprinkle's random points
     cache                  a MeshCache of earlier calls: faces that an edit left alone keep their triangles
-
     patches                named groups of faces for the files of solvers: {"inlet": ["Face1", "Box.Face4"], ...}, or
                            {"inlet": {"faces": ["Face1"], "colour": "#ff0000"}}; names as in local_sizes. They are
                            checked before the work, kept as mesh.patches, and are the default of mesh.write
     patch_rest             name of the patch of all other faces; None: each is one by its own name
+    metric, max_stretching  stretched triangles, by "curvature" or a metric of your own, and how much, 1 to 100; see docs/use/sizes.md
     threads                at a time; 0: MESHQUALITY_THREADS, or one for each core. The result is the same for any number
 
-    Returns a SurfaceMesh. The shape is only read.
+    Returns a SurfaceMesh; with a metric a StretchedMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
     """
     values = options.check(options.TRIANGULATE, {
-        "min_angle": min_angle, "chord_height": chord_height, "chord_height_relative": chord_height_relative,
-        "max_edge": max_edge, "min_edge": min_edge, "method": method, "insertion": insertion, "order": order,
-        "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces, "connectivity": connectivity,
-        "refine_samples": refine_samples, "seed": seed, "local_sizes": local_sizes,
-        "edges_per_circle": edges_per_circle, "growth_rate": growth_rate, "keep_edges": keep_edges,
+        "min_angle": min_angle, "chord_height": chord_height, "chord_height_relative": chord_height_relative, "max_edge": max_edge,
+        "min_edge": min_edge, "method": method, "insertion": insertion, "order": order, "max_triangles": max_triangles,
+        "allow_missing_faces": allow_missing_faces, "connectivity": connectivity, "refine_samples": refine_samples, "seed": seed,
+        "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth_rate": growth_rate, "keep_edges": keep_edges,
         "feature_angle": feature_angle, "corners": corners, "sew": sew, "imprint": imprint, "overlap": overlap, "evaluation": evaluation,
+        "metric": metric if isinstance(metric, str) else metric_forms.NONE, "max_stretching": max_stretching,
     })
     values["threads"] = options.THREADS.checked(threads)
     options.require_callable(progress)
-    return _meshed(shape, values, size_field, progress, cache, division_for(shape, patches, patch_rest))
+    return _made(shape, values, metric, size_field, progress, cache, division_for(shape, patches, patch_rest))
+
+
+def _made(shape, values, metric, size_field, progress, cache, division):
+    """The SurfaceMesh of a shape with checked options; with a metric the StretchedMesh."""
+    chosen, stretching = values.pop("metric"), values.pop("max_stretching")
+    form = chosen if metric is None or isinstance(metric, str) else metric
+    if isinstance(form, str) and form == metric_forms.NONE:
+        return _meshed(shape, values, size_field, progress, cache, division)
+    return _stretched(shape, values, size_field, form, stretching, progress, cache, division)
+
+
+def _stretched(shape, values, size_field, form, stretching, progress, cache, division):
+    """The StretchedMesh of a shape with checked options, of a quality mesh with the shortest lengths that the metric wants."""
+    for option in options.TRIANGULATE:
+        if option.name in _NOT_WITH_METRIC and (size_field if option.is_fields else values[option.name]) != option.default:
+            raise InvalidInput(f"{option.name} does not go with metric, which says how long edges are to be: leave one of the two out")
+    box = convert.shape_of(shape).BoundBox
+    longest = values["max_edge"] / stretch.LONGEST if values["max_edge"] else max(box.XLength, box.YLength, box.ZLength)
+    given = None if isinstance(form, str) else metric_forms.Given(form, longest, stretching)
+    if values["corners"] == "auto":
+        values = {**values, "corners": "keep"}
+    mesh = _meshed(shape, values, given and given.shortest, progress, cache, None)
+    metric = given or metric_forms.Curvature.of(mesh.report.chord_height_asked, longest, stretching)
+    found, said = stretch.stretched(mesh, convert.shape_of(shape), metric, progress)
+    found._patches = kept(division, found)
+    return hidden_parts.noted(found, [*(note for note in mesh.report.notes if note not in found.report.notes), *said])
 
 
 def _meshed(shape, values, size_field, progress, cache, division):

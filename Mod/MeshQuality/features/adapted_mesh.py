@@ -9,7 +9,7 @@ import numpy as np
 from .. import label_phrases, options
 from ..core import adapting
 from ..core.sizes.mesh_values import of_frd
-from ..core.sources import convert
+from ..core.sources import convert, frames
 from ..errors import Cancelled, Error, InvalidInput
 from ..phrases import Text
 from . import fem_groups, size_fields
@@ -63,9 +63,9 @@ def mesh_of_analysis(analysis):
 def adapt_analysis(analysis, target_error, max_unknowns, steps, order=None, size_field=None, progress=None,
                    in_document=lambda function: function()):
     """As adapt; in_document(function) calls it where documents may be changed, and returns what it returns."""
-    adapted = in_document(lambda: AnalysisOnMeshes(analysis, order, progress, in_document))
-    found = adapting.adapt(adapted.solve, adapted.shape, target_error, max_unknowns, steps, adapted.values["order"], size_field, progress,
-                           True, adapted.keep, **adapted.options)
+    adapted = in_document(lambda: AnalysisOnMeshes(analysis, order, progress, in_document, size_field))
+    found = adapting.adapt(adapted.solve, adapted.shape, target_error, max_unknowns, steps, adapted.values["order"], adapted.bounds,
+                           progress, True, adapted.keep, **adapted.options)
     in_document(lambda: adapted.show_table(found))
     return found
 
@@ -74,9 +74,10 @@ class AnalysisOnMeshes:
     """An analysis that is solved on one mesh after the other while it is adapted.
 
     values   its options; options: those of curve, but for the order and the sizes
+    bounds   size_field in the frame of its mesh, which is that of the shape without its containers
     """
 
-    def __init__(self, analysis, order, progress, in_document):
+    def __init__(self, analysis, order, progress, in_document, size_field=None):
         self._analysis, self._obj, self._progress, self._in_document = analysis, mesh_of_analysis(analysis), progress, in_document
         if self._obj is None:
             raise InvalidInput(f"{analysis.Label} has no mesh of add_fem_mesh: add one, adapt changes its sizes")
@@ -84,6 +85,8 @@ class AnalysisOnMeshes:
             raise InvalidInput(f"{analysis.Label} has no solver: add CalculiX to it")
         self._source, = self._obj.Proxy.sources(self._obj)
         self.shape = convert.taken(convert.own_shape_of(self._source))
+        self._frame, self._given = frames.frame_of(self._source), size_field
+        self.bounds = None if size_field is None else size_fields.moved(size_field, self._frame)
         self.values = options_of(self._obj, self._obj.Proxy.OPTIONS)
         self.values["order"] = self.values["order"] if order is None else order
         found = FemMeshObject.curve_values(self.shape, convert.with_resolved_sizes(self._source, self.values))[0]
@@ -134,7 +137,7 @@ class AnalysisOnMeshes:
         obj, document = self._obj, self._obj.Document
         with undo_step(document, f"Adapt {obj.Label}: step {len(found.steps)}"):
             before = obj.SizeField
-            names = size_fields.names_of(found.sizes, self._source)[0]
+            names = size_fields.names_of(self._in_frame_of_document(found.sizes), self._source)[0]
             values = options.check(obj.Proxy.OPTIONS, {**self.values, "size_field": names})
             with with_precomputed(obj.Proxy, obj.Proxy.work_on([self._source], values, obj), result):
                 update(obj, order=self.values["order"], size_field=names)
@@ -142,6 +145,13 @@ class AnalysisOnMeshes:
                 if document.getObject(field.Name) is not None and isinstance(field.Proxy, size_fields.SizeData) and not field.InList:
                     document.removeObject(field.Name)
             self.show_table(found)
+
+    def _in_frame_of_document(self, sizes):
+        """Sizes of an Adaptation, as objects of the document have them."""
+        if sizes is self.bounds:
+            return self._given
+        given = [] if self._given is None else self._given if isinstance(self._given, list) else [self._given]
+        return [size_fields.moved(sizes[0], self._frame.inverse()), *given]
 
     def show_table(self, found):
         """Writes the steps into the spreadsheet of the analysis, as one undo step or a part of one."""

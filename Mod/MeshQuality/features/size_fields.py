@@ -7,7 +7,7 @@ import numpy as np
 
 from ..compat import PlainState, extension
 from ..core.sizes import forms, regions, size_field
-from ..core.sizes.interpolated import interpolated
+from ..core.sizes.interpolated import Interpolated, interpolated
 from ..core.sources import convert, frames
 from ..errors import InvalidInput
 from .gui_hooks import window
@@ -80,7 +80,7 @@ def names_of(form, source):
 
 
 def _is_whole(part):
-    return callable(part) or isinstance(part, (str, tuple, np.ndarray)) or is_field(part)
+    return callable(part) or isinstance(part, (str, tuple, np.ndarray, Given)) or is_field(part)
 
 
 def _stored(form, source, document):
@@ -117,6 +117,18 @@ def fields_for(source, names, own_frame=False):
     if frame is not None and not frames.is_identity(frame):
         found = [regions.Moved(field, frame) for field in found]
     return Given(found), digests
+
+
+def moved(form, frame):
+    """A form of size_field= for points that the frame takes to those of that form."""
+    if frames.is_identity(frame):
+        return form
+    return Given([_moved_nodes(field, frame) if isinstance(field, Interpolated) else regions.Moved(field, frame) for field in forms.fields_of(form)])
+
+
+def _moved_nodes(field, frame):
+    nodes, simplices, sizes = field.arrays()
+    return interpolated(convert.moved(nodes, frame.inverse()), simplices, sizes, field.name)
 
 
 class Given:

@@ -321,6 +321,11 @@ TRIANGULATE = (
                 "triangles would be below the smallest angle"),
     Option("max_triangles", int, None, low=1, high=2**31 - 1, above=False, group="Size", title="Triangle limit",
            rare=True, unset="5 million", help="Stop at this number; the mesh is then incomplete"),
+    Option("metric", str, "none", choices=("none", "curvature"), title="Stretched triangles", rare=True, choice_titles=("no", "by curvature"),
+           help="Triangles that are stretched along the direction in which the surface bends least, so that fewer keep the distance; the "
+                "largest angle is bounded by 150 degrees then, instead of the smallest one"),
+    Option("max_stretching", float, 5.0, low=1.0, high=100.0, above=False, title="Largest stretching", rare=True, only_with=("metric", ("curvature",)),
+           help="Longest length that a metric may want at a place, divided by the shortest"),
     Option("allow_missing_faces", bool, False, title="Skip faces that fail", rare=True,
            help="Mesh the other faces where some fail; the report names those that were skipped"),
     Option("sew", bool, True, title="Join loose faces", rare=True,

@@ -2,9 +2,10 @@
 """How the points of a mesh move with a parameter of its part."""
 
 from ...errors import TopologyError
-from .entities import Entities, differences
+from ..places.entities import Entities, differences
+from ..places.places import Places
 from .follow import shape_of_mesh
-from .moving import Places, moved
+from .moving import moved
 
 
 def central_differences(mesh, shape_at, value, step):

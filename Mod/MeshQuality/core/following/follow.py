@@ -9,11 +9,12 @@ from ...errors import Cancelled, GeometryError, InvalidInput, TopologyError
 from ..brep.construction import Construction
 from ..meshes.surface_mesh import SurfaceMesh
 from ..patches.patches import kept
+from ..places.entities import Entities, differences
+from ..places.places import Places, unfit
 from ..sources import convert
 from ..triangulation import triangulate
 from .angles import Angles
-from .entities import Entities, differences
-from .moving import Places, moved
+from .moving import moved
 
 _OTHERWISE = "remesh", "refuse"
 _NAMED = 8  # faces that a reason names
@@ -87,7 +88,7 @@ def shape_of_mesh(mesh):
 def _followed(mesh, shape, asked, progress):
     """(Surface, reasons, error that they are): the triangles on the shape; reasons why they do not serve."""
     before, after = Entities(shape_of_mesh(mesh)), Entities(shape)
-    reasons = _unfit(mesh) + differences(before, after)
+    reasons = unfit(mesh) + differences(before, after)
     if reasons:
         return None, _shortened(reasons), TopologyError
     places = Places(mesh, before)
@@ -109,20 +110,6 @@ def _followed(mesh, shape, asked, progress):
 def _tell(progress):
     if progress is not None and progress(0.3, "following the shape") is False:
         raise Cancelled()
-
-
-def _unfit(mesh):
-    """Why the points of a mesh do not all lie on the entities that they belong to."""
-    report, found = mesh.report, []
-    if report.cut_corners:
-        found.append('corners of faces were cut off (corners="keep" keeps them)')
-    if report.spanning:
-        found.append('triangles lie on several faces (keep_edges="feature")')
-    if len(mesh.triangle_opposite):
-        found.append("solids share faces (imprint=True)")
-    if report.missing_faces:
-        found.append("faces have no triangles (allow_missing_faces=True)")
-    return found
 
 
 def _limits(mesh, min_angle):

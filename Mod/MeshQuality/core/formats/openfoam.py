@@ -93,6 +93,11 @@ def read_poly_mesh(case):
     return mesh
 
 
+def processor_patches(case):
+    """{other processor: (first face, number of faces)} of a folder processor*: the patches to the others. Raises IoError."""
+    return _File(os.path.join(case, "constant", "polyMesh", "boundary")).processor_patches()
+
+
 def read_field(case, name, time=None):
     """(float64 (cells, k), of a uniform field (1, k); time) of a field of cells; time: None: the last one.
 
@@ -172,6 +177,15 @@ class _File:
         starts = np.concatenate([[0], np.cumsum(sizes)])
         lead = starts[:-1] + np.arange(count)
         return np.delete(tokens[:at], lead), starts
+
+    def processor_patches(self):
+        """{other processor: (first face, number of faces)} of a file boundary."""
+        found = {}
+        for body in re.findall(r"\{([^{}]*)\}", self._data[self._at:].decode("latin-1")):
+            words = {key: quoted or plain for key, quoted, plain in _ENTRY.findall(body)}
+            if "neighbProcNo" in words and words.get("type") == "processor":
+                found[int(words["neighbProcNo"])] = int(words["startFace"]), int(words["nFaces"])
+        return found
 
     def internal_field(self):
         """float64 (cells, k), or the row that holds for all cells."""

@@ -7,7 +7,7 @@ import numpy as np
 
 from ...errors import InvalidInput
 from ...listing import Public
-from ..formats.openfoam import read_field, read_poly_mesh
+from ..formats.openfoam_decomposed import read_case
 from .points import from_rows
 
 CHANGE = 4.0  # largest factor of sizes from those of the cells, each way
@@ -48,8 +48,8 @@ class FlowSizes(metaclass=Public):
 def flow_sizes(case, field, time=None, error=None, min_size=None, max_size=None, change=CHANGE, scale=0.001):
     """Sizes for a surface and for regions of refinement, by a field that OpenFOAM has computed: a FlowSizes.
 
-    case      folder of the case, with constant/polyMesh; text or binary, also compressed
-    field     name of a field of cells: "p", "U" ...; not decomposed
+    case      folder of the case, with constant/polyMesh, or decomposed, with processor0 ...; text or binary, also compressed
+    field     name of a field of cells: "p", "U" ...
     time      number or name of the folder; None: the last one
     error     largest error of linear interpolation, in units of the field; None: 0.01 of its range
     min_size, max_size
@@ -63,13 +63,8 @@ def flow_sizes(case, field, time=None, error=None, min_size=None, max_size=None,
     """
     _check(error, min_size, max_size, change, scale)
     case = os.fsdecode(case)
-    mesh = read_poly_mesh(case)
-    values, time = read_field(case, field, time)
+    mesh, values, time = read_case(case, field, time)
     centres, volumes = mesh.centres_and_volumes()
-    if len(values) == 1:  # uniform
-        values = np.tile(values, (mesh.cells, 1))
-    if len(values) != mesh.cells:
-        raise InvalidInput(f"{field} of {case} has {len(values)} values for {mesh.cells} cells: give the case that it was computed on")
     bad = ~np.isfinite(values).all(axis=1)
     if bad.any():
         raise InvalidInput(f"{field} has no number in cell {int(np.argmax(bad))}, one of {int(bad.sum())} such cells: give a time before")

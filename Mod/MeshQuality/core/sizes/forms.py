@@ -7,6 +7,7 @@ import numpy as np
 
 from ...errors import InvalidInput
 from . import mesh_values
+from .flow_sizes import flow_sizes
 from .interpolated import interpolated
 from .points import from_csv, from_rows
 
@@ -94,6 +95,11 @@ def fields_of(form):
 
 
 def _of_file(path):
+    case, _, field = path.partition("#")
+    if os.path.isdir(case):
+        if not field:
+            raise InvalidInput(f"'{path}' is a folder: name a field of a case of OpenFOAM as '{path}#U'")
+        return flow_sizes(case, field).size_fields()[0]
     return from_csv(path) if os.path.splitext(path)[1].lower() in (".csv", ".txt") else interpolated(*mesh_values.of_file(path), path)
 
 

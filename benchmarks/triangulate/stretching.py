@@ -1,0 +1,143 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How many triangles stretched meshes need for a distance, beside those of equal sides and those of mmgs in the same metric.
+
+    /usr/bin/python3 benchmarks/triangulate/stretching.py [--mmg PYTHON] [--relative FRACTION] [--only PART]
+
+PYTHON is one that has mmgpy. mmgs gets the quality mesh, our metric at its vertices, and the distance. Distances are measured by
+mq.quality of each mesh against the shape, angles from the points.
+"""
+
+import math
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+sys.path += map(str, Path(__file__).resolve().parents[1].iterdir())
+import inside_freecad
+
+MMG = """
+import sys, numpy, mmgpy
+given = numpy.load(sys.argv[1])
+mesh = mmgpy.MmgMeshS(given["points"], given["triangles"])
+mesh.set_field("tensor", numpy.ascontiguousarray(given["metric"]))
+mesh.remesh(hausd=float(given["distance"]), hgrad=-1.0, verbose=-1)
+numpy.savez(sys.argv[2], points=mesh.get_vertices(), triangles=mesh.get_triangles())
+"""
+
+
+def parser():
+    result = inside_freecad.command_line(__doc__)
+    result.add_argument("--mmg", default="")
+    result.add_argument("--relative", type=float, default=1e-4, help="largest distance as a fraction of the size")
+    result.add_argument("--only", default="")
+    return result
+
+
+def aerofoil(chord, x, y, z, points=30):
+    """A closed wire with a section of 12 % thickness."""
+    import FreeCAD
+    import Part
+
+    def half(s):
+        return 0.6 * (0.2969 * math.sqrt(s) - 0.126 * s - 0.3516 * s * s + 0.2843 * s**3 - 0.1036 * s**4)
+
+    shares = [(0.5 * (1 + math.cos(math.pi * i / points)), 1) for i in range(points + 1)]
+    shares += [(0.5 * (1 - math.cos(math.pi * i / points)), -1) for i in range(1, points)]
+    places = [FreeCAD.Vector(x + chord * s, y, z + side * chord * half(s)) for s, side in shares]
+    curve = Part.BSplineCurve()
+    curve.interpolate([*places, places[0]])
+    return Part.Wire([curve.toShape()])
+
+
+def parts():
+    """{name: shape}."""
+    import Part
+
+    block = Part.makeBox(40, 30, 20)
+    return {
+        "cylinder": Part.makeCylinder(10, 40),
+        "wing": Part.makeLoft([aerofoil(100, 0, 0, 0), aerofoil(50, 30, 150, 8)], True),
+        "block, all edges rounded": block.makeFillet(5, block.Edges),
+        "cone": Part.makeCone(10, 3, 30),
+        "pipe": Part.makeCylinder(10, 60).cut(Part.makeCylinder(8, 60)),
+    }
+
+
+def largest_angles(points, triangles):
+    """Degrees, by triangle."""
+    import numpy as np
+
+    sides = np.roll(points[triangles], -1, axis=1) - points[triangles]
+    lengths = np.linalg.norm(sides, axis=2)
+    cosines = -np.einsum("tij,tij->ti", sides, np.roll(sides, 1, axis=1)) / (lengths * np.roll(lengths, 1, axis=1))
+    return np.degrees(np.arccos(np.clip(cosines.min(axis=1), -1.0, 1.0)))
+
+
+def by_mmg(python, mesh, shape, relative):
+    """(points, triangles) of mmgs; None where it fails."""
+    import numpy as np
+
+    from MeshQuality.core.places.entities import Entities
+    from MeshQuality.core.places.places import Places
+    from MeshQuality.core.stretching.cad_pairs import CadPairs
+    from MeshQuality.core.stretching.forms import Curvature
+
+    places = Places(mesh, Entities(shape))
+    pairs = CadPairs(places, places.corners)
+    box = shape.BoundBox
+    longest = max(box.XLength, box.YLength, box.ZLength)
+    rows = Curvature(relative * longest, longest, 5.0).at(places.points[pairs.vertex], pairs.normals, pairs.curvatures)
+    metric = np.zeros((len(places.points), 6))
+    order = np.argsort(rows[:, :3].sum(axis=1))  # of several faces that which wants the shortest edges
+    metric[pairs.vertex[order]] = rows[order]
+    with tempfile.TemporaryDirectory() as folder:
+        np.savez(f"{folder}/given.npz", points=places.points, triangles=mesh.triangles, metric=metric[:, [0, 3, 5, 1, 4, 2]],
+                 distance=relative * longest)
+        done = subprocess.run([python, "-c", MMG, f"{folder}/given.npz", f"{folder}/made.npz"], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL, env=inside_freecad.system_environment())
+        if done.returncode:
+            return None
+        made = np.load(f"{folder}/made.npz")
+        return made["points"], made["triangles"]
+
+
+def row(name, points, triangles, shape, seconds, more=""):
+    import MeshQuality as mq
+
+    report = mq.quality((points, triangles), shape)
+    angles = largest_angles(points, triangles)
+    print(f"{name} | {len(triangles):,} | {angles.max():.1f} | {(angles > 150).sum()} | {report.max_chord_height:.4f} | "
+          f"{report.self_intersections} | {report.closed} | {more} | {seconds:.1f}", flush=True)
+    return [name, len(triangles), float(angles.max()), report.max_chord_height, more, seconds]
+
+
+def work(asked):
+    import MeshQuality as mq
+
+    rows = []
+    print("mesh | triangles | largest angle | above 150 | distance | crossings | closed | below 0.3, least quality | CPU s")
+    for name, shape in parts().items():
+        if asked.only not in name:
+            continue
+        times, meshes = [time.process_time()], []
+        for metric in ("none", "curvature"):
+            meshes.append(mq.triangulate(shape, chord_height_relative=asked.relative, metric=metric))
+            times.append(time.process_time())
+        equal, found = meshes
+        quality = f"{(found.metric_quality < 0.3).sum()}, {found.metric_quality.min():.2f}"
+        rows.append(row(f"{name}: equal sides", equal.vertices + equal.origin, equal.triangles, shape, times[1] - times[0]))
+        rows.append(row(f"{name}: stretched", found.vertices + found.origin, found.triangles, shape, times[2] - times[1], quality))
+        if asked.mmg:
+            start = time.perf_counter()
+            made = by_mmg(asked.mmg, equal, shape, asked.relative)
+            if made is None:
+                print(f"{name}: mmgs | failed", flush=True)
+            else:
+                rows.append(row(f"{name}: mmgs", *made, shape, time.perf_counter() - start))
+    return {"rows": rows}
+
+
+inside_freecad.start(__file__, parser(), work)
