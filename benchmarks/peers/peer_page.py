@@ -66,8 +66,8 @@ def section(task, rows, versions, missing, command, judged):
     named = [f"{name} {version}" for name, version in versions.items()]
     runs = sorted({row["runs"] for row in rows if row.get("runs")})
     cases = len({row["case"] for row in rows})
-    about = (f"{cases} {'part' if cases == 1 else 'parts'}; medians of {' or '.join(map(str, runs)) or 'no'} runs in turn, of one call each; "
-             "the spread is that of CPU s, largest to smallest."
+    about = ((task.about or f"{cases} {'part' if cases == 1 else 'parts'}; medians of {' or '.join(map(str, runs)) or 'no'} runs in turn, of "
+              "one call each; the spread is that of CPU s, largest to smallest.")
              + ("" if judged else " No judge was given: what only it finds is not measured."))
     lines = [f"    {command}", "", *first, "", *textwrap.wrap(f"{task.said} {about}", 140), ""]
     lines += [*table(task.columns, rows), "", f"Versions: {', '.join(named)}."]
