@@ -8,7 +8,7 @@ Tasks: surface, public, boolean, offset, wrap, simplify, improve, fill, curving.
 kept in the folder --cache; CGAL is compiled where Debian's headers are. What cannot be had is named with the reason.
 
 Parts are those of $MESHQUALITY_DATA (default: ../shared/data beside the repository) and a few that FreeCAD makes.
-Everybody has the same ones in turn, each run in a process of its own with limits of CPU seconds, of four times those on
+Everybody has the same ones in turn, each run in a process of its own with limits of CPU seconds, of --clock times those on
 the clock, and of memory: what crashes or is not done is a row's result. CPU and wall seconds are of the call alone, with
 conversions and without files, medians of --runs; what takes more than five seconds runs once. Everybody is pinned to the
 first of --cores with one thread, and where there are several once more to all of them, with a thread each. What somebody
@@ -56,6 +56,7 @@ def parser():
     result.add_argument("--parts", help="folder of the task public")
     result.add_argument("--share", default="measure", choices=("measure", "develop", "both"), help="which of --parts")
     result.add_argument("--limit", type=float, default=120.0, help="CPU seconds of a run")
+    result.add_argument("--clock", type=float, default=10.0, help="times --limit on the clock, after which a run hangs")
     result.add_argument("--gibibytes", type=float, default=12.0, help="memory of a run")
     result.add_argument("--judge", help="program that judges a mesh: MESH SHAPE --json")
     result.add_argument("--curved-judge", help="program that judges a curved mesh: MESH.msh SHAPE --json")
@@ -77,7 +78,7 @@ class Runs:
 
         self.name, self.arguments, self.environment, self.folder = name, arguments, environment, Path(folder)
         self.task, self.own = peer_tasks.TASKS[name], own_runs
-        self.limits = Limits(arguments.limit, arguments.gibibytes)
+        self.limits = Limits(arguments.limit, arguments.gibibytes, arguments.clock)
         self.outside = dict(text.split("=", 1) for text in arguments.program) if self.task.outside else {}
         self.meshers = (*self.task.meshers, *self.outside)
 
@@ -100,7 +101,7 @@ class Runs:
         os.environ["MESHQUALITY_THREADS"] = str(cores)
         Path(job["out"]).unlink(missing_ok=True)
         if job["mesher"] in self.own.RUNS[self.name]:
-            said, cause = outcome_in_child(lambda: self.own.run(job), self.arguments.limit, self.arguments.gibibytes)
+            said, cause = outcome_in_child(lambda: self.own.run(job), self.arguments.limit, self.arguments.gibibytes, self.arguments.clock)
             return said or {"failed": cause}
         environment = inside_freecad.system_environment() | {"OMP_NUM_THREADS": str(cores)}
         status, output = self.limits.run(self._command(job), environment)

@@ -94,7 +94,7 @@ class Outcomes(unittest.TestCase):
 
     def rows(self, program, limit=20.0, threads=1):
         cores = sorted(os.sched_getaffinity(0))
-        arguments = types.SimpleNamespace(limit=limit, gibibytes=8.0, runs=2, judge=None, program=[], cores=cores[:1] * threads)
+        arguments = types.SimpleNamespace(limit=limit, clock=10.0, gibibytes=8.0, runs=2, judge=None, program=[], cores=cores[:1] * threads)
         with tempfile.TemporaryDirectory() as folder:
             made = peers.Runs("fill", arguments, mock.Mock(), folder)
             surface = Path(folder, "given.off")
