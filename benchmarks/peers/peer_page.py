@@ -17,14 +17,21 @@ def cell(value, written):
     return format(value, written)
 
 
-def table(columns, rows):
+def table(columns, rows, reasons=True):
     """The Markdown lines of rows, in the order of cases; a row without figures says why."""
-    heads = ["part", "by", *(column.heading for column in columns), "what went wrong"]
-    lines = [f"| {' | '.join(heads)} |", f"|---|---|{'---:|' * len(columns)}---|"]
+    heads = ["part", "by", *(column.heading for column in columns)] + ["what went wrong"] * reasons
+    lines = [f"| {' | '.join(heads)} |", f"|---|---|{'---:|' * len(columns)}{'---|' * reasons}"]
     for before, row in zip([None, *rows], rows):
         name = "" if before and before["case"] == row["case"] else row["case"]
-        lines.append(f"| {' | '.join([name, row['mesher'], *(cell(row.get(c.key), c.written) for c in columns), row.get('failed', '')])} |")
+        cells = [name, row["mesher"], *(cell(row.get(c.key), c.written) for c in columns)] + [row.get("failed", "")] * reasons
+        lines.append(f"| {' | '.join(cells)} |")
     return lines
+
+
+def figures(columns, rows):
+    """A few columns of the rows of the first case, for the front page."""
+    chosen = [column for column in columns if column.key in ("triangles", "distance", "forced", "rate")]
+    return "\n".join(table(chosen, [row for row in rows if row["case"] == rows[0]["case"]], reasons=False))
 
 
 def ahead(columns, rows, clean):

@@ -272,7 +272,7 @@ TASKS = {
         meshers=("MeshQuality", "Gmsh 5", "Gmsh 6", "Netgen", "BRepMesh", "CGAL"),
         columns=(Column("triangles", "triangles", "d"), Column("distance / target", "distance", ".2f"),
                  Column("triangles x distance", "product", ".0f", -1), Column("smallest angle", "angle", ".1f", 1),
-                 Column("forced left out", "forced", ".1f", 1), Column("below 25 degrees, %", "below", ".1f", -1),
+                 Column("smallest angle, forced ones left out", "forced", ".1f", 1), Column("below 25 degrees, %", "below", ".1f", -1),
                  Column("closed", "closed"), Column("crossings", "crossings", "d", -1), *TIMES,
                  Column("triangles a CPU s", "rate", ",.0f", 1)),
         cases=surface_cases, figures=peer_figures.surface,

@@ -66,6 +66,7 @@ def parser():
     result.add_argument("--afresh", action="store_true", help="look for settings again")
     result.add_argument("--write", action="store_true", help="put the table into the page")
     result.add_argument("--page", default=str(PAGE), help="that --write changes")
+    result.add_argument("--front", default=str(inside_freecad.ROOT / "README.md"), help="page that has figures of the first surface")
     return result
 
 
@@ -172,7 +173,7 @@ def rows_of(runs, case, meshers, known):
             before.append(runs.run(job))
     made = {mesher: {variant: figures(runs, case, mesher, variant, said[mesher, variant]) for variant in runs.variants()}
             for mesher in meshers}
-    exact = {key: row["volume"] for key, row in made.get("CGAL", {}).items() if row}
+    exact = {key: row["volume"] for key, row in made.get("CGAL", {}).items() if row and "volume" in row}
     reference = exact or case.get("volumes") or {}
     return [row_of(runs, case, mesher, made[mesher], said, reference) | times_everywhere(runs, mesher, everywhere) for mesher in meshers]
 
@@ -251,6 +252,8 @@ def table_of(name, arguments, environment):
     print(text, flush=True)
     if arguments.write:
         peer_page.put(arguments.page, name, text)
+        if name == "surface" and rows:
+            peer_page.put(arguments.front, "figures", peer_page.figures(runs.task.columns, rows))
     return rows
 
 

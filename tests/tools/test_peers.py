@@ -61,6 +61,11 @@ class Page(unittest.TestCase):
             "| plate | MeshQuality | 100 | 25.0 | yes |  |", "|  | Rival | 50 | 5.0 | no |  |",
             "|  | Other | - | - | - | crash: SIGSEGV |"])
 
+    def test_the_front_page_has_the_first_part_without_reasons(self):
+        columns = [peer_tasks.Column("triangles", "triangles", "d"), peer_tasks.Column("spread", "spread", ".0%")]
+        self.assertEqual(peer_page.figures(columns, [*rows()[:2], {"case": "ball", "mesher": "MeshQuality", "triangles": 7}]),
+                         "| part | by | triangles |\n|---|---|---:|\n| plate | MeshQuality | 100 |\n|  | Rival | 50 |")
+
     def test_rivals_ahead_come_first_with_their_faults(self):
         said = peer_page.section(mock.Mock(columns=COLUMNS, clean=lambda row: row["closed"], said="Said.", about=""), rows(),
                                  {"rival": "1.2"}, {"Absent": "no wheel"}, "command", False)
@@ -87,6 +92,8 @@ class Page(unittest.TestCase):
         for name in peers.TASKS:
             for mark in peer_page.marks(name):
                 self.assertIn(mark, text)
+        for mark in peer_page.marks("figures"):
+            self.assertIn(mark, documents.ROOT.joinpath("README.md").read_text(encoding="utf-8"))
 
 
 class Outcomes(unittest.TestCase):
