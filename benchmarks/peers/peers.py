@@ -211,7 +211,7 @@ def row_of(runs, case, mesher, made, said, reference):
     if done and len(done) == len(own):
         seconds, wall = ([sum(one[key] for one in turn) for turn in zip(*done)] for key in ("seconds", "wall"))
         row |= {"runs": len(seconds), "seconds": statistics.median(seconds), "wall": statistics.median(wall),
-                "spread": max(seconds) / min(seconds) - 1.0 if min(seconds) > TOO_SHORT else None}
+                "spread": max(seconds) / min(seconds) - 1.0 if len(seconds) > 1 and min(seconds) > TOO_SHORT else None}
         count = row.get("tetrahedra", row.get("triangles"))
         row["rate"] = count / row["seconds"] if row["seconds"] > TOO_SHORT else None
     return row
@@ -221,11 +221,13 @@ def command_of(arguments, name):
     """The command that repeats a table."""
     words = [f"--task {name}"]
     if name == "public":
-        words += ["--parts PARTS", f"--share {arguments.share}", f"--limit {arguments.limit:g}"]
+        words += ["--parts PARTS", f"--share {arguments.share}"]
     else:
         words += [f"--runs {arguments.runs}", f"--cores {','.join(map(str, arguments.cores))}"]
+    words += [f"--limit {arguments.limit:g}"] + [f"--only '{mesher}'" for mesher in arguments.only or ()]
     words += [f"--most {arguments.most}"] * bool(arguments.most) + [f"--program {text.partition('=')[0]}=PROGRAM" for text in arguments.program]
-    return f"benchmarks/peers/peers.py {' '.join(words)}{' --judge PROGRAM' if arguments.judge else ''} --write"
+    judges = " --judge PROGRAM" * bool(arguments.judge) + " --curved-judge PROGRAM" * (name == "curving" and bool(arguments.curved_judge))
+    return f"benchmarks/peers/peers.py {' '.join(words)}{judges} --write"
 
 
 def version_of(program):
