@@ -323,7 +323,7 @@ TASKS = {
         relative=("MeshLib", "Manifold", "Mmg", "trueform"),
         said="The target is a thousandth of the largest dimension; given meshes are MeshQuality's, three times as close to the part. "
              "MeshQuality proves the distance, for all points of both surfaces. The others get the coarsest setting of a grid in steps of "
-             "1.4 (triangles left, or their own tolerance) with which 20,000 points a side, measured by VTK, keep it."),
+             "1.4 (triangles left, or their own tolerance, and trueform its budget of errors) with which 20,000 points a side, measured by VTK, keep it."),
     "fill": Task(
         meshers=("MeshQuality", "Gmsh", "Gmsh HXT", "Netgen", "TetGen", "fTetWild", "delmesher"),
         columns=(Column("tetrahedra", "tetrahedra", "d"), Column("smallest dihedral", "dihedral", ".1f", 1),
@@ -368,9 +368,9 @@ TASKS = {
         clean=lambda row: not row["invalid"] and not row.get("folded"), suffix=".npz",
         settings=dict.fromkeys(("Gmsh", "Netgen"), [0.25 * 2.0 ** (-k / 2) for k in range(10)]), relative=("Gmsh", "Netgen"),
         said="Quadratic tetrahedra. MeshQuality is at its defaults; the others get the longest edges of a grid in steps of 1.4 that make as "
-             "many tetrahedra. Gmsh then uses the elastic analogy and its optimisation of high order; Netgen puts the nodes of its second "
-             "order onto the shape. Invalid elements and folded triangles are proven by a judge of curved meshes, or else sampled. J is the "
-             "Jacobian within an element, here of the worst one; distances of the border from the CAD are in parts of the diagonal of the shape."),
+             "many. Gmsh then has the elastic analogy and its optimisation of high order, and Netgen its second order. A judge of curved "
+             "meshes proves what is invalid or folded; without one J, the Jacobian within an element, is sampled. The worst element "
+             "counts; distances are in parts of the diagonal of the shape."),
     "improve": Task(
         meshers=("MeshQuality", "PyMeshLab", "MeshLib", "Mmg", "trueform", "CGAL"),
         columns=(Column("triangles", "triangles", "d", -1), Column("smallest angle", "angle", ".1f", 1), Column("below 25 degrees, %", "below", ".1f", -1),
