@@ -24,7 +24,7 @@ def chosen(arguments):
 
 
 def prepared(path, folder, as_step):
-    """A case of a file, as BREP, and STEP where that is asked for: in a process of its own, as some files crash those who read them; None without faces."""
+    """A case of a file, as BREP, and STEP where that is asked for; None without faces. Some files crash those who read them."""
     import brep_numbers
     import numpy as np
     import Part
@@ -93,8 +93,10 @@ def counts(lines, of_brepmesh):
     """The columns of a row from the results of a mesher, with BRepMesh's of the same parts."""
     made = [line for line in lines if "failed" not in line]
     single, failures = [line for line in made if line["bodies"] == 1], [line["failed"] for line in lines if "failed" in line]
-    ratios = [line["triangles"] / other["triangles"] for line, other in zip(lines, of_brepmesh) if line.get("triangles") and other.get("triangles")]
-    return {"meshed": len(made), "late": failures.count("time limit"), "crashed": sum(text.startswith("crash") for text in failures),
+    ratios = [line["triangles"] / other["triangles"] for line, other in zip(lines, of_brepmesh)
+              if line.get("triangles") and other.get("triangles")]
+    return {"meshed": len(made), "late": sum(text in ("time limit", "hang") for text in failures),
+            "crashed": sum(text.startswith("crash") for text in failures),
             "closed": share(is_closed, [line for line in made if line["closed_shells"]]), "angle": share(angle_kept, made),
             "distance": share(distance_kept, made), "free": share(no_crossings, [line for line in single if line["crossings"] is not None]),
             "but_angles": 100.0 * sum(is_good(line, angles=False) for line in made) / max(1, len(lines)),

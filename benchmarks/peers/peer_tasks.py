@@ -278,7 +278,8 @@ TASKS = {
         cases=surface_cases, figures=peer_figures.surface,
         searched=lambda case, off, judge: peer_figures.surface(case, off, judge, crossings=False),
         clean=lambda row: row["closed"] and not row["crossings"] and row["distance"] <= 1.02,
-        settings={"Gmsh 5": grid(10.0), "Gmsh 6": grid(10.0), "Netgen": grid(1.0), **dict.fromkeys(("BRepMesh", "CGAL"), [2.0, 1.4, 1.0, 0.7, 0.5, 0.35, 0.25, 0.18])},
+        settings={"Gmsh 5": grid(10.0), "Gmsh 6": grid(10.0), "Netgen": grid(1.0)}
+        | dict.fromkeys(("BRepMesh", "CGAL"), [2.0, 1.4, 1.0, 0.7, 0.5, 0.35, 0.25, 0.18]),
         relative=("BRepMesh", "CGAL"), outside=True,
         cgal=("cgal_mesh", lambda job: [job["fine"], job["out"], job["setting"], CGAL_EDGES * job["setting"]]),
         said="The target is a thousandth of the largest dimension; MeshQuality is asked for it and for 25 degrees. The others get the "

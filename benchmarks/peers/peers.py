@@ -4,8 +4,9 @@
 
     /usr/bin/python3 benchmarks/peers --task surface --judge PROGRAM [--most 4] [--runs 3] [--write]
 
-Tasks: surface, public, boolean, offset, wrap, simplify, improve, fill, curving. The newest rivals are installed by pip into a scratch environment, which is
-kept in the folder --cache; CGAL is compiled where Debian's headers are. What cannot be had is named with the reason.
+Tasks: surface, public, boolean, offset, wrap, simplify, improve, fill, curving. The newest rivals are installed by pip into
+a scratch environment, which is kept in the folder --cache; CGAL is compiled where Debian's headers are. What cannot be had
+is named with the reason.
 
 Parts are those of $MESHQUALITY_DATA (default: ../shared/data beside the repository) and a few that FreeCAD makes.
 Everybody has the same ones in turn, each run in a process of its own with limits of CPU seconds, of --clock times those on
