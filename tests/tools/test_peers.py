@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """benchmarks/peers: its command line, its page, its measures, and what becomes of rivals that crash, hang or fail."""
 
+import importlib.util
 import json
 import os
 import subprocess
@@ -15,7 +16,7 @@ import documents
 import numpy as np
 
 BENCHMARKS = documents.ROOT / "benchmarks"
-sys.path += [str(BENCHMARKS / name) for name in ("peers", "harness", "boolean")]
+sys.path += [str(BENCHMARKS / name) for name in ("peers", "harness", "boolean", "surfaces")]
 
 import boolean_peers  # noqa: E402
 import peer_environment  # noqa: E402
@@ -153,6 +154,22 @@ class Measures(unittest.TestCase):
         self.assertTrue(peer_figures.conforms((points, triangles), points, np.array([(0, 1, 2, 3)])))
         moved = points + [(0, 0, 0), (0, 0, 0), (0, 0, 0), (1e-9, 0, 0)]
         self.assertFalse(peer_figures.conforms((points, triangles), moved, np.array([(0, 1, 2, 3)])))
+
+    @unittest.skipUnless(importlib.util.find_spec("vtk"), "needs VTK")
+    def test_offsets_by_vtk(self):
+        import made_meshes
+
+        points, triangles = made_meshes.sphere(3)
+        with tempfile.TemporaryDirectory() as folder:
+            given, made = Path(folder, "given.off"), Path(folder, "made.off")
+            boolean_peers.write_off(given, points, triangles)
+            case = {"input": str(given), "distance": 0.1, "target": 0.01}
+            for factor, distance in ((1.1, 0.0), (1.15, 5.0)):
+                boolean_peers.write_off(made, factor * points, triangles)
+                self.assertAlmostEqual(peer_figures.offset(case, made, None, sound=False)["distance"], distance, delta=0.5)
+            case["distance"] = -0.1
+            boolean_peers.write_off(made, 0.9 * points, triangles)
+            self.assertAlmostEqual(peer_figures.offset(case, made, None, sound=False)["distance"], 0.0, delta=0.5)
 
     def test_three_operations_make_a_row(self):
         sound = {"triangles": 10, "closed": True, "crossings": 0, "volume": 2.0}
