@@ -58,13 +58,6 @@ def placed_shape(thing):
     return shape
 
 
-def with_faces(shape):
-    """The shape without edges and vertices that belong to no face: no mesh has them, and a judge would look for them."""
-    shells = [shell for shell in shape.Shells if not any(shell.isSame(own) for solid in shape.Solids for own in solid.Shells)]
-    in_shells = {face.hashCode() for shell in shape.Shells for face in shell.Faces}
-    return Part.makeCompound([*shape.Solids, *shells, *(face for face in shape.Faces if face.hashCode() not in in_shells)])
-
-
 def describe(shape):
     """What the B-rep promises: validity, closedness and Euler characteristic of a mesh of it."""
     in_shells = sum(len(shell.Faces) for shell in shape.Shells)
@@ -142,7 +135,7 @@ def work():
     result["fallbacks"] = fallbacks(shape, mesh.report)
     mesh.write(JOB["mesh"])
     if JOB["brep"]:
-        with_faces(shape).exportBrep(JOB["brep"])
+        brep_numbers.with_faces(shape).exportBrep(JOB["brep"])
     result["state"] = "ok"
     yield result
     if result["chord_height_asked"] > 0:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a B-rep promises of every mesh of it."""
+"""What a B-rep promises of every mesh of it, and what of it a mesh can have."""
 
 import Part
 
@@ -37,3 +37,10 @@ def boundary_parts(face):
         touching = [other for other in parts if other & part]
         parts = [other for other in parts if not other & part] + [part.union(*touching)]
     return len(parts)
+
+
+def with_faces(shape):
+    """The shape without edges and vertices that belong to no face: no mesh has them, and a judge would look for them."""
+    shells = [shell for shell in shape.Shells if not any(shell.isSame(own) for solid in shape.Solids for own in solid.Shells)]
+    in_shells = {face.hashCode() for shell in shape.Shells for face in shell.Faces}
+    return Part.makeCompound([*shape.Solids, *shells, *(face for face in shape.Faces if face.hashCode() not in in_shells)])

@@ -12,12 +12,12 @@ import traceback
 
 
 class Limits:
-    """Seconds of the processor and memory of a child process; one that waits is ended after four times
-    the seconds.
+    """Seconds of the processor and memory of a child process; one that waits is ended after `clock` times the
+    seconds.
     """
 
-    def __init__(self, seconds, gibibytes):
-        self.seconds, self.bytes = seconds, int(gibibytes * 2**30)
+    def __init__(self, seconds, gibibytes, clock=4.0):
+        self.seconds, self.bytes, self.clock = seconds, int(gibibytes * 2**30), clock
 
     def run(self, command, environment=None):
         """Status and output of the command; the status is None when its time was up."""
@@ -27,7 +27,7 @@ class Limits:
             preexec_fn=self._set,
         )
         try:
-            output, _ = process.communicate(timeout=4 * self.seconds)
+            output, _ = process.communicate(timeout=self.clock * self.seconds)
             return None if process.returncode == -signal.SIGXCPU else process.returncode, output
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
@@ -48,15 +48,15 @@ def in_child(work, seconds=None):
     return outcome_in_child(work, seconds)[0]
 
 
-def outcome_in_child(work, seconds=None, gibibytes=None):
+def outcome_in_child(work, seconds=None, gibibytes=None, clock=10.0):
     """As in_child, and why there is no answer: "time limit", "hang", "crash: ..." or "". A hang is a child that takes
-    ten times the seconds on the clock, asleep or on a busy machine; `gibibytes` bounds its address space.
+    `clock` times the seconds on the clock, asleep or on a busy machine; `gibibytes` bounds its address space.
     """
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
         try:
-            _limit_this_process(seconds, gibibytes)
+            _limit_this_process(seconds, gibibytes, clock)
             os.write(writing, json.dumps(work()).encode())
         except Exception:  # the parent's work must not be done here as well
             traceback.print_exc()
@@ -74,11 +74,11 @@ def outcome_in_child(work, seconds=None, gibibytes=None):
     return None, f"crash: {signal.Signals(-status).name if status < 0 else f'status {status}'}"
 
 
-def _limit_this_process(seconds, gibibytes):
+def _limit_this_process(seconds, gibibytes, clock):
     if seconds is not None:
         most = int(time.process_time() + seconds) + 1
         resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1))
-        signal.alarm(int(10 * seconds) + 1)
+        signal.alarm(int(clock * seconds) + 1)
     if gibibytes is not None:
         most = int(gibibytes * 2**30)
         resource.setrlimit(resource.RLIMIT_AS, (most, most))

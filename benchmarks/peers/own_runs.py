@@ -4,7 +4,7 @@
 import numpy as np
 
 from boolean_peers import read_off, write_off
-from peer_runs import DIGITS, Watch, write_filling
+from peer_runs import DIGITS, Watch, write_curved, write_filling
 
 
 def shape_of(path):
@@ -72,8 +72,69 @@ def fill(job):
     return said
 
 
-RUNS = {"surface": {"MeshQuality": surface, "BRepMesh": brep_mesh}, "boolean": {"MeshQuality": boolean},
-        "simplify": {"MeshQuality": simplify}, "fill": {"MeshQuality": fill}}
+def offset(job):
+    import MeshQuality as mq
+
+    mesh, grow = read_off(job["input"]), mq.offset
+    watch = Watch()
+    made = grow(mesh, job["distance"], tolerance=job["setting"])
+    said = watch.read()
+    made.write(job["out"])
+    return said
+
+
+def occ_offset(job):
+    """Of the shape, with rounded joins; its triangles are no part of the time."""
+    shape = shape_of(job["shape"])
+    watch = Watch()
+    made = shape.makeOffsetShape(job["distance"], 1e-3 * abs(job["distance"]), join=0)
+    said = watch.read()
+    if not made.isValid() or not made.Solids or made.Volume <= 0.0:
+        raise ValueError("no valid solid")
+    points, triangles = made.tessellate(0.3 * job["target"])
+    write_off(job["out"], np.array([tuple(point) for point in points]), np.array(triangles), DIGITS)
+    return said
+
+
+def wrap(job):
+    import MeshQuality as mq
+
+    mesh, around = read_off(job["input"]), mq.wrap
+    watch = Watch()
+    made = around(mesh, job["gap"], job["setting"])
+    said = watch.read()
+    made.write(job["out"])
+    return said
+
+
+def curve(job):
+    """At its defaults, with tetrahedra."""
+    import MeshQuality as mq
+
+    shape, bend = shape_of(job["shape"]), mq.curve
+    watch = Watch()
+    made = bend(shape, order=2, volume=True)
+    said = watch.read()
+    write_curved(job["out"], np.asarray(made.nodes), np.asarray(made.tetrahedra), np.asarray(made.triangles))
+    return said
+
+
+def improve(job):
+    import MeshQuality as mq
+
+    mesh, better = read_off(job["input"]), mq.improve
+    watch = Watch()
+    made = better(mesh, min_angle=25.0, tolerance=job["setting"])
+    said = watch.read()
+    made.write(job["out"])
+    return said
+
+
+RUNS = {"surface": {"MeshQuality": surface, "BRepMesh": brep_mesh}, "public": {"MeshQuality": surface, "BRepMesh": brep_mesh},
+        "boolean": {"MeshQuality": boolean},
+        "simplify": {"MeshQuality": simplify}, "fill": {"MeshQuality": fill},
+        "offset": {"MeshQuality": offset, "OpenCASCADE": occ_offset}, "wrap": {"MeshQuality": wrap}, "curving": {"MeshQuality": curve},
+        "improve": {"MeshQuality": improve}}
 
 
 def run(job):

@@ -13,7 +13,9 @@ PACKAGES = (("numpy", "numpy", "2.4.6"), ("gmsh", "gmsh", "4.15.2"), ("netgen", 
             ("manifold3d", "manifold3d", "3.5.4"), ("meshlib", "meshlib", "3.1.4.297"),
             ("pymeshlab", "pymeshlab", "2025.7.post1"), ("tetgen", "tetgen", "0.8.4"), ("mmgpy", "mmgpy", "0.17.1"),
             ("pyvista", "pyvista", "0.49.1"),  # pytetwild imports it
-            ("pytetwild", "pytetwild", "0.4.2"))
+            ("pytetwild", "pytetwild", "0.4.2"), ("delmesher", "delmesher", "1.0.1"),
+            ("trueform", "trueform", "0.10.7"))  # not free for commercial use: here for comparison only
+NAMES = {"Manifold": "manifold3d", "fTetWild": "pytetwild", "Mmg": "mmgpy", "CGAL": "CGAL"}  # of rivals whose module is called otherwise
 SECONDS = 900.0  # on the clock, of an installation or a compilation
 
 
@@ -53,6 +55,12 @@ class Environment:
                 return
         self.programs[source.stem] = program
         self.versions["CGAL"] = subprocess.run([str(program)], capture_output=True, text=True, check=False).stdout.strip()
+
+
+def package_of(mesher):
+    """The module of a rival, as `versions` and `missing` name it; None of who is not of this environment."""
+    module = NAMES.get(mesher, mesher.partition(" ")[0].lower())
+    return module if module in (*NAMES.values(), *(name for name, _, _ in PACKAGES)) else None
 
 
 def _said(command):

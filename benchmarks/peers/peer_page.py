@@ -17,14 +17,21 @@ def cell(value, written):
     return format(value, written)
 
 
-def table(columns, rows):
+def table(columns, rows, reasons=True):
     """The Markdown lines of rows, in the order of cases; a row without figures says why."""
-    heads = ["part", "by", *(column.heading for column in columns), "what went wrong"]
-    lines = [f"| {' | '.join(heads)} |", f"|---|---|{'---:|' * len(columns)}---|"]
+    heads = ["part", "by", *(column.heading for column in columns)] + ["what went wrong"] * reasons
+    lines = [f"| {' | '.join(heads)} |", f"|---|---|{'---:|' * len(columns)}{'---|' * reasons}"]
     for before, row in zip([None, *rows], rows):
         name = "" if before and before["case"] == row["case"] else row["case"]
-        lines.append(f"| {' | '.join([name, row['mesher'], *(cell(row.get(c.key), c.written) for c in columns), row.get('failed', '')])} |")
+        cells = [name, row["mesher"], *(cell(row.get(c.key), c.written) for c in columns)] + [row.get("failed", "")] * reasons
+        lines.append(f"| {' | '.join(cells)} |")
     return lines
+
+
+def figures(columns, rows):
+    """A few columns of the rows of the first case, for the front page."""
+    chosen = [column for column in columns if column.key in ("triangles", "distance", "forced", "rate")]
+    return "\n".join(table(chosen, [row for row in rows if row["case"] == rows[0]["case"]], reasons=False))
 
 
 def ahead(columns, rows, clean):
@@ -60,19 +67,26 @@ def faulty(better, clean):
 
 
 def section(task, rows, versions, missing, command, judged):
-    """The text of a task's table."""
-    bullets = ahead(task.columns, rows, task.clean)
+    """The text of a task's table, without columns in which nobody has a figure."""
+    columns = [column for column in task.columns if any(row.get(column.key) is not None for row in rows)]
+    bullets = ahead(columns, rows, task.clean)
     first = ["Ahead of MeshQuality:", "", *bullets] if bullets else ["No rival is ahead in any figure of this table."]
     named = [f"{name} {version}" for name, version in versions.items()]
-    runs = sorted({row["runs"] for row in rows if row.get("runs")})
-    cases = len({row["case"] for row in rows})
-    about = (f"{cases} {'part' if cases == 1 else 'parts'}; medians of {' or '.join(map(str, runs)) or 'no'} runs in turn, of one call each; "
-             "the spread is that of CPU s, largest to smallest."
-             + ("" if judged else " No judge was given: what only it finds is not measured."))
-    lines = [f"    {command}", "", *first, "", *textwrap.wrap(f"{task.said} {about}", 140), ""]
-    lines += [*table(task.columns, rows), "", f"Versions: {', '.join(named)}."]
+    judge = "" if judged else " No judge was given: what only it finds is not measured."
+    lines = [f"    {command}", "", *first, "", *textwrap.wrap(f"{task.said} {task.about or how_often(rows)}{judge}", 140), ""]
+    lines += [*table(columns, rows), "", f"Versions: {', '.join(named)}."]
     lines += [f"Left out: {name} ({reason})." for name, reason in missing.items()]
     return "\n".join(lines)
+
+
+def how_often(rows):
+    """What the seconds of rows are medians of."""
+    runs = sorted({row["runs"] for row in rows if row.get("runs")})
+    cases = len({row["case"] for row in rows})
+    parts = f"{cases} {'part' if cases == 1 else 'parts'}"
+    if runs in ([], [1]):
+        return f"{parts}; one run of each, of one call."
+    return f"{parts}; medians of {' or '.join(map(str, runs))} runs in turn, of one call each; the spread is that of CPU s, largest to smallest."
 
 
 def marks(name):

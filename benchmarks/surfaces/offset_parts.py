@@ -164,33 +164,40 @@ def measured(shape, result, distance, tolerance):
     part, part_points, part_facets = locator(np.array([tuple(p) for p in points]), np.array(facets))
     vertices = np.asarray(result.vertices) + result.origin
     offset, _, _ = locator(vertices, np.asarray(result.triangles))
-    samples = picked(np.concatenate((vertices, vertices[result.triangles].mean(axis=1))))
+    samples = picked(np.concatenate((vertices, vertices[result.triangles].mean(axis=1))), MOST_POINTS)
     off = np.abs(part(samples) - abs(distance))
     for i in np.argsort(-off)[:MOST_EXACT]:
         # OpenCASCADE's triangulation deviates by more than was asked for on some faces: its faces themselves tell.
         if off[i] > tolerance:
             off[i] = abs(Part.Compound(shape.Faces).distToShape(Part.Vertex(*samples[i].tolist()))[0] - abs(distance))
     there = off.max()
-    corners = part_points[part_facets]
+    at = points_at_distance(part, part_points[part_facets], distance, tolerance, MOST_POINTS)
+    far = offset(at)
+    for i in np.flatnonzero(far > tolerance):
+        # OpenCASCADE turns a few triangles over: what is not on the side of the offset does not count.
+        if shape.isInside(Vector(*at[i]), 1e-9, True) != (distance < 0.0):
+            far[i] = 0.0
+    return there, far.max(initial=0.0)
+
+
+def points_at_distance(part, corners, distance, tolerance, most):
+    """Points at a distance before triangles (T, 3, 3) that nothing else of the part is nearer to, also a little farther on:
+    other ones are in a gap that closes. `part` tells distances from it.
+    """
+    import numpy as np
+
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     lengths = np.linalg.norm(normals, axis=1)
     good = lengths > 1e-2 * np.median(lengths)  # needles have no normals
-    at = corners.mean(axis=1)[good] + distance * normals[good] / lengths[good, None]
-    at = picked(at)
-    # Those that no other side of the part is nearer to, also a little farther on: else they are in a gap that closes.
+    direction = picked(normals[good] / lengths[good, None], most)
+    at = picked(corners.mean(axis=1)[good], most) + distance * direction
     on = part(at) >= abs(distance) - 0.2 * tolerance
-    direction = picked(normals[good] / lengths[good, None])
     on &= part(at + np.sign(distance) * 2.0 * tolerance * direction) >= abs(distance) + 1.5 * tolerance
-    far = offset(at[on])
-    for i in np.flatnonzero(far > tolerance):
-        # OpenCASCADE turns a few triangles over: what is not on the side of the offset does not count.
-        if shape.isInside(Vector(*at[on][i]), 1e-9, True) != (distance < 0.0):
-            far[i] = 0.0
-    return there, far.max() if on.any() else 0.0
+    return at[on]
 
 
-def picked(points):
-    return points[:: max(1, len(points) // MOST_POINTS)]
+def picked(points, most):
+    return points[:: max(1, len(points) // most)]
 
 
 def poly_data(points, facets):

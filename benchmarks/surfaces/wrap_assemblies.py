@@ -188,10 +188,9 @@ def cgal(source, triangles, job):
                            repr(0.5 * job["tolerance"] * size)], capture_output=True, text=True, check=False)
     if done.returncode:
         return {"outcome": "error", "seconds": 0.0, "message": done.stderr[:200]}
-    seconds, count = done.stdout.split()
-    row = {"outcome": "sound", "seconds": float(seconds), "triangles": int(count)}
-    print("\n" + json.dumps(row), flush=True)
     vertices, facets = read_off(made)
+    row = {"outcome": "sound", "seconds": json.loads(done.stdout)["seconds"], "triangles": len(facets)}
+    print("\n" + json.dumps(row), flush=True)
     row["to"], row["from"] = (d / (job["tolerance"] * size) for d in distances(
         triangles, vertices, facets, np.ones(len(facets), dtype=bool)))
     return row
