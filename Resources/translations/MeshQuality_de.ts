@@ -2516,7 +2516,7 @@
     </message>
     <message>
         <source>Least / largest Jacobian</source>
-        <translation>Kleinste / größte Jacobi-Determinante</translation>
+        <translation>Jacobi-Verhältnis min./max.</translation>
     </message>
     <message>
         <source>1 = not distorted by its middle nodes, ≤ 0 = not proven valid; those are marked.</source>
@@ -3621,10 +3621,6 @@
     <message>
         <source>Colours end at this value</source>
         <translation>Die Farben enden bei diesem Wert</translation>
-    </message>
-    <message>
-        <source>Click a bar, or drag over several, to highlight their elements. Heights are logarithmic.</source>
-        <translation>Ein Klick auf einen Balken, oder Ziehen über mehrere, hebt ihre Elemente hervor. Die Höhen sind logarithmisch.</translation>
     </message>
     <message>
         <source>OpenCASCADE cannot compute with the shape: {text}. Repair it with Part &gt; Check geometry</source>
@@ -5205,6 +5201,10 @@
     <message>
         <source>{phrase}, and {count} triangles are too many facets: simplify the mesh to at most {count2}</source>
         <translation>{phrase}, und {count} Dreiecke sind zu viele Facetten: vereinfachen Sie das Netz auf höchstens {count2}</translation>
+    </message>
+    <message>
+        <source>Click or drag over bars to highlight; heights are logarithmic.</source>
+        <translation>Klick oder Ziehen über Balken hebt hervor; Höhen logarithmisch.</translation>
     </message>
 </context>
 <context>
