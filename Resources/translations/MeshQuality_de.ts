@@ -4743,10 +4743,6 @@
         <translation>Bericht speichern...</translation>
     </message>
     <message>
-        <source>Write a page with pictures, figures, faces and places, as HTML</source>
-        <translation>Eine Seite mit Bildern, Zahlen, Flächen und Stellen schreiben, als HTML</translation>
-    </message>
-    <message>
         <source>Save values</source>
         <translation>Werte speichern</translation>
     </message>
@@ -5205,6 +5201,10 @@
     <message>
         <source>Click or drag over bars to highlight; heights are logarithmic.</source>
         <translation>Klick oder Ziehen über Balken hebt hervor; Höhen logarithmisch.</translation>
+    </message>
+    <message>
+        <source>Write a page with pictures, figures, faces and places, as HTML or PDF</source>
+        <translation>Eine Seite mit Bildern, Zahlen, Flächen und Stellen als HTML oder PDF schreiben</translation>
     </message>
 </context>
 <context>
