@@ -84,10 +84,14 @@ def _give_view(obj, kind):
 
 
 def _made_of_the_same(obj):
-    """The other mesh objects of the sources of one, or of some of these."""
-    sources = _sources(obj)
-    others = (made for made in obj.Document.Objects if made != obj and isinstance(getattr(made, "Proxy", None), mesh_object.MeshObject))
-    return [made for made in others if all(source in sources for source in _sources(made))]
+    """The other meshes, and shapes of meshes, that are made of the sources of one, or of some of these, and what is made of those."""
+    known, found = list(_sources(obj)), []
+    for made in obj.Document.Objects:
+        if made != obj and isinstance(getattr(made, "Proxy", None), (mesh_object.MeshObject, MeshShape)) \
+                and all(source in known for source in _sources(made)):
+            known.append(made)
+            found.append(made)
+    return found
 
 
 def _counts_for_others(source):
