@@ -34,9 +34,9 @@ RADIUS, STEP, TOLERANCE = 3.0, 1.5, 0.1  # mm
 def parts():
     """{name: solid}; tops that a cutter reaches from above."""
     box = Part.makeBox(60, 40, 20)
-    return {"dome": Part.makeBox(60, 60, 10).fuse(Part.makeSphere(20, FreeCAD.Vector(30, 30, 10))), "torus": Part.makeTorus(25, 8),
-            "rounded box": box.makeFillet(5, box.Edges), "pocket": box.cut(Part.makeCylinder(12, 30, FreeCAD.Vector(30, 20, 8))),
-            "cone": Part.makeCone(25, 5, 30)}
+    return {"rounded box": box.makeFillet(5, box.Edges), "pocket": box.cut(Part.makeCylinder(12, 30, FreeCAD.Vector(30, 20, 8))),
+            "cone": Part.makeCone(25, 5, 30), "dome": Part.makeBox(60, 60, 10).fuse(Part.makeSphere(20, FreeCAD.Vector(30, 30, 10))),
+            "torus": Part.makeTorus(25, 8)}
 
 
 def dropped(corners, box):
