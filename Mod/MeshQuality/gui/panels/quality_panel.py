@@ -116,19 +116,7 @@ class QualityPanel:
         # The panel may be 260 pixels wide.
         self.measures.setSizeAdjustPolicy(
             QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-        self.faces.setHorizontalHeaderLabels([
-            translate("MeshQuality", "Face"), translate("MeshQuality", "Count"),
-            translate("MeshQuality", "Worst"), translate("MeshQuality", "Mean")])
-        self.faces.verticalHeader().hide()
-        self.faces.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
-        self.faces.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
-        self.faces.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
-        self.faces.horizontalHeader().setMinimumSectionSize(0)
-        self.faces.horizontalHeader().setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
-        self.faces.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
-        for column in range(4):
-            self.faces.horizontalHeaderItem(column).setTextAlignment(_alignment(column))
-        narrow(self.faces, "QHeaderView::section { padding: 0px } QTableView::item { padding: 0px }")
+        self._lay_out_faces()
         self.tabs = QtGui.QTabWidget()
         self.tabs.setMaximumHeight(_LISTS)
         narrow(self.tabs.tabBar(), "QTabBar::tab { min-width: 0px; padding: 3px 4px }")
@@ -158,6 +146,21 @@ class QualityPanel:
         self.faces.itemSelectionChanged.connect(self._pick_face)
         self.edges.toggled.connect(self._draw_edges)
         self.saving.told.connect(lambda text, error: self.warning.say(text, error=error))
+
+    def _lay_out_faces(self):
+        self.faces.setHorizontalHeaderLabels([
+            translate("MeshQuality", "Face"), translate("MeshQuality", "Count"),
+            translate("MeshQuality", "Worst"), translate("MeshQuality", "Mean")])
+        self.faces.verticalHeader().hide()
+        self.faces.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        self.faces.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
+        self.faces.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
+        self.faces.horizontalHeader().setMinimumSectionSize(0)
+        self.faces.horizontalHeader().setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
+        self.faces.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        for column in range(4):
+            self.faces.horizontalHeaderItem(column).setTextAlignment(_alignment(column))
+        narrow(self.faces, "QHeaderView::section { padding: 0px } QTableView::item { padding: 0px }")
 
     def getStandardButtons(self):
         return flags(QtGui.QDialogButtonBox.Close)
