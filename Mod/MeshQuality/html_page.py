@@ -29,7 +29,7 @@ h1 { font-size: 1.5em; } h2 { font-size: 1.2em; margin-top: 2em; } h3 { font-siz
 table { border-collapse: collapse; } td, th { text-align: left; padding: .15em 1em .15em 0;
        border-bottom: 1px solid #ddd; vertical-align: top; overflow-wrap: anywhere; }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(24em, 1fr)); gap: 1.5em; }
-.chart { width: 100%; } .chart rect { fill: #3b6ea5; } .chart line { stroke: #555; }
+.chart { width: 100%; overflow: visible; } .chart rect { fill: #3b6ea5; } .chart line { stroke: #555; }
 .chart .mark { stroke: #b3261e; stroke-dasharray: 4 3; }
 .chart text { font-size: 11px; fill: #444; text-anchor: middle; }
 .chart .y { text-anchor: end; } .chart .title { font-size: 12px; font-weight: 600; }

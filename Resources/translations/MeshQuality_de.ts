@@ -3723,10 +3723,6 @@
         <translation>Die Farben enden bei diesem Wert</translation>
     </message>
     <message>
-        <source>Click a bar, or drag over several, to highlight their elements. Heights are logarithmic.</source>
-        <translation>Ein Klick auf einen Balken, oder Ziehen über mehrere, hebt ihre Elemente hervor. Die Höhen sind logarithmisch.</translation>
-    </message>
-    <message>
         <source>OpenCASCADE cannot compute with the shape: {text}. Repair it with Part &gt; Check geometry</source>
         <translation>OpenCASCADE kann mit der Form nicht rechnen: {text}. Mit Part &gt; Geometrie prüfen reparieren</translation>
     </message>
@@ -4847,10 +4843,6 @@
         <translation>Bericht speichern...</translation>
     </message>
     <message>
-        <source>Write a page with pictures, figures, faces and places, as HTML</source>
-        <translation>Eine Seite mit Bildern, Zahlen, Flächen und Stellen schreiben, als HTML</translation>
-    </message>
-    <message>
         <source>Save values</source>
         <translation>Werte speichern</translation>
     </message>
@@ -5589,6 +5581,14 @@
     <message>
         <source>by curvature</source>
         <translation>nach der Krümmung</translation>
+    </message>
+    <message>
+        <source>Click or drag over bars to highlight; heights are logarithmic.</source>
+        <translation>Klick oder Ziehen über Balken hebt hervor; Höhen logarithmisch.</translation>
+    </message>
+    <message>
+        <source>Write a page with pictures, figures, faces and places, as HTML or PDF</source>
+        <translation>Eine Seite mit Bildern, Zahlen, Flächen und Stellen als HTML oder PDF schreiben</translation>
     </message>
 </context>
 <context>

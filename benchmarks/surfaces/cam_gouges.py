@@ -3,10 +3,14 @@
 3D surface operation uses.
 
     freecadcmd -P <root>/Mod benchmarks/surfaces/cam_gouges.py </dev/null
+    MESHQUALITY_OPERATION=1 freecadcmd -P <root>/Mod benchmarks/surfaces/cam_gouges.py </dev/null
 Needs OpenCAMLib for FreeCAD's Python (pip install opencamlib); MESHQUALITY_OPENCAMLIB names its folder where it is elsewhere.
 
 Five parts, each meshed by FreeCAD's tessellation, by triangulate and by cam with the same tolerance. The cutter drops onto each at the
 points of a grid. The gouge is the radius less the distance of the cutter's centre from the CAD, by OpenCASCADE: above 0 metal of the part is cut.
+
+With MESHQUALITY_OPERATION the 3D surface operation itself drives the cutter over the part, which it tessellates, and over the solid that To solid
+makes of the CAM mesh; the centres are those of the moves of its path.
 """
 
 import os
@@ -22,15 +26,17 @@ import MeshQuality as mq
 sys.path.append(os.environ.get("MESHQUALITY_OPENCAMLIB", ""))
 import opencamlib as ocl  # noqa: E402
 
+sys.modules["ocl"] = ocl  # the name under which FreeCAD's operation asks for it first
+
 RADIUS, STEP, TOLERANCE = 3.0, 1.5, 0.1  # mm
 
 
 def parts():
     """{name: solid}; tops that a cutter reaches from above."""
     box = Part.makeBox(60, 40, 20)
-    return {"dome": Part.makeBox(60, 60, 10).fuse(Part.makeSphere(20, FreeCAD.Vector(30, 30, 10))), "torus": Part.makeTorus(25, 8),
-            "rounded box": box.makeFillet(5, box.Edges), "pocket": box.cut(Part.makeCylinder(12, 30, FreeCAD.Vector(30, 20, 8))),
-            "cone": Part.makeCone(25, 5, 30)}
+    return {"rounded box": box.makeFillet(5, box.Edges), "pocket": box.cut(Part.makeCylinder(12, 30, FreeCAD.Vector(30, 20, 8))),
+            "cone": Part.makeCone(25, 5, 30), "dome": Part.makeBox(60, 60, 10).fuse(Part.makeSphere(20, FreeCAD.Vector(30, 30, 10))),
+            "torus": Part.makeTorus(25, 8)}
 
 
 def dropped(corners, box):
@@ -47,6 +53,27 @@ def dropped(corners, box):
     drop.run()
     points = np.array([(point.x, point.y, point.z) for point in drop.getCLPoints()])
     return points[points[:, 2] > box.ZMin] + (0, 0, RADIUS)
+
+
+def operated(model):
+    """The same of the moves of a 3D surface operation over a document object, in the same steps. The part has moved with its stock's corner."""
+    import PathScripts.PathJob as PathJob
+    import PathScripts.PathSurface as PathSurface
+    import PathScripts.PathToolBit as PathToolBit
+
+    job = PathJob.Create("Job", [model], None)
+    job.Tools.Group[0].Tool = PathToolBit.Factory.Create("Ball", os.path.join(FreeCAD.getHomePath(), "Mod", "Path", "Tools", "Shape", "ballend.fcstd"))
+    job.Tools.Group[0].Tool.Diameter = 2 * RADIUS
+    made = PathSurface.Create("Surface", parentJob=job)
+    made.ToolController, made.BoundBox, made.CutPattern, made.LayerMode = job.Tools.Group[0], "BaseBoundBox", "ZigZag", "Single-pass"
+    made.StepOver, made.SampleInterval, made.LinearDeflection = 100.0 * STEP / (2 * RADIUS), STEP, TOLERANCE
+    model.Document.recompute()
+    found, at = [], {"X": None, "Y": None, "Z": None}
+    for command in made.Path.Commands:
+        at.update({axis: command.Parameters[axis] for axis in at if axis in command.Parameters})
+        if command.Name == "G1" and None not in at.values():
+            found.append(tuple(at.values()))
+    return np.array(found) + (0, 0, RADIUS)
 
 
 def gouges(centres, shape):
@@ -70,20 +97,41 @@ def corners_of(mesh):
     return (mesh.vertices + mesh.origin)[mesh.triangles]
 
 
-def main():
+def drop_cutter():
+    """(part, mesh, triangles, seconds to mesh, seconds to drop, gouges) of each, by the library."""
     makers = {"FreeCAD": tessellated, "triangulate": lambda shape: corners_of(mq.triangulate(shape, chord_height=TOLERANCE, min_angle=1)),
               "cam": lambda shape: corners_of(mq.cam(shape, TOLERANCE))}
-    print(f"{'part':<12} {'mesh':<12} {'triangles':>9} {'mesh s':>7} {'drop s':>7} {'points':>7} {'deepest gouge, mm':>18} {'left standing, mm':>18}")
     for name, shape in parts().items():
         for maker, make in makers.items():
             begun = time.process_time()
             corners = make(shape)
             meshed = time.process_time()
             centres = dropped(corners, shape.BoundBox)
-            done = time.process_time()
-            found = gouges(centres, shape)
-            print(f"{name:<12} {maker:<12} {len(corners):>9,} {meshed - begun:>7.2f} {done - meshed:>7.2f} {len(centres):>7,} "
-                  f"{max(found.max(), 0.0):>18.4f} {-found.min():>18.4f}", flush=True)
+            yield name, maker, len(corners), meshed - begun, time.process_time() - meshed, gouges(centres, shape)
+
+
+def operation():
+    """The same by FreeCAD's operation."""
+    for name, shape in parts().items():
+        document = FreeCAD.newDocument(name.replace(" ", ""))
+        part = document.addObject("Part::Feature", "Part")
+        part.Shape = shape
+        document.recompute()
+        begun = time.process_time()
+        made = mq.add_cam_mesh(part, tolerance=TOLERANCE)
+        solid = mq.add_solid(made)
+        for maker, model, count, meshed in (("FreeCAD", part, len(tessellated(shape)), 0.0),
+                                            ("cam, to solid", solid, made.Mesh.CountFacets, time.process_time() - begun)):
+            started = time.process_time()
+            centres = operated(model)
+            yield name, maker, count, meshed, time.process_time() - started, gouges(centres, shape)
+        FreeCAD.closeDocument(document.Name)
+
+
+def main():
+    print(f"{'part':<12} {'mesh':<14} {'triangles':>9} {'mesh s':>7} {'drop s':>7} {'points':>7} {'deepest gouge, mm':>18} {'left standing, mm':>18}")
+    for name, maker, count, meshed, driven, found in operation() if "MESHQUALITY_OPERATION" in os.environ else drop_cutter():
+        print(f"{name:<12} {maker:<14} {count:>9,} {meshed:>7.2f} {driven:>7.2f} {len(found):>7,} {max(found.max(), 0.0):>18.4f} {-found.min():>18.4f}", flush=True)
 
 
 main()

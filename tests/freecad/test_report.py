@@ -7,9 +7,11 @@ import html.parser
 import json
 import os
 import re
+import shutil
 import struct
 import unittest
 import zlib
+from unittest import mock
 
 import helpers
 import Mesh
@@ -18,7 +20,7 @@ import Part
 import test_cli
 
 import MeshQuality as mq
-from MeshQuality.core.reporting import picture
+from MeshQuality.core.reporting import picture, printing
 
 
 class Page(html.parser.HTMLParser):
@@ -186,6 +188,47 @@ class Reports(helpers.DocumentTest):
         self.assertFalse(os.path.exists(path))
 
 
+class Printed(helpers.DocumentTest):
+    def setUp(self):
+        super().setUp()
+        self.mesh, self.path = mq.triangulate(Part.makeBox(1, 2, 3)), os.path.join(self.folder, "report.pdf")
+
+    def with_browser(self, lines):
+        """A program in place of a browser."""
+        program = os.path.join(self.folder, "browser")
+        with open(program, "w", encoding="utf-8") as stream:
+            stream.write("#!/bin/sh\nfor last; do case $last in --print-to-pdf=*) out=${last#--print-to-pdf=};; esac; done\n" + lines)
+        os.chmod(program, 0o755)
+        return mock.patch.dict(os.environ, {printing.VARIABLE: program})
+
+    def test_the_browser_gets_the_page(self):
+        with self.with_browser('page=$(echo "$last" | sed s,file://,,)\n(printf %%PDF-; cat "$page") > "$out"\n'):
+            mq.write_report(self.mesh, self.path)
+        with open(self.path, encoding="utf-8") as stream:
+            self.assertRegex(stream.read(), "(?s)^%PDF-<!DOCTYPE html>.*Smallest angle.*</html>")
+
+    def test_what_does_not_print_is_said_and_leaves_no_file(self):
+        for lines, said in (("exit 7\n", "has not printed the report, and ended with 7"), ('echo no > "$out"\n', "ended with 0")):
+            with self.with_browser(lines), self.assertRaisesRegex(mq.IoError, said):
+                mq.write_report(self.mesh, self.path)
+        with mock.patch.dict(os.environ, {printing.VARIABLE: "no-such-browser"}), self.assertRaisesRegex(mq.IoError, "install one, name it in"):
+            mq.write_report(self.mesh, self.path)
+        with mock.patch.object(printing.shutil, "which", lambda name: None), self.assertRaisesRegex(mq.IoError, "none of Chromium"):
+            mq.write_report(self.mesh, self.path)
+        self.assertEqual([name for name in os.listdir(self.folder) if name.startswith("report")], [])
+
+    @unittest.skipUnless(any(map(shutil.which, printing.BROWSERS)), "no browser is installed")
+    def test_a_real_browser(self):
+        part = os.path.join(self.folder, "part.brep")
+        Part.makeCylinder(5, 20).exportBrep(part)
+        status, _, lines = test_cli.run("triangulate", part, "-o", os.path.join(self.folder, "part.stl"), "--report", self.path)
+        self.assertEqual(status, 0, lines)
+        with open(self.path, "rb") as stream:
+            content = stream.read()
+        self.assertTrue(content.startswith(b"%PDF-") and b"%%EOF" in content[-20:])
+        self.assertGreater(content.count(b"/Subtype /Image"), 2)  # the pictures
+
+
 class CommandLine(helpers.DocumentTest):
     def test_pages_beside_meshes(self):
         part, mesh = os.path.join(self.folder, "part.brep"), os.path.join(self.folder, "part.stl")
@@ -198,7 +241,7 @@ class CommandLine(helpers.DocumentTest):
         status, _, lines = test_cli.run("thickness", part, "--min-thickness", 100, "--report", second, "--strict")
         self.assertEqual(status, 3, lines)
         self.assertIn("Target not met", Page(second).text)
-        status, _, lines = test_cli.run("triangulate", part, "--report", os.path.join(self.folder, "a.pdf"))
+        status, _, lines = test_cli.run("triangulate", part, "--report", os.path.join(self.folder, "a.txt"))
         self.assertEqual((status, "a report is .html" in lines[-1]), (2, True))
 
     def test_a_batch_has_a_page_with_links(self):

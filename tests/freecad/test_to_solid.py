@@ -81,6 +81,18 @@ class ToSolid(unittest.TestCase):
         self.assertAlmostEqual(solid.shape.Volume, 6000.0, places=3)
         self.assertIn("does not know the CAD", solid.notes[0])
 
+    def test_facets_of_slivers(self):
+        """Of the mesh some triangles are narrower than a thousandth of a millimetre; the solid has them all the same."""
+        dome = Part.makeBox(60, 60, 10).fuse(Part.makeSphere(20, FreeCAD.Vector(30, 30, 10)))
+        mesh = mq.cam(dome, 0.1)
+        made = mq.to_solid(mesh)
+        self.assertTrue(made.shape.isValid() and made.shape.isClosed())
+        self.assertEqual(made.faces, 0)
+        self.assertGreater(made.facets, 3000)
+        self.assertAlmostEqual(made.shape.Volume, mesh.report.volume, places=3)
+        corners = [tuple(vertex.Point) for vertex in made.shape.Vertexes]
+        self.assertLess(mq.deviation(corners, mesh).max_deviation, 1e-4)
+
     def test_what_cannot_be_is_refused(self):
         points, triangles = BOX.tessellate(1.0)
         with self.assertRaisesRegex(mq.InvalidInput, "not closed"):

@@ -94,6 +94,15 @@ class CfdSurfaces(gui_helpers.PanelTest):
                     self.assertEqual([len(face.tessellate(1.0)[1]) for face in surface.Shape.Faces], expected)
 
     @needs_live
+    def test_a_new_mesh_is_seen_in_place_of_all_that_is_made_of_its_source(self):
+        box, other = self.two_boxes()
+        net = mq.add_quality_mesh(box)
+        surface, improved, apart = mq.add_cfd_surface(net), mq.add_improved_mesh(net), mq.add_quality_mesh(other)
+        for obj in (net, surface, improved, apart):
+            obj.ViewObject.Visibility = True
+        again = mq.add_quality_mesh(box)
+        self.assertEqual([obj.ViewObject.Visibility for obj in (again, net, surface, improved, apart)], [True, False, False, False, True])
+
     def test_an_open_mesh_is_told(self):
         face = self.document.addObject("Part::Feature", "Face")
         face.Shape = Part.makePlane(10, 10)

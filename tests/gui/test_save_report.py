@@ -10,7 +10,8 @@ import Part
 from PySide import QtGui
 
 import MeshQuality as mq
-from MeshQuality.gui import commands, jobs
+from MeshQuality.core.reporting.report import SUFFIXES
+from MeshQuality.gui import commands, jobs, saving
 from MeshQuality.gui.panels import quality_panel
 
 
@@ -49,6 +50,11 @@ class SaveReport(ReportTest):
         self.assertIn("data:image/png;base64,", page)
         self.assertEqual(panel.warning.text(), "Saved: page.html")
         self.narrow(panel, "panel_save_report")
+
+    def test_the_chosen_kind_gives_the_extension(self):
+        for given, kind, expected in (("page", "PDF (*.pdf)", "page.pdf"), ("page", "HTML (*.html)", "page.html"), ("page.htm", "PDF (*.pdf)", "page.htm")):
+            with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", return_value=(given, kind)):
+                self.assertEqual(saving.asked_path("", "", SUFFIXES, ""), expected)
 
     def test_none_without_a_name(self):
         panel = quality_panel.open_panel(self.meshed())

@@ -281,7 +281,7 @@ def _write_page(job, findings):
     source, shape = job["shown"]
     content = report_pages.content_for(source, os.path.basename(job["inputs"][0]), shape, progress_line(), findings)
     content.asked = report_pages.asked_rows(TABLES[job["command"]], job["options"])
-    report_pages.write_text(job["page"], page_of(content))
+    report_pages.write_page(job["page"], page_of(content))
     return f"; report in {job['page']}"
 
 

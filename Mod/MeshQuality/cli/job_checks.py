@@ -42,8 +42,8 @@ def job_of(arguments):
     for flag, path in (("--csv", job.get("csv")), ("--report", job.get("page"))):
         if path:
             _require_folder(flag, path)
-    if job.get("page") and os.path.splitext(job["page"])[1].lower() not in (".html", ".htm"):
-        raise Error(f"'{job['page']}' has no known extension: a report is .html")
+    if job.get("page") and not job["page"].lower().endswith((".html", ".htm", ".pdf")):
+        raise Error(f"'{job['page']}' has no known extension: a report is .html or .pdf")
     if command == "verify" and job["input"] == STANDARD and not job["mesh"]:
         raise Error("a certificate from standard input is in no folder: name the mesh with --mesh")
     job["options"] = take_options(job, TABLES[command])

@@ -400,7 +400,7 @@ def _add_single(commands, name, title, description):
                      help="print the report as one JSON object on stdout")
     if name in WITH_PAGES:
         one.add_argument("--report", dest="page", metavar="FILE.html",
-                         help="file for a page with pictures, what was requested and found, a histogram, faces and places")
+                         help="file for a page with pictures, what was requested and found, a histogram, faces and places; FILE.pdf is printed by a browser")
     running = one.add_argument_group("limits")
     running.add_argument("--time-limit", type=float, metavar="SECONDS",
                          help="end with status 1 after this time, reading and checks included (default: none)")

@@ -222,6 +222,12 @@ def _facets(given, why):
         raise GeometryError(Text(solid_phrases.NO_FACETS, phrase=why, phrase2=phrases.text_of(error))) from error
 
 
+def _triangles_of(shape):
+    """The arrays of a solid of planar facets, which its tessellation is exactly; facets too narrow to be meshed as CAD faces are in it."""
+    points, triangles = shape.tessellate(1.0)
+    return np.array([tuple(point) for point in points]), np.array(triangles, dtype=np.int32)
+
+
 def _checked(shape, given, tolerance, faces, facets, notes):
     """The MeshSolid, once it is shown to be one; raises _NoSolidError."""
     if not shape.Solids or not shape.isValid():
@@ -229,7 +235,7 @@ def _checked(shape, given, tolerance, faces, facets, notes):
     if abs(shape.Volume - given.volume) > tolerance * given.area:
         raise _NoSolidError(Text(solid_phrases.OTHER_VOLUME, volume=f"{shape.Volume:.6g} mm³", volume2=f"{given.volume:.6g} mm³"))
     points = np.concatenate([[tuple(vertex.Point) for vertex in shape.Vertexes], *(_samples_of(face, given.size, _MANY)[0] for face in shape.Faces)])
-    there = deviation(given.samples(), shape).max_deviation
+    there = deviation(given.samples(), shape if faces else _triangles_of(shape)).max_deviation
     back = deviation(points, (given.points, given.triangles)).max_deviation
     tolerance *= _CORNERS
     if max(there, back) > tolerance:

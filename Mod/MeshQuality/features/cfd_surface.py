@@ -4,7 +4,7 @@
 import FreeCAD
 
 from .. import phrases
-from ..compat import PlainState, extension, without_traceback
+from ..compat import extension
 from ..core.meshes.openfoam_case import point_inside, require_closed
 from ..core.patches import patch_faces
 from ..core.patches.patches import colour_of, patches_of
@@ -13,36 +13,31 @@ from ..errors import Error, InvalidInput
 from ..phrases import Text
 from .export import flat_maker_of
 from .gui_hooks import window
+from .mesh_shape import MeshShape
 from .properties import add_property
-from .transactions import labelled, undo_step
 
 
-class CfdSurface(PlainState):
+class CfdSurface(MeshShape):
     """Proxy of a Part::FeaturePython whose faces are the patches of its Source; they have the triangles of that in place
     of a surface. CfdOF takes it as the Part of its mesh and its faces as those of boundaries, and writes its triangles.
     """
+
+    NAME, TITLE, WORD = "CfdSurface", "CFD surface", "CFD surface"
 
     _has_surfaces = False  # whether its faces were given surfaces, so that FreeCAD can copy them
     _is_making = False  # whether a shape with triangles alone is about to take their place
 
     def __init__(self, obj):
-        obj.Proxy = self
-        add_property(obj, "App::PropertyLinkGlobal", "Source", "Mesh", "The object whose mesh is taken")
-        add_property(obj, "App::PropertyString", "SourcePath", "Mesh",
-                     "The path from the source to what is meshed, where only a link leads there: Part.Box.")
+        super().__init__(obj)
         add_property(obj, "App::PropertyStringList", "Patches", "Patches", "The name of the patch that each face is")
         add_property(obj, "App::PropertyVectorDistance", "PointInside", "Patches",
                      "A point inside of the closed surface, for snappyHexMesh")
         for name in ("Patches", "PointInside"):
             obj.setEditorMode(name, 1)
 
-    @property
-    def execute(self):
-        """What FreeCAD calls to bring the shape up to date; see without_traceback."""
-        return without_traceback(self._bring_up_to_date)
-
-    def _bring_up_to_date(self, obj):
-        mesh = flat_maker_of(frames.source_of(obj.Source, obj.SourcePath))()
+    def make_shape(self, obj, source):
+        """Gives the object a face a patch, the names of these, and a point inside."""
+        mesh = flat_maker_of(source)()
         require_closed(mesh)
         patches = mesh._patches or patches_of(None, mesh.triangle_face, len(mesh.triangles))
         points = mesh.vertices + mesh.origin
@@ -86,23 +81,11 @@ def add_cfd_surface(obj):
     Returns the object. Raises InvalidInput for other objects, for a mesh that is open, and in a window with a binary that cannot take
     FreeCAD's shapes in place, and then adds nothing.
     """
-    if not isinstance(frames.object_of(obj), FreeCAD.DocumentObject) or not convert.is_mesh(obj):
+    if not frames.is_object(obj) or not convert.is_mesh(obj):
         raise InvalidInput(f"{convert.label_of(obj)} holds no mesh: give an object with a mesh, or a link to one")
-    document = frames.object_of(obj).Document
     if FreeCAD.GuiUp and not _can_be_undone():
         raise InvalidInput(Text(phrases.CASE_NO_UNDO, name=convert.label_of(obj)))
-    with undo_step(document, "CFD surface"):
-        made = document.addObject("Part::FeaturePython", "CfdSurface")
-        try:
-            CfdSurface(made)
-            made.Label = labelled(obj, "CFD surface")
-            made.Source, made.SourcePath = frames.object_of(obj), frames.path_of(obj)
-            made.Proxy._bring_up_to_date(made)
-            made.purgeTouched()
-        except BaseException:
-            document.removeObject(made.Name)
-            raise
-    return made
+    return CfdSurface.add(obj)
 
 
 def _can_be_undone():

@@ -2,11 +2,12 @@
 """The document object "Solid": the CAD solid of a mesh of the document, with the exact surfaces that the mesh was made of."""
 
 import json
+from dataclasses import replace
 
 import FreeCAD
 
 from .. import phrases, solid_phrases
-from ..compat import PlainState, property_of, without_traceback
+from ..compat import property_of
 from ..core.brep.construction import Construction
 from ..core.mesh_to_solid import to_solid
 from ..core.operands.operands import Operands
@@ -15,8 +16,8 @@ from ..errors import InvalidInput
 from ..phrases import Text
 from . import boolean, export, hollow, offset, quality_mesh
 from .gui_hooks import window
+from .mesh_shape import MeshShape
 from .properties import add_property, options_of
-from .transactions import labelled, undo_step
 
 _READ_ONLY = (
     ("ExactFaces", "App::PropertyInteger", "Number of its faces on exact surfaces of the CAD; either this or FacetCount is 0"),
@@ -31,14 +32,13 @@ _READ_ONLY = (
 _ready = {}  # key_of and facets -> the MeshSolid that the window has made already
 
 
-class SolidOfMesh(PlainState):
+class SolidOfMesh(MeshShape):
     """Proxy of a Part::FeaturePython that holds the solid of its Source's mesh, and follows it."""
 
+    NAME, TITLE, WORD = "Solid", "To solid", "solid"
+
     def __init__(self, obj):
-        obj.Proxy = self
-        add_property(obj, "App::PropertyLinkGlobal", "Source", "Mesh", "The object whose mesh is taken")
-        add_property(obj, "App::PropertyString", "SourcePath", "Mesh",
-                     "The path from the source to what is meshed, where only a link leads there: Part.Box.")
+        super().__init__(obj)
         if add_property(obj, "App::PropertyBool", "Facets", "Mesh",
                         "The solid has planar facets where exact surfaces do not close; off: it is refused then"):
             obj.Facets = True
@@ -46,15 +46,8 @@ class SolidOfMesh(PlainState):
             add_property(obj, kind, name, "Quality", text)
             obj.setEditorMode(name, 1)
 
-    @property
-    def execute(self):
-        """What FreeCAD calls to bring the shape up to date; see without_traceback."""
-        return without_traceback(self._bring_up_to_date)
-
-    def _bring_up_to_date(self, obj):
-        source = frames.source_of(obj.Source, obj.SourcePath)
-        if source is None:
-            raise InvalidInput(Text(phrases.SOURCE_DELETED))
+    def make_shape(self, obj, source):
+        """Gives the object the solid, and how that was checked."""
         found = _ready.pop((frames.key_of(source), obj.Facets), None) or maker_of(source, obj.Facets)(None)
         obj.Shape, obj.ExactFaces, obj.FacetCount = found.shape, found.faces, found.facets
         obj.Deviation, obj.DeviationBack, obj.AllowedDeviation = found.deviation, found.deviation_back, found.tolerance
@@ -80,14 +73,33 @@ def maker_of(source, facets=True):
     holder = frames.linked_of(source)[0]
     if _is_ours(holder) and export.is_outdated(holder):
         raise InvalidInput(Text(solid_phrases.OUTDATED, name=holder.Label))
-    make, construction = export.flat_maker_of(source), _construction_of(source)
+    construction, motion = _construction_of(holder), _motion_from(holder, source)
+    if construction is None or motion is None:
+        make, construction, motion = export.flat_maker_of(source), None, FreeCAD.Placement()
+    else:
+        make = export.flat_maker_of(holder)
 
     def made(progress):
         mesh = make()
         mesh._construction = construction
-        return to_solid(mesh, facets, progress)
+        solid = to_solid(mesh, facets, progress)
+        if frames.is_identity(motion):
+            return solid
+        shape = solid.shape.copy()
+        shape.transformShape(motion.toMatrix(), True)
+        return replace(solid, shape=shape)
 
     return made
+
+
+def _motion_from(holder, source):
+    """The placement that moves a mesh from its own place to that of a source, a link to it; None where the link is scaled or an array."""
+    if getattr(frames.leaf_of(source), "ElementCount", 0):
+        return None
+    try:
+        return frames.relative_motion(frames.placement_of(holder), frames.placement_of(source))
+    except InvalidInput:  # scaled
+        return None
 
 
 def _is_ours(obj):
@@ -140,18 +152,6 @@ def add_solid(obj, facets=True):
     see to_solid. Returns the object. Raises what to_solid raises, InvalidInput for another object and one that is out of date, and then
     adds nothing.
     """
-    if not isinstance(frames.object_of(obj), FreeCAD.DocumentObject):
+    if not frames.is_object(obj):
         raise InvalidInput(Text(solid_phrases.NO_MESH_OBJECT, name=convert.label_of(obj)))
-    document = frames.object_of(obj).Document
-    with undo_step(document, "To solid"):
-        made = document.addObject("Part::FeaturePython", "Solid")
-        try:
-            SolidOfMesh(made)
-            made.Label, made.Facets = labelled(obj, "solid"), bool(facets)
-            made.Source, made.SourcePath = frames.object_of(obj), frames.path_of(obj)
-            made.Proxy._bring_up_to_date(made)
-            made.purgeTouched()
-        except BaseException:
-            document.removeObject(made.Name)
-            raise
-    return made
+    return SolidOfMesh.add(obj, Facets=bool(facets))

@@ -14,7 +14,7 @@ from ..core.meshes.element_mesh import ElementMesh
 from ..core.meshes.surface_mesh import SurfaceMesh
 from ..core.reporting.content import View, content_of
 from ..core.reporting.page import page_of
-from ..core.reporting.report import SUFFIX, asked_rows, content_for, write_text
+from ..core.reporting.report import SUFFIXES, asked_rows, content_for, write_page
 from ..core.sources import convert, frames
 from ..errors import InvalidInput
 from . import cured_mesh, deviation, inspection, mesh_object
@@ -25,26 +25,27 @@ _RECOMPUTED = ("thickness", "draft")  # checks whose values by triangle no docum
 
 
 def write_report(source, path, shape=None, progress=None):
-    """Writes a page of HTML that needs no other file: pictures, what was requested and what was found, a histogram, a table by CAD
-    face, places with pictures, versions and a digest.
+    """Writes a page, as HTML that needs no other file or as PDF: pictures, what was requested and what was found, a histogram, a
+    table by CAD face, places with pictures, versions and a digest.
 
     source    what triangulate, boolean, offset, hollow, wrap, improve, simplify, repair, curve, thickness, draft or deviation return;
               a Mesh.Mesh, arrays (V, F), an ElementMesh; or a document object with a mesh or a FEM mesh
-    path      with the extension .html; a file that is there is replaced
+    path      with the extension .html, or .pdf, which a browser prints: Chromium, Chrome, Edge or Brave, the one that the variable
+              MESHQUALITY_BROWSER names or the first that is on the path; a file that is there is replaced
     shape     Part.Shape or document object: deviations of triangles from it are shown, too; of a quality mesh of the document its
               source unless given
     progress  as for triangulate
 
-    Lengths are in mm. The page is in the language of the window, of scripts in English; a browser prints it as PDF. Raises InvalidInput
-    for other things; IoError naming the path.
+    Lengths are in mm. The page is in the language of the window, of scripts in English. Raises InvalidInput for other
+    things; IoError naming the path, and where no browser prints.
     """
     options.require_callable(progress)
     name = os.fsdecode(convert.file_name(path))
-    if not name.lower().endswith((SUFFIX, ".htm")):
-        raise InvalidInput(f"'{name}' has no known extension: a report is {SUFFIX}")
+    if not name.lower().endswith(SUFFIXES):
+        raise InvalidInput(f"'{name}' has no known extension: a report is .html or .pdf")
     content = taken(source, shape)(progress) if frames.is_object(source) else \
         content_for(source, getattr(source, "Label", None) or type(source).__name__, shape, progress)
-    write_text(name, page_of(content, window().translated))
+    write_page(name, page_of(content, window().translated))
 
 
 def taken(source, shape=None):

@@ -272,7 +272,7 @@ class _OfOneFlatMesh(_OfOne):
     """The same for a mesh of flat triangles."""
 
     def selected(self):
-        return _if_one(lambda source: convert.is_mesh(source) and not holds_elements(source))
+        return _if_one(_is_flat_mesh)
 
 
 class Analyse(_OfOneMesh):
@@ -360,7 +360,7 @@ class Repair(_Command):
     KEYS = "Q, R"
 
     def selected(self):
-        return _if_one(lambda source: convert.is_mesh(source) and not holds_elements(source))
+        return _if_one(_is_flat_mesh)
 
     def panel(self, operations, **values):
         return RepairPanel(operations, **values)
@@ -516,6 +516,10 @@ def _if_one(fits):
     if len(found) == 1 and not fits(found[0]):
         found = _in_place_of(found[0])
     return found if len(found) == 1 and fits(found[0]) else []
+
+
+def _is_flat_mesh(source):
+    return convert.is_mesh(source) and not holds_elements(source)
 
 
 def _can_have_patches(source):

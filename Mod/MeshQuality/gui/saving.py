@@ -8,7 +8,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from ..core.reporting.page import page_of
-from ..core.reporting.report import SUFFIX, write_text
+from ..core.reporting.report import PDF, SUFFIX, SUFFIXES, write_page
 from ..core.sources import frames
 from ..errors import Error
 from ..features import report
@@ -18,10 +18,12 @@ from .translation import translated
 translate = FreeCAD.Qt.translate
 
 
-def asked_path(title, name, suffix, kinds):
-    """The path that the user gives, with the extension; empty: none."""
-    path = QtGui.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), title, name + suffix, kinds)[0]
-    return path if not path or path.lower().endswith(suffix) else path + suffix
+def asked_path(title, name, suffixes, kinds):
+    """The path that the user gives, with one of the extensions, by default that of the chosen kind, else the first; empty: none."""
+    path, kind = QtGui.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), title, name + suffixes[0], kinds)
+    if not path or path.lower().endswith(suffixes):
+        return path
+    return path + next((suffix for suffix in suffixes if f"*{suffix})" in kind), suffixes[0])
 
 
 def start(title, path, work, say):
@@ -34,7 +36,7 @@ def start(title, path, work, say):
 def save_report(source, say):
     """Asks for a file and writes the report of a document object, or a link to one, into it; returns the Job, None without one."""
     title, label = translate("MeshQuality", "Save report"), frames.leaf_of(source).Label
-    path = asked_path(title, label, SUFFIX, "HTML (*.html)")
+    path = asked_path(title, label, SUFFIXES, f"HTML (*{SUFFIX});;PDF (*{PDF})")
     if not path:
         return None
     try:
@@ -42,4 +44,4 @@ def save_report(source, say):
     except Error as error:
         say(translated(error), True)
         return None
-    return start(title, path, lambda progress: write_text(path, page_of(content(progress), translated)), say)
+    return start(title, path, lambda progress: write_page(path, page_of(content(progress), translated)), say)

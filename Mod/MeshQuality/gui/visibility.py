@@ -5,7 +5,8 @@ import FreeCAD
 
 from ..compat import PlainState
 from ..core.sources import frames
-from ..features import cfd_surface, cured_mesh, mesh_object
+from ..features import cured_mesh, mesh_object
+from ..features.mesh_shape import MeshShape
 from .view import badge
 
 _FACES, _EDGES = "Shaded", "Flat Lines"
@@ -38,9 +39,14 @@ def show_in_place_of_sources(obj):
     # Curved meshes have a display mode of their own, with the edges of the elements.
     if view.DisplayMode == _FACES and obj.Mesh.CountFacets <= MOST_WITH_EDGES and not view.Coloring:
         view.DisplayMode = _EDGES
-    for source in (*sources_of(obj), *_made_of_the_same(obj)):
-        if not _counts_for_others(source):
-            source.ViewObject.Visibility = False
+    _hide((*sources_of(obj), *_made_of_the_same(obj)))
+
+
+def _hide(objects):
+    """Hides those objects that nothing else shows elsewhere."""
+    for obj in objects:
+        if not _counts_for_others(obj):
+            obj.ViewObject.Visibility = False
 
 
 def follow_count(view, before, count):
@@ -74,14 +80,18 @@ def _give_view(obj, kind):
         is_new = view.Proxy is None
         view.Proxy = kind()
         if is_new:
-            obj.Source.ViewObject.Visibility = False
+            _hide(sources_of(obj))
 
 
 def _made_of_the_same(obj):
-    """The other mesh objects of the sources of one, or of some of these."""
-    sources = _sources(obj)
-    others = (made for made in obj.Document.Objects if made != obj and isinstance(getattr(made, "Proxy", None), mesh_object.MeshObject))
-    return [made for made in others if all(source in sources for source in _sources(made))]
+    """The other meshes, and shapes of meshes, that are made of the sources of one, or of some of these, and what is made of those."""
+    known, found = list(_sources(obj)), []
+    for made in obj.Document.Objects:
+        if made != obj and isinstance(getattr(made, "Proxy", None), (mesh_object.MeshObject, MeshShape)) \
+                and all(source in known for source in _sources(made)):
+            known.append(made)
+            found.append(made)
+    return found
 
 
 def _counts_for_others(source):
@@ -157,8 +167,8 @@ def _sources(obj):
     proxy = getattr(obj, "Proxy", None)
     if isinstance(proxy, mesh_object.MeshObject):
         return proxy.sources(obj)
-    if isinstance(proxy, cfd_surface.CfdSurface):
-        return [obj.Source]
+    if isinstance(proxy, MeshShape):
+        return [proxy.source(obj)]
     part = cured_mesh.part_of(obj) if cured_mesh.has_fem_mesh(obj) else None
     return [] if part is None else [part]
 

@@ -10,8 +10,10 @@ from ..meshes.surface_mesh import SurfaceMesh
 from ..meshes.writing import atomically
 from ..sources import convert
 from .content import content_of
+from .printing import print_page
 
-SUFFIX = ".html"
+SUFFIX, PDF = ".html", ".pdf"
+SUFFIXES = (SUFFIX, ".htm", PDF)
 
 
 def content_for(source, name, shape=None, progress=None, findings=None):
@@ -53,10 +55,13 @@ def asked_rows(table, values, titled=lambda option: option.title or option.name)
     return rows
 
 
-def write_text(path, page):
-    """Writes a page; raises IoError naming the path."""
+def write_page(path, page):
+    """Writes a page, as PDF where the path says so; raises IoError naming the path."""
     def write_into(ready):
         with open(ready, "w", encoding="utf-8") as stream:
             stream.write(page)
 
-    atomically(path, SUFFIX, write_into)
+    if path.lower().endswith(PDF):
+        atomically(path, PDF, lambda ready: print_page(page, ready))
+    else:
+        atomically(path, SUFFIX, write_into)

@@ -12,7 +12,7 @@ from ..panel_operation import obstacle_in
 from ..quantities import count_text, length_text
 from .convergence_plot import ConvergencePlot
 from .option_form import OptionForm
-from .task_form import is_in_task_view
+from .task_form import is_in_task_view, narrow
 from .writing_panel import WritingPanel
 
 translate = FreeCAD.Qt.translate
@@ -35,7 +35,9 @@ class AdaptPanel(WritingPanel):
                                               translate("MeshQuality", "Size")])
         self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.table.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.Stretch)
+        self.table.horizontalHeader().setSectionResizeMode(0, QtGui.QHeaderView.ResizeToContents)
         self.table.verticalHeader().hide()
+        narrow(self.table, "QHeaderView::section { padding: 0px }")
         self.table.setSizeAdjustPolicy(QtGui.QAbstractScrollArea.AdjustToContents)
         of = QtGui.QLabel(translate("MeshQuality", "Analysis: {}").format(self.label))
         for label in (of, self.doing):

@@ -10,7 +10,7 @@ from ..quantities import count_text
 
 translate = FreeCAD.Qt.translate
 
-_HEIGHT = 110
+_HEIGHT = 90
 _AXIS = 16  # pixels for the numbers below
 
 

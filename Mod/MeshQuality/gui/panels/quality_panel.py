@@ -34,6 +34,7 @@ translate = FreeCAD.Qt.translate
 
 WORST = 50  # elements in the list
 _DIGITS = 3  # digits of the numbers in the table, which may be 230 pixels wide
+_LISTS = 180  # pixels: height of the lists, which scroll, so that the whole panel is seen on a low screen
 _AROUND_INSIDE = 10.0  # width of the view around an element inside, in sizes of it
 
 
@@ -95,6 +96,7 @@ class QualityPanel:
 
     def _make_form(self, source, measure):
         self.form = Form()
+        measure = measure or self.data.measures[0]
         self.form.setWindowTitle(_title(measure))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of(_command(measure)[0])))
         of, self.summary = QtGui.QLabel(
@@ -104,7 +106,7 @@ class QualityPanel:
         self.worst, self.faces = QtGui.QListWidget(), QtGui.QTableWidget(0, 4)
         self.edges = QtGui.QCheckBox(translate("MeshQuality", "Draw edges"))
         self.edges.setEnabled(False)
-        self.section = SectionBox(lambda: SectionData(self.data))
+        self.section = SectionBox(lambda: SectionData(self.data))  # its box to check stands beside that of the edges
         for measure in self.data.measures:
             self.measures.addItem(translate("MeshQuality", measure.title))
         for label in (of, self.meaning, self.summary, self.hint):
@@ -114,6 +116,38 @@ class QualityPanel:
         # The panel may be 260 pixels wide.
         self.measures.setSizeAdjustPolicy(
             QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self._lay_out_faces()
+        self.tabs = QtGui.QTabWidget()
+        self.tabs.setMaximumHeight(_LISTS)
+        narrow(self.tabs.tabBar(), "QTabBar::tab { min-width: 0px; padding: 3px 4px }")
+        self.tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
+        self.tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
+        self.faults = FaultsBox()
+        if not self.data.curved:
+            self.tabs.addTab(self.faults, translate("MeshQuality", "Faults"))
+        self.saving = SavingBox(source, self._label, self._save_values)
+        layout = QtGui.QVBoxLayout(self.form)
+        layout.setContentsMargins(0, 0, 0, 0)
+        boxes = QtGui.QHBoxLayout()
+        for box in (self.edges, self.section.on):
+            boxes.addWidget(box)
+        for widget in (of, self.measures, self.meaning, self.summary, self.warning, self.histogram, self.range, self.hint):
+            layout.addWidget(widget)
+        layout.addLayout(boxes)  # above the lists, where it is seen on a low screen
+        for widget in (self.section, self.tabs, self.saving):
+            layout.addWidget(widget)
+        self._show_numbers(False)
+        self.histogram.picked.connect(self._pick_bar)
+        self.range.chosen.connect(self._choose_range)
+        self.faults.picked.connect(self._pick_faults)
+        self.faults.searched.connect(self._name_faults)
+        self.worst.currentRowChanged.connect(self._pick_worst)
+        self.worst.itemClicked.connect(lambda _: self._pick_worst(self.worst.currentRow()))
+        self.faces.itemSelectionChanged.connect(self._pick_face)
+        self.edges.toggled.connect(self._draw_edges)
+        self.saving.told.connect(lambda text, error: self.warning.say(text, error=error))
+
+    def _lay_out_faces(self):
         self.faces.setHorizontalHeaderLabels([
             translate("MeshQuality", "Face"), translate("MeshQuality", "Count"),
             translate("MeshQuality", "Worst"), translate("MeshQuality", "Mean")])
@@ -127,29 +161,6 @@ class QualityPanel:
         for column in range(4):
             self.faces.horizontalHeaderItem(column).setTextAlignment(_alignment(column))
         narrow(self.faces, "QHeaderView::section { padding: 0px } QTableView::item { padding: 0px }")
-        self.tabs = QtGui.QTabWidget()
-        narrow(self.tabs.tabBar(), "QTabBar::tab { min-width: 0px; padding: 3px 4px }")
-        self.tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
-        self.tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
-        self.faults = FaultsBox()
-        if not self.data.curved:
-            self.tabs.addTab(self.faults, translate("MeshQuality", "Faults"))
-        self.saving = SavingBox(source, self._label, self._save_values)
-        layout = QtGui.QVBoxLayout(self.form)
-        layout.setContentsMargins(0, 0, 0, 0)
-        for widget in (of, self.measures, self.meaning, self.summary, self.warning, self.histogram, self.range, self.hint,
-                       self.tabs, self.edges, self.section, self.saving):
-            layout.addWidget(widget)
-        self._show_numbers(False)
-        self.histogram.picked.connect(self._pick_bar)
-        self.range.chosen.connect(self._choose_range)
-        self.faults.picked.connect(self._pick_faults)
-        self.faults.searched.connect(self._name_faults)
-        self.worst.currentRowChanged.connect(self._pick_worst)
-        self.worst.itemClicked.connect(lambda _: self._pick_worst(self.worst.currentRow()))
-        self.faces.itemSelectionChanged.connect(self._pick_face)
-        self.edges.toggled.connect(self._draw_edges)
-        self.saving.told.connect(lambda text, error: self.warning.say(text, error=error))
 
     def getStandardButtons(self):
         return flags(QtGui.QDialogButtonBox.Close)
@@ -210,8 +221,9 @@ class QualityPanel:
         self._show_numbers(False)
 
     def _show_numbers(self, shown):
-        for widget in (self.histogram, self.range, self.hint, self.worst, self.faces, self.section, self.saving):
+        for widget in (self.histogram, self.range, self.hint, self.worst, self.faces, self.section.on, self.saving):
             widget.setVisible(shown)
+        self.section.setVisible(shown and self.section.on.isChecked())
 
     def _tell(self, job):
         if job is self._job and job.active and (job.fraction or job.wait):
@@ -418,7 +430,7 @@ def _mean(values):
 
 
 def _hint():
-    return translate("MeshQuality", "Click a bar, or drag over several, to highlight their elements. Heights are logarithmic.")
+    return translate("MeshQuality", "Click or drag over bars to highlight; heights are logarithmic.")
 
 
 _shown = None

@@ -28,7 +28,7 @@ class SavingBox(QtGui.QWidget):
         self.values.setToolTip(translate("MeshQuality", "Write all measures of each element into a table, as CSV"))
         self.values.clicked.connect(self._save_values)
         self.report = QtGui.QPushButton(translate("MeshQuality", "Save report..."))
-        self.report.setToolTip(translate("MeshQuality", "Write a page with pictures, figures, faces and places, as HTML"))
+        self.report.setToolTip(translate("MeshQuality", "Write a page with pictures, figures, faces and places, as HTML or PDF"))
         self.report.clicked.connect(self._save_report)
         narrow(self, "QPushButton { padding: 4px; margin: 2px 0px; min-width: 0px }")
         layout = QtGui.QHBoxLayout(self)
@@ -39,7 +39,7 @@ class SavingBox(QtGui.QWidget):
 
     def _save_values(self):
         title = translate("MeshQuality", "Save values")
-        path = saving.asked_path(title, self._name, ".csv", "CSV (*.csv)")
+        path = saving.asked_path(title, self._name, (".csv",), "CSV (*.csv)")
         if path:
             self.job = saving.start(title, path, lambda progress: self._work(path), self.told.emit)
 

@@ -17,7 +17,7 @@ _SHOWN_AFTER = 20  # ms after the last move of the slider, so that it does not w
 
 
 class SectionBox(QtGui.QWidget):
-    """A box to check, and below it, once it is checked, the fields of a plane."""
+    """The fields of a plane, shown once the box `on`, which stands elsewhere, is checked."""
 
     changed = QtCore.Signal()  # another plane, or another way to draw it
 
@@ -30,13 +30,12 @@ class SectionBox(QtGui.QWidget):
         self.on, self.whole = QtGui.QCheckBox(translate("MeshQuality", "Section")), QtGui.QCheckBox(translate("MeshQuality", "Whole elements"))
         self.direction, self.offset = QtGui.QComboBox(), QuantityBox("mm", signed=True)
         self.slider, self.flip, self.pick = QtGui.QSlider(QtCore.Qt.Horizontal), QtGui.QToolButton(), QtGui.QToolButton()
-        self._fields = QtGui.QWidget()
         self._fill()
         self._timer = QtCore.QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(_SHOWN_AFTER)
         self._timer.timeout.connect(self.changed)
-        self._fields.hide()
+        self.hide()
         self.on.toggled.connect(self._switch)
         self.direction.currentIndexChanged.connect(self._turn)
         self.flip.clicked.connect(self._turn_over)
@@ -60,6 +59,7 @@ class SectionBox(QtGui.QWidget):
         self.slider.setRange(0, _STEPS)
         self.offset.setToolTip(translate("MeshQuality", "Where the plane is: its coordinate, or its distance from the picked place"))
         self.direction.setMinimumWidth(50)
+        self.offset.setMinimumWidth(self.offset.sizeHint().width())
         for button in (self.flip, self.pick):
             narrow(button, "padding: 2px 4px; margin: 0px")
         rows = [QtGui.QHBoxLayout(), QtGui.QHBoxLayout()]
@@ -67,15 +67,12 @@ class SectionBox(QtGui.QWidget):
             row.setSpacing(3)
             for widget in widgets:
                 row.addWidget(widget, 1 if widget in (self.direction, self.slider) else 0)
-        inner, outer = QtGui.QVBoxLayout(self._fields), QtGui.QVBoxLayout(self)
-        for layout in (inner, outer):
-            layout.setContentsMargins(0, 0, 0, 0)
-            layout.setSpacing(3)
+        layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(3)
         for row in rows:
-            inner.addLayout(row)
-        inner.addWidget(self.whole)
-        outer.addWidget(self.on)
-        outer.addWidget(self._fields)
+            layout.addLayout(row)
+        layout.addWidget(self.whole)
 
     @property
     def plane(self):
@@ -104,7 +101,7 @@ class SectionBox(QtGui.QWidget):
         return self._picked.normal if number == _FACE else np.eye(3)[number]
 
     def _switch(self, on):
-        self._fields.setVisible(on)
+        self.setVisible(on)
         self.pick.setChecked(False)
         if on and self.data is None:
             self.data = self._begin()
