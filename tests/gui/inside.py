@@ -34,5 +34,5 @@ def main():
     FreeCADGui.getMainWindow().close()
 
 
-faulthandler.enable()  # the line of Python at which FreeCAD crashes, before FreeCAD's own words
+faulthandler.enable(sys.__stderr__)  # the line of Python at which FreeCAD crashes, before FreeCAD's own words
 QtCore.QTimer.singleShot(START, main)
