@@ -52,6 +52,7 @@ class SizeFieldsBox(QtGui.QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.table)
         row = QtGui.QHBoxLayout()
+        row.setSpacing(2)  # a long label of another option leaves little room
         for widget in (self.add, self.draw):
             row.addWidget(widget)
         row.addStretch()
