@@ -11,6 +11,7 @@ scaling, for f = x y / L^2. Weights < 0: edges whose two opposite angles are mor
 elements lose the maximum principle. Gmsh (frontal Delaunay, sizes from curvature) is run by the Python given, and left out without it.
 """
 
+import inspect
 import json
 import subprocess
 import sys
@@ -131,7 +132,8 @@ def iterations(matrix, load):
         nonlocal count
         count += 1
 
-    _, failed = cg(matrix, load, tol=RESIDUAL, atol=0.0, maxiter=100_000, callback=count_one)
+    residual = "rtol" if "rtol" in inspect.signature(cg).parameters else "tol"  # since SciPy 1.12, and before
+    _, failed = cg(matrix, load, atol=0.0, maxiter=100_000, callback=count_one, **{residual: RESIDUAL})
     return None if failed else count
 
 

@@ -27,8 +27,11 @@ def gmsh(part, analysis, size, **options):
     import ObjectsFem
     from femmesh.gmshtools import GmshTools
 
+    from MeshQuality import compat
+
     made = ObjectsFem.makeMeshGmsh(part.Document)
-    made.Part, made.CharacteristicLengthMax, made.ElementOrder = part, size, "2nd"
+    setattr(made, compat.fem_source_property(), part)
+    made.CharacteristicLengthMax, made.ElementOrder = size, "2nd"
     for name, value in options.items():
         setattr(made, name, value)
     analysis.addObject(made)

@@ -320,7 +320,8 @@ EXPRESSIONS = {"a wrong unit": "1 mm + 1 s", "a length for an angle": "Box.Lengt
                "nothing there": "Nowhere.Length", "a division by zero": "1/0", "a text": "<<text>>", "NaN": "0/0",
                "a huge power": "10^400",
                "another document": "Other#Box.Length", "a Python call": "_self.Document"}
-MATRICES = {"NaN": [float("nan")] * 16, "zero": [0.0] * 16, "shear": [1, 5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+MATRICES = {"NaN": [float("nan")] * 16, "NaN in x": [1, 0, 0, float("nan"), 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+            "zero": [0.0] * 16, "shear": [1, 5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
             "mirror": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
             "far": [1, 0, 0, 1e12, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
             "infinite": [1, 0, 0, float("inf"), 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}

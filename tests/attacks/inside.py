@@ -9,6 +9,7 @@ import ctypes
 import importlib
 import json
 import os
+import re
 import sys
 import tempfile
 import threading
@@ -17,6 +18,8 @@ import traceback
 import FreeCAD
 
 LONGEST_FAULT = 1500  # characters
+# FreeCAD 1.0 prints a traceback, of Python's own files alone, where it saves a proxy that is no JSON.
+NO_JSON = re.compile(r"PropertyPythonObject::toString\(\): failed for .*\nTraceback .*\n(?:  .*\n)*<class 'TypeError'>: .* is not JSON serializable\n")
 
 
 def children():
@@ -71,7 +74,7 @@ def done(attack, printed):
     except BaseException as error:  # noqa: BLE001 - SystemExit and KeyboardInterrupt are faults here, too
         return f"{type(error).__name__}: {error}\n{traceback.format_exc()[-LONGEST_FAULT:]}"
     left = left_behind(before)
-    said = printed.since()
+    said = NO_JSON.sub("", printed.since())
     if "Traceback" in said:
         return f"a traceback was printed: {said[-LONGEST_FAULT:]}"
     return f"left behind: {left}" if left else None

@@ -140,7 +140,7 @@ def _star():
 
 SHAPES = {
     "null": Part.Shape, "an empty compound": lambda: Part.makeCompound([]),
-    "an empty compound in one": lambda: Part.makeCompound([Part.Compound()]),
+    "an empty compound in one": lambda: Part.makeCompound([Part.makeCompound([])]),
     "a vertex": lambda: Part.Vertex(0, 0, 0), "an edge": lambda: Part.makeLine(V(), V(1, 0, 0)),
     "a wire": lambda: Part.makePolygon([V(), V(1, 0, 0), V(0, 1, 0)]),
     "10^4 vertices": lambda: Part.makeCompound([Part.Vertex(i, 0, 0) for i in range(MANY)]),

@@ -53,6 +53,14 @@ class RefusedAtOnce(unittest.TestCase):
         mesh = mq.triangulate(box, max_edge=1.7e-6, max_triangles=100)
         self.assertFalse(mesh.report.complete)
 
+    def test_a_place_that_is_no_number(self):
+        box = Part.makeBox(1, 1, 1)
+        box.Placement = FreeCAD.Placement(FreeCAD.Vector(float("nan"), 0, 0), FreeCAD.Rotation())
+        said = r"^vertex \d+ has a coordinate that is not a finite number$"
+        self.refused(said, mq.triangulate, box)
+        self.refused(said, mq.curve, box, order=2)
+        self.refused(said, mq.triangulate, Part.makeCompound([Part.makeBox(1, 1, 1), box]), min_angle=30.0)
+
     def test_more_edges_a_circle_than_single_precision_tells_from_it(self):
         self.refused("edges_per_circle = 100000.0 .* at most 10000$", mq.triangulate, Part.makeSphere(1),
                      edges_per_circle=10**5)

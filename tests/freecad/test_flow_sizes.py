@@ -45,6 +45,8 @@ class FlowSizes(helpers.DocumentTest):
         if not shutil.which(command[0]):
             self.skipTest(f"{command[0]} is missing: Debian's package openfoam has it")
         done = subprocess.run(command, cwd=self.case, env=ENVIRONMENT, capture_output=True, text=True, timeout=300, check=False)
+        if 'error in IOstream "sha1"' in done.stdout + done.stderr:
+            self.skipTest("this OpenFOAM fails with -func on any case, as that of Debian 13 does")
         self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
         return done.stdout
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What run.py has FreeCAD execute: all tests of this folder, once the window is up; then it closes."""
 
+import faulthandler
 import os
 import sys
 import traceback
@@ -33,4 +34,5 @@ def main():
     FreeCADGui.getMainWindow().close()
 
 
+faulthandler.enable(sys.__stderr__)  # the line of Python at which FreeCAD crashes, before FreeCAD's own words
 QtCore.QTimer.singleShot(START, main)

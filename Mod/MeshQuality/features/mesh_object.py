@@ -145,9 +145,9 @@ class MeshObject(PlainState):
         """Called by FreeCAD; it takes an object that is deleted out of the properties that name it."""
         distance_bound.follow_change(self, obj, name)
         aliases.follow_change(self.OPTIONS, obj, name)
-        if name in self.LINKS and getattr(obj, "Fingerprint", "") \
-                and not obj.Document.Restoring and self.lacks_source(obj):
-            obj.Status = SOURCE_DELETED
+        with suppress(AttributeError):  # scripts may have removed a property, or made it read-only
+            if name in self.LINKS and obj.Fingerprint and not obj.Document.Restoring and self.lacks_source(obj):
+                obj.Status = SOURCE_DELETED
 
     def onBeforeChange(self, obj, name):
         """Called by FreeCAD; undo and redo replace a mesh as fast as show_mesh does."""

@@ -118,7 +118,7 @@ def set_patches(obj, patches, patch_rest=None):
 def _require_unchanged(obj, label, values, work):
     """Raises Error if the object or its document is gone, or a source has changed meanwhile."""
     try:
-        there = obj.Document.getObject(obj.Name) == obj
+        there = obj in obj.Document.Objects
     except (ReferenceError, RuntimeError, AttributeError):
         there = False
     if not there:

@@ -28,6 +28,7 @@ class MeshView(PlainState):
     _drawn = 0  # number of triangles of its last mesh that was not empty
 
     def __init__(self, view):
+        self.view = view  # FreeCAD 1.0 attaches no proxy that comes after the view
         view.Proxy = self
 
     def attach(self, view):
@@ -48,11 +49,11 @@ class MeshView(PlainState):
             obj.ViewObject.signalChangeIcon()
         if name == "Mesh" and obj.Mesh.CountFacets > 0:
             before, self._drawn = self._drawn, obj.Mesh.CountFacets
-            visibility.follow_count(self.view, before, self._drawn)
+            visibility.follow_count(obj.ViewObject, before, self._drawn)
         if name in _TRIANGLES and _TRIANGLES[name](obj):
             from .view import edge_detail  # imports Coin
 
-            edge_detail.thin_out(self.view.RootNode, _EDGES_OF_TRIANGLE * _TRIANGLES[name](obj))
+            edge_detail.thin_out(obj.ViewObject.RootNode, _EDGES_OF_TRIANGLE * _TRIANGLES[name](obj))
         if name in ("Mesh", "Patches", "PatchRest"):
             self._colour_later(obj)
 

@@ -12,7 +12,7 @@ from ..panel_operation import obstacle_in
 from ..quantities import count_text, length_text
 from .convergence_plot import ConvergencePlot
 from .option_form import OptionForm
-from .task_form import is_in_task_view, narrow
+from .task_form import Table, is_in_task_view, narrow
 from .writing_panel import WritingPanel
 
 translate = FreeCAD.Qt.translate
@@ -30,7 +30,7 @@ class AdaptPanel(WritingPanel):
 
     def add_fields(self, layout):
         self.options = OptionForm(options.adapt.ADAPT)
-        self.plot, self.table, self.doing = ConvergencePlot(), QtGui.QTableWidget(0, 3), QtGui.QLabel()
+        self.plot, self.table, self.doing = ConvergencePlot(), Table(0, 3), QtGui.QLabel()
         self.table.setHorizontalHeaderLabels([translate("MeshQuality", "Unknowns"), translate("MeshQuality", "Error"),
                                               translate("MeshQuality", "Size")])
         self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)

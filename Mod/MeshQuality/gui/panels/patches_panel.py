@@ -17,7 +17,7 @@ from ..sub_elements import select_face
 from ..translation import translated
 from ..view import badge
 from .mesh_panel import title_of
-from .task_form import ClosesWithDocument, Form, Message, narrow_buttons
+from .task_form import ClosesWithDocument, Form, Message, Table, narrow_buttons
 
 translate = FreeCAD.Qt.translate
 
@@ -55,7 +55,7 @@ class PatchesPanel:
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of("MeshQuality_Patches")))
         self._document_watch = ClosesWithDocument(self._document, self.form, self._close)
         self.message = Message()
-        self.table = QtGui.QTableWidget(0, 2)
+        self.table = Table(0, 2)
         self.table.setHorizontalHeaderLabels([translate("MeshQuality", "Name"), translate("MeshQuality", "Faces")])
         self.table.horizontalHeader().setStretchLastSection(True)
         self.table.setItemDelegate(_CellEditor(self.table))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of Analyse Quality: how good a mesh is, where it is worst, and why."""
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Optional
 
@@ -28,7 +29,7 @@ from .mesh_panel import title_of
 from .range_box import RangeBox
 from .saving_box import SavingBox
 from .section_box import SectionBox
-from .task_form import Form, Message, narrow
+from .task_form import Form, Message, Table, narrow
 
 translate = FreeCAD.Qt.translate
 
@@ -103,7 +104,7 @@ class QualityPanel:
             translate("MeshQuality", "Mesh: {0}").format(self._label)), QtGui.QLabel()
         self.measures, self.histogram, self.range = QtGui.QComboBox(), HistogramView(), RangeBox()
         self.meaning, self.hint, self.warning = QtGui.QLabel(), QtGui.QLabel(_hint()), Message()
-        self.worst, self.faces = QtGui.QListWidget(), QtGui.QTableWidget(0, 4)
+        self.worst, self.faces = QtGui.QListWidget(), Table(0, 4)
         self.edges = QtGui.QCheckBox(translate("MeshQuality", "Draw edges"))
         self.edges.setEnabled(False)
         self.section = SectionBox(lambda: SectionData(self.data))  # its box to check stands beside that of the edges
@@ -189,7 +190,8 @@ class QualityPanel:
         self.ended = True
         FreeCAD.removeDocumentObserver(self)
         for box in (self.faults, self.saving, self.section):
-            box.end()
+            with suppress(RuntimeError):  # FreeCAD 1.0 has closed the panel by itself, and deleted what it showed
+                box.end()
         if self._job is not None and self._job.active:
             self._job.cancel()
         if gone:

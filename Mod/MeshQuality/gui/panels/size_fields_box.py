@@ -14,6 +14,7 @@ from ...features import size_fields, size_region
 from ...features.transactions import undo_step
 from ..quantities import length_text
 from ..translation import translated
+from .task_form import Table
 
 translate = FreeCAD.Qt.translate
 
@@ -33,7 +34,7 @@ class SizeFieldsBox(QtGui.QWidget):
     def __init__(self, sources):
         super().__init__()
         self._sources, self._drawn = sources, _Drawn()
-        self.table = QtGui.QTableWidget(0, 2)
+        self.table = Table(0, 2)
         self.table.setHorizontalHeaderLabels([translate("MeshQuality", "Region"), translate("MeshQuality", "Size")])
         self.table.horizontalHeader().setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
         self.table.verticalHeader().hide()
@@ -51,6 +52,7 @@ class SizeFieldsBox(QtGui.QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.table)
         row = QtGui.QHBoxLayout()
+        row.setSpacing(2)  # a long label of another option leaves little room
         for widget in (self.add, self.draw):
             row.addWidget(widget)
         row.addStretch()

@@ -58,6 +58,20 @@ def _scroll_to(widget):
             area.ensureWidgetVisible(widget)
 
 
+class Table(QtGui.QTableWidget):
+    """A table with headers of its own. Qt's own ones may come to Python as what stood in their place in memory before, such as
+    FreeCAD's buttons (PySide2 of Debian 13): calls to them fail or crash.
+    """
+
+    def __init__(self, rows, columns):
+        super().__init__(rows, columns)
+        for direction, take in ((QtCore.Qt.Horizontal, self.setHorizontalHeader), (QtCore.Qt.Vertical, self.setVerticalHeader)):
+            header = QtGui.QHeaderView(direction, self)
+            header.setSectionsClickable(True)
+            header.setHighlightSections(True)
+            take(header)
+
+
 class Form(QtGui.QWidget):
     """The page of a panel. The mouse wheel over a field scrolls the page; it turns a value only where the field has the
     focus. Return in a field or a list ends with the field: FreeCAD's task view would take it for OK, which may begin work of

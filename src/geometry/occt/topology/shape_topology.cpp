@@ -224,7 +224,11 @@ void TopologyBuilder::add_nodes() {
     for (int i = 1; i <= vertices_.Extent(); ++i) {
         const TopoDS_Vertex& vertex = TopoDS::Vertex(vertices_(i));
         live_.nodes.push_back(vertex);
-        topology_.nodes.push_back(Node{to_vec(BRep_Tool::Pnt(vertex)), BRep_Tool::Tolerance(vertex)});
+        const Vec3 point = to_vec(BRep_Tool::Pnt(vertex));
+        if (!point.allFinite()) {
+            throw InvalidInput(phrases::kVertexNotFinite, {{"count", i}});
+        }
+        topology_.nodes.push_back(Node{point, BRep_Tool::Tolerance(vertex)});
     }
 }
 
