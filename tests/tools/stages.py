@@ -15,6 +15,7 @@ STAGES = {
         ["geometry/elementary"],
         ["geometry/analytic", "geometry/occt/evaluation"],
         ["geometry/occt/topology"],
+        ["geometry/occt/narrow"],
         ["geometry/occt/checks", "geometry/occt/stream"],
         ["geometry/occt/distance"],
         ["geometry/occt"],

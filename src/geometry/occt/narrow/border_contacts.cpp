@@ -131,7 +131,7 @@ class BorderContacts : EdgeJoining {
 
     /// The nearest points of two edges, of the one in a range and beside it; none if they are not in contact.
     std::optional<Contact> contact_near(const Piece& a, const Piece& b) const {
-        constexpr int kSteps = 40;
+        constexpr int kGoldenSteps = 40;
         constexpr double kGolden = 0.6180339887498949;
         const auto across = [&](double t) {
             const Answer there = curve(a.edge).point(t);
@@ -139,7 +139,7 @@ class BorderContacts : EdgeJoining {
         };
         double low = std::max(edge(a.edge).t0, 2.0 * a.from - a.to);
         double high = std::min(edge(a.edge).t1, 2.0 * a.to - a.from);
-        for (int i = 0; i < kSteps; ++i) {
+        for (int i = 0; i < kGoldenSteps; ++i) {
             const double first = high - kGolden * (high - low);
             const double second = low + kGolden * (high - low);
             (across(first).distance < across(second).distance ? high : low) =
