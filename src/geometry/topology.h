@@ -97,8 +97,8 @@ struct Joined {
 /// Which narrow corners of faces are cut off (see cut_narrow_corners).
 enum class CornerCuts {
     None,
-    /// Those where a face is pinched: parts of its border that do not follow each other meet there, as at a hole that is
-    /// tangent to an edge, or one of the edges is a seam, which is no line of the shape.
+    /// Those where a face is pinched: parts of its border that do not follow each other meet there, as at a hole that
+    /// is tangent to an edge, or one of the edges is a seam, which is no line of the shape.
     Pinches,
     All,
 };

@@ -25,15 +25,15 @@
 #include "geometry/occt/evaluation/face_evaluator.h"
 #include "geometry/occt/evaluation/failure_text.h"
 #include "geometry/occt/geometry_fingerprint.h"
-#include "geometry/occt/plane_curves.h"
 #include "geometry/occt/narrow/border_contacts.h"
 #include "geometry/occt/narrow/corner_cuts.h"
-#include "geometry/occt/topology/creases.h"
 #include "geometry/occt/narrow/degenerate_faces.h"
-#include "geometry/occt/topology/imprint.h"
 #include "geometry/occt/narrow/loose_faces.h"
-#include "geometry/occt/topology/shape_map.h"
 #include "geometry/occt/narrow/spikes.h"
+#include "geometry/occt/plane_curves.h"
+#include "geometry/occt/topology/creases.h"
+#include "geometry/occt/topology/imprint.h"
+#include "geometry/occt/topology/shape_map.h"
 
 namespace mq::geometry {
 
