@@ -2,6 +2,7 @@
 """mq.triangulate(corners=...): narrow corners of faces that are kept or cut off."""
 
 import math
+import random
 import unittest
 
 import FreeCAD
@@ -31,6 +32,19 @@ def lens(degrees, length=20.0):
     return Part.Face(Part.Wire([arc, Part.makeLine(*reversed(ends))])).extrude(FreeCAD.Vector(0, 0, 5))
 
 
+def piece_of_torus(seed):
+    """What a three-sided prism, a side of which meets another at 27 to 48 degrees, has in common with a torus."""
+    dice = random.Random(seed)
+    turn, radius = math.radians(dice.uniform(27, 48)), dice.uniform(2, 4)
+    place, rotation = FreeCAD.Vector(dice.uniform(8, 13), dice.uniform(-3, 3), 0), dice.uniform(0, 360)
+    length = dice.uniform(3, 9)
+    ends = FreeCAD.Vector(length, 0, 0), FreeCAD.Vector(length * math.cos(turn), length * math.sin(turn), 0)
+    prism = Part.Face(Part.makePolygon([FreeCAD.Vector(), *ends, FreeCAD.Vector()])).extrude(FreeCAD.Vector(0, 0, 30))
+    prism.rotate(FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), rotation)
+    prism.translate(place)
+    return Part.makeTorus(10, radius).common(prism)
+
+
 class KeptCorners(unittest.TestCase):
     """A corner has the angle of its edges, which the first chords of curved ones approach."""
 
@@ -45,6 +59,15 @@ class KeptCorners(unittest.TestCase):
                 self.assertLess(report.min_angle, 15.0)
                 for _, why in report.exempt_reasons:
                     self.assertAlmostEqual(why.angle, 15.0, places=6)
+
+    def test_no_vertex_divides_one_that_has_room_for_one_triangle(self):
+        for seed in 43, 51, 79:  # across the corner, an edge was too far from the torus
+            with self.subTest(seed):
+                report = mq.triangulate(piece_of_torus(seed), chord_height=0.03, corners="keep").report
+                self.assertEqual(report.exempt, [])
+                self.assertGreaterEqual(report.min_angle, 25.0)
+                self.assertLessEqual(report.max_chord_height, 0.03)
+                self.assertTrue(report.closed and report.self_intersections == 0)
 
     def test_edges_that_touch_have_none(self):
         corner, ends = FreeCAD.Vector(), (FreeCAD.Vector(10, 0, 0), FreeCAD.Vector(10, 6, 0))

@@ -349,6 +349,21 @@ ChordRefinement::SurfacePoints ChordRefinement::surface_points_of(const Violatio
     return result;
 }
 
+// Where an edge lies across a corner of the border that has no room for two triangles, its segments are halved: a
+// vertex on the edge would divide the corner.
+bool ChordRefinement::shorten_corner(int h) {
+    const int corner = ClassifiedMesh::prev(h);
+    const std::array<int, 2> sides{work_.mesh.segment_of(corner), work_.mesh.segment_of(ClassifiedMesh::next(h))};
+    if (sides[0] < 0 || sides[1] < 0 || segments_.refused(sides[0]) || segments_.refused(sides[1]) ||
+        angle_at(work_.mesh, corner) >= sizing_.whole_corner) {
+        return false;
+    }
+    for (const int s : sides) {
+        segments_.request(s, true);
+    }
+    return true;
+}
+
 void ChordRefinement::split_one(const Violation& violation, const std::optional<SurfacePoint>& p) {
     const int h = violation.half_edge;
     if (changed(violation)) {
@@ -358,7 +373,7 @@ void ChordRefinement::split_one(const Violation& violation, const std::optional<
         refuse(h);
         return;
     }
-    bool split_segment = false;
+    bool split_segment = shorten_corner(h) || shorten_corner(work_.mesh.twin(h));
     for (const int s : surroundings_of(work_.mesh, h / 3, p->point).encroached) {
         if (segments_.may_split(s)) {
             segments_.request(s);

@@ -59,6 +59,7 @@ class ChordRefinement {
     void split(const Violations& found);
     SurfacePoints surface_points_of(const Violation* first, const Violation* last);
     bool changed(const Violation& violation) const;
+    bool shorten_corner(int h);
     void split_one(const Violation& violation, const std::optional<SurfacePoint>& p);
 
     Workspace& work_;
