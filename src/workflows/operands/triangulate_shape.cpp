@@ -92,15 +92,18 @@ Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
     options.validate();
     const Stopwatch watch_all;
     Result result = *attempt(engine, shape, options, options.corner_cuts(), std::nullopt, progress, cache);
-    if (options.corners == triangulate::Corners::Auto && options.keeps_bounds() && result.report.complete &&
-        unexplained(result) > 0) {
+    for (const geometry::CornerCuts cuts : {geometry::CornerCuts::All, geometry::CornerCuts::None}) {
+        if (options.corners != triangulate::Corners::Auto || !options.keeps_bounds() || !result.report.complete ||
+            unexplained(result) == 0) {
+            break;
+        }
         const double before = watch_all.wall();
-        std::optional<Result> cut =
-            attempt(engine, shape, options, geometry::CornerCuts::All, result.report.cut_corners, progress, nullptr);
-        if (cut && unexplained(*cut) < unexplained(result) &&
-            cut->report.self_intersections <= result.report.self_intersections) {
-            result = std::move(*cut);
-            result.report.seconds.insert(result.report.seconds.begin(), {"with corners kept", before});
+        std::optional<Result> other =
+            attempt(engine, shape, options, cuts, result.report.cut_corners, progress, nullptr);
+        if (other && unexplained(*other) < unexplained(result) &&
+            other->report.self_intersections <= result.report.self_intersections) {
+            result = std::move(*other);
+            result.report.seconds.insert(result.report.seconds.begin(), {"with other corners", before});
         }
     }
     note_lost_volume(result, shape, engine, progress);
