@@ -5008,7 +5008,7 @@
     </message>
     <message>
         <source>Draw</source>
-        <translation>Zeichnen</translation>
+        <translation>Zeigen</translation>
     </message>
     <message>
         <source>Draw the sizes as coloured points, and count the triangles to expect</source>

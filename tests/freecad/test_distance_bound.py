@@ -219,7 +219,8 @@ class Objects(helpers.DocumentTest):
             before = {**values, "chord_height": held[0], "chord_height_relative": held[1],
                       "insertion": "off-centre", "growth": values["growth_rate"],
                       "polish": values["refine_samples"]}
-            del before["growth_rate"], before["refine_samples"], before["size_field"]
+            for later in "growth_rate", "refine_samples", "size_field", "metric", "max_stretching":
+                del before[later]
             digest = hashlib.sha256(convert.shape_text(shape))
             digest.update(json.dumps(before, sort_keys=True).encode())
             self.assertEqual(mesh_object.fingerprint_of(shape, values), digest.hexdigest())

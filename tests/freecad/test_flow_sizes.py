@@ -65,8 +65,10 @@ class FlowSizes(helpers.DocumentTest):
         field = np.sin(0.1 * self.centres @ [1000.0, 2000.0, 500.0])
         write_field(self.case, "T", field, self.patches)
         with open(os.path.join(self.case, "system", "fvSchemes"), "r+", encoding="utf-8") as stream:
-            text = stream.read().replace("gradSchemes { default Gauss linear; }", "gradSchemes { default leastSquares; }")
+            text = stream.read().replace("gradSchemes { default Gauss pointLinear; }", "gradSchemes { default leastSquares; }")
+            self.assertIn("leastSquares", text)
             stream.seek(0)
+            stream.truncate()
             stream.write(text)
         self.run_openfoam("postProcess", "-func", "writeCellCentres", "-time", "0")
         np.testing.assert_allclose(read_field(self.case, "C")[0], self.centres, atol=1e-8)

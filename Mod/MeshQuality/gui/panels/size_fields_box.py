@@ -48,6 +48,7 @@ class SizeFieldsBox(QtGui.QWidget):
         self.draw.setToolTip(translate("MeshQuality", "Draw the sizes as coloured points, and count the triangles to expect"))
         self.words = QtGui.QLabel()
         self.words.setWordWrap(True)
+        self.draw.setMinimumWidth(self.draw.sizeHint().width())
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.table)
