@@ -46,7 +46,7 @@ Sizing sizing_of(const TriangulateOptions& options, double chord, const Workspac
     EdgeBounds bounds(work.session.topology(), options.max_edge, options.local_sizes);
     bounds.set_field(options.size_field, work.grid.origin());
     return {chord, std::move(bounds), options.edges_per_circle > 0.0 ? 2.0 * M_PI / options.edges_per_circle : 0.0,
-            2.0 * options.min_angle * kDegree, options.growth};
+            options.growth, 2.0 * options.min_angle * kDegree};
 }
 
 }  // namespace

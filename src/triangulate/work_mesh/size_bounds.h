@@ -59,8 +59,8 @@ struct Sizing {
     double tolerance = 0.0;     ///< largest distance from the CAD model, mm; 0: no bound
     EdgeBounds bounds;          ///< largest lengths of edges
     double turn = 0.0;          ///< radians: largest turn of the normal along an edge; 0: no bound
-    double whole_corner = 0.0;  ///< radians: corners of the border below this have no room for two triangles
     double growth = 0.0;        ///< largest ratio of lengths of neighbouring edges (see graded_sizes); 0: no bound
+    double whole_corner = 0.0;  ///< radians: corners of the border below this have no room for two triangles
 
     bool any() const { return tolerance > 0.0 || bounds.any() || turn > 0.0 || growth > 0.0; }
 };
