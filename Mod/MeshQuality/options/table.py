@@ -536,14 +536,10 @@ def bound_of(values):
 
 
 def hashed(values):
-    """JSON text of checked values, for fingerprints: names, choices and no bound are written as older
-    versions did, and options that they did not have only where these are used.
-    """
-    later = {"size_field": None}
-    if values.get("metric") == "none":
-        later.update(metric="none", max_stretching=values["max_stretching"])
+    """JSON text of checked values, for fingerprints, as older versions wrote it; options that they did not have only where used."""
+    unused = ("size_field", "metric", "max_stretching") if values.get("metric") == "none" else ("size_field",)
     return json.dumps({name: None if value == NO_BOUND else value for name, value in _by_aliases(values).items()
-                       if name not in later or value != later[name]}, sort_keys=True)
+                       if name not in unused or name == "size_field" and value is not None}, sort_keys=True)
 
 
 def to_property(option, value):
