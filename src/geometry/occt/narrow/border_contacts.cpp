@@ -232,10 +232,10 @@ class BorderContacts : EdgeJoining {
         const auto [a, b] = contact.edges;
         bool any = false;
         for (const double end : {edge(a).t0, edge(a).t1}) {
-            const bool goes_on =
+            const bool has_side =
                 curve(a).length(std::min(contact.at[0].t, end), std::max(contact.at[0].t, end)).distance >
                 2.0 * topology_.detail;
-            if (!goes_on) {
+            if (!has_side) {
                 continue;
             }
             const std::optional<std::array<Answer, 2>> open = opening(contact, end);
@@ -295,12 +295,25 @@ class BorderContacts : EdgeJoining {
     void apply(int face, const Contact& contact) {
         std::array<int, 2> edges{};
         std::array<int, 2> nodes{};
+        std::array<double, 2> t{contact.at[0].t, contact.at[1].t};
+        double gap = contact.gap;
         for (std::size_t k = 0; k < 2; ++k) {
             edges[k] = piece_at(face, contact.edges[k], contact.at[k].t);
             nodes[k] = node_beside(edges[k], contact.at[k].t);
         }
         if (same_node(nodes[0], nodes[1]) || beside_node(face, {edges, contact.at, contact.gap})) {
             return;  // a contact before this one has given them the node
+        }
+        for (std::size_t k = 0; k < 2; ++k) {
+            if (nodes[k] >= 0 && nodes[1 - k] < 0) {  // the other edge is divided beside the node
+                const Vec3& point = topology_.nodes[static_cast<std::size_t>(nodes[k])].point;
+                const Answer beside = nearest_on(edges[1 - k], point, topology_.detail);
+                if (!beside.found() || beside.distance > topology_.detail || node_beside(edges[1 - k], beside.t) >= 0) {
+                    return;
+                }
+                t[1 - k] = beside.t;
+                gap = beside.distance;
+            }
         }
         topology_.faults.push_back(topology_.name_of({2, face}) + ": " + topology_.name_of({1, edges[0]}) + " and " +
                                    topology_.name_of({1, edges[1]}) + " are " + in_digits(contact.gap, 4) +
@@ -315,14 +328,14 @@ class BorderContacts : EdgeJoining {
                                                     0.5 * contact.gap, {1, edges[0]});
         for (std::size_t k = 0; k < 2; ++k) {
             if (nodes[k] < 0) {
-                divide(edges[k], contact.at[k].t, node);
+                divide(edges[k], t[k], node);
             }
         }
         double& tolerance = topology_.nodes[static_cast<std::size_t>(node)].tolerance;
-        tolerance = std::max(tolerance, contact.gap);
+        tolerance = std::max(tolerance, gap);
     }
 
-    /// The node of an edge that is nearer to a place on it than the detail, along the edge; -1: none is.
+    /// The node of an edge that is at most two details from a place on it, along the edge; -1: none is.
     int node_beside(int e, double t) const {
         const auto near = [&](double end) {
             return curve(e).length(std::min(t, end), std::max(t, end)).distance <= 2.0 * topology_.detail;

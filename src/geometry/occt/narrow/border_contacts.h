@@ -11,9 +11,9 @@ namespace mq::geometry {
 /// cut_narrow_corners cuts off: no triangle has to fit between the edges.
 ///
 /// Edges with a common node are in contact only beyond a place where they are a detail apart, and edges that do not
-/// open to a detail on both sides of the contact are left to remove_degenerate_faces. No point moves by more than half
-/// of the detail. `topology.faults` names the edges. New nodes are the last ones; the tolerance of each is its distance
-/// from the edges.
+/// open to a detail on both sides of the contact are left to remove_degenerate_faces. No point moves by more than
+/// the detail: a new node lies half-way in the gap, a node of one edge may be off the other one. `topology.faults`
+/// names the edges. New nodes are the last ones; the tolerance of each is its distance from the edges.
 /// @throws Cancelled
 void join_border_contacts(Topology& topology, ShapeMap& live, const Progress* progress);
 

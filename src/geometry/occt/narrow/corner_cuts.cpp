@@ -22,7 +22,7 @@ class NarrowCorners : EdgeJoining {
   public:
     using EdgeJoining::EdgeJoining;
 
-    /// The place at which the edges of two neighbouring uses of a loop are the detail apart.
+    /// The place at which the edges of two uses that meet in a corner of a face are the detail apart.
     struct Cut {
         int face;
         std::array<int, 2> edges;     // the first one ends in the corner, the second one begins there
