@@ -21,6 +21,7 @@
 #include "triangulate/pipeline/refinement.h"
 #include "triangulate/refine/doubled_edges.h"
 #include "triangulate/refine/tuning.h"
+#include "triangulate/report/chord_triangles.h"
 #include "triangulate/report/costly_slivers.h"
 #include "triangulate/report/final_report.h"
 #include "triangulate/report/joined_corners.h"
@@ -258,6 +259,7 @@ Result mesh_shape(const Task& task, const std::vector<geometry::Fingerprint>& ke
     task.progress.stage("checking", 0.9, 1.0);
     task.progress.check();
     const MaxChordError farthest = measure_against_part(work, findings, task.chord);
+    const std::size_t by_chord = task.chord > 0.0 ? chord_triangles(work, findings.chords, task.chord) : 0;
     if (left == nullptr) {
         findings.chords.clear();  // released before the mesh is copied
     }
@@ -266,6 +268,7 @@ Result mesh_shape(const Task& task, const std::vector<geometry::Fingerprint>& ke
     Result result;
     JoinedCorners joined(work, first.faces.chains);
     result.report = final_report(work, findings, farthest, out, joined, options, task.chord);
+    result.report.chord_triangles = by_chord;
     result.mesh = std::move(out.mesh);
     result.angle_history = work.angle_history.entries();
     result.report.reused_faces = restore != nullptr ? count(restore->kept(surface), topology) : 0;

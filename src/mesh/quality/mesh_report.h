@@ -80,6 +80,8 @@ struct MeshReport {
     /// float64 (3,): the point of that triangle where that is, with the mesh's origin
     Vec3 max_chord_point = Vec3::Zero();
     double chord_height_asked = 0.0;  ///< mm; 0: none
+    /// about the number of triangles that this distance alone asks for, without bounds on angles; 0: not known
+    std::size_t chord_triangles = 0;
     /// largest length of an edge, divided by the size field at its middle; -1: there was no size field
     double size_ratio = -1.0;
     Vec3 size_ratio_point = Vec3::Zero();  ///< float64 (3,): the middle of that edge

@@ -39,7 +39,9 @@ std::vector<FaceCorner> corners_of_faces(const geometry::Topology& topology, con
                 const geometry::EdgeUse& a = topology.uses[uses[i]];
                 const geometry::EdgeUse& b = topology.uses[uses[(i + 1) % uses.size()]];
                 const FaceCorner corner{{a.edge, b.edge}, {a.forward ? 1 : 0, b.forward ? 0 : 1}};
-                if (a.edge != b.edge && corner.node(topology, 0) >= 0 && corner.node(topology, 1) >= 0) {
+                const auto& cut = topology.cut_corners;
+                if (a.edge != b.edge && corner.node(topology, 0) >= 0 && corner.node(topology, 1) >= 0 &&
+                    std::find(cut.begin(), cut.end(), corner.node(topology, 0)) == cut.end()) {
                     corners.push_back(corner);
                 }
             }

@@ -117,7 +117,7 @@ double VertexRemoval::least_angle(const RemovalCavity& cavity) const {
 bool VertexRemoval::add_fan(int half_edge, RemovalPlan& plan) const {
     const ClassifiedMesh& mesh = work_.mesh;
     auto cavity = removal_cavity(mesh, half_edge);
-    if (!cavity || cavity->sides.size() < 4) {
+    if (!cavity || cavity->sides.size() < (cavity->base[0] < 0 ? 4U : 3U)) {
         return false;
     }
     std::vector<Fan> fans = fans_of(mesh, *cavity, least_angle(*cavity));

@@ -26,6 +26,9 @@ double TriangulateOptions::detail_of(const Box& box) const {
     if (insertion == Insertion::Circumcentre) {
         return 0.0;
     }
+    if (detail > 0.0) {
+        return detail;
+    }
     std::vector<double> asked{chord_height_of(box), max_edge};
     for (const LocalSize& size : local_sizes) {
         asked.push_back(size.max_edge);

@@ -61,11 +61,21 @@ std::ptrdiff_t unexplained(const Result& result) {
     });
 }
 
-/// @param before  narrow corners that an attempt before this one has cut off
-/// @return none where no others can be cut off
-std::optional<Result> attempt(geometry::Engine& engine, const TopoDS_Shape& shape,
-                              const triangulate::TriangulateOptions& options, geometry::CornerCuts cuts,
-                              std::optional<std::size_t> before, Progress& progress, triangulate::MeshCache* cache) {
+/// The number of entities of a shape that count as one with another one, and of its narrow corners that are cut off.
+std::size_t identified(const geometry::Topology& topology) {
+    return topology.joined.size() + topology.cut_corners.size();
+}
+
+struct Attempt {
+    Result result;
+    std::size_t identified = 0;
+};
+
+/// @param before  what the attempts before this one have identified
+/// @return none where nothing else can be
+std::optional<Attempt> attempt(geometry::Engine& engine, const TopoDS_Shape& shape,
+                               const triangulate::TriangulateOptions& options, geometry::CornerCuts cuts,
+                               std::optional<std::size_t> before, Progress& progress, triangulate::MeshCache* cache) {
     const Stopwatch watch;
     std::shared_ptr<geometry::Model> model;
     progress.stage("reading the shape", 0.0, 0.0);
@@ -74,15 +84,105 @@ std::optional<Result> attempt(geometry::Engine& engine, const TopoDS_Shape& shap
     engine.run(
         [&] { model = geometry::make_shape_model(shape, &progress, geometry::Creases::Cut, join, options.evaluation); },
         &progress);
-    if (before && model->topology().cut_corners.size() == *before) {
+    if (before == identified(model->topology())) {
         return std::nullopt;
     }
     const double reading = watch.wall();
     ScheduleTrace::name_work("read the shape");
     Result result = triangulate::triangulate(engine, model, options, &progress, cache);
     result.report.seconds.insert(result.report.seconds.begin(), {"read the shape", reading});
-    return result;
+    return Attempt{std::move(result), identified(model->topology())};
 }
+
+/// Whether the mesh has many more triangles than the distance alone asks for, and no sizes do.
+bool is_costly(const Result& result, const triangulate::TriangulateOptions& options) {
+    constexpr std::size_t kMostTimes = 20;
+    return options.max_edge == 0.0 && options.local_sizes.empty() && options.size_field == nullptr &&
+           options.edges_per_circle == 0.0 && options.growth == 0.0 && result.report.chord_triangles > 0 &&
+           result.mesh.triangles.size() > kMostTimes * result.report.chord_triangles;
+}
+
+/// Whether a mesh keeps no less than another one.
+bool keeps_as_much(const mesh::MeshReport& report, const mesh::MeshReport& other) {
+    const auto too_far = [](const mesh::MeshReport& one) {
+        return one.chord_height_asked > 0.0 ? std::max(0.0, one.max_chord_height - one.chord_height_asked) : 0.0;
+    };
+    return report.self_intersections <= other.self_intersections && too_far(report) <= too_far(other) &&
+           report.complete && report.closed == other.closed && report.manifold >= other.manifold;
+}
+
+/// Attempts to mesh a shape, of which the best is kept.
+class Attempts {
+  public:
+    Attempts(geometry::Engine& engine, const TopoDS_Shape& shape, const triangulate::TriangulateOptions& options,
+             Progress& progress, triangulate::MeshCache* cache)
+        : engine_(engine),
+          shape_(shape),
+          options_(options),
+          progress_(progress),
+          best_(*attempt(engine, shape, options, options.corner_cuts(), std::nullopt, progress, cache)) {}
+
+    /// Larger details, up to half of the distance, where keeping smaller ones takes more than twenty times the
+    /// triangles that the distance asks for.
+    void raise_detail() {
+        for (const double share : {0.2, 0.5}) {
+            if (!is_costly(best_.result, options_)) {
+                return;
+            }
+            triangulate::TriangulateOptions coarser = options_;
+            coarser.detail = share * best_.result.report.chord_height_asked;
+            const bool any_corners = coarser.corners == triangulate::Corners::Auto;
+            if (try_with(coarser, any_corners ? geometry::CornerCuts::All : coarser.corner_cuts(),
+                         [&](const Result& other) {
+                             return other.mesh.triangles.size() < best_.result.mesh.triangles.size() &&
+                                    unexplained(other) <= unexplained(best_.result) &&
+                                    keeps_as_much(other.report, best_.result.report);
+                         })) {
+                options_.detail = coarser.detail;
+            }
+        }
+    }
+
+    /// Other narrow corners that are cut off, where triangles are left below the bound that are none.
+    void cut_other_corners() {
+        for (const geometry::CornerCuts cuts : {geometry::CornerCuts::All, geometry::CornerCuts::None}) {
+            if (options_.corners != triangulate::Corners::Auto || !options_.keeps_bounds() ||
+                !best_.result.report.complete || unexplained(best_.result) == 0) {
+                return;
+            }
+            try_with(options_, cuts, [&](const Result& other) {
+                return unexplained(other) < unexplained(best_.result) &&
+                       other.report.self_intersections <= best_.result.report.self_intersections;
+            });
+        }
+    }
+
+    Result take() {
+        best_.result.report.cpu_seconds = watch_.cpu();
+        return std::move(best_.result);
+    }
+
+  private:
+    /// @return whether the other attempt took the place of the best
+    template <typename Better>
+    bool try_with(const triangulate::TriangulateOptions& options, geometry::CornerCuts cuts, const Better& better) {
+        const double before = watch_.wall();
+        auto other = attempt(engine_, shape_, options, cuts, best_.identified, progress_, nullptr);
+        if (!other || !better(other->result)) {
+            return false;
+        }
+        best_ = std::move(*other);
+        best_.result.report.seconds.insert(best_.result.report.seconds.begin(), {"attempts before", before});
+        return true;
+    }
+
+    const Stopwatch watch_;
+    geometry::Engine& engine_;
+    const TopoDS_Shape& shape_;
+    triangulate::TriangulateOptions options_;
+    Progress& progress_;
+    Attempt best_;
+};
 
 }  // namespace
 
@@ -90,24 +190,11 @@ Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
                          const triangulate::TriangulateOptions& options, Progress& progress,
                          triangulate::MeshCache* cache) {
     options.validate();
-    const Stopwatch watch_all;
-    Result result = *attempt(engine, shape, options, options.corner_cuts(), std::nullopt, progress, cache);
-    for (const geometry::CornerCuts cuts : {geometry::CornerCuts::All, geometry::CornerCuts::None}) {
-        if (options.corners != triangulate::Corners::Auto || !options.keeps_bounds() || !result.report.complete ||
-            unexplained(result) == 0) {
-            break;
-        }
-        const double before = watch_all.wall();
-        std::optional<Result> other =
-            attempt(engine, shape, options, cuts, result.report.cut_corners, progress, nullptr);
-        if (other && unexplained(*other) < unexplained(result) &&
-            other->report.self_intersections <= result.report.self_intersections) {
-            result = std::move(*other);
-            result.report.seconds.insert(result.report.seconds.begin(), {"with other corners", before});
-        }
-    }
+    Attempts attempts(engine, shape, options, progress, cache);
+    attempts.raise_detail();
+    attempts.cut_other_corners();
+    Result result = attempts.take();
     note_lost_volume(result, shape, engine, progress);
-    result.report.cpu_seconds = watch_all.cpu();
     return result;
 }
 
