@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "base/angle.h"
 #include "base/parallel.h"
@@ -382,20 +383,59 @@ void VertexRemoval::apply(const RemovalPlan& plan, std::vector<int>& around) {
     }
 }
 
+// Returns the vertices that may go: those of each CAD edge from its one end to the other, then those inside faces, the
+// last first. Neighbours on an edge share triangles, so that a round takes every other vertex; across a strip the next
+// round takes those between, which leaves the longest pieces that the bound allows.
+std::vector<int> VertexRemoval::in_order() const {
+    struct Place {
+        int edge;
+        double t;
+        int vertex;
+        bool operator<(const Place& other) const {
+            return std::tie(edge, t, vertex) < std::tie(other.edge, other.t, other.vertex);
+        }
+    };
+    std::vector<Place> on_edges;
+    std::vector<int> inside;
+    for (int v = work_.mesh.vertex_count() - 1; v >= first_vertex_; --v) {
+        const int far = on_edge(v) ? segments_at_[static_cast<std::size_t>(v)][1] : -1;
+        if (far >= 0) {
+            on_edges.push_back({work_.mesh.segment(far).edge, work_.mesh.segment(far).t[0], v});
+        } else {
+            inside.push_back(v);
+        }
+    }
+    std::sort(on_edges.begin(), on_edges.end());
+    std::vector<int> order;
+    order.reserve(on_edges.size() + inside.size());
+    for (const Place& place : on_edges) {
+        order.push_back(place.vertex);
+    }
+    order.insert(order.end(), inside.begin(), inside.end());
+    return order;
+}
+
 bool VertexRemoval::run() {
     if (sizing_.growth > 0.0) {
         return false;  // longer edges would have to satisfy the growth bounds of all neighbours
     }
     find_places();
-    std::vector<int> candidates;
-    for (int v = work_.mesh.vertex_count() - 1; v >= first_vertex_; --v) {
-        candidates.push_back(v);
+    std::vector<int> candidates = in_order();
+    std::vector<int> rank(static_cast<std::size_t>(work_.mesh.vertex_count()), -1);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        rank[static_cast<std::size_t>(candidates[i])] = static_cast<int>(i);
     }
+    const auto by_rank = [&](int a, int b) {
+        return rank[static_cast<std::size_t>(a)] < rank[static_cast<std::size_t>(b)];
+    };
     bool changed = false;
     for (int round = 0; round < OptimisationTuning::kMaxRemovalRounds && !candidates.empty(); ++round) {
         work_.progress.check();
         changed = remove_some(candidates) || changed;
-        std::sort(candidates.begin(), candidates.end(), std::greater<>());
+        candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                        [&](int v) { return rank[static_cast<std::size_t>(v)] < 0; }),
+                         candidates.end());
+        std::sort(candidates.begin(), candidates.end(), by_rank);
         candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     }
     close_gaps(work_);

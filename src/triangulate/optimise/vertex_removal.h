@@ -38,6 +38,7 @@ class VertexRemoval {
     };
 
     void find_places();
+    std::vector<int> in_order() const;
     bool on_edge(int vertex) const { return work_.mesh.vertex(vertex).entity[0] == 1; }
     bool is_candidate(int vertex) const;
     bool can_be_joined(int near, int far) const;
