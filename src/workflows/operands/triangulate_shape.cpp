@@ -116,11 +116,7 @@ class Attempts {
   public:
     Attempts(geometry::Engine& engine, const TopoDS_Shape& shape, const triangulate::TriangulateOptions& options,
              Progress& progress, triangulate::MeshCache* cache)
-        : engine_(engine),
-          shape_(shape),
-          options_(options),
-          progress_(progress),
-          best_(*attempt(engine, shape, options, options.corner_cuts(), std::nullopt, progress, cache)) {}
+        : engine_(engine), shape_(shape), options_(options), progress_(progress), best_(first(cache)) {}
 
     /// Larger details, up to half of the distance, where keeping smaller ones takes more than twenty times the
     /// triangles that the distance asks for.
@@ -163,11 +159,38 @@ class Attempts {
     }
 
   private:
+    /// @return the first attempt that the topology of the shape does not refuse
+    /// @throws TopologyError of the first one, if all are refused
+    Attempt first(triangulate::MeshCache* cache) {
+        const geometry::CornerCuts by_options = options_.corner_cuts();
+        try {
+            return *attempt(engine_, shape_, options_, by_options, std::nullopt, progress_, cache);
+        } catch (const TopologyError&) {
+            for (const geometry::CornerCuts cuts : {geometry::CornerCuts::All, geometry::CornerCuts::None}) {
+                const bool other = by_options == geometry::CornerCuts::Pinches;
+                if (auto found = other ? unless_refused(options_, cuts, std::nullopt) : std::nullopt) {
+                    return std::move(*found);
+                }
+            }
+            throw;
+        }
+    }
+
+    /// @return none where the topology refuses the attempt, or nothing else can be identified in it
+    std::optional<Attempt> unless_refused(const triangulate::TriangulateOptions& options, geometry::CornerCuts cuts,
+                                          std::optional<std::size_t> before) {
+        try {
+            return attempt(engine_, shape_, options, cuts, before, progress_, nullptr);
+        } catch (const TopologyError&) {
+            return std::nullopt;
+        }
+    }
+
     /// @return whether the other attempt took the place of the best
     template <typename Better>
     bool try_with(const triangulate::TriangulateOptions& options, geometry::CornerCuts cuts, const Better& better) {
         const double before = watch_.wall();
-        auto other = attempt(engine_, shape_, options, cuts, best_.identified, progress_, nullptr);
+        auto other = unless_refused(options, cuts, best_.identified);
         if (!other || !better(other->result)) {
             return false;
         }
