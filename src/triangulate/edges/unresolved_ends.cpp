@@ -28,6 +28,8 @@ struct FaceCorner {
 
 // @param lengths  of the edges, mm; 0: the edge is a point, and the edges before and after it meet in it
 std::vector<FaceCorner> corners_of_faces(const geometry::Topology& topology, const std::vector<double>& lengths) {
+    // Where corners are cut off, edges are a detail apart at the node, and told apart beyond it.
+    const std::set<int> cut(topology.cut_corners.begin(), topology.cut_corners.end());
     std::vector<FaceCorner> corners;
     for (const geometry::Face& face : topology.faces) {
         for (const geometry::Loop& loop : face.loops) {
@@ -39,9 +41,8 @@ std::vector<FaceCorner> corners_of_faces(const geometry::Topology& topology, con
                 const geometry::EdgeUse& a = topology.uses[uses[i]];
                 const geometry::EdgeUse& b = topology.uses[uses[(i + 1) % uses.size()]];
                 const FaceCorner corner{{a.edge, b.edge}, {a.forward ? 1 : 0, b.forward ? 0 : 1}};
-                const auto& cut = topology.cut_corners;
                 if (a.edge != b.edge && corner.node(topology, 0) >= 0 && corner.node(topology, 1) >= 0 &&
-                    std::find(cut.begin(), cut.end(), corner.node(topology, 0)) == cut.end()) {
+                    cut.count(corner.node(topology, 0)) == 0) {
                     corners.push_back(corner);
                 }
             }

@@ -13,7 +13,6 @@
 #include "triangulate/refine/encroaching_vertices.h"
 #include "triangulate/refine/tuning.h"
 #include "triangulate/virtual_topology/smooth_edge_removal.h"
-#include "triangulate/virtual_topology/smooth_edges.h"
 
 namespace mq::triangulate {
 
@@ -30,16 +29,9 @@ constexpr double kGrown = 2.0;
 // processor.
 constexpr int kInCaches = 8192;
 
-// Whether vertices may be removed. The samples and the paper's mesh are kept as they are; where smooth edges are
-// removed, that step removes their vertices first.
-bool may_coarsen(Workspace& work, const TriangulateOptions& options) {
-    if (options.method != Method::Refine || options.insertion == Insertion::Circumcentre || work.over_budget()) {
-        return false;
-    }
-    const std::vector<char> smooth = options.keep_edges == KeepEdges::All
-                                         ? std::vector<char>()
-                                         : smooth_edges(work, options.feature_angle, options.local_sizes);
-    return std::count(smooth.begin(), smooth.end(), 1) == 0;
+// Whether vertices may be removed. The samples and the paper's mesh are kept as they are.
+bool may_coarsen(const Workspace& work, const TriangulateOptions& options) {
+    return options.method == Method::Refine && options.insertion != Insertion::Circumcentre && !work.over_budget();
 }
 
 Sizing sizing_of(const TriangulateOptions& options, double chord, const Workspace& work) {

@@ -62,6 +62,9 @@ std::vector<std::vector<double>> parameters(const ClassifiedMesh& mesh, const ge
     for (int s = 0; s < mesh.segment_count(); ++s) {
         const ClassifiedMesh::Segment& segment = mesh.segment(s);
         const auto e = static_cast<std::size_t>(segment.edge);
+        if (segment.uses.empty()) {
+            continue;  // it was joined with another one
+        }
         if (good[e] == 0 || segment.uses.size() != 2 ||
             mesh.vertex_of(segment.uses[0].half_edge) == mesh.vertex_of(segment.uses[1].half_edge)) {
             good[e] = 0;

@@ -38,7 +38,7 @@ VirtualFaces::VirtualFaces(ClassifiedMesh& mesh, const std::vector<char>& smooth
     }
     for (int s = 0; s < mesh.segment_count(); ++s) {
         const ClassifiedMesh::Segment& segment = mesh.segment(s);
-        if (smooth[static_cast<std::size_t>(segment.edge)] != 0) {
+        if (smooth[static_cast<std::size_t>(segment.edge)] != 0 && !segment.uses.empty()) {
             sites_[segment.vertices[0]];
             sites_[segment.vertices[1]];
             mesh.dissolve(s);
