@@ -12,7 +12,7 @@ COLUMNS = [
 JUDGED = (
     "min_angle", "min_angle_unexcused", "closed", "manifold", "oriented", "euler", "components",
     "self_intersections", "folds", "flipped_normals", "faces_over_2pct", "chord_max_L",
-    "hausdorff_L", "brep_vertices_missed", "judge_seconds",
+    "chord_max_at", "reverse_max_L", "hausdorff_L", "brep_vertices_missed", "judge_seconds",
 )
 TOLERANCE = 1e-6
 

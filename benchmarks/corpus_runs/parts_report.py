@@ -48,6 +48,11 @@ def angle(result, bound):
     return "claimed" if claimed else "missed"
 
 
+def judge_is_far(judge, relative):
+    """Whether the judge says that the mesh is farther from the part than requested."""
+    return judge.get("chord_max_L", 0.0) > relative * DISTANCE_SLACK
+
+
 def far_distances(result, options):
     """Which of the two distances is larger than requested, in words."""
     relative, judge = options.get("chord_height_relative"), judged(result)
@@ -57,9 +62,13 @@ def far_distances(result, options):
         kept = result["max_chord_height"] <= result["chord_height_asked"] * DISTANCE_SLACK
         return [] if kept else ["mesh far from the part"]
     most = relative * DISTANCE_SLACK
-    if judge["chord_max_L"] > most:
-        return ["mesh far from the part"]
-    return ["part far from the mesh"] if judge["hausdorff_L"] > most else []
+    if judge_is_far(judge, relative):
+        near = judge.get("farthest_place_mm")
+        kept = near is not None and max(near, result["max_chord_height"]) <= \
+            result["chord_height_asked"] * DISTANCE_SLACK
+        if not kept:
+            return ["mesh far from the part"]
+    return ["part far from the mesh"] if judge["reverse_max_L"] > most else []
 
 
 def bodies(result):

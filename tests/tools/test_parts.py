@@ -84,7 +84,7 @@ class Symptoms(unittest.TestCase):
         self.assertEqual(self.of(min_angle=3.0, exempt=2, exempt_forced=2), [])
 
     def test_the_judge_decides_what_is_forced(self):
-        judge = {"min_angle": 3.0, "min_angle_unexcused": 3.0, "chord_max_L": 0.001, "hausdorff_L": 0.001,
+        judge = {"min_angle": 3.0, "min_angle_unexcused": 3.0, "chord_max_L": 0.001, "reverse_max_L": 0.001, "hausdorff_L": 0.001,
                  "self_intersections": 0}
         self.assertEqual(self.of(min_angle=3.0, exempt=2, exempt_forced=2, judge=judge),
                          ["angle claimed"])
