@@ -91,6 +91,15 @@ class Symptoms(unittest.TestCase):
         self.assertEqual(self.of(min_angle=3.0, exempt=2,
                                  judge={**judge, "min_angle_unexcused": 25.0}), [])
 
+    def test_a_far_place_of_the_judge_can_be_refuted(self):
+        judge = {"min_angle": 30.0, "min_angle_unexcused": 30.0, "chord_max_L": 0.01, "reverse_max_L": 0.001, "hausdorff_L": 0.01,
+                 "self_intersections": 0}
+        asked = {**GOOD, **{"chord_height_asked": 0.1, "max_chord_height": 0.1}}
+        far = ["mesh far from the part"]
+        for near, report, wrong in (None, 0.1, far), (0.2, 0.1, far), (0.05, 0.2, far), (0.05, 0.1, []):
+            figures = {**asked, "max_chord_height": report, "judge": {**judge, "farthest_place_mm": near}}
+            self.assertEqual(parts_report.far_distances(figures, {"chord_height_relative": 0.002}), wrong)
+
     def test_the_measuring_share_is_not_named(self):
         text = parts_report.text([{**GOOD, "file": "deadbeef", "closed": False}], OPTIONS, False)
         self.assertNotIn("deadbeef", text)

@@ -97,7 +97,7 @@ struct TriangulateOptions {
     std::size_t budget() const { return max_triangles > 0 ? max_triangles : 5'000'000; }
     /// The tolerance of the chord height for a shape of this box, mm; 0: no bound.
     double chord_height_of(const Box& box) const;
-    /// mm: the largest length of a detail, in place of that by what is asked for; 0: that.
+    /// mm: the largest length of a detail, in place of the one by the requested tolerance and lengths; 0: that one.
     double detail = 0.0;
     /// Largest length of a detail, as a fraction of the shape's size, and of the requested tolerance or edge lengths.
     static constexpr double kLargestDetail = 1e-4;
