@@ -85,6 +85,37 @@ class AgainstOpenCascade(unittest.TestCase):
             points = np.stack([30 + (10 - inside) * np.cos(turn), 20 + (10 - inside) * np.sin(turn), np.full(501, 20.0)], axis=1)
             np.testing.assert_allclose(mq.deviation(points, part).values, inside, atol=1e-9)
 
+    def check_narrow(self, shape, width):
+        """Points on and beside faces of this width, and around all vertices."""
+        random = np.random.default_rng(3)
+        narrow = [face for face in shape.Faces if 2.0 * face.Area < 1.01 * width * face.Length]
+        self.assertTrue(narrow)
+        on = [(face, random.uniform(*face.ParameterRange[:2]), random.uniform(*face.ParameterRange[2:]))
+              for face in narrow for _ in range(20)]
+        points = [face.valueAt(u, v) + height * face.normalAt(u, v) for face, u, v in on for height in (0.0, 0.2 * width, -0.2 * width)]
+        points += [vertex.Point + V(*random.normal(0.0, size, 3)) for vertex in shape.Vertexes for size in (width, 1e-3, 0.1) for _ in range(5)]
+        found = mq.deviation(np.array([tuple(point) for point in points]), shape)
+        faces = Part.makeCompound(shape.Faces)
+        expected = np.array([Part.Vertex(point).distToShape(faces)[0] for point in points])
+        np.testing.assert_allclose(np.abs(found.values), expected, rtol=0.0, atol=1e-9)
+        decided = expected > 1e-9
+        inside = np.array([shape.isInside(point, 1e-10, True) for point in points])
+        np.testing.assert_array_equal((found.values < 0.0)[decided], inside[decided])
+        named = [Part.Vertex(*near).distToShape(shape.Faces[face])[0] for near, face in zip(found.nearest.tolist(), found.faces.tolist())]
+        self.assertLess(max(named), 1e-9)
+
+    def test_faces_that_are_narrower_than_the_mesh_tells_apart(self):
+        """A step, a ring and a chamfer of a few millionths of the size: no triangle of the reference lies on them."""
+        for width in (2e-4, 2e-5):
+            step = [V(0, 0, 0), V(20, 0, 0), V(20, 0, 10 - width), V(10, 0, 10 - width), V(10, 0, 10), V(0, 0, 10)]
+            chamfer = [V(0, 0, 0), V(20, 0, 0), V(20, 0, 10 - width), V(20 - width, 0, 10), V(0, 0, 10)]
+            for name, shape, least in (
+                    *((name, Part.Face(Part.makePolygon([*corners, corners[0]])).extrude(V(0, 20, 0)), least)
+                      for name, corners, least in (("step", step, width), ("chamfer", chamfer, np.sqrt(2.0) * width))),
+                    ("ring", Part.makeCylinder(10, 5).fuse(Part.makeCylinder(10 - width, 8)), width)):
+                with self.subTest(part=name, width=width):
+                    self.check_narrow(shape, least)
+
     def test_a_mesh_is_measured_by_its_vertices(self):
         shape = Part.makeSphere(5)
         other = Part.makeSphere(5.5)
