@@ -327,8 +327,8 @@ class CadDistance::Search {
         const std::int32_t face = mesh.triangle_face[t];
         const Answer found = projected(face, uv, from.point);
         if (found.found() && found.distance < least_) {
-            const bool is_inside = (found.point - from.point).norm() < cad_.interior_[t];
-            const int side = is_inside ? 1 : side_of(face, found);
+            const double way = (found.point - from.point).norm();
+            const int side = way < cad_.interior_[t] || !is_near_edge(found.point, way) ? 1 : side_of(face, found);
             const bool is_across = is_along_normal(found);
             // A search that ends at the bounds of a surface has found a point of an edge; at a crease inside of a face
             // the triangles say what is outside.
@@ -416,6 +416,13 @@ class CadDistance::Search {
         Answer found = answerer_.answer(Query::face_nearest(face, point_, uv.x(), uv.y()));
         starts_.push_back({face, from, found.found() ? found.point : from});
         return found;
+    }
+
+    /// Whether there may be an edge on the way from a point of a surface to a point of its face that is this far from
+    /// it by the mesh. The modeler's own test takes longer than all else.
+    bool is_near_edge(const Vec3& point, double way) const {
+        const double reach = 2.0 * (way + cad_.deviation_) + cad_.edge_deviation_;
+        return !cad_.edge_tree_.empty() && cad_.edge_tree_.front().any_within(point, reach, 0) >= 0;
     }
 
     /// 1 inside of a face, 0 on its border, -1 outside.
