@@ -5590,6 +5590,18 @@
         <source>Write a page with pictures, figures, faces and places, as HTML or PDF</source>
         <translation>Eine Seite mit Bildern, Zahlen, Flächen und Stellen als HTML oder PDF schreiben</translation>
     </message>
+    <message>
+        <source>Written: {}</source>
+        <translation>Geschrieben: {}</translation>
+    </message>
+    <message>
+        <source>Bodies and faces</source>
+        <translation>Körper und Flächen</translation>
+    </message>
+    <message>
+        <source>Edges and corners</source>
+        <translation>Kanten und Ecken</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>

@@ -10,10 +10,10 @@ from ... import element_names, options
 from ...core.sources import convert, frames
 from ...errors import Error
 from ...features import distance_bound
-from .. import preferences
 from ..quantities import QuantityBox, length_text, text_of, value_of
 from ..selection import picked
 from ..translation import translated
+from .folding import fold_button
 from .size_fields_box import SizeFieldsBox
 from .task_form import narrow
 
@@ -65,7 +65,7 @@ class OptionForm(QtGui.QWidget):
 
     def _buttons(self, foldable):
         """The row with the button that folds the rare options, and Defaults."""
-        self.more = self._fold_button(_MORE, self._rare)
+        self.more = self.folds[_MORE] = fold_button(translate("MeshQuality", _MORE), self._rare, f"{self._name} {_MORE}")
         self.more.setVisible(foldable)
         self.reset = QtGui.QToolButton()
         self.reset.setText(translate("MeshQuality", "Defaults"))
@@ -79,26 +79,6 @@ class OptionForm(QtGui.QWidget):
         row.addStretch()
         row.addWidget(self.reset)
         return row
-
-    def _fold_button(self, title, content, above=""):
-        """A button that shows and hides a widget, which begins as the user left it."""
-        name, button = f"{self._name} {above}{title}", QtGui.QToolButton()
-        button.setText(translate("MeshQuality", title))
-        button.setCheckable(True)
-        button.setAutoRaise(True)
-        button.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
-        narrow(button, "padding: 0px; margin: 0px")
-
-        def show(shown):
-            button.setArrowType(QtCore.Qt.DownArrow if shown else QtCore.Qt.RightArrow)
-            content.setVisible(shown)
-
-        button.toggled.connect(show)
-        show(False)
-        button.setChecked(preferences.is_open(name))
-        button.clicked.connect(lambda is_open: preferences.keep_open(name, is_open))
-        self.folds[above + title] = button
-        return button
 
     def _add_groups(self, layout, table, room, above=""):
         """A box for each group; those for whose fields there is no room any more are folded away, below the fold `above`."""
@@ -114,7 +94,9 @@ class OptionForm(QtGui.QWidget):
             rows = QtGui.QVBoxLayout(shown)
             rows.setContentsMargins(0, 0, 0, 0)
             rows.setSpacing(0)
-            rows.addWidget(self._fold_button(title, box, above))
+            name = above + title
+            self.folds[name] = fold_button(translate("MeshQuality", title), box, f"{self._name} {name}")
+            rows.addWidget(self.folds[name])
             rows.addWidget(box)
             layout.addWidget(shown)
             self._groups[shown] = fields
@@ -188,7 +170,7 @@ class OptionForm(QtGui.QWidget):
             given = {name: values[name] for name in field.names if name in values}
             if given and not field.bound:
                 field.show(given)
-                if given[field.option.name] != field.option.default:
+                if given.get(field.option.name, field.option.default) != field.option.default:
                     self._open(field.option)
         self._enable_effective()
 
