@@ -5384,7 +5384,7 @@
     </message>
     <message>
         <source>Edges far away</source>
-        <translation>Kanten in der Ferne</translation>
+        <translation>Kanten weit weg</translation>
     </message>
     <message>
         <source>Faces of the part that get layers; none named: all. Layers end in the faces beside them, which must be planes</source>
