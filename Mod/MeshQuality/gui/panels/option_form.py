@@ -85,8 +85,9 @@ class OptionForm(QtGui.QWidget):
         for title, group in _by_group(table).items():
             box, shown = QtGui.QGroupBox(), QtGui.QWidget()
             fields = self._fill(box, group, table)
-            if len(fields) <= room:
-                room -= len(fields)
+            count = sum(field.option.only_with[:1] != (_KIND_OF_WORK,) for field in fields)  # one kind is shown at a time
+            if count <= room:
+                room -= count
                 box.setTitle(translate("MeshQuality", title))
                 layout.addWidget(box)
                 self._groups[box] = fields
