@@ -5384,7 +5384,7 @@
     </message>
     <message>
         <source>Edges far away</source>
-        <translation>Kanten in der Ferne</translation>
+        <translation>Kanten weit weg</translation>
     </message>
     <message>
         <source>Faces of the part that get layers; none named: all. Layers end in the faces beside them, which must be planes</source>
@@ -5589,6 +5589,18 @@
     <message>
         <source>Write a page with pictures, figures, faces and places, as HTML or PDF</source>
         <translation>Eine Seite mit Bildern, Zahlen, Flächen und Stellen als HTML oder PDF schreiben</translation>
+    </message>
+    <message>
+        <source>Written: {}</source>
+        <translation>Geschrieben: {}</translation>
+    </message>
+    <message>
+        <source>Bodies and faces</source>
+        <translation>Körper und Flächen</translation>
+    </message>
+    <message>
+        <source>Edges and corners</source>
+        <translation>Kanten und Ecken</translation>
     </message>
 </context>
 <context>

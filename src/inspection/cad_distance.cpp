@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "geometry/elementary/surface.h"
@@ -85,7 +86,7 @@ double longest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 CadDistance::CadDistance(geometry::Session& session, const MeshDistance& mesh, double deviation)
-    : mesh_(mesh), topology_(session.topology()), deviation_(deviation) {
+    : mesh_(mesh), topology_(session.topology()), deviation_(deviation), narrow_(deviation) {
     for (const geometry::Face& face : topology_.faces) {
         const char* const elementary[] = {"plane", "cylinder", "cone", "sphere", "torus"};
         is_elementary_.push_back(std::any_of(std::begin(elementary), std::end(elementary),
@@ -94,7 +95,7 @@ CadDistance::CadDistance(geometry::Session& session, const MeshDistance& mesh, d
     find_parameters(session);
     find_interior();
     divide_edges(session);
-    sum_normals_at_nodes();
+    sum_normals_at_nodes(session);
 }
 
 void CadDistance::find_parameters(geometry::Session& session) {
@@ -104,6 +105,11 @@ void CadDistance::find_parameters(geometry::Session& session) {
     std::vector<std::vector<std::int32_t>> of_face(topology_.faces.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         of_face[static_cast<std::size_t>(mesh.triangle_face[t])].push_back(static_cast<std::int32_t>(t));
+    }
+    for (std::size_t f = 0; f < of_face.size(); ++f) {
+        for (const int edge : of_face[f].empty() ? topology_.edges_of(static_cast<int>(f)) : std::set<int>()) {
+            narrow_ = std::max(narrow_, 4.0 * topology_.edges[static_cast<std::size_t>(edge)].tolerance);
+        }
     }
     session.run_parallel(static_cast<int>(of_face.size()), [&](Answerer& answerer, int face) {
         session.check();
@@ -225,10 +231,21 @@ void CadDistance::divide(geometry::Session& session, int edge) {
     }
 }
 
-/// The pseudonormal of a node: the normals of its faces, weighted by the angles of their triangles there.
-void CadDistance::sum_normals_at_nodes() {
+/// The pseudonormals of nodes: the normals of their faces, weighted by the angles there. Those of triangles are right
+/// at poles and cusps, too; but where narrow faces and short edges have none, a node has triangles of other faces than
+/// its own.
+void CadDistance::sum_normals_at_nodes(geometry::Session& session) {
     const mesh::TriangleMesh& mesh = mesh_.mesh();
-    node_normal_.resize(topology_.nodes.size(), Vec3::Zero());
+    const std::size_t count = topology_.nodes.size();
+    std::vector<std::set<int>> own(count), meshed(count);
+    for (const geometry::EdgeUse& use : topology_.uses) {
+        for (const int node : topology_.edges[static_cast<std::size_t>(use.edge)].nodes) {
+            if (node >= 0) {
+                own[static_cast<std::size_t>(node)].insert(use.face);
+            }
+        }
+    }
+    node_normal_.resize(count, Vec3::Zero());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (int i = 0; i < 3; ++i) {
             const auto& [dimension, node] = mesh.vertex_entity[mesh.triangles[t][i]];
@@ -242,8 +259,54 @@ void CadDistance::sum_normals_at_nodes() {
             // Where the surface has no normal, as at the apex of a cone, that of the triangle stands for it.
             const Vec3 normal = normal_[t][i].squaredNorm() > 0.5 ? normal_[t][i] : Vec3(plane.normalized());
             node_normal_[static_cast<std::size_t>(node)] += std::atan2(plane.norm(), a.dot(b)) * normal;
+            meshed[static_cast<std::size_t>(node)].insert(mesh.triangle_face[t]);
         }
     }
+    std::vector<Vec3> by_edges(count, Vec3::Zero());
+    for (std::size_t f = 0; f < topology_.faces.size(); ++f) {
+        for (const geometry::Loop& loop : topology_.faces[f].loops) {
+            for (std::size_t k = 0; k < loop.uses.size(); ++k) {
+                const Corner corner = corner_between(loop.uses[k], loop.uses[(k + 1) % loop.uses.size()]);
+                if (corner.node >= 0 && own[corner.node] != meshed[corner.node]) {
+                    by_edges[static_cast<std::size_t>(corner.node)] += weighted_normal(session, corner);
+                }
+            }
+        }
+    }
+    for (std::size_t node = 0; node < count; ++node) {
+        if (!by_edges[node].isZero(0.0)) {
+            node_normal_[node] = by_edges[node];
+        }
+    }
+}
+
+/// The corner of a face where one use of its loop ends and the next one begins; node -1: there is none.
+CadDistance::Corner CadDistance::corner_between(int before, int after) const {
+    const auto end_of = [&](int use, bool last) {
+        const geometry::EdgeUse& data = topology_.uses[static_cast<std::size_t>(use)];
+        const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(data.edge)];
+        const std::size_t end = data.forward == last ? 1 : 0;
+        return std::pair(edge.degenerate ? -1 : edge.nodes[end], end == 1 ? edge.t1 : edge.t0);
+    };
+    const auto [last, end] = end_of(before, true);
+    const auto [first, begin] = end_of(after, false);
+    return {last == first ? first : -1, {before, after}, {end, begin}};
+}
+
+/// The normal of a face at a corner, as long as the angle between its edges.
+Vec3 CadDistance::weighted_normal(geometry::Session& session, const Corner& corner) const {
+    std::array<Vec3, 2> away;  // from the node, along the edges
+    for (std::size_t i = 0; i < 2; ++i) {
+        const geometry::EdgeUse& use = topology_.uses[static_cast<std::size_t>(corner.uses[i])];
+        const bool ahead = use.forward == (i == 1);
+        away[i] = (ahead ? 1.0 : -1.0) * session.ask(Query::edge_point(use.edge, corner.at[i])).normal;
+    }
+    const geometry::Face& face = topology_.faces[static_cast<std::size_t>(topology_.uses[corner.uses[1]].face)];
+    const Vec3 normal = session.ask(Query::use_on_face(corner.uses[1], corner.at[1])).normal;
+    // Uses have the face on their left in (u, v).
+    const double side = (face.reversed ? -1.0 : 1.0) * normal.dot(away[1].cross(away[0]));
+    const double angle = std::atan2(side, away[1].dot(away[0]));
+    return (angle < 0.0 ? angle + 2.0 * M_PI : angle) * normal;
 }
 
 /// The search for the point of the model that is nearest to one point.
@@ -262,10 +325,10 @@ class CadDistance::Search {
         const Vec3 weights = weights_of(from.point, mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]);
         const Vec2 uv = weights[0] * cad_.uv_[t][0] + weights[1] * cad_.uv_[t][1] + weights[2] * cad_.uv_[t][2];
         const std::int32_t face = mesh.triangle_face[t];
-        const Answer found = answerer_.answer(Query::face_nearest(face, point_, uv.x(), uv.y()));
-        starts_.push_back({face, from.point, found.found() ? found.point : from.point});
+        const Answer found = projected(face, uv, from.point);
         if (found.found() && found.distance < least_) {
-            const int side = side_of(found, from);
+            const double way = (found.point - from.point).norm();
+            const int side = way < cad_.interior_[t] || !is_near_edge(found.point, way) ? 1 : side_of(face, found);
             const bool is_across = is_along_normal(found);
             // A search that ends at the bounds of a surface has found a point of an edge; at a crease inside of a face
             // the triangles say what is outside.
@@ -287,16 +350,39 @@ class CadDistance::Search {
     /// Projects the point onto the pieces of edges that can be nearer than what is known.
     void project_on_edges(const std::vector<ClosestPoint>& candidates) {
         for (const ClosestPoint& from : candidates) {
-            if (from.distance - cad_.edge_deviation_ >= least_) {
+            const double nearest = from.distance - cad_.edge_deviation_;
+            if (nearest - cad_.narrow_ >= least_) {
                 break;
             }
             const Piece& piece = cad_.pieces_[static_cast<std::size_t>(from.triangle)];
-            const Answer found = answerer_.answer(
-                Query::edge_nearest(piece.edge, point_, 0.5 * (piece.low + piece.high), piece.low, piece.high));
+            const Answer found = nearest < least_
+                                     ? answerer_.answer(Query::edge_nearest(
+                                           piece.edge, point_, 0.5 * (piece.low + piece.high), piece.low, piece.high))
+                                     : Answer();
             if (found.found() && found.distance < least_ * (1.0 - 1e-12)) {
                 take(found, -1, Vec3::Zero());
                 edge_ = piece.edge;
                 parameter_ = found.t;
+            }
+            project_beside(piece, from.point);
+        }
+    }
+
+    /// Projects the point onto the faces of a piece of an edge: where a face is narrower than the mesh tells apart, no
+    /// triangle leads to it.
+    void project_beside(const Piece& piece, const Vec3& from) {
+        for (const int use : cad_.topology_.edges[static_cast<std::size_t>(piece.edge)].uses) {
+            const std::int32_t face = cad_.topology_.uses[static_cast<std::size_t>(use)].face;
+            if (is_known(face, from, cad_.narrow_)) {
+                continue;
+            }
+            const Answer beside = answerer_.answer(Query::use_on_face(use, 0.5 * (piece.low + piece.high)));
+            if (!beside.found()) {
+                continue;
+            }
+            const Answer found = projected(face, Vec2(beside.u, beside.v), from);
+            if (found.found() && found.distance < least_ && side_of(face, found) >= 0 && is_along_normal(found)) {
+                take(found, face, found.normal);
             }
         }
     }
@@ -325,12 +411,22 @@ class CadDistance::Search {
         edge_ = -1;
     }
 
-    /// 1 inside of the face of a triangle, 0 on its border, -1 outside.
-    int side_of(const Answer& found, const ClosestPoint& from) const {
-        if ((found.point - from.point).norm() < cad_.interior_[static_cast<std::size_t>(from.triangle)]) {
-            return 1;
-        }
-        const std::int32_t face = cad_.mesh_.mesh().triangle_face[static_cast<std::size_t>(from.triangle)];
+    /// The projection onto a face from parameters near a point.
+    Answer projected(std::int32_t face, const Vec2& uv, const Vec3& from) {
+        Answer found = answerer_.answer(Query::face_nearest(face, point_, uv.x(), uv.y()));
+        starts_.push_back({face, from, found.found() ? found.point : from});
+        return found;
+    }
+
+    /// Whether there may be an edge on the way from a point of a surface to a point of its face that is this far from
+    /// it by the mesh. The modeler's own test takes longer than all else.
+    bool is_near_edge(const Vec3& point, double way) const {
+        const double reach = 2.0 * (way + cad_.deviation_) + cad_.edge_deviation_;
+        return !cad_.edge_tree_.empty() && cad_.edge_tree_.front().any_within(point, reach, 0) >= 0;
+    }
+
+    /// 1 inside of a face, 0 on its border, -1 outside.
+    int side_of(std::int32_t face, const Answer& found) const {
         const Answer side = answerer_.answer(Query::face_contains(face, found.u, found.v, kBorder));
         return side.found() ? side.side : -1;
     }
@@ -347,14 +443,18 @@ class CadDistance::Search {
     bool is_known(const ClosestPoint& from) const {
         const mesh::TriangleMesh& mesh = cad_.mesh_.mesh();
         const mesh::Triangle& v = mesh.triangles[static_cast<std::size_t>(from.triangle)];
-        const std::int32_t face = mesh.triangle_face[static_cast<std::size_t>(from.triangle)];
-        const double edge = longest_edge(mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]);
+        return is_known(mesh.triangle_face[static_cast<std::size_t>(from.triangle)], from.point,
+                        longest_edge(mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]));
+    }
+
+    /// Whether a projection onto a face was begun, or ended, within a distance of a point.
+    bool is_known(std::int32_t face, const Vec3& from, double within) const {
         std::size_t count = 0;
         for (const Start& start : starts_) {
             if (start.face == face) {
-                const double apart = std::min((start.begin - from.point).norm(), (start.end - from.point).norm());
+                const double apart = std::min((start.begin - from).norm(), (start.end - from).norm());
                 if (cad_.is_elementary_[static_cast<std::size_t>(face)] != 0 || ++count == kMostStarts ||
-                    apart <= edge) {
+                    apart <= within) {
                     return true;
                 }
             }
@@ -400,7 +500,7 @@ SignedDistance CadDistance::at(Answerer& answerer, const Vec3& point, std::int32
     mesh_.tree().all_within(point, reach, candidates);
     search.project_all(candidates);
     if (!edge_tree_.empty()) {
-        const double bound = std::min(search.least(), near.distance + deviation_) + edge_deviation_;
+        const double bound = std::min(search.least(), near.distance + deviation_) + edge_deviation_ + narrow_;
         edge_tree_.front().all_within(point, bound, candidates);
         search.project_on_edges(candidates);
     }

@@ -28,8 +28,10 @@ inspection::Deviation measure_deviation(geometry::Engine& engine, const std::vec
     engine.run([&] { model = geometry::make_shape_model(*shape, &progress); }, &progress);
     geometry::Session session(engine, model, &progress);
     const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-    // The distances that the report knows are those of samples: twice the largest one is beyond all others.
-    const double deviation = 2.0 * std::max(reference.report.max_chord_height, 0.0) + kVertexRounding * largest;
+    // The distances that the report knows are those of samples: twice the largest one is beyond all others. What is
+    // smaller than its detail has no triangles.
+    const double deviation =
+        2.0 * std::max(reference.report.max_chord_height, 0.0) + reference.report.detail + kVertexRounding * largest;
     return inspection::measure_deviation(points, mesh, &session, deviation, options, progress);
 }
 

@@ -85,6 +85,54 @@ class AgainstOpenCascade(unittest.TestCase):
             points = np.stack([30 + (10 - inside) * np.cos(turn), 20 + (10 - inside) * np.sin(turn), np.full(501, 20.0)], axis=1)
             np.testing.assert_allclose(mq.deviation(points, part).values, inside, atol=1e-9)
 
+    def around_narrow(self, shape, width):
+        """Points on and beside the faces of this width, and around all vertices."""
+        random = np.random.default_rng(3)
+        narrow = [face for face in shape.Faces if 2.0 * face.Area < 1.01 * width * face.Length]
+        self.assertTrue(narrow)
+        points = []
+        for face in narrow:
+            (low_u, high_u, low_v, high_v) = face.ParameterRange
+            places = [(u, v) for u, v in random.uniform((low_u, low_v), (high_u, high_v), (200, 2)).tolist() if face.isPartOfDomain(u, v)]
+            points += [face.valueAt(u, v) + height * face.normalAt(u, v) for u, v in places[:30] for height in (0.0, 0.2 * width, -0.2 * width)]
+        points += [vertex.Point + V(*random.normal(0.0, size, 3)) for vertex in shape.Vertexes for size in (width, 1e-3, 0.1) for _ in range(5)]
+        return np.array([tuple(point) for point in points])
+
+    def test_a_step_that_is_lower_than_the_mesh_tells(self):
+        """By formula: the distance from its rectangles."""
+        for low in (2e-4, 2e-5):
+            corners = [V(0, 0, 0), V(20, 0, 0), V(20, 0, 10 - low), V(10, 0, 10 - low), V(10, 0, 10), V(0, 0, 10)]
+            shape = Part.Face(Part.makePolygon([*corners, corners[0]])).extrude(V(0, 20, 0))
+            points = self.around_narrow(shape, low)
+            rectangles = np.array([((0, 0, 0), (20, 20, 0)), ((0, 0, 0), (0, 20, 10)), ((20, 0, 0), (20, 20, 10 - low)),
+                                   ((0, 0, 10), (10, 20, 10)), ((10, 0, 10 - low), (20, 20, 10 - low)), ((10, 0, 10 - low), (10, 20, 10)),
+                                   *(((0, y, 0), (10, y, 10)) for y in (0, 20)), *(((10, y, 0), (20, y, 10 - low)) for y in (0, 20))], dtype=float)
+            beyond = np.maximum(np.maximum(rectangles[:, 0] - points[:, None], points[:, None] - rectangles[:, 1]), 0.0)
+            expected = np.linalg.norm(beyond, axis=2).min(axis=1)
+            inside = ((points > 0) & (points < (20, 20, 10)) & ((points[:, :1] < 10) | (points[:, 2:] < 10 - low))).all(axis=1)
+            found = mq.deviation(points, shape)
+            np.testing.assert_allclose(found.values, np.where(inside, -expected, expected), rtol=0.0, atol=1e-12)
+            step = next(i for i, face in enumerate(shape.Faces) if 2.0 * face.Area < 1.01 * low * face.Length)
+            on_step = (np.abs(points[:, 0] - 10.0) < 1e-12) & (points[:, 2] > 10 - low) & (points[:, 2] < 10)
+            self.assertGreater(on_step.sum(), 20)
+            self.assertEqual(set(found.faces[on_step].tolist()), {step})
+
+    def test_other_faces_that_are_narrower_than_the_mesh_tells(self):
+        """A chamfer, and a strip that ends in a point, by OpenCASCADE, which is not that exact beside narrower ones."""
+        chamfer = [V(0, 0, 0), V(20, 0, 0), V(20, 0, 10 - 2e-4), V(20 - 2e-4, 0, 10), V(0, 0, 10)]
+        wedge = Part.Face(Part.makePolygon([V(0, 0, 10), V(20, 0, 10), V(20, 0.01, 10), V(0, 0, 10)])).extrude(V(0, 0, -3))
+        for name, shape, width in (
+                ("chamfer", Part.Face(Part.makePolygon([*chamfer, chamfer[0]])).extrude(V(0, 20, 0)), 2.83e-4),
+                ("strip", Part.makeBox(20, 20, 10).cut(wedge), 0.01)):
+            with self.subTest(part=name):
+                points = self.around_narrow(shape, width)
+                found, faces = mq.deviation(points, shape), Part.makeCompound(shape.Faces)
+                expected = np.array([Part.Vertex(*point).distToShape(faces)[0] for point in points.tolist()])
+                np.testing.assert_allclose(np.abs(found.values), expected, rtol=0.0, atol=1e-6)
+                inside = np.array([shape.isInside(V(*point), 1e-10, True) for point in points.tolist()])
+                decided = expected > 1e-6
+                np.testing.assert_array_equal((found.values < 0.0)[decided], inside[decided])
+
     def test_a_mesh_is_measured_by_its_vertices(self):
         shape = Part.makeSphere(5)
         other = Part.makeSphere(5.5)

@@ -43,6 +43,13 @@ def typed(box, text):
     wait()
 
 
+def unfold(panel):
+    """Opens all groups of options, as a user may."""
+    for button in panel.options.folds.values():
+        button.setChecked(True)
+    wait()
+
+
 def wait(seconds=0.05):
     """Lets the event loop run."""
     end = time.monotonic() + seconds

@@ -194,12 +194,27 @@ class Commands(gui_helpers.PanelTest):
             panel.reject()
             gui_helpers.wait()
 
+    def test_ok_selects_what_was_made(self):
+        first, second = self.two_boxes()
+        self.finish(self.panel(commands.Triangulate, first, second))
+        made = self.document.Objects[2:]
+        self.assertEqual(FreeCADGui.Selection.getSelection(), made)
+        self.assertEqual(commands.Improve().selected(), made)
+        panel = self.panel(commands.Triangulate, first)
+        self.select(second)  # while the panel is open
+        self.finish(panel)
+        self.assertEqual(FreeCADGui.Selection.getSelection(), [second])
+        panel = self.edit(made[0])
+        panel.options.set_values({"max_edge": 3.0})
+        self.finish(panel)
+        self.assertEqual(FreeCADGui.Selection.getSelection(), [second])
+
     def test_a_hidden_source_stands_for_its_mesh(self):
-        """After OK the source is still selected, and hidden: the next command takes the mesh that is seen in its place."""
+        """The next command takes the mesh that is seen in its place."""
         box = self.box()
         self.finish(self.panel(commands.Triangulate, box))
-        self.assertEqual(FreeCADGui.Selection.getSelection(), [box])
         mesh = self.document.Objects[-1]
+        self.select(box)
         for command in (commands.Analyse, commands.Thickness, commands.Export, commands.Patches, commands.FlowCase):
             self.assertEqual(command().selected(), [mesh], command.NAME)
         box.ViewObject.Visibility = True
@@ -344,7 +359,7 @@ class Commands(gui_helpers.PanelTest):
             with self.subTest(command.NAME):
                 panel = self.panel(command, *sources)
                 self.narrow(panel, f"panel_{command.__name__}")
-                panel.options.more.setChecked(True)
+                gui_helpers.unfold(panel)
                 self.narrow(panel, f"panel_{command.__name__}_all")
                 panel.reject()
 

@@ -124,7 +124,7 @@ class Nested(CureTest):
 
     def test_it_cures_and_tells(self):
         panel = self.panel(commands.Cure, self.given, self.part)
-        panel.options.more.setChecked(True)
+        gui_helpers.unfold(panel)
         self.apply(panel)
         self.assertEqual(panel.said, "")
         told = panel.certificate.text.text()

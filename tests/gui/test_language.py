@@ -89,7 +89,7 @@ class German(gui_helpers.PanelTest):
                 shown += [box.itemText(i) for i in range(box.count())]
             for word in words:
                 self.assertIn(word, shown)
-            panel.options.more.setChecked(True)
+            gui_helpers.unfold(panel)
             self.narrow(panel, f"panel_{command.__name__}_de")
             panel.reject()
 
@@ -136,7 +136,7 @@ class German(gui_helpers.PanelTest):
         for command, chosen in ((commands.Triangulate, sources[:1]), (commands.Curve, sources[:1]),
                                 (commands.Boolean, sources), (commands.Improve, [net]), (commands.Simplify, [net])):
             panel = self.panel(command, *chosen)
-            panel.options.more.setChecked(True)
+            gui_helpers.unfold(panel)
             self.until(lambda made=panel: "..." not in made.estimate.text())
             self.no_english(panel.form)
             panel.reject()

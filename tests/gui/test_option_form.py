@@ -39,10 +39,10 @@ class Unchanged(FormTest):
                 gui_helpers.use_units(schema)
                 steps = self.document.UndoCount
                 panel = self.edit(obj)
-                panel.options.more.setChecked(False)
+                for button in panel.options.folds.values():
+                    button.setChecked(False)
                 gui_helpers.wait()
-                panel.options.more.setChecked(True)  # fields write their text anew when they appear
-                gui_helpers.wait()
+                gui_helpers.unfold(panel)  # fields write their text anew when they appear
                 for box in panel.form.findChildren(QtGui.QAbstractSpinBox):
                     box.setFocus()
                 gui_helpers.wait()
@@ -211,7 +211,7 @@ class Effective(FormTest):
 
     def test_options_without_effect_are_disabled(self):
         panel = self.panel(commands.Triangulate, self.box())
-        panel.options.more.setChecked(True)
+        gui_helpers.unfold(panel)
         names = ("connectivity", "refine_samples", "seed", "feature_angle")
         self.assertEqual(self.enabled(panel, *names), [False] * 4)
         panel.options.field("method").setCurrentIndex(1)
@@ -221,6 +221,55 @@ class Effective(FormTest):
         self.assertEqual(self.enabled(panel, *names), [True] * 4)
         panel.options.reset.click()
         self.assertEqual(self.enabled(panel, *names), [False] * 4)
+
+
+class Folds(FormTest):
+    """Groups of options that are folded away until the user opens them."""
+
+    def opened(self, panel):
+        return {name for name, button in panel.options.folds.items() if button.isChecked()}
+
+    def test_they_stay_as_the_user_left_them(self):
+        panel = self.panel(commands.Triangulate, self.box())
+        self.assertEqual(self.opened(panel), set())
+        self.assertTrue(panel.options.field("max_edge").isVisible())
+        for name in ("More options", "More optionsMethod"):
+            panel.options.folds[name].click()
+        shown = [panel.options.field(name).isVisible() for name in ("method", "keep_edges", "seed")]
+        self.assertEqual(shown, [True, False, False])
+        panel.reject()
+        panel = self.panel(commands.Triangulate, self.document.Objects[0])
+        self.assertEqual(self.opened(panel), {"More options", "More optionsMethod"})
+        panel.options.folds["More options"].click()
+        panel.reject()
+        panel = self.panel(commands.Curve, self.document.Objects[0])  # of which nothing was opened
+        self.assertEqual(self.opened(panel), set())
+        panel.reject()
+
+    def test_what_is_not_a_default_is_shown_once(self):
+        obj = mq.add_quality_mesh(self.box(), method="sprinkle", seed=7)
+        panel = self.edit(obj)
+        self.assertEqual(self.opened(panel), {"More options", "More optionsMethod", "More optionsSampling"})
+        panel.reject()
+        panel = self.panel(commands.Triangulate, self.document.Objects[0])
+        self.assertEqual(self.opened(panel), set())
+        panel.reject()
+
+    def test_few_options_are_not_folded_twice(self):
+        panel = self.panel(commands.Curve, self.box())
+        self.assertEqual(set(panel.options.folds), {"More options"})
+        panel.options.more.click()
+        self.assertTrue(panel.options.field("imprint").isVisible())
+        panel.reject()
+
+    def test_long_panels_fit_a_small_screen(self):
+        """1366x768 has about 570 pixels for a panel."""
+        for command in (commands.Triangulate, commands.Curve, commands.FemMesh, commands.FlowMesh):
+            panel = self.panel(command, self.box(command.__name__))
+            panel.form.setFixedWidth(227)
+            gui_helpers.wait()
+            self.assertLess(panel.form.sizeHint().height(), 560, command.__name__)
+            panel.reject()
 
 
 class Defaults(FormTest):

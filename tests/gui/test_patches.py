@@ -303,7 +303,10 @@ class Patches(gui_helpers.PanelTest):
         self.narrow(panel, "panel_case")
         panel.accept()
         self.until(lambda: panel.job is None)
-        self.assertEqual(panel.said, "")
+        self.assertTrue(FreeCADGui.Control.activeDialog())  # says what to do next until it is closed
+        self.assertIn(f"type: cd {folder} && blockMesh", panel.said)
+        self.narrow(panel, "panel_case_written")
+        panel.reject()
         self.assertFalse(FreeCADGui.Control.activeDialog())
         self.assertEqual(sorted(os.listdir(folder)), ["constant", "system"])
         self.assertEqual(cfd_ready(), {})
@@ -321,6 +324,8 @@ class Patches(gui_helpers.PanelTest):
         lines = "".join(call.args[0] for call in said.call_args_list)
         self.assertIn(f"type: cd '{self.folder}/my case' && blockMesh && snappyHexMesh -overwrite && checkMesh", lines)
         self.assertIn("no blanks in paths", warned.call_args.args[0])
+        self.assertIn("no blanks in paths", panel.said)
+        panel.reject()
 
     def test_a_case_needs_a_folder_that_can_be_made(self):
         obj = self.quality()

@@ -76,14 +76,15 @@ class Presets(gui_helpers.PanelTest):
     def test_rare_options_are_folded_away_unless_they_are_used(self):
         panel = self.panel(commands.Triangulate, self.box())
         self.assertFalse(panel.options.field("seed").isVisible())
-        panel.options.more.click()
+        gui_helpers.unfold(panel)
         gui_helpers.wait()
         self.assertTrue(panel.options.field("seed").isVisible())
         panel.reject()
         panel = self.panel(commands.Triangulate, self.box("Other"))
         panel.options.set_values({"method": "star"})
         gui_helpers.wait()
-        self.assertTrue(panel.options.field("seed").isVisible())
+        self.assertTrue(panel.options.field("method").isVisible())
+        self.assertFalse(panel.options.field("seed").isVisible())
 
 
 class Remembered(gui_helpers.PanelTest):

@@ -57,7 +57,7 @@ class Wheel(gui_helpers.PanelTest):
                                  (commands.Boolean, [box, second]), (commands.Hollow, [box]), (commands.Wrap, [box, second]),
                                  (commands.Inspect, [box])):
             panel = self.panel(command, *sources)
-            panel.options.more.setChecked(True)
+            gui_helpers.unfold(panel)
             gui_helpers.wait()
             self.assert_nothing_turns(panel)
             panel.reject()
@@ -73,7 +73,7 @@ class Wheel(gui_helpers.PanelTest):
 
     def test_the_panel_scrolls_instead(self):
         panel = self.panel(commands.Triangulate, self.box())
-        panel.options.more.setChecked(True)
+        gui_helpers.unfold(panel)
         panel.form.setMinimumHeight(3000)  # longer than any screen
         gui_helpers.wait()
         area = panel.form.parentWidget()

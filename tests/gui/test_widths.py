@@ -76,7 +76,7 @@ class Widths(gui_helpers.PanelTest):
 
     def check(self, panel, name):
         if hasattr(panel, "options"):
-            panel.options.more.setChecked(True)
+            gui_helpers.unfold(panel)
             gui_helpers.wait()
         self.narrow(panel, name)
         self.assertEqual(cut_texts(panel.form), [], name)

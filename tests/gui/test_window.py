@@ -49,7 +49,7 @@ class SmallScreen(gui_helpers.PanelTest):
 
     def scrolled_down(self, panel):
         """Opens all options and scrolls to the last one."""
-        panel.options.more.setChecked(True)
+        gui_helpers.unfold(panel)
         gui_helpers.wait(0.2)
         for area in FreeCADGui.getMainWindow().findChildren(QtGui.QScrollArea):
             if area.isAncestorOf(panel.form):

@@ -406,8 +406,9 @@ def _tell(obj, report, findings, left_out):
     text = verdict.line(obj.Label, report, findings, window().translated)
     (FreeCAD.Console.PrintWarning if findings else FreeCAD.Console.PrintMessage)(text + "\n")
     told = obj.Proxy.told(obj)
-    if told is not None:
-        FreeCAD.Console.PrintMessage(f"{obj.Label}: {window().translated(told)}\n")
+    said = window().translated(told) if told is not None else ""
+    if said not in text:
+        FreeCAD.Console.PrintMessage(f"{obj.Label}: {said}\n")
     for sentence in left_out:
         FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(sentence)}\n")
 

@@ -53,6 +53,16 @@ def _of_any_part(kind, values):
     return {name: value for name, value in values.items() if name not in left_out and value is not None}
 
 
+def is_open(name):
+    """Whether the user has left open what can be folded away in a panel."""
+    return stored().GetGroup("Open").GetBool(name)
+
+
+def keep_open(name, opened):
+    """Keeps for the next panel whether that is open."""
+    stored().GetGroup("Open").SetBool(name, opened)
+
+
 def manual_above():
     """Number of triangles above which a new mesh does not follow its source by itself."""
     return stored().GetInt("ManualAbove", 200_000)

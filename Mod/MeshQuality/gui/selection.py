@@ -34,6 +34,15 @@ def picked_faces(source):
     return element_names.faces_of(picked(source)[0])
 
 
+def follow(sources, results):
+    """Selects what was made of sources in their place, unless something else has been selected meanwhile."""
+    chosen = [source for selected in FreeCADGui.Selection.getSelectionEx("", 0) for source, _ in frames.paths_of_selection(selected)]
+    if all(source in sources for source in chosen):
+        FreeCADGui.Selection.clearSelection()
+        for obj in results:
+            FreeCADGui.Selection.addSelection(obj)
+
+
 def _below(source, root, path):
     """The name of a sub-element below the source; None where the source does not hold it."""
     steps, element = frames.split_path(path)

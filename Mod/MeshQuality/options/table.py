@@ -293,47 +293,47 @@ TRIANGULATE = (
     Option("growth_rate", float, None, low=1.0, group="Size", title="Growth rate", rare=True,
            alias="growth", unset="unlimited",
            help="Growth rate of edge length from fine to coarse regions: 1.2 is slow, 2 is fast"),
-    Option("method", str, "refine", choices=METHODS, title="Method", rare=True,
+    Option("method", str, "refine", choices=METHODS, title="Method", group="Method", rare=True,
            choice_titles=("refine where needed", "sample in hexagons", "sample at random"),
            help="refine inserts points until every angle and distance fits; star (hexagons) and "
                 "sprinkle (random points) first sample the faces, denser where they bend"),
     Option("insertion", str, "off-centre", choices=INSERTIONS, title="Point insertion",
-           rare=True, choice_titles=("off-centre", "circumcentre"),
+           group="Method", rare=True, choice_titles=("off-centre", "circumcentre"),
            choice_aliases={"paper": "circumcentre"},
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
                 "triangles, circumcentre is the rule of Aftosmis 1999"),
-    Option("order", str, "rounds", choices=("rounds", "worst first"), title="Order of insertion", rare=True,
+    Option("order", str, "rounds", choices=("rounds", "worst first"), title="Order of insertion", group="Method", rare=True,
            only_with=("insertion", ("circumcentre",)),
            choice_titles=("rounds", "worst first"),
            help="Triangles with small angles get their points in rounds, which several threads share, or, with "
                 "circumcentre, one after the other, the worst first, as in Aftosmis 1999"),
-    Option("keep_edges", str, "all", choices=KEPT_EDGES, title="CAD edges to keep", rare=True,
+    Option("keep_edges", str, "all", choices=KEPT_EDGES, title="CAD edges to keep", group="Edges and corners", rare=True,
            choice_titles=("all", "only sharp ones"),
            help="CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth "
                 "edges"),
     Option("feature_angle", float, 10.0, unit="degrees", low=0.0, high=40.0,
-           title="Feature angle", rare=True, only_with=("keep_edges", ("feature",)),
+           title="Feature angle", group="Edges and corners", rare=True, only_with=("keep_edges", ("feature",)),
            help="With keep_edges = feature: edges are smooth where the surface turns by less than this"),
-    Option("corners", str, "auto", choices=("auto", "keep", "cut"), title="Narrow corners", rare=True,
+    Option("corners", str, "auto", choices=("auto", "keep", "cut"), title="Narrow corners", group="Edges and corners", rare=True,
            choice_titles=("cut off where needed", "keep", "cut off"),
            help="Corners of faces below the smallest angle: keep them, each with one triangle of that angle; cut them off "
                 "by a twentieth of the distance, where the faces beside them allow it; or do so (auto) where further "
                 "triangles would be below the smallest angle"),
     Option("max_triangles", int, None, low=1, high=2**31 - 1, above=False, group="Size", title="Triangle limit",
            rare=True, unset="5 million", help="Stop at this number; the mesh is then incomplete"),
-    Option("metric", str, "none", choices=("none", "curvature"), title="Stretched triangles", rare=True, choice_titles=("no", "by curvature"),
+    Option("metric", str, "none", choices=("none", "curvature"), title="Stretched triangles", group="Method", rare=True, choice_titles=("no", "by curvature"),
            help="Triangles that are stretched along the direction in which the surface bends least, so that fewer keep the distance; the "
                 "largest angle is bounded by 150 degrees then, instead of the smallest one"),
-    Option("max_stretching", float, 5.0, low=1.0, high=100.0, above=False, title="Largest stretching", rare=True, only_with=("metric", ("curvature",)),
+    Option("max_stretching", float, 5.0, low=1.0, high=100.0, above=False, title="Largest stretching", group="Method", rare=True, only_with=("metric", ("curvature",)),
            help="Longest length that a metric may want at a place, divided by the shortest"),
-    Option("allow_missing_faces", bool, False, title="Skip faces that fail", rare=True,
+    Option("allow_missing_faces", bool, False, title="Skip faces that fail", group="Bodies and faces", rare=True,
            help="Mesh the other faces where some fail; the report names those that were skipped"),
-    Option("sew", bool, True, title="Join loose faces", rare=True,
+    Option("sew", bool, True, title="Join loose faces", group="Bodies and faces", rare=True,
            help="Join faces that belong to no shell, as those of most IGES files, where their borders lie "
                 "together; the report says how far apart they were"),
-    _imprint("Mesh"),
-    _overlap("Mesh"),
-    Option("evaluation", str, "fast", choices=EVALUATIONS, title="Evaluation", rare=True,
+    _imprint("Bodies and faces"),
+    _overlap("Bodies and faces"),
+    Option("evaluation", str, "fast", choices=EVALUATIONS, title="Evaluation", group="Method", rare=True,
            choice_titles=("fast", "by OpenCASCADE alone"),
            help="How curves and surfaces are evaluated: fast by formulas and polynomial pieces, native by "
                 "OpenCASCADE alone, which takes longer"),
@@ -356,7 +356,7 @@ CURVE = (
                 "with tetrahedra 4"),
     Option("volume", bool, False, title="Fill solids with tetrahedra",
            help="Fill the solids with tetrahedra"),
-    Option("straighten_invalid", bool, False, title="Straighten invalid elements", alias="straighten",
+    Option("straighten_invalid", bool, False, title="Straighten invalid elements", alias="straighten", rare=True,
            help="Straighten the elements that stay invalid after all repairs; they deviate more from the shape"),
     Option("min_angle", float, 20.0, unit="degrees", low=0.0, high=34.0, group="Before curving",
            title="Smallest angle",
@@ -373,7 +373,7 @@ CURVE = (
 # Options of the document object, beside those of CURVE.
 CURVED_DISPLAY = (
     Option("deviation", float, None, unit="mm", low=0.0, group="Display",
-           unset="size / 1000", title="Display accuracy",
+           unset="size / 1000", title="Display accuracy", rare=True,
            help="Largest distance between the flat triangles and the curved elements"),
 )
 

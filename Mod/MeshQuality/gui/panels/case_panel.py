@@ -24,12 +24,13 @@ _NEXT, _NEXT_OF_CELLS = "blockMesh && snappyHexMesh -overwrite && checkMesh", "c
 
 
 class CasePanel(WritingPanel):
-    """OK writes the folder, then closes.
+    """OK writes the folder, then says what to type next.
 
     source  a document object with a closed mesh, or a flow mesh, or a link to one, see frames
     """
 
     COMMAND, TITLE = "MeshQuality_FlowCase", "OpenFOAM case"
+    STAYS = True
     DROP = staticmethod(lambda forget: forget())
 
     def add_fields(self, layout):
@@ -87,8 +88,11 @@ class CasePanel(WritingPanel):
             forget()
         self.remember_folder(os.path.dirname(os.path.abspath(folder)))
         folder, then = os.path.abspath(folder), _NEXT_OF_CELLS if self._has_cells else _NEXT
-        FreeCAD.Console.PrintMessage("{}\n".format(translate(
-            "MeshQuality", "Written: {0}. In a terminal with OpenFOAM type: {1}").format(folder, f"cd {shlex.quote(folder)} && {then}")))
+        words = translate("MeshQuality", "Written: {0}. In a terminal with OpenFOAM type: {1}").format(
+            folder, f"cd {shlex.quote(folder)} && {then}")
+        FreeCAD.Console.PrintMessage(f"{words}\n")
         if " " in folder:
-            FreeCAD.Console.PrintWarning("{}\n".format(translate(
-                "MeshQuality", "OpenFOAM takes no blanks in paths: move the folder to where there are none.")))
+            blanks = translate("MeshQuality", "OpenFOAM takes no blanks in paths: move the folder to where there are none.")
+            FreeCAD.Console.PrintWarning(f"{blanks}\n")
+            words += f"\n{blanks}"
+        self.say(words)

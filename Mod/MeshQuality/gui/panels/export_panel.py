@@ -99,7 +99,7 @@ class ExportPanel(WritingPanel):
             forget()
         self.remember_folder(os.path.dirname(path))
         preferences.stored().SetString(_setting_of(self.source)[0], formats.known_suffix(os.path.splitext(path)[1], self._known))
-        FreeCAD.Console.PrintMessage(f"Written: {path}\n")
+        FreeCAD.Console.PrintMessage("{}\n".format(translate("MeshQuality", "Written: {}").format(path)))
 
     def _complete_path(self):
         """The path, with the ending of the format where it has none."""

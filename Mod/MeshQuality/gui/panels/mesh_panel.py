@@ -12,7 +12,7 @@ from ...compat import flags
 from ...core.operands.operands import letters
 from ...core.sources import frames
 from ...errors import Error
-from .. import background, background_recompute, jobs, panel_operation, preferences
+from .. import background, background_recompute, jobs, panel_operation, preferences, selection
 from ..certificate_box import CertificateBox
 from ..quantities import count_text, length_text
 from ..translation import translated
@@ -57,7 +57,7 @@ class MeshPanel:
         useful = preferences.suggested(operations[0].kind, self._size)
         self.options = OptionForm(operations[0].kind.OPTIONS,
                                   [source for made in operations for source in made.sources],
-                                  {**preferences.defaults(operations[0].kind), **useful})
+                                  {**preferences.defaults(operations[0].kind), **useful}, operations[0].kind.COMMAND)
         self.options.set_values(
             operations[0].values() or {**preferences.first_values(operations[0].kind), **useful, **operations[0].chosen})
         self._show_bound()
@@ -271,8 +271,12 @@ class MeshPanel:
 
     def _close_if_done(self):
         if self._closing and not self.jobs and not self.said:
+            is_new = not self._editing
             self._close()
             obj = self.operations[0].obj
+            if is_new:
+                selection.follow([source for made in self.operations for source in made.sources],
+                                 [made.obj for made in self.operations if made.obj is not None])
             if self._afterwards is not None and obj is not None:
                 # FreeCAD takes the panel away when control returns to the event loop.
                 QtCore.QTimer.singleShot(0, lambda: self._afterwards(obj))

@@ -13,59 +13,59 @@ from ...features import distance_bound
 from ..quantities import QuantityBox, length_text, text_of, value_of
 from ..selection import picked
 from ..translation import translated
+from .folding import fold_button
 from .size_fields_box import SizeFieldsBox
 from .task_form import narrow
 
 translate = FreeCAD.Qt.translate
 
+_MORE = FreeCAD.Qt.QT_TRANSLATE_NOOP("MeshQuality", "More options")
 _LARGEST = 2**31 - 1
 _WIDE = 150  # pixels that a list of sizes needs
 _NUMBER = 90  # pixels that a number with its unit needs
 _LENGTH = "0.1234 mm"
+_ROOM = 8  # fields that are open at first
 _ARROW = 42  # pixels of a box with choices beside its text
 _KIND_OF_WORK = "check"  # the option that chooses among kinds of work: options of the others are no part of the form
 _BETWEEN_SIZES = re.compile(r"[,;]\s*(?=[^\W\d])")  # a comma before a digit is in a number
 
 
 class OptionForm(QtGui.QWidget):
-    """One field for each option, in a group box for each group of the table; those that are rarely
-    needed can be folded away. Those that have no effect with the present values are disabled, and hidden where they belong to
-    another kind of work than the chosen one.
+    """One field for each option, in a box for each group of the table; groups that are rarely needed, and those for which
+    there is no room, are folded away until the user opens them. Options that have no effect with the present values are
+    disabled, and hidden where they belong to another kind of work than the chosen one.
 
     sources   the objects that the options are for; None: unknown
     defaults  {option: value} that the button Defaults shows; None: those of the table
+    name      under which is kept what the user has opened
     """
 
     changed = QtCore.Signal()
 
-    def __init__(self, table, sources=None, defaults=None):
+    def __init__(self, table, sources=None, defaults=None, name=""):
         super().__init__()
+        self._name = name
         self._sources = [source for source in sources or [] if source is not None]
         self._defaults = defaults or options.defaults(table)
         self._fields, self._labels = {}, {}
-        self._groups = {}  # the fields of each group box
+        self._groups = {}  # the fields of each group, by what shows it
+        self.folds = {}  # the buttons that fold, by title, below that of the fold in which they are
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        self._add_groups(layout, [option for option in table if not option.rare])
-        rare = [option for option in table if option.rare]
-        layout.addLayout(self._buttons(bool(rare)))
+        frequent, rare = ([option for option in table if option.rare == is_rare] for is_rare in (False, True))
+        self._add_groups(layout, frequent, _ROOM)
         self._rare = QtGui.QWidget()
+        layout.addLayout(self._buttons(bool(rare)))
         inner = QtGui.QVBoxLayout(self._rare)
         inner.setContentsMargins(0, 0, 0, 0)
-        self._add_groups(inner, rare)
+        self._add_groups(inner, rare, _ROOM if len(rare) <= _ROOM else 0, _MORE)
         layout.addWidget(self._rare)
-        self._fold(False)
         self.changed.connect(self._enable_effective)
         self._enable_effective()
 
     def _buttons(self, foldable):
-        """The row with the button that folds, and Defaults."""
-        self.more = QtGui.QToolButton()
-        self.more.setText(translate("MeshQuality", "More options"))
-        self.more.setCheckable(True)
-        self.more.setAutoRaise(True)
-        self.more.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
-        self.more.toggled.connect(self._fold)
+        """The row with the button that folds the rare options, and Defaults."""
+        self.more = self.folds[_MORE] = fold_button(translate("MeshQuality", _MORE), self._rare, f"{self._name} {_MORE}")
         self.more.setVisible(foldable)
         self.reset = QtGui.QToolButton()
         self.reset.setText(translate("MeshQuality", "Defaults"))
@@ -74,31 +74,55 @@ class OptionForm(QtGui.QWidget):
         self.reset.clicked.connect(lambda: self.set_values(self._defaults))
         row = QtGui.QHBoxLayout()
         row.setSpacing(0)
-        for button in (self.more, self.reset):
-            narrow(button, "padding: 0px; margin: 0px")
+        narrow(self.reset, "padding: 0px; margin: 0px")
         row.addWidget(self.more)
         row.addStretch()
         row.addWidget(self.reset)
         return row
 
-    def _add_groups(self, layout, table):
-        boxes = {}
-        for option in table:
+    def _add_groups(self, layout, table, room, above=""):
+        """A box for each group; those for whose fields there is no room any more are folded away, below the fold `above`."""
+        for title, group in _by_group(table).items():
+            box, shown = QtGui.QGroupBox(), QtGui.QWidget()
+            fields = self._fill(box, group, table)
+            count = sum(field.option.only_with[:1] != (_KIND_OF_WORK,) for field in fields)  # one kind is shown at a time
+            if count <= room:
+                room -= count
+                box.setTitle(translate("MeshQuality", title))
+                layout.addWidget(box)
+                self._groups[box] = fields
+                continue
+            rows = QtGui.QVBoxLayout(shown)
+            rows.setContentsMargins(0, 0, 0, 0)
+            rows.setSpacing(0)
+            name = above + title
+            self.folds[name] = fold_button(translate("MeshQuality", title), box, f"{self._name} {name}")
+            rows.addWidget(self.folds[name])
+            rows.addWidget(box)
+            layout.addWidget(shown)
+            self._groups[shown] = fields
+
+    def _fill(self, box, group, table):
+        """Fills a box with the fields of a group's options; returns the fields."""
+        form, fields = QtGui.QFormLayout(box), []
+        form.setContentsMargins(4, 9, 4, 4)
+        # The panel may be 260 pixels wide.
+        form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
+        form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+        for option in group:
             if option.name in self._fields:
                 continue  # the second of two with one field
-            if option.group not in boxes:
-                boxes[option.group] = _group(translate("MeshQuality", option.group))
-                layout.addWidget(boxes[option.group])
             field = self._field(option, table)
             field.changed.connect(self.changed)
+            fields.append(field)
             self._fields.update(dict.fromkeys(field.names, field))
-            self._groups.setdefault(boxes[option.group], []).append(field)
             if option.kind is bool:
-                boxes[option.group].layout().addRow(field.widget)
+                form.addRow(field.widget)
                 continue
             label = self._labels[option.name] = QtGui.QLabel(_title(option))
             label.setToolTip(_help(option))
-            boxes[option.group].layout().addRow(label, field.widget)
+            form.addRow(label, field.widget)
+        return fields
 
     def _field(self, option, table):
         if option.is_distance:
@@ -118,10 +142,6 @@ class OptionForm(QtGui.QWidget):
     def _size(self):
         """Largest dimension of the first source in mm; 0: unknown."""
         return convert.size_of(self._sources[0]) if self._sources else 0.0
-
-    def _fold(self, shown):
-        self.more.setArrowType(QtCore.Qt.DownArrow if shown else QtCore.Qt.RightArrow)
-        self._rare.setVisible(shown)
 
     def _enable_effective(self):
         values = self.values()
@@ -151,9 +171,15 @@ class OptionForm(QtGui.QWidget):
             given = {name: values[name] for name in field.names if name in values}
             if given and not field.bound:
                 field.show(given)
-                if field.option.rare and given[field.option.name] != field.option.default:
-                    self.more.setChecked(True)
+                if given.get(field.option.name, field.option.default) != field.option.default:
+                    self._open(field.option)
         self._enable_effective()
+
+    def _open(self, option):
+        """Shows the field of an option where that is folded away."""
+        for name in (_MORE, _MORE + option.group) if option.rare else (option.group,):
+            if name in self.folds:
+                self.folds[name].setChecked(True)
 
     def bind(self, expressions, values):
         """Shows these values of options that expressions set, {option: expression}, and has nobody edit them."""
@@ -186,14 +212,9 @@ def _help(option):
     return text
 
 
-def _group(title):
-    box = QtGui.QGroupBox(title)
-    form = QtGui.QFormLayout(box)
-    form.setContentsMargins(4, 9, 4, 4)
-    # The panel may be 260 pixels wide.
-    form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
-    form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
-    return box
+def _by_group(table):
+    """{group: options} in the order of the table."""
+    return {group: [option for option in table if option.group == group] for group in dict.fromkeys(option.group for option in table)}
 
 
 def _keep_wide(field, width):
@@ -273,7 +294,7 @@ class _Choice(_Field):
         box = QtGui.QComboBox()
         for choice, title in zip(option.choices, option.choice_titles):
             box.addItem(translate("MeshQuality", title), choice)
-        _keep_wide(box, max(box.fontMetrics().horizontalAdvance(box.itemText(i)) for i in range(box.count())))
+        _keep_wide(box, max(box.fontMetrics().horizontalAdvance(box.itemText(i)) for i in range(box.count())) + _ARROW // 2)
         super().__init__(option, box)
         box.currentIndexChanged.connect(self._changed)
 

@@ -14,7 +14,7 @@ from ...features import size_fields, size_region
 from ...features.transactions import undo_step
 from ..quantities import length_text
 from ..translation import translated
-from .task_form import Table
+from .task_form import Message, Table
 
 translate = FreeCAD.Qt.translate
 
@@ -46,8 +46,7 @@ class SizeFieldsBox(QtGui.QWidget):
         self.draw.setText(translate("MeshQuality", "Draw"))
         self.draw.setCheckable(True)
         self.draw.setToolTip(translate("MeshQuality", "Draw the sizes as coloured points, and count the triangles to expect"))
-        self.words = QtGui.QLabel()
-        self.words.setWordWrap(True)
+        self.words = Message()
         self.draw.setMinimumWidth(self.draw.sizeHint().width())
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -103,9 +102,9 @@ class SizeFieldsBox(QtGui.QWidget):
             if not length.Value > 0.0 or length.Unit not in (FreeCAD.Units.Length, FreeCAD.Units.Unit()):
                 raise ValueError
         except (ValueError, ArithmeticError, OSError):
-            self.words.setText(translate("MeshQuality", "A size is a length above 0."))
+            self.words.say(translate("MeshQuality", "A size is a length above 0."))
         else:
-            self.words.setText("")
+            self.words.say("")
             with undo_step(obj.Document, f"Size of {obj.Label}"):
                 obj.Size = length.Value
         blocked = self.table.blockSignals(True)
@@ -118,16 +117,16 @@ class SizeFieldsBox(QtGui.QWidget):
     def _add_region(self):
         chosen, size = _selected(), convert.size_of(self._sources[0]) if self._sources else 0.0
         if not chosen or not size:
-            self.words.setText(translate("MeshQuality", "Select solids, or faces, edges or points, in the 3D view first."))
+            self.words.say(translate("MeshQuality", "Select solids, or faces, edges or points, in the 3D view first."))
             return
         parts = any(names for _, names in chosen)
         try:
             added = size_region.add_size_region(chosen, size / _PART, kind="near" if parts else "inside",
                                                 distance=size / _FAR if parts else None)
         except Error as error:
-            self.words.setText(translated(error))
+            self.words.say(translated(error))
             return
-        self.words.setText("")
+        self.words.say("")
         self.fill([*self.names(), added.Name])
         self.changed.emit()
 
@@ -137,20 +136,20 @@ class SizeFieldsBox(QtGui.QWidget):
 
     def _show(self, shown):
         self._drawn.clear()
-        self.words.setText("")
+        self.words.say("")
         if not shown or not self._sources:
             return
         names = self.names()
         if not names:
-            self.words.setText(translate("MeshQuality", "Check a region first."))
+            self.words.say(translate("MeshQuality", "Check a region first."))
             return
         try:
             found = size_field(convert.shape_of(self._sources[0]), size_fields.fields_for(self._sources[0], names)[0])
         except Error as error:
-            self.words.setText(translated(error))
+            self.words.say(translated(error))
             return
         self._drawn.show(FreeCADGui.getDocument(self._document().Name).activeView(), found)
-        self.words.setText(translate("MeshQuality", "Sizes from {0} (red) to {1} (blue); about {2} triangles by these regions").format(
+        self.words.say(translate("MeshQuality", "Sizes from {0} (red) to {1} (blue); about {2} triangles by these regions").format(
             length_text(found.least), length_text(float(found.sizes.max())), f"{found.expected_triangles:,}"))
 
 

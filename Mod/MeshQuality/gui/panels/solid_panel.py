@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 
 from ...errors import Error
 from ...features import mesh_solid
-from .. import jobs
+from .. import jobs, selection
 from ..panel_operation import name_of
 from ..translation import translated
 from .task_form import Message
@@ -95,3 +95,4 @@ class SolidPanel(WritingPanel):
         finally:
             forget()
         self._close()
+        selection.follow([self.source], [self.obj.Document.ActiveObject])

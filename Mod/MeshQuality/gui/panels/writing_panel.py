@@ -33,13 +33,12 @@ class WritingPanel:
 
     COMMAND = TITLE = ""
     STAYS = False  # whether the panel stays open when the work has succeeded
-    modifyStandardButtons = staticmethod(narrow_buttons)
     DROP = staticmethod(lambda result: None)  # called with a result that nobody takes
 
     def __init__(self, source):
         self.source, self.obj = source, frames.object_of(source)
         self.document, self.label = self.obj.Document.Name, frames.leaf_of(source).Label
-        self.job, self.said, self.fields = None, "", ()
+        self.job, self.said, self.fields, self._cancel = None, "", (), None
         self.form = Form()
         self.form.setWindowTitle(title_of(self.COMMAND, self.TITLE))
         self.form.setWindowIcon(QtGui.QIcon(badge.path_of(self.COMMAND)))
@@ -56,6 +55,11 @@ class WritingPanel:
         """Lays out what tells of the work."""
         layout.addWidget(self.message)
         layout.addWidget(self.bar)
+
+    def modifyStandardButtons(self, box):
+        """Called by FreeCAD with its buttons."""
+        narrow_buttons(box)
+        self._cancel = box.button(QtGui.QDialogButtonBox.Cancel)
 
     def accept(self):
         """OK: begins to write."""
@@ -113,6 +117,8 @@ class WritingPanel:
         self._enable(True)
         if job.state == jobs.DONE and not self.STAYS:
             self._close()
+        elif job.state == jobs.DONE and self._cancel is not None:
+            self._cancel.setText(translate("MeshQuality", "Close"))
         elif job.state == jobs.FAILED:
             self.say(translated(job.error), error=True)
         elif job.state == jobs.CANCELLED:
