@@ -537,9 +537,9 @@ def bound_of(values):
 
 def hashed(values):
     """JSON text of checked values, for fingerprints, as older versions wrote it; options that they did not have only where used."""
-    unused = ("size_field", "metric", "max_stretching") if values.get("metric") == "none" else ("size_field",)
+    unused = ("size_field", *(("metric", "max_stretching") if values.get("metric") == "none" else ()), *(("order",) if "layers" in values else ()))
     return json.dumps({name: None if value == NO_BOUND else value for name, value in _by_aliases(values).items()
-                       if name not in unused or name == "size_field" and value is not None}, sort_keys=True)
+                       if name not in unused or name == "size_field" and value is not None or name == "order" and value != 1}, sort_keys=True)
 
 
 def to_property(option, value):

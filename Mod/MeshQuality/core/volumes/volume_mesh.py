@@ -20,8 +20,9 @@ from ..patches.patches import division_for, index_in, patches_of
 from ..sources import convert
 from ..triangulation import triangulate
 from . import polymesh
+from .curved_layers import curved
 from .far_field import SYMMETRY, region_around
-from .layers import Surface, layers_of, unproven
+from .layers import Surface, layers_of, proven_bounds
 from .marching import marching_of
 from .volume_report import report_of
 
@@ -36,11 +37,12 @@ class VolumeMesh(ElementMesh, metaclass=Public):
     """An ElementMesh that volume_mesh made: prisms in layers on the walls, tetrahedra inside, pyramids and tetrahedra between, where
     layers end. All elements are proven valid, and conform.
 
+    order        of all elements
     prisms, pyramids, tetrahedra
-                 int32 (E, 6), (E, 5), (E, 4): rows of nodes in Gmsh's order
+                 int32 (E, 6), (E, 5), (E, 4): rows of nodes in Gmsh's order; more of a higher order
     prism_layer  int32 (P,), the layer of each prism; 0 is on the wall
     boundary_triangles, boundary_quadrilaterals
-                 int32 (F, 3), (F, 4): the faces of the boundary, outward
+                 int32 (F, 3), (F, 4): the faces of the boundary, outward; likewise
     triangle_face, quadrilateral_face
                  int32 (F,): they lie on shape.Faces[...]
     patch_names  of the boundary; groups of the mesh, as is the region "fluid"
@@ -55,6 +57,7 @@ class VolumeMesh(ElementMesh, metaclass=Public):
         self.prism_layer, self._patches, self.patch_types, self._report = prism_layer, patches, patch_types, None
 
     report = property(lambda self: self._report, doc="VolumeReport")
+    order = property(lambda self: self.blocks[0].order, doc="of all elements")
     patch_names = property(lambda self: self._patches.names, doc="tuple of names")
     prisms = property(lambda self: self._rows("prism"), doc="int32 (E, 6)")
     pyramids = property(lambda self: self._rows("pyramid"), doc="int32 (E, 5)")
@@ -65,7 +68,8 @@ class VolumeMesh(ElementMesh, metaclass=Public):
     quadrilateral_face = property(lambda self: self._faces("quadrilateral"), doc="int32 (F,)")
 
     def _rows(self, kind):
-        return next((block.nodes for block in self.blocks if block.kind == kind), np.zeros((0, kinds.CORNERS[kind]), dtype=np.int32))
+        return next((block.nodes for block in self.blocks if block.kind == kind),
+                    np.zeros((0, kinds.count_of(kind, self.order)), dtype=np.int32))
 
     def _faces(self, kind):
         return next((block.geometry for block in self.blocks if block.kind == kind), np.zeros(0, dtype=np.int32))
@@ -73,12 +77,17 @@ class VolumeMesh(ElementMesh, metaclass=Public):
     @property
     def solid_blocks(self):
         """[(kind, int (E, corners)), ...] of the volume elements, in the order of the blocks."""
-        return [(block.kind, block.nodes) for block in self.blocks if kinds.DIMENSION[block.kind] == 3]
+        return [(block.kind, block.nodes[:, :kinds.CORNERS[block.kind]]) for block in self.blocks if kinds.DIMENSION[block.kind] == 3]
+
+    @property
+    def sides(self):
+        """(int (F, 3), int (F, 4)): the corners of the faces of the boundary."""
+        return self.boundary_triangles[:, :3], self.boundary_quadrilaterals[:, :4]
 
     def patch_of_faces(self, rings):
         """int (F,): the patches of faces of the boundary, int (F, 4) corners, -1 after the third one of triangles."""
-        sides = np.concatenate([np.pad(self.boundary_triangles, ((0, 0), (0, 1)), constant_values=-1),
-                                self.boundary_quadrilaterals]).astype(np.int64)
+        triangles, quadrilaterals = self.sides
+        sides = np.concatenate([np.pad(triangles, ((0, 0), (0, 1)), constant_values=-1), quadrilaterals]).astype(np.int64)
         faces = np.concatenate([self.triangle_face, self.quadrilateral_face])
         patch_of = dict(zip(np.unique(self.triangle_face).tolist(), self._patch_of_face(np.unique(self.triangle_face))))
         known = {tuple(key): face for key, face in zip(np.sort(sides, axis=1).tolist(), faces.tolist())}
@@ -108,7 +117,7 @@ class VolumeMesh(ElementMesh, metaclass=Public):
 
 def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_angle=25.0, chord_height=None,
                 chord_height_relative=None, max_edge=None, local_sizes=None, patches=None, patch_rest=None, far_field=None,
-                symmetry=None, far_edge=None, growth_inside=0.3, progress=None):
+                symmetry=None, far_edge=None, growth_inside=0.3, order=1, progress=None):
     """Fills a solid, the region of a flow, or the space around a part with layers of prisms on the walls and tetrahedra
     -> VolumeMesh.
 
@@ -126,6 +135,8 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
     symmetry      the half-space of the fluid, "y>0" or "z>-2.5" (mm), in whose plane a box or a sphere ends in the patch symmetry
     far_edge      mm, longest edges of triangles on the far field; None: a fifth of its distance
     growth_inside by how much longer edges of tetrahedra get for each length of distance from the surface that layers leave, 0.02 to 2
+    order         of the elements, 1 to 4; from 2 on layers follow the CAD. Elements that would not be valid so bend less, or stay
+                  straight: report.straightened names them
     progress      callable(fraction 0..1, stage); returning False cancels
 
     Vertices march by the direction from which all of their walls are seen best. Layers get lower than asked for where elements
@@ -140,11 +151,14 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
     asked = _Asked(shape, walls, patches, patch_rest, far_field, symmetry, {
         "layers": layers, "first_height": first_height, "growth_rate": growth_rate, "min_angle": min_angle,
         "chord_height": chord_height, "chord_height_relative": chord_height_relative, "max_edge": max_edge,
-        "local_sizes": local_sizes, "far_edge": far_edge, "growth_inside": growth_inside})
-    mesh = asked.triangulated(progress=part_of(progress, 0.0, 0.3))
+        "local_sizes": local_sizes, "far_edge": far_edge, "growth_inside": growth_inside, "order": order})
+    order = asked.values["order"]
+    straight = progress if order == 1 else part_of(progress, 0.0, 0.7)
+    mesh = asked.triangulated(progress=part_of(straight, 0.0, 0.3))
     surface = _surface_of(mesh, asked.region, asked.chosen)
-    return _filled(mesh, surface, {**asked.values, "first_height": first_height, "named": walls is not None},
-                   patches_of(asked.division, surface.face, len(surface.triangles)), progress)
+    made = _filled(mesh, surface, {**asked.values, "first_height": first_height, "named": walls is not None},
+                   patches_of(asked.division, surface.face, len(surface.triangles)), straight)
+    return made if order == 1 else _with_order(made, convert.shape_of(asked.shape), order, part_of(progress, 0.7, 1.0))
 
 
 def expected_cells(shape, most, progress=None, walls=None, far_field=None, symmetry=None, **values):
@@ -174,6 +188,7 @@ class _Asked:
     """What volume_mesh is asked for, checked.
 
     values    the options; region: the Region around a part, or None
+    shape     what is filled, a Part.Shape or a document object
     division  of the patches; chosen: indices of the faces that are walls, None: all
     """
 
@@ -186,16 +201,16 @@ class _Asked:
             self.region = region_around(shape, far_field, symmetry, values["far_edge"])
             self.division = self.region.division(shape, patches, patch_rest)
             self.chosen = _walls_of(shape, walls, self.division) or set(range(self.region.count))
-            self._shape, sizes = self.region.shape, self.region.sizes(values, shape)
+            self.shape, sizes = self.region.shape, self.region.sizes(values, shape)
         else:
             self.region, self.division = None, division_for(shape, patches, patch_rest)
             self.chosen = _walls_of(_one_solid(shape, symmetry, values["far_edge"]), walls, self.division)
-            self._shape, sizes = shape, values
+            self.shape, sizes = shape, values
         self._sizes = {option.name: sizes[option.name] for option in options.volume.SURFACE}
 
     def triangulated(self, **others):
         """The SurfaceMesh of the region."""
-        return triangulate(self._shape, **self._sizes, **others)
+        return triangulate(self.shape, **self._sizes, **others)
 
 
 def _one_solid(shape, symmetry, far_edge):
@@ -284,8 +299,16 @@ def _filled(mesh, surface, values, patches, progress):
     _require_some(surface, layers, heights.sum(), values["named"])
     points, tetrahedra = _inside(layers, values["growth_inside"], part_of(progress, 0.5, 0.95))
     made = _mesh_of(surface, layers, points, tetrahedra, patches)
-    _require_valid(made)
-    made._report = report_of(made, surface, layers, values, heights, float(mesh.report.max_chord_height))
+    made._report = report_of(made, surface, layers, values, heights, float(mesh.report.max_chord_height), _require_valid(made))
+    return made
+
+
+def _with_order(straight, shape, order, progress):
+    """The VolumeMesh of a higher order on the same corners."""
+    found = curved(straight, shape, order, progress)
+    made = VolumeMesh(found.content, straight.prism_layer, straight._patches, straight.patch_types)
+    least = _require_valid(made)
+    made._report = straight.report.of_order(made, found, least)
     return made
 
 
@@ -357,18 +380,26 @@ def _mesh_of(surface, layers, points, tetrahedra, patches):
 
 
 def _require_valid(mesh):
-    """Raises GeometryError unless all elements are proven valid, conform, and have the listed boundary and no other."""
-    for kind, corners in mesh.solid_blocks:
-        wrong = unproven(mesh.nodes, kind, corners)
-        if len(wrong):
-            raise GeometryError(f"{len(wrong)} {kinds.PLURALS[kind]} are not proven valid: give thinner layers, or a finer surface by "
+    """The smallest proven bound of min J / max |J|. Raises GeometryError unless all elements are proven valid, conform, and have the listed
+    boundary and no other.
+    """
+    least = 1.0
+    for block in mesh.blocks:
+        if kinds.DIMENSION[block.kind] < 3:
+            continue
+        bounds = proven_bounds(mesh.nodes, block.kind, block.nodes, block.order)
+        wrong = int((~(bounds > 0.0)).sum())
+        if wrong:
+            raise GeometryError(f"{wrong} {kinds.PLURALS[block.kind]} are not proven valid: give thinner layers, or a finer surface by "
                                 "max_edge")
+        least = min(least, float(bounds.min()))
     conforming, oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
     listed = {len(rows[0]): rows for rows in (mesh.boundary_triangles, mesh.boundary_quadrilaterals) if len(rows)}
     bounds = {len(rows[0]): rows for rows in mesh.boundary() if len(rows)}
     same = set(listed) == set(bounds) and all(_same_sides(listed[count], bounds[count]) for count in listed)
     if not (conforming and oriented and same):
         raise GeometryError("the elements do not conform: give thinner layers, or a finer surface by max_edge")
+    return least
 
 
 def _same_sides(one, other):
