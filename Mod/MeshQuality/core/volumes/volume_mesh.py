@@ -145,7 +145,7 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
     proven valid, and that all conform is checked.
 
     Raises InvalidInput for what is no single solid, for walls that are none of its faces, for a curved face in which layers would
-    end, for layers that are thicker than a gap, and for layers that fit nowhere on a face that walls names, naming it; GeometryError where the inside cannot be filled; TopologyError; Cancelled.
+    end, and for layers that fit nowhere, as they are thicker than a gap, on a face that walls names itself, naming it; GeometryError where the inside cannot be filled; TopologyError; Cancelled.
     """
     options.require_callable(progress)
     asked = _Asked(shape, walls, patches, patch_rest, far_field, symmetry, {
@@ -156,7 +156,7 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
     straight = progress if order == 1 else part_of(progress, 0.0, 0.7)
     mesh = asked.triangulated(progress=part_of(straight, 0.0, 0.3))
     surface = _surface_of(mesh, asked.region, asked.chosen)
-    made = _filled(mesh, surface, {**asked.values, "first_height": first_height, "named": walls is not None},
+    made = _filled(mesh, surface, {**asked.values, "first_height": first_height, "named": asked.named},
                    patches_of(asked.division, surface.face, len(surface.triangles)), straight)
     return made if order == 1 else _with_order(made, convert.shape_of(asked.shape), order, part_of(progress, 0.7, 1.0))
 
@@ -189,6 +189,7 @@ class _Asked:
 
     values    the options; region: the Region around a part, or None
     shape     what is filled, a Part.Shape or a document object
+    named     indices of the faces that are walls by their own names, not by a patch's
     division  of the patches; chosen: indices of the faces that are walls, None: all
     """
 
@@ -200,11 +201,12 @@ class _Asked:
         if far_field is not None:
             self.region = region_around(shape, far_field, symmetry, values["far_edge"])
             self.division = self.region.division(shape, patches, patch_rest)
-            self.chosen = _walls_of(shape, walls, self.division) or set(range(self.region.count))
+            chosen, self.named = _walls_of(shape, walls, self.division)
+            self.chosen = chosen or set(range(self.region.count))
             self.shape, sizes = self.region.shape, self.region.sizes(values, shape)
         else:
             self.region, self.division = None, division_for(shape, patches, patch_rest)
-            self.chosen = _walls_of(_one_solid(shape, symmetry, values["far_edge"]), walls, self.division)
+            self.chosen, self.named = _walls_of(_one_solid(shape, symmetry, values["far_edge"]), walls, self.division)
             self.shape, sizes = shape, values
         self._sizes = {option.name: sizes[option.name] for option in options.volume.SURFACE}
 
@@ -225,12 +227,12 @@ def _one_solid(shape, symmetry, far_edge):
 
 
 def _walls_of(shape, walls, division):
-    """Indices of the faces that are walls; None: all."""
+    """(indices of the faces that are walls, None: all; those of them that are named themselves)."""
     if walls is None:
-        return None
+        return None, set()
     if isinstance(walls, str) or not hasattr(walls, "__iter__"):
         raise InvalidInput(f"walls = {walls!r}: give a list of faces or patches such as ['Face1', 'Face4']")
-    count, found = convert.shape_of(shape).countElement("Face"), set()
+    count, found, named = convert.shape_of(shape).countElement("Face"), set(), set()
     for name in walls:
         index = index_in(shape, str(name))
         if index is None and division is not None and name in division.names:
@@ -242,10 +244,10 @@ def _walls_of(shape, walls, division):
         if index is None or not 0 <= index < count:
             raise InvalidInput(f"walls name {name!r}, which is no face of {convert.label_of(shape)}: it has Face1 to Face{count}"
                                + (f", and the patches {', '.join(division.names)}" if division is not None else ""))
-        found.add(index)
-    if not found:
+        named.add(index)
+    if not found | named:
         raise InvalidInput("walls is an empty list: name the faces that get layers, or leave it out for all")
-    return found
+    return found | named, named
 
 
 def _surface_of(mesh, region, chosen):
@@ -292,14 +294,14 @@ def _filled(mesh, surface, values, patches, progress):
     heights = values["first_height"] * values["growth_rate"] ** np.arange(values["layers"])
     marching = marching_of(surface.points, surface.triangles, surface.is_wall, _plane_normals(surface))
     gap = _gap_of(mesh, part_of(progress, 0.3, 0.4))
-    _require_room(surface, gap, heights.sum())
     layers = layers_of(surface, marching, heights, gap, _checker(progress))
     if layers is None:
         raise GeometryError(Text(flow_phrases.NO_LAYERS))
-    _require_some(surface, layers, heights.sum(), values["named"])
+    gap_of = _widest_gaps(surface, gap)
+    _require_some(surface, layers, gap_of, heights.sum(), values["named"])
     points, tetrahedra = _inside(layers, values["growth_inside"], part_of(progress, 0.5, 0.95))
     made = _mesh_of(surface, layers, points, tetrahedra, patches)
-    made._report = report_of(made, surface, layers, values, heights, float(mesh.report.max_chord_height), _require_valid(made))
+    made._report = report_of(made, surface, layers, values, heights, float(mesh.report.max_chord_height), _require_valid(made), gap_of)
     return made
 
 
@@ -319,22 +321,23 @@ def _checker(progress):
     return check
 
 
-def _require_room(surface, gap, total):
-    """Raises InvalidInput naming a wall face at which layers are too thick for the gap everywhere."""
-    for face in np.unique(surface.face[surface.is_wall]).tolist():
-        widest = gap[surface.face == face].max()
-        if total > widest:
-            raise InvalidInput(Text(flow_phrases.TOO_THICK, face=surface.name_of(face), length=f"{total:.4g} mm", length2=f"{widest:.4g} mm"))
+def _widest_gaps(surface, gap):
+    """{wall face: mm}, the widest gap at a triangle of it."""
+    return {face: float(gap[surface.face == face].max()) for face in np.unique(surface.face[surface.is_wall]).tolist()}
 
 
-def _require_some(surface, layers, total, named):
-    """Raises InvalidInput naming a wall face without any layers: one that was named as a wall, or where all have none. The report names
-    others, such as the blunt trailing edge of a wing.
+def _require_some(surface, layers, gap_of, total, named):
+    """Raises InvalidInput naming a wall face without any layers: one that walls names itself, or where all have none. The report names
+    others, such as the blunt trailing edge of a wing, or a face in a narrow slot.
     """
-    faces = np.unique(surface.face[surface.is_wall]).tolist()
-    bare = [face for face in faces if not layers.share[surface.triangles[surface.face == face]].any()]
-    if bare and (named or len(bare) == len(faces)):
-        raise InvalidInput(Text(flow_phrases.NOWHERE, face=surface.name_of(bare[0]), length=f"{total:.4g} mm"))
+    bare = [face for face in gap_of if not layers.share[surface.triangles[surface.face == face]].any()]
+    refused = bare if len(bare) == len(gap_of) else [face for face in bare if face in named]
+    if not refused:
+        return
+    face = next((face for face in refused if gap_of[face] < total), refused[0])
+    if gap_of[face] < total:
+        raise InvalidInput(Text(flow_phrases.TOO_THICK, face=surface.name_of(face), length=f"{total:.4g} mm", length2=f"{gap_of[face]:.4g} mm"))
+    raise InvalidInput(Text(flow_phrases.NOWHERE, face=surface.name_of(face), length=f"{total:.4g} mm"))
 
 
 def _inside(layers, growth, progress):

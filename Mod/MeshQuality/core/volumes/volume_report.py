@@ -136,11 +136,14 @@ def coverage_of(surface, layers, first_height):
     return tuple(found), float(areas[layers.covered].sum() / whole), float(areas[share >= _FULL].sum() / whole)
 
 
-def report_of(mesh, surface, layers, values, heights, chord_height, least):
-    """The VolumeReport of a VolumeMesh; values are the checked options, least is its min_distortion."""
+def report_of(mesh, surface, layers, values, heights, chord_height, least, gap_of):
+    """The VolumeReport of a VolumeMesh; values are the checked options, least is its min_distortion, gap_of {wall face: its widest gap, mm}."""
     table = table_of_elements(mesh)
     walls, covered, full = coverage_of(surface, layers, values["first_height"])
-    notes = [f"{wall.face} has layers on {wall.covered:.1%} of its area only: elsewhere they would be lower than a fifth of what was asked "
+    total, gaps = heights.sum(), {surface.name_of(face): gap for face, gap in gap_of.items()}
+    notes = [f"{wall.face} has no layers: the gap there is {gaps[wall.face]:.3g} mm at most, and the layers are {total:.3g} mm thick"
+             if not wall.covered and gaps[wall.face] < total else
+             f"{wall.face} has layers on {wall.covered:.1%} of its area only: elsewhere they would be lower than a fifth of what was asked "
              "for, or invalid, or not end in the face beside it" for wall in walls if wall.covered < 1.0]
     notes += _step_note(surface, values, heights[-1])
     notes += [str(values["first_height"])] if isinstance(values["first_height"], FirstHeight) else []
