@@ -292,7 +292,7 @@ def _gap_of(mesh, progress):
 
 def _filled(mesh, surface, values, patches, progress):
     heights = values["first_height"] * values["growth_rate"] ** np.arange(values["layers"])
-    marching = marching_of(surface.points, surface.triangles, surface.is_wall, _plane_normals(surface))
+    marching = marching_of(surface.points, surface.triangles, surface.face, surface.is_wall, _plane_normals(surface))
     gap = _gap_of(mesh, part_of(progress, 0.3, 0.4))
     layers = layers_of(surface, marching, heights, gap, _checker(progress))
     if layers is None:
