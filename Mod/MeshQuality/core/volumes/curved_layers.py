@@ -11,6 +11,8 @@ from ...errors import GeometryError, InvalidInput, TopologyError
 from ..curved import simplex_arrays
 from ..elements import kinds
 from ..elements.assembly import Content
+from ..formats.completion import blended
+from .layers import proven_bounds
 
 
 class Curved(NamedTuple):
@@ -42,9 +44,18 @@ def curved(mesh, shape, order, progress):
                             "give order=1, or repair the part") from error
     of_kind = {kind: nodes.reshape(len(entity), -1) for kind, nodes, entity, _, _ in found["blocks"]}
     blocks = tuple(block._replace(order=order, nodes=_rows_of(block, of_kind[block.kind])) for block in mesh.blocks)
-    content = Content(found["nodes"].reshape(-1, 3), blocks, mesh.group_members, ())
-    report = found["report"]
+    nodes, report = found["nodes"].reshape(-1, 3), found["report"]
+    content = Content(_without_middles(nodes, blocks) if order == 2 else nodes, blocks, mesh.group_members, ())
     return Curved(content, report.volume, report.max_deviation, _named(mesh, report.straightened))
+
+
+def _without_middles(nodes, blocks):
+    """float64 (N, 3): nodes for which programs without nodes amid quadrilaterals have the same elements; those given where not all elements
+    would be valid so.
+    """
+    solids = [block for block in blocks if kinds.DIMENSION[block.kind] == 3]
+    found = blended(nodes, [(block.kind, block.nodes) for block in solids])
+    return found if all((proven_bounds(found, block.kind, block.nodes, 2) > 0.0).all() for block in solids) else nodes
 
 
 def _rows_of(block, curved_rows):

@@ -12,6 +12,7 @@ from ...listing import Public
 from ...phrases import Text
 from ..elements import conformity, kinds
 from ..elements.assembly import Content, ElementBlock
+from ..formats.completion import blended
 from ..inspect.thickness import thickness
 from ..meshes.element_mesh import ElementMesh
 from ..meshes.writing import checked_scale
@@ -403,6 +404,15 @@ def _require_valid(mesh):
     if not (conforming and oriented and same):
         raise GeometryError("the elements do not conform: give thinner layers, or a finer surface by max_edge")
     return least
+
+
+def valid_without_middles(mesh):
+    """Whether all elements of a VolumeMesh of order 1 or 2 are also valid in programs that have no nodes amid quadrilaterals."""
+    solids = [(block.kind, block.nodes) for block in mesh.blocks if kinds.DIMENSION[block.kind] == 3]
+    if mesh.order == 1:
+        return True
+    nodes = blended(mesh.nodes, solids)
+    return np.array_equal(nodes, mesh.nodes) or all((proven_bounds(nodes, kind, rows, mesh.order) > 0.0).all() for kind, rows in solids)
 
 
 def _same_sides(one, other):
