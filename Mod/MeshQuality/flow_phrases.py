@@ -17,6 +17,9 @@ ON_WALL = "{face} {number} %"
 NOT_COVERED = ("layers do not cover all of 1 wall: {list}", "layers do not cover all of {count} walls: {list}")
 CELLS = ("1 cell", "{count} cells")
 NON_ORTHOGONAL = "non-orthogonality up to {number}°"
+FOAM_ORDER = "cases of OpenFOAM hold elements with straight sides, not of order {count}: make the mesh with order=1"
+NEEDS_MIDDLES = "some elements are valid only with nodes amid their quadrilaterals, which FreeCAD's FEM meshes do not have: give a finer surface " \
+                "by max_edge, or order 1"
 NEEDS_NUMBERS = "The first height for a y+ needs a speed and a length above 0"
 TEXTS = (NO_WALL, WALL_ELSEWHERE, WALL_LOST, COVERED, ON_WALL, *NOT_COVERED, *CELLS, NON_ORTHOGONAL, NEEDS_NUMBERS,
-         ONE_SOLID, NOT_PLANE, TOO_THICK, NOWHERE, NO_LAYERS, OPEN_REGION)
+         ONE_SOLID, NOT_PLANE, TOO_THICK, NOWHERE, NO_LAYERS, OPEN_REGION, FOAM_ORDER, NEEDS_MIDDLES)

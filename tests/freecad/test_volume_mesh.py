@@ -190,6 +190,19 @@ class VolumeMeshes(helpers.DocumentTest):
         with self.assertRaisesRegex(mq.InvalidInput, f"{blunt}: nowhere on it do layers"):
             mq.volume_mesh(region, **given, walls=[f"Face{i}" for i in range(1, 7)])
 
+    def test_a_face_in_a_gap_thinner_than_the_layers_is_named_and_the_others_get_theirs(self):
+        region = Part.makeBox(20, 8, 6).cut(Part.makeBox(6, 8, 5.98, Vector(7, 0, 0)))
+        narrow = next(f"Face{i}" for i, face in enumerate(region.Faces, 1) if abs(face.CenterOfMass.z - 5.98) < 1e-6)
+        given = {"layers": 3, "first_height": 0.1, "max_edge": 2.0}
+        for more in ({}, {"patches": {"slot": [narrow]}, "patch_rest": "others", "walls": ["slot", "others"]}):
+            mesh = mq.volume_mesh(region, **given, **more)
+            self.assert_sound(mesh)
+            self.assertEqual({wall.face: wall for wall in mesh.report.walls}[narrow].covered, 0.0)
+            self.assertTrue(any(note.startswith(f"{narrow} has no layers: the gap there is 0.02 mm at most") for note in mesh.report.notes))
+            self.assertGreater(mesh.report.covered, 0.7)
+        with self.assertRaisesRegex(mq.InvalidInput, f"{narrow}: the layers are .* mm thick, but the gap there is 0.02 mm"):
+            mq.volume_mesh(region, **given, walls=[narrow])
+
     def test_cancelling(self):
         with self.assertRaises(mq.Cancelled):
             mq.volume_mesh(Part.makeBox(10, 8, 6), 3, 0.05, progress=lambda fraction, stage: fraction < 0.42)

@@ -17,7 +17,7 @@ from ..core.sources import convert, frames
 from ..core.volumes import volume_mesh as volumes
 from ..core.volumes.far_field import FAR_NAMES
 from ..core.volumes.volume_report import percent
-from ..errors import InvalidInput
+from ..errors import GeometryError, InvalidInput
 from . import fem_groups, fem_mesh, mesh_object, properties, transactions
 from .chosen_faces import ChosenFaces, Said
 from .gui_hooks import window
@@ -37,13 +37,15 @@ _MEASURED = (
     ("MaxSkewness", "App::PropertyFloat", "Largest skewness of a face, as OpenFOAM measures it", "max_skewness"),
     ("MaxDeviation", "App::PropertyLength", "Max. deviation of the surface from the part", "chord_height"),
     ("MeshVolume", "App::PropertyVolume", "Volume of the mesh", "volume"),
+    ("MinDistortion", "App::PropertyFloat", "Smallest min J / max |J| of an element, proven", "min_distortion"),
+    ("Straightened", "App::PropertyStringList", "Elements that bend less than the part, or not at all, to be valid", "straightened"),
     properties.NOTES,
 )
 _WALL_FACES = ("WallFaces", "App::PropertyString", "What the faces of the source were like when the walls were last right")
 _GROUPS = ("GivenGroups", "App::PropertyStringList", "Groups of the mesh that are of no face of the part: the fluid and the far field")
 _PYRAMIDS = ("Pyramids", "App::PropertyIntegerList", "Numbers of the nodes of pyramids, which FreeCAD's files do not hold")
 _SAID = Said(flow_phrases.WALL_LOST, flow_phrases.WALL_ELSEWHERE, flow_phrases.NO_WALL)
-_PYRAMID = 5  # nodes
+_PYRAMIDS_OF = {1: 5, 2: 13}  # nodes, by order
 _NAMED = 8  # walls that a sentence names
 
 
@@ -74,6 +76,8 @@ class FlowMeshObject(fem_mesh.FemMeshObject):
     def compute(cls, shape, values, progress, walls):
         """The fem_mesh.Result."""
         mesh = volumes.volume_mesh(shape, **arguments_of(values), progress=progress)
+        if not volumes.valid_without_middles(mesh):
+            raise GeometryError(phrases.Text(flow_phrases.NEEDS_MIDDLES))
         return fem_mesh.Result(fem.elements_of_mesh(mesh), _Proof(mesh, walls))
 
     def require_patch_names(self, names):
@@ -87,7 +91,7 @@ class FlowMeshObject(fem_mesh.FemMeshObject):
         """As in the base class; which groups are none of the part's faces has to be known before patches become groups."""
         obj.GivenGroups = [name for name, _, _ in result.elements.groups if not fem_groups.is_of_shape(name)]
         obj.Pyramids = [node for kind, _, rows in result.elements.blocks if kind == "Volume" for nodes in rows
-                        if len(nodes) == _PYRAMID for node in nodes]
+                        if len(nodes) in _PYRAMIDS_OF.values() for node in nodes]
         return super().take(obj, result)
 
     def told(self, obj):
@@ -101,11 +105,11 @@ class FlowMeshObject(fem_mesh.FemMeshObject):
     def onDocumentRestored(self, obj):
         """As in the base class; the mesh gets its pyramids back."""
         super().onDocumentRestored(obj)
-        missing = obj.Elements - obj.FemMesh.VolumeCount
-        if not missing or missing * _PYRAMID != len(obj.Pyramids):
+        missing, width = obj.Elements - obj.FemMesh.VolumeCount, _PYRAMIDS_OF.get(obj.Order)
+        if not missing or missing * width != len(obj.Pyramids):
             return
         mesh = obj.FemMesh.copy()
-        numbers = [mesh.addVolume(list(obj.Pyramids[i:i + _PYRAMID])) for i in range(0, len(obj.Pyramids), _PYRAMID)]
+        numbers = [mesh.addVolume(list(obj.Pyramids[i:i + width])) for i in range(0, len(obj.Pyramids), width)]
         group = next(group for group in mesh.Groups if mesh.getGroupElementType(group) == "Volume")
         mesh.addGroupElements(group, numbers)
         obj.FemMesh = mesh
@@ -151,9 +155,9 @@ def _findings_of(mesh):
 def _largest_bare(mesh, names):
     """The corners of the largest triangle on walls of these names that no prism stands on; () where none is known."""
     bottoms = set(map(tuple, np.sort(mesh.prisms[mesh.prism_layer == 0][:, :3], axis=1).tolist()))
-    free = np.array([tuple(key) not in bottoms for key in np.sort(mesh.boundary_triangles, axis=1).tolist()], dtype=bool)
+    free = np.array([tuple(key) not in bottoms for key in np.sort(mesh.sides[0], axis=1).tolist()], dtype=bool)
     walls = [int(name[4:]) - 1 for name in names if fem_groups.is_of_shape(name)]
-    corners = mesh.nodes[mesh.boundary_triangles[free & np.isin(mesh.triangle_face, walls)]]
+    corners = mesh.nodes[mesh.sides[0][free & np.isin(mesh.triangle_face, walls)]]
     if not len(corners):
         return ()
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
@@ -230,7 +234,7 @@ def add_flow_mesh(source, layers, first_height, patches=None, patch_rest=None, *
     layers        how many layers of prisms; first_height: mm, of the one on the wall
     patches, patch_rest
                   as for set_patches
-    values        growth_rate, walls, min_angle, chord_height, chord_height_relative, max_edge and local_sizes as for volume_mesh, walls as
+    values        growth_rate, order (1 or 2), walls, min_angle, chord_height, chord_height_relative, max_edge and local_sizes as for volume_mesh, walls as
                   names of faces; far_field: "none" (the part is the fluid), "box" or "sphere", far_distance: as many sizes of the part
                   away from it; symmetry: "none", "x>", "x<", ... "z<", the side of the fluid, symmetry_at: mm; far_edge and growth_inside as there
 

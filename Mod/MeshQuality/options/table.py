@@ -537,9 +537,10 @@ def bound_of(values):
 
 def hashed(values):
     """JSON text of checked values, for fingerprints, as older versions wrote it; options that they did not have only where used."""
-    unused = ("size_field", "metric", "max_stretching") if values.get("metric") == "none" else ("size_field",)
-    return json.dumps({name: None if value == NO_BOUND else value for name, value in _by_aliases(values).items()
-                       if name not in unused or name == "size_field" and value is not None}, sort_keys=True)
+    newer = {"size_field": None, **({"metric": "none"} if values.get("metric") == "none" else {}), **({"order": 1} if "layers" in values else {})}
+    unused = {name for name, usual in newer.items() if values.get(name, usual) == usual} | ({"max_stretching"} if "metric" in newer else set())
+    return json.dumps({name: None if value == NO_BOUND else value for name, value in _by_aliases(values).items() if name not in unused},
+                      sort_keys=True)
 
 
 def to_property(option, value):

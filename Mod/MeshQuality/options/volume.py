@@ -18,10 +18,12 @@ _LAYERS = (
 )
 _INSIDE = Option("growth_inside", float, 0.3, low=0.02, high=2.0, above=False, group="Size", title="Growth inside",
                  help="By how much longer edges of tetrahedra get for each length of distance from the walls: 0.1 is slow, 0.8 is fast")
+_ORDER = Option("order", int, 1, low=1, high=4, above=False, title="Element order", group="Layers",
+                help="1: straight sides; from 2 on layers follow the CAD")
 _FAR_EDGE = Option("far_edge", float, None, unit="mm", low=0.0, group="Far field", title="Edges far away",
                    unset="by distance", help="Longest edges of triangles on the far field; unless given, a fifth of its distance")
 
-VOLUME = (*_LAYERS, _FAR_EDGE, *SURFACE, _INSIDE)
+VOLUME = (*_LAYERS, _ORDER, _FAR_EDGE, *SURFACE, _INSIDE)
 
 NONE, FAR_FIELDS, HALVES = "none", ("box", "sphere"), ("x>", "x<", "y>", "y<", "z>", "z<")
 _AROUND = ("far_field", FAR_FIELDS)
@@ -29,6 +31,7 @@ _AROUND = ("far_field", FAR_FIELDS)
 # Of document objects, where each number is a property.
 FLOW = (
     *_LAYERS,
+    replace(_ORDER, high=2),  # FreeCAD's FEM meshes have no higher one
     Option("walls", list, None, group="Layers", title="Walls", unset="all faces",
            help="Faces of the part that get layers; none named: all. Layers end in the faces beside them, which must be planes"),
     Option("far_field", str, NONE, choices=(NONE, *FAR_FIELDS), group="Far field", title="Flow",

@@ -9,7 +9,7 @@ from ... import options
 from ...compat import extension
 from ...errors import GeometryError, InvalidInput, TopologyError
 from ...listing import Public
-from ..elements import bodies, conformity, kinds
+from ..elements import bodies, conformity, cut_surface, kinds
 from ..fem import fem_places
 from ..meshes.element_mesh import ElementMesh
 from ..meshes.writing import checked_scale
@@ -20,7 +20,6 @@ _VALID, _FOLDED, _INVERTED, _NOT_PROVEN = range(4)  # verdicts of the core
 _WORDS = {_FOLDED: "folded", _INVERTED: "numbered the wrong way round", _NOT_PROVEN: "not proven valid"}
 _LEFT_OUT = 3.0  # times the deviation of the mesh from the CAD: the mesh misses a place of the CAD at this distance
 _UNKNOWN = 1e-3  # assumed distance of the mesh where it was not measured, a share of the shape's diagonal
-_ON_CAD = 5  # highest order of triangles that are measured against a shape
 
 
 class MeshCertificate(metaclass=Public):
@@ -51,7 +50,8 @@ class MeshCertificate(metaclass=Public):
                       pairs of curved triangles and quadrilaterals of the surface that are proven to cross, equation (2)
     not_proven_apart  pairs that are neither proven to cross nor not to, such as those of bodies that touch
     not_on_shape      why the surface is not on the shape; None where it is, or was not compared
-    triangle_face     int32 (F,), the CAD face of each triangle of the surface, as mesh.boundary() has them; likewise
+    triangle_face     int32 (F,), the CAD face of each triangle of the surface, as mesh.boundary() has them, then of the halves of its
+                      quadrilaterals; likewise
     triangle_deviation
                       float64 (F,), mm, the largest distance of each
     notes             sentences about the mesh that a user should know
@@ -165,12 +165,11 @@ def certify(mesh, shape=None, progress=None, mesh_scale=1.0):
     if mesh.dimension == 3:
         _find_overlaps(mesh, found, progress)
     _find_crossings(mesh.nodes, sides_of_surface(mesh), found, progress)
-    order, surface = triangles_of_surface(mesh)
     if shape is not None:
-        shape = fem_places.shape_at(source, mesh, shape)
-        _measure(mesh, order, surface, shape, found, progress)
-        if surface is not None:
-            _measure_from_cad(mesh, order, surface, shape, found, progress)
+        shape, surface = fem_places.shape_at(source, mesh, shape), cut_surface.triangles_of_surface(mesh)
+        _measure(mesh, surface, shape, found, progress)
+        if surface[-1] is not None:
+            _measure_from_cad(mesh, surface, shape, found, progress)
     return found
 
 
@@ -206,13 +205,6 @@ def _prove(mesh, found, progress):
             x, y, z = mesh.nodes[block.nodes[i]].mean(axis=0)
             found.invalid_elements.append(f"{block.kind} {i} {_WORDS[verdict[i]]} at ({x:.4g}, {y:.4g}, {z:.4g}) mm")
     found.distortion = tuple(parts)
-
-
-def triangles_of_surface(mesh):
-    """(order, int32 (F, n)) of a surface that is of triangles of one order, up to 5; else (None, None)."""
-    surface = mesh.boundary()
-    order = kinds.order_of("triangle", surface[0].shape[1]) if len(surface) == 1 else None
-    return (None, None) if order is None or order > _ON_CAD else (order, surface[0])
 
 
 def sides_of_surface(mesh):
@@ -268,16 +260,17 @@ def _find_overlaps(mesh, found, progress):
         found.notes.append(f"{said} ({x:.4g}, {y:.4g}, {z:.4g}) mm")
 
 
-def _measure(mesh, order, surface, shape, found, progress):
-    """Against the shape, where the surface is one of triangles of one order."""
-    if surface is None:
+def _measure(mesh, surface, shape, found, progress):
+    """Against the shape, where there are cut_surface.triangles_of_surface."""
+    order, nodes, rows = surface
+    if rows is None:
         found.notes.append("the surface was not measured against the shape: it is not of triangles of one order")
         return
     if is_between_solids(mesh):
         found.notes.append("the surface was not measured against the shape: there are triangles between solids of the mesh")
         return
     try:
-        face, quality, deviation = extension().measure_given_surface(mesh.nodes, order, surface, shape, progress)
+        face, quality, deviation = extension().measure_given_surface(nodes, order, rows, shape, progress)
     except (InvalidInput, TopologyError, GeometryError) as error:
         found.not_on_shape = str(error)
         found.notes.append(f"the surface was not measured against the shape: {error}")
@@ -309,12 +302,13 @@ def _follow_cad(found, quality):
                        f"follow{'' if many else 's'} the CAD face: valid")
 
 
-def _measure_from_cad(mesh, order, surface, shape, found, progress):
+def _measure_from_cad(mesh, surface, shape, found, progress):
     """Measures the distances of the CAD from the mesh; triangles listed between bodies count, too."""
+    order, nodes, rows = surface
     listed = [block.nodes for block in mesh.blocks if block.kind == "triangle" and block.order == order]
-    rows = np.concatenate([surface, *listed]) if mesh.dimension == 3 else surface
+    rows = np.concatenate([rows, *listed]) if mesh.dimension == 3 else rows
     try:
-        by_face, farthest, spacing, *found._grids = extension().cad_distances(mesh.nodes, order, rows, shape, progress)
+        by_face, farthest, spacing, *found._grids = extension().cad_distances(nodes, order, rows, shape, progress)
     except (InvalidInput, TopologyError, GeometryError) as error:
         found.notes.append(f"the shape was not measured against the mesh: {error}")
         return

@@ -17,10 +17,7 @@ def completed(points, volumes):
         full = kinds.count_of(kind, order)
         found.append(np.concatenate([nodes, np.zeros((len(nodes), full - count), dtype=np.int64)], axis=1))
         for face in (face for face in kinds.FACES[kind] if len(face) == 4 and full > count):
-            middle, around = _middle_of(kind, face, full), list(face)
-            edges = kinds.matching(kind, count, kinds.places(kind, count)[[*zip(face, (*face[1:], face[0]))]].mean(axis=1))
-            place = points[nodes[:, edges]].sum(axis=1) / 2 - points[nodes[:, around]].sum(axis=1) / 4
-            faces.append((len(found) - 1, middle, np.sort(nodes[:, around], axis=1), place))
+            faces.append((len(found) - 1, _middle_of(kind, face, full), np.sort(nodes[:, list(face)], axis=1), _amid(points, kind, nodes, face)))
     last = len(points)
     if faces:
         _, first, number = np.unique(np.concatenate([part[2] for part in faces]), axis=0, return_index=True, return_inverse=True)
@@ -36,6 +33,24 @@ def completed(points, volumes):
             whole[:, -1] = last + np.arange(len(nodes))
             last += len(nodes)
     return np.concatenate(parts), [(kind, whole) for (kind, _), whole in zip(volumes, found)]
+
+
+def blended(points, volumes):
+    """float64 (N, 3): points of whole elements of order 2, of which those amid quadrilaterals, which nodes on the edges leave free, are where
+    elements without such nodes have them.
+    """
+    found = points.copy()
+    for kind, nodes in volumes:
+        for face in (face for face in kinds.FACES[kind] if len(face) == 4):
+            found[nodes[:, _middle_of(kind, face, nodes.shape[1])]] = _amid(points, kind, nodes, face)
+    return found
+
+
+def _amid(points, kind, nodes, face):
+    """float64 (E, 3): where the edges of a quadrilateral put its middle."""
+    count = kinds.serendipity_count(kind, nodes.shape[1])
+    edges = kinds.matching(kind, count, kinds.places(kind, count)[[*zip(face, (*face[1:], face[0]))]].mean(axis=1))
+    return points[nodes[:, edges]].sum(axis=1) / 2 - points[nodes[:, list(face)]].sum(axis=1) / 4
 
 
 def _middle_of(kind, face, full):

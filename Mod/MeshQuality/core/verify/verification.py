@@ -9,9 +9,10 @@ from ... import options
 from ...errors import Cancelled, IoError
 from ...listing import Public
 from ..certify import saved_certificate
-from ..certify.certification import is_between_solids, sides_of_surface, triangles_of_surface
+from ..certify.certification import is_between_solids, sides_of_surface
 from ..certify.saved_certificate import CLAIMS
 from ..elements import bodies, hanging, kinds
+from ..elements.cut_surface import triangles_of_surface
 from ..meshes.element_mesh import ElementMesh
 from ..sources import convert
 from . import crossing_verifier, distance_verifier, verifier
@@ -78,10 +79,9 @@ def verify(certificate, mesh=None, progress=None):
     _check_sums(content, found)
     found.faults += [f"the certificate does not say {name}: certify the mesh again" for name in saved_certificate.missing(content)]
     _check_conformity(mesh, [block for block, checked in blocks if checked], content["proven"], found)
-    order, surface = triangles_of_surface(mesh)
     _check_overlaps(mesh, content, found)
     _check_crossings(mesh.nodes, sides_of_surface(mesh), content, found, progress)
-    _check_distances(mesh, order, surface, cad, content, found, progress)
+    _check_distances(mesh, cad, content, found, progress)
     return found
 
 
@@ -160,7 +160,8 @@ def _check_crossings(nodes, sides, content, found, progress):
         found.notes.append(f"{len(open_ones):,} pairs of {word} that the certificate leaves open were not looked at")
 
 
-def _check_distances(mesh, order, surface, cad, content, found, progress):
+def _check_distances(mesh, cad, content, found, progress):
+    order, nodes, surface = triangles_of_surface(mesh)
     proven, said = content["proven"], content.get("surface", {})
     claims = [name for name in ("max_deviation", "cad_deviation") if proven.get(name) is not None]
     if said.get("turning") and (cad is None or "max_deviation" not in claims or surface is None
@@ -188,16 +189,16 @@ def _check_distances(mesh, order, surface, cad, content, found, progress):
         return
     shape = _shape_in(cad)
     if "max_deviation" in claims:
-        found.faults += distance_verifier.faults_of(shape, mesh.nodes, surface, said, proven, progress)
+        found.faults += distance_verifier.faults_of(shape, nodes, surface, said, proven, progress)
     if proven["not_on_shape"] is not None and proven["max_deviation"] is None:
-        far, nothing = distance_verifier.largest(shape, mesh.nodes, surface, progress)
+        far, nothing = distance_verifier.largest(shape, nodes, surface, progress)
         if far <= nothing:
             found.faults.append(f"the certificate says not_on_shape = {proven['not_on_shape']!r}, which cannot be shown: no point of the "
                                 f"surface was found more than {nothing:.3g} mm from the shape")
     if "cad_deviation" in claims:
         listed = [block.nodes for block in mesh.blocks if block.kind == "triangle" and block.order == order]
         rows = np.concatenate([surface, *listed]) if mesh.dimension == 3 else surface
-        found.faults += distance_verifier.cad_faults(shape, mesh.nodes, rows, said, proven)
+        found.faults += distance_verifier.cad_faults(shape, nodes, rows, said, proven)
 
 
 def _faults_of_not_measured(mesh, surface, proven):

@@ -173,12 +173,17 @@ def _rims(surface, alive, point_at):
     return found
 
 
-def unproven(points, kind, elements):
-    """Indices of elements that are not proven valid."""
+def proven_bounds(points, kind, elements, order=1):
+    """float64 (E,): lower bounds of min J / max |J|; 0 of elements that are not proven valid."""
     if not len(elements):
-        return np.zeros(0, dtype=np.int64)
-    low, _, verdict = extension().check_elements(kind, 1, points, elements.astype(np.int32))
-    return np.flatnonzero((np.asarray(verdict) != 0) | ~(np.asarray(low) > 0.0))
+        return np.zeros(0)
+    low, _, verdict = extension().check_elements(kind, order, points, elements.astype(np.int32))
+    return np.where(np.asarray(verdict) == 0, np.maximum(low, 0.0), 0.0)
+
+
+def _unproven(points, kind, elements):
+    """Indices of elements that are not proven valid."""
+    return np.flatnonzero(~(proven_bounds(points, kind, elements) > 0.0))
 
 
 def _bad_vertices(surface, made):
@@ -187,7 +192,7 @@ def _bad_vertices(surface, made):
     """
     found = []
     for kind, elements in (("prism", made.prisms), ("pyramid", made.pyramids), ("tetrahedron", made.tetrahedra)):
-        found.append(elements[unproven(made.points, kind, elements)].ravel())
+        found.append(elements[_unproven(made.points, kind, elements)].ravel())
     before, after = _area_vectors(surface.points, surface.triangles), _area_vectors(made.points, made.inner)
     kept = np.einsum("ti,ti->t", before, after) / np.einsum("ti,ti->t", before, before)
     found.append(surface.triangles[kept < _LEAST_SHRINK].ravel())

@@ -52,9 +52,10 @@ class Marching:
         return moved
 
 
-def marching_of(points, triangles, is_wall, plane_normal):
+def marching_of(points, triangles, face, is_wall, plane_normal):
     """The Marching of a closed surface.
 
+    face          int (T,), the CAD face of each triangle
     is_wall       bool (T,)
     plane_normal  float64 (T, 3): the unit normal of the plane that a triangle without layers lies in; not a number: it lies in
                   none, and its vertices stay
@@ -63,7 +64,7 @@ def marching_of(points, triangles, is_wall, plane_normal):
     a, b, c = points[triangles].transpose(1, 0, 2)
     inward = -np.cross(b - a, c - a)
     inward /= np.linalg.norm(inward, axis=1)[:, None]
-    planes = _free_of(count, triangles[~is_wall], plane_normal[~is_wall], _SAME_PLANE)
+    planes = _free_of(count, triangles[~is_wall], plane_normal[~is_wall], _SAME_PLANE, _seams(points, triangles, face, plane_normal))
     uses, offsets = _uses_of(count, triangles[is_wall])
     normals = np.repeat(inward[is_wall], 3, axis=0)[uses]
     owner = np.repeat(np.arange(count), np.diff(offsets))
@@ -85,9 +86,7 @@ def marching_of(points, triangles, is_wall, plane_normal):
 
 def _without_end(points, triangles, is_wall, inward):
     """bool (V,): ends of edges at which a wall meets a face without layers, but layers on the wall would not lie in that face."""
-    directed = np.concatenate([triangles[:, [i, (i + 1) % 3, (i + 2) % 3]] for i in range(3)])
-    order = np.lexsort(np.sort(directed[:, :2], axis=1).T)
-    one, other = np.concatenate([order[0::2], order[1::2]]), np.concatenate([order[1::2], order[0::2]])
+    directed, one, other = _beside(triangles)
     count = len(triangles)
     at_end = is_wall[one % count] & ~is_wall[other % count]
     one, other = one[at_end], other[at_end]
@@ -100,19 +99,44 @@ def _without_end(points, triangles, is_wall, inward):
     return found
 
 
+def _beside(triangles):
+    """(edges of all triangles with the corner opposite, int (3T, 3); rows of these, and the rows of the same edges in the triangles beside
+    them). Row i is of triangle i % T.
+    """
+    directed = np.concatenate([triangles[:, [i, (i + 1) % 3, (i + 2) % 3]] for i in range(3)])
+    order = np.lexsort(np.sort(directed[:, :2], axis=1).T)
+    return directed, np.concatenate([order[0::2], order[1::2]]), np.concatenate([order[1::2], order[0::2]])
+
+
+def _seams(points, triangles, face, plane_normal):
+    """(ends of edges between two faces without layers, int (E, 2); unit vectors across these edges in the first face's plane). Where both lie in
+    one plane nothing else keeps their vertices on the edge, as the mesh of a patch needs.
+    """
+    directed, one, other = _beside(triangles)
+    count = len(triangles)
+    here, there = one % count, other % count
+    known = np.isfinite(plane_normal[here]).all(axis=1) & np.isfinite(plane_normal[there]).all(axis=1) & (face[here] < face[there])
+    ends = directed[one[known], :2]
+    across = np.cross(points[ends[:, 1]] - points[ends[:, 0]], plane_normal[here[known]])
+    return ends, across / np.linalg.norm(across, axis=1)[:, None]
+
+
 def _uses_of(count, triangles):
     """Rows of corners of triangles, sorted by vertex, and where those of each vertex begin."""
     order = np.argsort(triangles.ravel(), kind="stable")
     return order, np.concatenate([[0], np.cumsum(np.bincount(triangles.ravel(), minlength=count))])
 
 
-def _free_of(count, triangles, normals, tolerance):
-    """Projectors (V, 3, 3) onto what all planes of a vertex have in common; zero where one of its triangles lies in no plane."""
+def _free_of(count, triangles, normals, tolerance, seams):
+    """Projectors (V, 3, 3) onto what all planes and _seams of a vertex have in common; zero where one of its triangles lies in no plane."""
     spread, bent = np.zeros((count, 3, 3)), np.zeros(count, dtype=bool)
     known = np.isfinite(normals).all(axis=1)
     bent[triangles[~known]] = True
     for k in range(3):
         np.add.at(spread, triangles[known, k], normals[known, :, None] * normals[known, None, :])
+    ends, across = seams
+    for k in range(2):
+        np.add.at(spread, ends[:, k], across[:, :, None] * across[:, None, :])
     found = _kernels(spread, tolerance)
     found[bent] = 0.0
     return found

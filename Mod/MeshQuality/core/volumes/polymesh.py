@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 
-from ... import phrases
+from ... import flow_phrases, phrases
 from ...errors import InvalidInput, IoError
 from ...phrases import Text
 from ..elements.neighbours import rings_of
@@ -19,6 +19,8 @@ def write_case(mesh, folder, scale, types, binary):
     """Writes a VolumeMesh as a case of OpenFOAM: constant/polyMesh, and the dictionaries in system without which its programs do
     not start. See VolumeMesh.write.
     """
+    if mesh.order > 1:
+        raise InvalidInput(Text(flow_phrases.FOAM_ORDER, count=str(mesh.order)))
     names = mesh.patch_names
     wrong = next((name for name in names if not _NAME.fullmatch(name)), None)
     if wrong is not None:

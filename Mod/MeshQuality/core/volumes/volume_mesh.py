@@ -12,6 +12,7 @@ from ...listing import Public
 from ...phrases import Text
 from ..elements import conformity, kinds
 from ..elements.assembly import Content, ElementBlock
+from ..formats.completion import blended
 from ..inspect.thickness import thickness
 from ..meshes.element_mesh import ElementMesh
 from ..meshes.writing import checked_scale
@@ -20,8 +21,9 @@ from ..patches.patches import division_for, index_in, patches_of
 from ..sources import convert
 from ..triangulation import triangulate
 from . import polymesh
+from .curved_layers import curved
 from .far_field import SYMMETRY, region_around
-from .layers import Surface, layers_of, unproven
+from .layers import Surface, layers_of, proven_bounds
 from .marching import marching_of
 from .volume_report import report_of
 
@@ -36,11 +38,12 @@ class VolumeMesh(ElementMesh, metaclass=Public):
     """An ElementMesh that volume_mesh made: prisms in layers on the walls, tetrahedra inside, pyramids and tetrahedra between, where
     layers end. All elements are proven valid, and conform.
 
+    order        of all elements
     prisms, pyramids, tetrahedra
-                 int32 (E, 6), (E, 5), (E, 4): rows of nodes in Gmsh's order
+                 int32 (E, 6), (E, 5), (E, 4): rows of nodes in Gmsh's order; more of a higher order
     prism_layer  int32 (P,), the layer of each prism; 0 is on the wall
     boundary_triangles, boundary_quadrilaterals
-                 int32 (F, 3), (F, 4): the faces of the boundary, outward
+                 int32 (F, 3), (F, 4): the faces of the boundary, outward; likewise
     triangle_face, quadrilateral_face
                  int32 (F,): they lie on shape.Faces[...]
     patch_names  of the boundary; groups of the mesh, as is the region "fluid"
@@ -55,6 +58,7 @@ class VolumeMesh(ElementMesh, metaclass=Public):
         self.prism_layer, self._patches, self.patch_types, self._report = prism_layer, patches, patch_types, None
 
     report = property(lambda self: self._report, doc="VolumeReport")
+    order = property(lambda self: self.blocks[0].order, doc="of all elements")
     patch_names = property(lambda self: self._patches.names, doc="tuple of names")
     prisms = property(lambda self: self._rows("prism"), doc="int32 (E, 6)")
     pyramids = property(lambda self: self._rows("pyramid"), doc="int32 (E, 5)")
@@ -65,7 +69,8 @@ class VolumeMesh(ElementMesh, metaclass=Public):
     quadrilateral_face = property(lambda self: self._faces("quadrilateral"), doc="int32 (F,)")
 
     def _rows(self, kind):
-        return next((block.nodes for block in self.blocks if block.kind == kind), np.zeros((0, kinds.CORNERS[kind]), dtype=np.int32))
+        return next((block.nodes for block in self.blocks if block.kind == kind),
+                    np.zeros((0, kinds.count_of(kind, self.order)), dtype=np.int32))
 
     def _faces(self, kind):
         return next((block.geometry for block in self.blocks if block.kind == kind), np.zeros(0, dtype=np.int32))
@@ -73,12 +78,17 @@ class VolumeMesh(ElementMesh, metaclass=Public):
     @property
     def solid_blocks(self):
         """[(kind, int (E, corners)), ...] of the volume elements, in the order of the blocks."""
-        return [(block.kind, block.nodes) for block in self.blocks if kinds.DIMENSION[block.kind] == 3]
+        return [(block.kind, block.nodes[:, :kinds.CORNERS[block.kind]]) for block in self.blocks if kinds.DIMENSION[block.kind] == 3]
+
+    @property
+    def sides(self):
+        """(int (F, 3), int (F, 4)): the corners of the faces of the boundary."""
+        return self.boundary_triangles[:, :3], self.boundary_quadrilaterals[:, :4]
 
     def patch_of_faces(self, rings):
         """int (F,): the patches of faces of the boundary, int (F, 4) corners, -1 after the third one of triangles."""
-        sides = np.concatenate([np.pad(self.boundary_triangles, ((0, 0), (0, 1)), constant_values=-1),
-                                self.boundary_quadrilaterals]).astype(np.int64)
+        triangles, quadrilaterals = self.sides
+        sides = np.concatenate([np.pad(triangles, ((0, 0), (0, 1)), constant_values=-1), quadrilaterals]).astype(np.int64)
         faces = np.concatenate([self.triangle_face, self.quadrilateral_face])
         patch_of = dict(zip(np.unique(self.triangle_face).tolist(), self._patch_of_face(np.unique(self.triangle_face))))
         known = {tuple(key): face for key, face in zip(np.sort(sides, axis=1).tolist(), faces.tolist())}
@@ -108,7 +118,7 @@ class VolumeMesh(ElementMesh, metaclass=Public):
 
 def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_angle=25.0, chord_height=None,
                 chord_height_relative=None, max_edge=None, local_sizes=None, patches=None, patch_rest=None, far_field=None,
-                symmetry=None, far_edge=None, growth_inside=0.3, progress=None):
+                symmetry=None, far_edge=None, growth_inside=0.3, order=1, progress=None):
     """Fills a solid, the region of a flow, or the space around a part with layers of prisms on the walls and tetrahedra
     -> VolumeMesh.
 
@@ -126,6 +136,8 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
     symmetry      the half-space of the fluid, "y>0" or "z>-2.5" (mm), in whose plane a box or a sphere ends in the patch symmetry
     far_edge      mm, longest edges of triangles on the far field; None: a fifth of its distance
     growth_inside by how much longer edges of tetrahedra get for each length of distance from the surface that layers leave, 0.02 to 2
+    order         of the elements, 1 to 4; from 2 on layers follow the CAD. Elements that would not be valid so bend less, or stay
+                  straight: report.straightened names them
     progress      callable(fraction 0..1, stage); returning False cancels
 
     Vertices march by the direction from which all of their walls are seen best. Layers get lower than asked for where elements
@@ -134,17 +146,20 @@ def volume_mesh(shape, layers, first_height, growth_rate=1.2, walls=None, min_an
     proven valid, and that all conform is checked.
 
     Raises InvalidInput for what is no single solid, for walls that are none of its faces, for a curved face in which layers would
-    end, for layers that are thicker than a gap, and for layers that fit nowhere on a face that walls names, naming it; GeometryError where the inside cannot be filled; TopologyError; Cancelled.
+    end, and for layers that fit nowhere, as they are thicker than a gap, on a face that walls names itself, naming it; GeometryError where the inside cannot be filled; TopologyError; Cancelled.
     """
     options.require_callable(progress)
     asked = _Asked(shape, walls, patches, patch_rest, far_field, symmetry, {
         "layers": layers, "first_height": first_height, "growth_rate": growth_rate, "min_angle": min_angle,
         "chord_height": chord_height, "chord_height_relative": chord_height_relative, "max_edge": max_edge,
-        "local_sizes": local_sizes, "far_edge": far_edge, "growth_inside": growth_inside})
-    mesh = asked.triangulated(progress=part_of(progress, 0.0, 0.3))
+        "local_sizes": local_sizes, "far_edge": far_edge, "growth_inside": growth_inside, "order": order})
+    order = asked.values["order"]
+    straight = progress if order == 1 else part_of(progress, 0.0, 0.7)
+    mesh = asked.triangulated(progress=part_of(straight, 0.0, 0.3))
     surface = _surface_of(mesh, asked.region, asked.chosen)
-    return _filled(mesh, surface, {**asked.values, "first_height": first_height, "named": walls is not None},
-                   patches_of(asked.division, surface.face, len(surface.triangles)), progress)
+    made = _filled(mesh, surface, {**asked.values, "first_height": first_height, "named": asked.named},
+                   patches_of(asked.division, surface.face, len(surface.triangles)), straight)
+    return made if order == 1 else _with_order(made, convert.shape_of(asked.shape), order, part_of(progress, 0.7, 1.0))
 
 
 def expected_cells(shape, most, progress=None, walls=None, far_field=None, symmetry=None, **values):
@@ -174,6 +189,8 @@ class _Asked:
     """What volume_mesh is asked for, checked.
 
     values    the options; region: the Region around a part, or None
+    shape     what is filled, a Part.Shape or a document object
+    named     indices of the faces that are walls by their own names, not by a patch's
     division  of the patches; chosen: indices of the faces that are walls, None: all
     """
 
@@ -185,17 +202,18 @@ class _Asked:
         if far_field is not None:
             self.region = region_around(shape, far_field, symmetry, values["far_edge"])
             self.division = self.region.division(shape, patches, patch_rest)
-            self.chosen = _walls_of(shape, walls, self.division) or set(range(self.region.count))
-            self._shape, sizes = self.region.shape, self.region.sizes(values, shape)
+            chosen, self.named = _walls_of(shape, walls, self.division)
+            self.chosen = chosen or set(range(self.region.count))
+            self.shape, sizes = self.region.shape, self.region.sizes(values, shape)
         else:
             self.region, self.division = None, division_for(shape, patches, patch_rest)
-            self.chosen = _walls_of(_one_solid(shape, symmetry, values["far_edge"]), walls, self.division)
-            self._shape, sizes = shape, values
+            self.chosen, self.named = _walls_of(_one_solid(shape, symmetry, values["far_edge"]), walls, self.division)
+            self.shape, sizes = shape, values
         self._sizes = {option.name: sizes[option.name] for option in options.volume.SURFACE}
 
     def triangulated(self, **others):
         """The SurfaceMesh of the region."""
-        return triangulate(self._shape, **self._sizes, **others)
+        return triangulate(self.shape, **self._sizes, **others)
 
 
 def _one_solid(shape, symmetry, far_edge):
@@ -210,12 +228,12 @@ def _one_solid(shape, symmetry, far_edge):
 
 
 def _walls_of(shape, walls, division):
-    """Indices of the faces that are walls; None: all."""
+    """(indices of the faces that are walls, None: all; those of them that are named themselves)."""
     if walls is None:
-        return None
+        return None, set()
     if isinstance(walls, str) or not hasattr(walls, "__iter__"):
         raise InvalidInput(f"walls = {walls!r}: give a list of faces or patches such as ['Face1', 'Face4']")
-    count, found = convert.shape_of(shape).countElement("Face"), set()
+    count, found, named = convert.shape_of(shape).countElement("Face"), set(), set()
     for name in walls:
         index = index_in(shape, str(name))
         if index is None and division is not None and name in division.names:
@@ -227,10 +245,10 @@ def _walls_of(shape, walls, division):
         if index is None or not 0 <= index < count:
             raise InvalidInput(f"walls name {name!r}, which is no face of {convert.label_of(shape)}: it has Face1 to Face{count}"
                                + (f", and the patches {', '.join(division.names)}" if division is not None else ""))
-        found.add(index)
-    if not found:
+        named.add(index)
+    if not found | named:
         raise InvalidInput("walls is an empty list: name the faces that get layers, or leave it out for all")
-    return found
+    return found | named, named
 
 
 def _surface_of(mesh, region, chosen):
@@ -275,17 +293,25 @@ def _gap_of(mesh, progress):
 
 def _filled(mesh, surface, values, patches, progress):
     heights = values["first_height"] * values["growth_rate"] ** np.arange(values["layers"])
-    marching = marching_of(surface.points, surface.triangles, surface.is_wall, _plane_normals(surface))
+    marching = marching_of(surface.points, surface.triangles, surface.face, surface.is_wall, _plane_normals(surface))
     gap = _gap_of(mesh, part_of(progress, 0.3, 0.4))
-    _require_room(surface, gap, heights.sum())
     layers = layers_of(surface, marching, heights, gap, _checker(progress))
     if layers is None:
         raise GeometryError(Text(flow_phrases.NO_LAYERS))
-    _require_some(surface, layers, heights.sum(), values["named"])
+    gap_of = _widest_gaps(surface, gap)
+    _require_some(surface, layers, gap_of, heights.sum(), values["named"])
     points, tetrahedra = _inside(layers, values["growth_inside"], part_of(progress, 0.5, 0.95))
     made = _mesh_of(surface, layers, points, tetrahedra, patches)
-    _require_valid(made)
-    made._report = report_of(made, surface, layers, values, heights, float(mesh.report.max_chord_height))
+    made._report = report_of(made, surface, layers, values, heights, float(mesh.report.max_chord_height), _require_valid(made), gap_of)
+    return made
+
+
+def _with_order(straight, shape, order, progress):
+    """The VolumeMesh of a higher order on the same corners."""
+    found = curved(straight, shape, order, progress)
+    made = VolumeMesh(found.content, straight.prism_layer, straight._patches, straight.patch_types)
+    least = _require_valid(made)
+    made._report = straight.report.of_order(made, found, least)
     return made
 
 
@@ -296,22 +322,23 @@ def _checker(progress):
     return check
 
 
-def _require_room(surface, gap, total):
-    """Raises InvalidInput naming a wall face at which layers are too thick for the gap everywhere."""
-    for face in np.unique(surface.face[surface.is_wall]).tolist():
-        widest = gap[surface.face == face].max()
-        if total > widest:
-            raise InvalidInput(Text(flow_phrases.TOO_THICK, face=surface.name_of(face), length=f"{total:.4g} mm", length2=f"{widest:.4g} mm"))
+def _widest_gaps(surface, gap):
+    """{wall face: mm}, the widest gap at a triangle of it."""
+    return {face: float(gap[surface.face == face].max()) for face in np.unique(surface.face[surface.is_wall]).tolist()}
 
 
-def _require_some(surface, layers, total, named):
-    """Raises InvalidInput naming a wall face without any layers: one that was named as a wall, or where all have none. The report names
-    others, such as the blunt trailing edge of a wing.
+def _require_some(surface, layers, gap_of, total, named):
+    """Raises InvalidInput naming a wall face without any layers: one that walls names itself, or where all have none. The report names
+    others, such as the blunt trailing edge of a wing, or a face in a narrow slot.
     """
-    faces = np.unique(surface.face[surface.is_wall]).tolist()
-    bare = [face for face in faces if not layers.share[surface.triangles[surface.face == face]].any()]
-    if bare and (named or len(bare) == len(faces)):
-        raise InvalidInput(Text(flow_phrases.NOWHERE, face=surface.name_of(bare[0]), length=f"{total:.4g} mm"))
+    bare = [face for face in gap_of if not layers.share[surface.triangles[surface.face == face]].any()]
+    refused = bare if len(bare) == len(gap_of) else [face for face in bare if face in named]
+    if not refused:
+        return
+    face = next((face for face in refused if gap_of[face] < total), refused[0])
+    if gap_of[face] < total:
+        raise InvalidInput(Text(flow_phrases.TOO_THICK, face=surface.name_of(face), length=f"{total:.4g} mm", length2=f"{gap_of[face]:.4g} mm"))
+    raise InvalidInput(Text(flow_phrases.NOWHERE, face=surface.name_of(face), length=f"{total:.4g} mm"))
 
 
 def _inside(layers, growth, progress):
@@ -357,18 +384,35 @@ def _mesh_of(surface, layers, points, tetrahedra, patches):
 
 
 def _require_valid(mesh):
-    """Raises GeometryError unless all elements are proven valid, conform, and have the listed boundary and no other."""
-    for kind, corners in mesh.solid_blocks:
-        wrong = unproven(mesh.nodes, kind, corners)
-        if len(wrong):
-            raise GeometryError(f"{len(wrong)} {kinds.PLURALS[kind]} are not proven valid: give thinner layers, or a finer surface by "
+    """The smallest proven bound of min J / max |J|. Raises GeometryError unless all elements are proven valid, conform, and have the listed
+    boundary and no other.
+    """
+    least = 1.0
+    for block in mesh.blocks:
+        if kinds.DIMENSION[block.kind] < 3:
+            continue
+        bounds = proven_bounds(mesh.nodes, block.kind, block.nodes, block.order)
+        wrong = int((~(bounds > 0.0)).sum())
+        if wrong:
+            raise GeometryError(f"{wrong} {kinds.PLURALS[block.kind]} are not proven valid: give thinner layers, or a finer surface by "
                                 "max_edge")
+        least = min(least, float(bounds.min()))
     conforming, oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
     listed = {len(rows[0]): rows for rows in (mesh.boundary_triangles, mesh.boundary_quadrilaterals) if len(rows)}
     bounds = {len(rows[0]): rows for rows in mesh.boundary() if len(rows)}
     same = set(listed) == set(bounds) and all(_same_sides(listed[count], bounds[count]) for count in listed)
     if not (conforming and oriented and same):
         raise GeometryError("the elements do not conform: give thinner layers, or a finer surface by max_edge")
+    return least
+
+
+def valid_without_middles(mesh):
+    """Whether all elements of a VolumeMesh of order 1 or 2 are also valid in programs that have no nodes amid quadrilaterals."""
+    solids = [(block.kind, block.nodes) for block in mesh.blocks if kinds.DIMENSION[block.kind] == 3]
+    if mesh.order == 1:
+        return True
+    nodes = blended(mesh.nodes, solids)
+    return np.array_equal(nodes, mesh.nodes) or all((proven_bounds(nodes, kind, rows, mesh.order) > 0.0).all() for kind, rows in solids)
 
 
 def _same_sides(one, other):

@@ -2,7 +2,7 @@
 """What came of the layers of a volume mesh."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from ..measures import table_of_elements
 from .first_height import FirstHeight
 
 _LOW = 0.1  # of the edges on the walls: last layers that are lower are told of
+_NAMED = 8  # elements that a note names
 _MOST_LAYERS = 100  # as the option has it
 _FULL = 0.95  # share of the height that was asked for from which on it counts as reached
 
@@ -50,6 +51,9 @@ class VolumeReport:
     max_non_orthogonality, max_skewness
                          of faces, degrees and a ratio, as OpenFOAM measures them
     chord_height         mm, largest distance of the surface from the shape
+    order                of the elements. Of a higher order than 1 scaled Jacobian, non-orthogonality and skewness are those of the corners
+    min_distortion       the smallest proven bound of min J / max |J|
+    straightened         names of elements that bend less than the shape, or not at all, as they would not be valid otherwise
     notes                sentences that a user should know
     """
 
@@ -67,12 +71,23 @@ class VolumeReport:
     max_non_orthogonality: float
     max_skewness: float
     chord_height: float
+    min_distortion: float
     notes: tuple
+    order: int = 1
+    straightened: tuple = ()
 
     def to_dict(self):
         """All of it, for JSON."""
         return {**vars(self), "heights": list(self.heights), "walls": [dict(vars(wall)) for wall in self.walls],
-                "notes": list(self.notes)}
+                "notes": list(self.notes), "straightened": list(self.straightened)}
+
+    def of_order(self, mesh, curved, least):
+        """The report of a VolumeMesh with the Curved elements on the same corners; least is their min_distortion."""
+        bent = len(curved.straightened)
+        notes = [f"{bent:,} of {sum(self.elements.values()):,} elements bend less than the shape, or not at all, to be valid: "
+                 f"{phrases.Text('{list}', list=phrases.first_of(curved.straightened, _NAMED))}"] if bent else []
+        return replace(self, order=mesh.order, nodes=len(mesh.nodes), volume=curved.volume, chord_height=curved.deviation,
+                       min_distortion=least, straightened=curved.straightened, notes=(*notes, *self.notes))
 
     def figures(self):
         """Texts of what a line about the mesh tells."""
@@ -83,7 +98,8 @@ class VolumeReport:
     def __str__(self):
         counts = ", ".join(f"{count:,} {kind}{'s' if kind != 'tetrahedron' else ''}" for kind, count in self.elements.items())
         counts = counts.replace("tetrahedron", "tetrahedra")
-        lines = [f"elements     {counts}, {self.nodes:,} nodes, all proven valid",
+        of_order = f" of order {self.order}" if self.order > 1 else ""
+        lines = [f"elements     {counts}{of_order}, {self.nodes:,} nodes, all proven valid",
                  f"layers       {self.layers}, the first {self.first_height:g} mm high, each {self.growth_rate:g} times as high as the "
                  f"one before: {sum(self.heights):.4g} mm together",
                  f"coverage     {self.covered:.2%} of the walls, {self.full_height:.2%} with the height asked for"]
@@ -120,11 +136,14 @@ def coverage_of(surface, layers, first_height):
     return tuple(found), float(areas[layers.covered].sum() / whole), float(areas[share >= _FULL].sum() / whole)
 
 
-def report_of(mesh, surface, layers, values, heights, chord_height):
-    """The VolumeReport of a VolumeMesh; values are the checked options."""
+def report_of(mesh, surface, layers, values, heights, chord_height, least, gap_of):
+    """The VolumeReport of a VolumeMesh; values are the checked options, least is its min_distortion, gap_of {wall face: its widest gap, mm}."""
     table = table_of_elements(mesh)
     walls, covered, full = coverage_of(surface, layers, values["first_height"])
-    notes = [f"{wall.face} has layers on {wall.covered:.1%} of its area only: elsewhere they would be lower than a fifth of what was asked "
+    total, gaps = heights.sum(), {surface.name_of(face): gap for face, gap in gap_of.items()}
+    notes = [f"{wall.face} has no layers: the gap there is {gaps[wall.face]:.3g} mm at most, and the layers are {total:.3g} mm thick"
+             if not wall.covered and gaps[wall.face] < total else
+             f"{wall.face} has layers on {wall.covered:.1%} of its area only: elsewhere they would be lower than a fifth of what was asked "
              "for, or invalid, or not end in the face beside it" for wall in walls if wall.covered < 1.0]
     notes += _step_note(surface, values, heights[-1])
     notes += [str(values["first_height"])] if isinstance(values["first_height"], FirstHeight) else []
@@ -132,7 +151,7 @@ def report_of(mesh, surface, layers, values, heights, chord_height):
               f"{wall.least_height:.3g} mm at least" for wall in walls if wall.covered - wall.full_height > 0.0005]
     return VolumeReport(values["layers"], float(values["first_height"]), values["growth_rate"], tuple(heights.tolist()), dict(table.kinds),
                         len(mesh.nodes), walls, covered, full, _volume(mesh), table.worst("scaled_jacobian")[1],
-                        table.worst("non_orthogonality")[1], table.worst("skewness")[1], chord_height, tuple(notes))
+                        table.worst("non_orthogonality")[1], table.worst("skewness")[1], chord_height, least, tuple(notes))
 
 
 def _step_note(surface, values, last):
