@@ -975,6 +975,18 @@
         <source>Triangles that are stretched along the direction in which the surface bends least, so that fewer keep the distance; the largest angle is bounded by 150 degrees then, instead of the smallest one</source>
         <translation>Dreiecke, die in der Richtung gestreckt sind, in der sich die Fläche am wenigsten krümmt, so dass weniger die Abweichung einhalten; begrenzt ist dann der größte Winkel auf 150 Grad statt des kleinsten</translation>
     </message>
+    <message>
+        <source>1: straight sides; from 2 on layers follow the CAD</source>
+        <translation>1: gerade Seiten; ab 2 folgen die Schichten dem CAD</translation>
+    </message>
+    <message>
+        <source>Elements that bend less than the part, or not at all, to be valid</source>
+        <translation>Elemente, die sich weniger als das Bauteil krümmen oder gar nicht, um gültig zu sein</translation>
+    </message>
+    <message>
+        <source>Smallest min J / max |J| of an element, proven</source>
+        <translation>Kleinstes min J / max |J| eines Elements, bewiesen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -5601,6 +5613,18 @@
     <message>
         <source>Edges and corners</source>
         <translation>Kanten und Ecken</translation>
+    </message>
+    <message>
+        <source>1: straight sides; from 2 on layers follow the CAD</source>
+        <translation>1: gerade Seiten; ab 2 folgen die Schichten dem CAD</translation>
+    </message>
+    <message>
+        <source>cases of OpenFOAM hold elements with straight sides, not of order {count}: make the mesh with order=1</source>
+        <translation>Fälle von OpenFOAM haben Elemente mit geraden Seiten, nicht der Ordnung {count}: das Netz mit order=1 erzeugen</translation>
+    </message>
+    <message>
+        <source>some elements are valid only with nodes amid their quadrilaterals, which FreeCAD&apos;s FEM meshes do not have: give a finer surface by max_edge, or order 1</source>
+        <translation>einige Elemente sind nur mit Knoten mitten in ihren Vierecken gültig, die FreeCADs FEM-Netze nicht haben: mit max_edge eine feinere Oberfläche angeben, oder Ordnung 1</translation>
     </message>
 </context>
 <context>
