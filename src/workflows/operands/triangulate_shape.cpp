@@ -127,13 +127,15 @@ class Attempts {
             }
             triangulate::TriangulateOptions coarser = options_;
             coarser.detail = share * best_.result.report.chord_height_asked;
-            const bool any_corners = coarser.corners == triangulate::Corners::Auto;
-            if (try_with(coarser, any_corners ? geometry::CornerCuts::All : coarser.corner_cuts(),
-                         [&](const Result& other) {
-                             return other.mesh.triangles.size() < best_.result.mesh.triangles.size() &&
-                                    unexplained(other) <= unexplained(best_.result) &&
-                                    keeps_as_much(other.report, best_.result.report);
-                         })) {
+            const auto cuts =
+                coarser.corners == triangulate::Corners::Auto ? geometry::CornerCuts::All : coarser.corner_cuts();
+            // Where something is identified, the same with another detail is identified elsewhere.
+            const auto before = best_.identified == 0 ? std::optional<std::size_t>(0) : std::nullopt;
+            if (try_with(coarser, cuts, before, [&](const Result& other) {
+                    return other.mesh.triangles.size() < best_.result.mesh.triangles.size() &&
+                           unexplained(other) <= unexplained(best_.result) &&
+                           keeps_as_much(other.report, best_.result.report);
+                })) {
                 options_.detail = coarser.detail;
             }
         }
@@ -146,7 +148,7 @@ class Attempts {
                 !best_.result.report.complete || unexplained(best_.result) == 0) {
                 return;
             }
-            try_with(options_, cuts, [&](const Result& other) {
+            try_with(options_, cuts, best_.identified, [&](const Result& other) {
                 return unexplained(other) < unexplained(best_.result) &&
                        other.report.self_intersections <= best_.result.report.self_intersections;
             });
@@ -188,9 +190,10 @@ class Attempts {
 
     /// @return whether the other attempt took the place of the best
     template <typename Better>
-    bool try_with(const triangulate::TriangulateOptions& options, geometry::CornerCuts cuts, const Better& better) {
+    bool try_with(const triangulate::TriangulateOptions& options, geometry::CornerCuts cuts,
+                  std::optional<std::size_t> identified_before, const Better& better) {
         const double before = watch_.wall();
-        auto other = unless_refused(options, cuts, best_.identified);
+        auto other = unless_refused(options, cuts, identified_before);
         if (!other || !better(other->result)) {
             return false;
         }
