@@ -90,6 +90,12 @@ def add_analysis(part, load, clamped=("x", -1)):
     return analysis
 
 
+def set_load(constraint, name, value, unit):
+    """A load in a unit: a number until FreeCAD 1.0, a quantity since, whose plain numbers are of FreeCAD's own units."""
+    plain = constraint.getTypeIdOfProperty(name) == "App::PropertyFloat"
+    setattr(constraint, name, value if plain else FreeCAD.Units.Quantity(f"{value} {unit}"))
+
+
 def _load(part, load):
     import ObjectsFem
 
@@ -98,10 +104,12 @@ def _load(part, load):
     top = face_at(part.Shape, "z", 1)
     if load == "pressure":
         pressure = ObjectsFem.makeConstraintPressure(part.Document)
-        pressure.References, pressure.Pressure = [(part, top)], PRESSURE
+        pressure.References = [(part, top)]
+        set_load(pressure, "Pressure", PRESSURE, "MPa")
         return pressure
     force = ObjectsFem.makeConstraintForce(part.Document)
-    force.References, force.Force = [(part, face_at(part.Shape, "x", 1))], FORCE
+    force.References = [(part, face_at(part.Shape, "x", 1))]
+    set_load(force, "Force", FORCE, "N")
     force.Direction, force.Reversed = (part, [top]), True  # against the normal of the top
     return force
 
@@ -150,7 +158,8 @@ def largest_stress(name, folder, **values):
         document.recompute()
         analysis = add_analysis(part, "force", clamped)
         force = next(obj for obj in analysis.Group if obj.isDerivedFrom("Fem::ConstraintForce"))
-        force.Force, force.References = BORED_FORCE, [(part, face_at(part.Shape, *end))]
+        set_load(force, "Force", BORED_FORCE, "N")
+        force.References = [(part, face_at(part.Shape, *end))]
         along = "x" if name == "bracket" else "z"
         force.Direction = (part, [face_at(part.Shape, along, 1)])
         mesh = mq.add_fem_mesh(part, analysis=analysis, **values).FemMesh

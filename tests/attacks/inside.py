@@ -20,6 +20,9 @@ import FreeCAD
 LONGEST_FAULT = 1500  # characters
 # FreeCAD 1.0 prints a traceback, of Python's own files alone, where it saves a proxy that is no JSON.
 NO_JSON = re.compile(r"PropertyPythonObject::toString\(\): failed for .*\nTraceback .*\n(?:  .*\n)*<class 'TypeError'>: .* is not JSON serializable\n")
+# FreeCAD 1.1 prints one wherever the execute of an object in Python raises anything. That of our errors is a sentence for the user.
+OF_EXECUTE = re.compile(r"Traceback .*\n(?:  .*\n)+<class 'MeshQuality\.\w+'>: .*\n")
+EXPECTED = (NO_JSON, OF_EXECUTE)
 
 
 def children():
@@ -74,7 +77,9 @@ def done(attack, printed):
     except BaseException as error:  # noqa: BLE001 - SystemExit and KeyboardInterrupt are faults here, too
         return f"{type(error).__name__}: {error}\n{traceback.format_exc()[-LONGEST_FAULT:]}"
     left = left_behind(before)
-    said = NO_JSON.sub("", printed.since())
+    said = printed.since()
+    for expected in EXPECTED:
+        said = expected.sub("", said)
     if "Traceback" in said:
         return f"a traceback was printed: {said[-LONGEST_FAULT:]}"
     return f"left behind: {left}" if left else None

@@ -373,7 +373,8 @@ class CalculiX(FemObjectTest):
             if "Material" in obj.Name or "Pressure" in obj.Name:
                 self.document.removeObject(obj.Name)
         pressure = ObjectsFem.makeConstraintPressure(self.document)
-        pressure.References, pressure.Pressure = [(source, cantilever.face_at(source.Shape, "x", 1))], 10.0
+        pressure.References = [(source, cantilever.face_at(source.Shape, "x", 1))]
+        cantilever.set_load(pressure, "Pressure", 10.0, "MPa")
         analysis.addObject(pressure)
         young = {"Solid1": 200000.0, "Solid2": 50000.0}
         for name, value in young.items():
