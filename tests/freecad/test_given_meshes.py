@@ -107,7 +107,10 @@ class Models(GivenTest):
             path = self.straight(shape)
             for order in (2, 3):
                 plain = mq.curve(shape, order=order, volume=True, imprint=name == "two boxes", chord_height_relative=CHORD)
-                largest = max(1e-6, 1.001 * plain.report.max_deviation)
+                # Edges that turn by more than 60 degrees are halved from the shape and kept in a given mesh: at order 2 an edge twice as long
+                # deviates 16 times as much.
+                halved = len(plain.triangles) > plain.report.straight.triangles
+                largest = max(1e-6, 1.001 * plain.report.max_deviation * (16.0 if halved else 1.0))
                 self.assert_cured(name, shape, path, order, largest)
 
     def test_meshes_of_gmsh(self):
