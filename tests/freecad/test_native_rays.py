@@ -42,17 +42,17 @@ class NativeRays(unittest.TestCase):
 
     def test_reconstructed_vertices_lie_on_the_faces(self):
         exact = self.ball.cut(self.block)
-        result = uniform(self.ball, self.block, "difference", resolution=129)
+        result = uniform(self.ball, self.block, "difference", resolution=193)
         report = result.report
         self.assertTrue(report.closed and report.oriented and report.manifold)
         self.assertEqual(report.face_samples, report.samples)
-        self.assertGreater(report.fitted_vertices, 500)
+        self.assertGreater(report.fitted_vertices, 1000)
         self.assertLess(report.unfitted_vertices, 0.05 * report.fitted_vertices)
         self.assertAlmostEqual(report.volume / exact.Volume, 1.0, delta=4e-3)
         distances = extension().distances_to_faces(exact, reconstructed(result), None)
-        self.assertLess(np.quantile(distances, 0.95), 1e-5)
+        self.assertLess(np.quantile(distances, 0.97), 1e-5)  # the others lie at edges, and are the fewer the finer the rays
         meshes = [mq.triangulate(shape, chord_height=report.tolerance_asked / 16) for shape in (self.ball, self.block)]
-        by_mesh = uniform(*meshes, "difference", resolution=129)
+        by_mesh = uniform(*meshes, "difference", resolution=193)
         self.assertEqual(by_mesh.report.face_samples, 0)
         self.assertLess(10 * distances.mean(),
                         extension().distances_to_faces(exact, reconstructed(by_mesh), None).mean())

@@ -81,7 +81,7 @@ class Recipes(helpers.DocumentTest):
 
     def test_flows(self):
         self.follow("docs/use/flow.md")
-        self.assertEqual(sorted(os.listdir(".")), ["case", "pipe.vtu", "pipe_case"])
+        self.assertEqual(sorted(os.listdir(".")), ["case", "pipe.msh", "pipe.vtu", "pipe_case"])
         self.assertEqual((self.names["obj"].Certificate, self.names["obj"].Walls), ("met", ["Face1"]))
 
     def test_reporting(self):

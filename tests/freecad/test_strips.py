@@ -23,7 +23,8 @@ def stairs(step, length=400.0):
 
 class Strips(unittest.TestCase):
     def test_pieces_are_as_long_as_the_bound_allows(self):
-        # Isosceles triangles on a rail have bases of 2 g / tan(bound); halving alone leaves half of that.
+        # Isosceles triangles on a rail have bases of at most 2 g / tan(bound), of which halving leaves more than half on each rail; with
+        # vertices side by side, it left two to four times the least number.
         for width in 0.7, 1.0, 1.3:
             with self.subTest(width):
                 part = Part.makeBox(100, width, 20)
@@ -31,12 +32,12 @@ class Strips(unittest.TestCase):
                 self.assertGreaterEqual(mesh.report.min_angle, 25.0)
                 self.assertTrue(mesh.report.closed)
                 least = 2 * 100 * math.tan(math.radians(25)) / (2 * width)
-                strips = [f for f, face in enumerate(part.Faces, 1) if abs(face.Area - 100 * width) < 1e-9]
+                strips = [f for f, face in enumerate(part.Faces) if abs(face.Area - 100 * width) < 1e-9]
                 self.assertEqual(len(strips), 2)
                 for face in strips:
                     count = np.count_nonzero(mesh.triangle_face == face)
                     self.assertGreater(count, least)
-                    self.assertLess(count, 1.45 * least)
+                    self.assertLess(count, 2.05 * least)
 
     def test_they_count_as_edges_where_keeping_them_costs_too_much(self):
         part = stairs(0.2)
