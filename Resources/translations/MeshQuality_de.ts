@@ -5626,6 +5626,10 @@
         <source>some elements are valid only with nodes amid their quadrilaterals, which FreeCAD&apos;s FEM meshes do not have: give a finer surface by max_edge, or order 1</source>
         <translation>einige Elemente sind nur mit Knoten mitten in ihren Vierecken gültig, die FreeCADs FEM-Netze nicht haben: mit max_edge eine feinere Oberfläche angeben, oder Ordnung 1</translation>
     </message>
+    <message>
+        <source>edges and faces below {length} are not told apart: with all of them the mesh had {count} triangles, more than twenty times what the max. deviation asks for. Ask for a smaller one, or for edge lengths, to keep them</source>
+        <translation>Kanten und Flächen unter {length} werden nicht unterschieden: mit allen hätte das Netz {count} Dreiecke, mehr als das Zwanzigfache dessen, was die max. Abweichung verlangt. Um sie zu behalten, eine kleinere oder Kantenlängen verlangen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>

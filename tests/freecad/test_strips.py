@@ -44,6 +44,7 @@ class Strips(unittest.TestCase):
         mesh = mq.triangulate(part, chord_height=0.8)
         report = mesh.report
         self.assertAlmostEqual(report.detail, 0.4)
+        self.assertRegex(str(report.notes[0]), r"below 0\.4 mm are not told apart: with all of them the mesh had [\d,]+ triangles")
         self.assertLess(len(mesh.triangles), 20 * report.chord_triangles)
         self.assertTrue(report.closed and report.manifold and report.self_intersections == 0)
         self.assertEqual(report.exempt, [])

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/message.h"
 #include "base/single_precision_grid.h"
 #include "base/stopwatch.h"
 #include "base/threads/schedule_hooks.h"
@@ -121,6 +122,7 @@ class Attempts {
     /// Larger details, up to half of the distance, where keeping smaller ones takes more than twenty times the
     /// triangles that the distance asks for.
     void raise_detail() {
+        const std::size_t at_first = best_.result.mesh.triangles.size();
         for (const double share : {0.2, 0.5}) {
             if (!is_costly(best_.result, options_)) {
                 return;
@@ -137,6 +139,7 @@ class Attempts {
                            keeps_as_much(other.report, best_.result.report);
                 })) {
                 options_.detail = coarser.detail;
+                larger_details_ = {phrases::kLargerDetails, {{"length", in_mm(coarser.detail)}, {"count", at_first}}};
             }
         }
     }
@@ -156,6 +159,9 @@ class Attempts {
     }
 
     Result take() {
+        if (!larger_details_.empty()) {
+            best_.result.report.notes.insert(best_.result.report.notes.begin(), larger_details_);
+        }
         best_.result.report.cpu_seconds = watch_.cpu();
         return std::move(best_.result);
     }
@@ -208,6 +214,7 @@ class Attempts {
     triangulate::TriangulateOptions options_;
     Progress& progress_;
     Attempt best_;
+    Message larger_details_;  // what is said of them; empty: there are none
 };
 
 }  // namespace
