@@ -150,6 +150,8 @@ class Hollow(SolidCommands):
         obj = self.document.Objects[-1]
         self.assertEqual((obj.Source, obj.Openings), (self.cube, [self.top]))
         self.assertAlmostEqual(obj.Volume.Value, 1000 - 576, delta=1.0)
+        self.assertEqual(FreeCADGui.Selection.getSelection(), [obj])
+        FreeCADGui.Selection.clearSelection()  # the result is selected, and so drawn in the colour of selections
         image = self.picture("hollow")
         self.assertGreater(np.count_nonzero(image.max(axis=2) < 200), 50_000)
 
