@@ -145,6 +145,15 @@ class FlowMesh(gui_helpers.PanelTest):
         self.addCleanup(lambda: panel.ended or panel.reject())
         self.until(lambda: panel.values is not None)
         self.assertEqual(len(panel.values), obj.Elements)
+        at = panel.data.face >= 0
+        self.assertEqual(set(panel.data.face.tolist()), {-1, 0, 1, 2})
+        distances = panel.data.distances()
+        self.assertTrue(np.array_equal(at, ~np.isnan(distances)))
+        self.assertLess(np.nanmax(distances), 0.2)
+        drawn, height = panel.data.face[panel.data.element], panel.data.corners[:, :, 2]
+        for face, z in ((1, 20.0), (2, 0.0)):  # each element there has a side in the plane of its end
+            there = {int(i) for i in panel.data.element[(height == z).all(axis=1)]}
+            self.assertLessEqual({int(i) for i in panel.data.element[drawn == face]}, there)
         panel.section.on.setChecked(True)
         panel.section.direction.setCurrentIndex(0)
         panel.section.whole.setChecked(True)

@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import phrases
 from ..core.certify.certification import certify
-from ..core.elements import boundary, kinds, shapes
+from ..core.elements import boundary, cut_surface, kinds, shapes
 from ..core.fem import fem_places
 from ..core.measures import table_of_elements
 from ..core.meshes.element_mesh import ElementMesh
@@ -100,8 +100,8 @@ class FemQualityData(QualityData):
         self._outside = np.zeros(self._starts[-1], dtype=bool)
         self._outside[self.element] = True
         self.face = np.full(self._starts[-1], -1)
-        self._at_surface = owners[0] if len(owners) == 1 else None
         if self._certificate.triangle_face is not None:
+            self._at_surface = cut_surface.owners_of_triangles([nodes for nodes, _, _ in found], owners)
             self.face[self._at_surface] = self._certificate.triangle_face
         self._lines = lambda: (self._nodes, runs_of_sides(np.concatenate([sides_of(nodes) for nodes, _, _ in found])))
 

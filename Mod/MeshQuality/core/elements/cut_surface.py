@@ -9,6 +9,19 @@ HIGHEST = 5  # order of triangles that are measured
 _HALVES = ((0, 1, 2), (0, 2, 3))  # corners of the halves of a quadrilateral
 
 
+def owners_of_triangles(sides, owners):
+    """int (F,): the owner of each triangle that triangles_of_surface makes of the sides [int (n, nodes), ...] of a boundary, whose owners
+    are [int (n,), ...].
+    """
+    kinds_of = [_kind_of(rows) for rows in sides]
+    return np.concatenate([owner for kind, owner in sorted(zip(kinds_of, owners), key=lambda side: side[0], reverse=True)
+                           for _ in (_HALVES if kind == "quadrilateral" else _HALVES[:1])])
+
+
+def _kind_of(rows):
+    return next(kind for kind in ("triangle", "quadrilateral") if kinds.order_of(kind, rows.shape[1]))
+
+
 def triangles_of_surface(mesh):
     """(order, float64 (N, 3) nodes, int32 (F, n)) of the surface of an ElementMesh; (None, nodes, None) where it is not of sides of one order, or
     of too high a one.
@@ -20,7 +33,7 @@ def triangles_of_surface(mesh):
     order = kinds.order_of("triangle", sides[0].shape[1])
     if len(sides) == 1 and order is not None and order <= HIGHEST:
         return order, mesh.nodes, sides[0]
-    kinds_of = [next(kind for kind in ("triangle", "quadrilateral") if kinds.order_of(kind, rows.shape[1])) for rows in sides]
+    kinds_of = [_kind_of(rows) for rows in sides]
     orders = {kinds.order_of(kind, rows.shape[1]) for kind, rows in zip(kinds_of, sides)}
     order = 2 * max(orders)
     if len(orders) > 1 or order > HIGHEST or mesh.dimension < 3:
