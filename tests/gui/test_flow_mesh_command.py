@@ -151,7 +151,7 @@ class FlowMesh(gui_helpers.PanelTest):
         self.assertTrue(np.array_equal(at, ~np.isnan(distances)))
         self.assertLess(np.nanmax(distances), 0.2)
         drawn, height = panel.data.face[panel.data.element], panel.data.corners[:, :, 2]
-        for face, z in ((1, 20.0), (2, 0.0)):  # each element there has a side in the plane of its end
+        for face, z in ((1, self.pipe.Shape.Face2.CenterOfMass.z), (2, self.pipe.Shape.Face3.CenterOfMass.z)):  # each element there has a side in the plane of its end
             there = {int(i) for i in panel.data.element[(height == z).all(axis=1)]}
             self.assertLessEqual({int(i) for i in panel.data.element[drawn == face]}, there)
         panel.section.on.setChecked(True)
