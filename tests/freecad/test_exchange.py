@@ -234,6 +234,14 @@ class ByOthers(Exchange):
                 for name in mesh.patches:
                     self.assertIn(f'checking BC "{name}"', said)
 
+    @unittest.skipUnless(test_patches.has_cgns() and shutil.which("cgnscheck"), "cgnscheck (cgns-convert) is not installed")
+    def test_cgns_patches_with_the_name_of_the_family_of_the_zone(self):
+        named = {"wall": ["Face1"], "Mesh1": ["Face2"], "Mesh2": ["Face3"]}
+        said = run("cgnscheck", self.put(mq.triangulate(Part.makeBox(1, 2, 3), patches=named), "a.cgns"))
+        self.assertNotRegex(said, "WARNING|ERROR")
+        for name in named:
+            self.assertIn(f'checking BC "{name}"', said)
+
     @unittest.skipUnless(test_patches.has_cgns() and has("h5py"), "the CGNS library or h5py is not installed")
     def test_cgns_has_a_section_and_a_family_a_patch(self):
         for mesh in (self.flat, *self.curved.values()):

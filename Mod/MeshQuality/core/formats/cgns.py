@@ -6,6 +6,7 @@ unstructured zones of the first base, with their boundary conditions as groups.
 import ctypes
 import ctypes.util
 import functools
+import itertools
 import os
 import tempfile
 
@@ -86,9 +87,17 @@ class _File:
         """A base with elements of this dimension in space."""
         return _number("cg_base_write", self.number, _text("Base"), dimension, 3)
 
-    def zone(self, base, sizes):
-        """A zone; sizes as an array of whole numbers of the library's kind."""
-        return _number("cg_zone_write", self.number, base, _text("Zone1"), address(sizes), _UNSTRUCTURED)
+    def zone(self, base, sizes, names=()):
+        """A zone with a family, which cgnscheck 4.5 recommends; sizes as an array of whole numbers of the library's kind.
+
+        names  of the families that follow
+        """
+        family = next(name for name in map("Mesh{}".format, itertools.count(1)) if name not in names)
+        zone = _number("cg_zone_write", self.number, base, _text("Zone1"), address(sizes), _UNSTRUCTURED)
+        _number("cg_family_write", self.number, base, _text(family))
+        _call("cg_goto", self.number, base, _text("Zone_t"), zone, _text("end"))
+        _call("cg_famname_write", _text(family))
+        return zone
 
 
 def address(array):
@@ -118,7 +127,7 @@ def write(mesh, path, patches, solids, scale):
     cells = len(tetrahedra) or len(triangles)
     with _File(path, arrays=points.nbytes + tetrahedra.nbytes + triangles.nbytes) as file:
         base = file.base(3 if len(tetrahedra) else 2)
-        zone = file.zone(base, np.array([len(points), cells, 0], dtype=size))
+        zone = file.zone(base, np.array([len(points), cells, 0], dtype=size), patches.names)
         for axis, column in zip("XYZ", points.T):
             _coordinate(file, (base, zone), f"Coordinate{axis}", np.ascontiguousarray(column))
         first = 1
@@ -146,7 +155,7 @@ def write_elements(mesh, path, scale):
     numbers[1] = sum(len(nodes) for _, rows, at_boundary in sections if not at_boundary for _, nodes in rows)
     with _File(path, arrays=points.nbytes + sum(2 * size().nbytes * nodes.size for _, rows, _ in sections for _, nodes in rows)) as file:
         base = file.base(mesh.dimension)
-        zone = file.zone(base, numbers)
+        zone = file.zone(base, numbers, [name for name, *_ in sections])
         for axis, column in zip("XYZ", points.T):
             _coordinate(file, (base, zone), f"Coordinate{axis}", np.ascontiguousarray(column))
         first = 1
