@@ -105,6 +105,15 @@ def fem_source_property():
     return "Part" if FreeCAD.Version()[0] == "0" else "Shape"
 
 
+def fem_in_document():
+    """Whether FreeCAD's FEM workbench looks for the faces of a part where the document has it, as since FreeCAD 1.0; before, it did
+    without the containers around the part.
+    """
+    import FreeCAD
+
+    return FreeCAD.Version()[0] != "0"
+
+
 def flags(buttons):
     """What getStandardButtons of a task panel returns; the flags of Qt 6 are no numbers."""
     return int(getattr(buttons, "value", buttons))

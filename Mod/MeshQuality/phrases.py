@@ -162,6 +162,8 @@ FEM_BESIDE = "the mesh stands beside its part, which lies in {name}, as FreeCAD'
              "around them: it solves rightly; to see mesh and results on the part, put the analysis, or the mesh without one, into {name}"
 FEM_BESIDE_ANY = "the mesh stands beside its part, as FreeCAD's FEM workbench looks for faces without the containers around them ({name}): it " \
                  "solves rightly; to see mesh and results on the part, take the part out of these"
+FEM_IN_CONTAINER = "the mesh stands beside its part, as FreeCAD's FEM workbench looks for faces where the document has them, whatever the " \
+                   "containers around the mesh: it solves rightly; to see mesh and results on the part, take the mesh and its analysis out of {name}"
 TAKES_PLACE = "in the analysis {name} it takes the place of {name2}, as FreeCAD solves on one mesh only; what it replaces stays in " \
               "the document"
 # What curing a mesh that another program made has found and changed.
@@ -214,7 +216,7 @@ SOURCE_DELETED = "Source is empty: the source was deleted; choose another one, o
 SOURCE_GONE = "The source was deleted. Close this panel."
 DOCUMENT_CLOSED = "The document was closed. Close this panel."
 ERRORS = (
-    IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES, FEM_BESIDE, FEM_BESIDE_ANY,
+    IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES, FEM_BESIDE, FEM_BESIDE_ANY, FEM_IN_CONTAINER,
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
     TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_SOURCES, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
     *fault_phrases.TEXTS, *flow_phrases.TEXTS, *label_phrases.TEXTS, *report_phrases.TEXTS, *solid_phrases.TEXTS, SHAPES_AND_MESHES, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,

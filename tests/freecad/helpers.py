@@ -128,6 +128,14 @@ def run_tests(folder, chosen, stream):
     return failed
 
 
+def faces_as_fem_finds_them(part):
+    """The faces of an object where FreeCAD's FEM workbench looks for their nodes."""
+    from femmesh import meshtools
+
+    found = getattr(meshtools, "sub_shape_at_global_placement", None)  # since FreeCAD 1.0
+    return [face if found is None else found(part, f"Face{i + 1}") for i, face in enumerate(part.Shape.Faces)]
+
+
 class DocumentTest(unittest.TestCase):
     """A test with a fresh document, undo switched on, and a folder for files."""
 

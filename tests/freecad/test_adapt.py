@@ -14,6 +14,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality.compat import fem_in_document
 from MeshQuality.core.sizes import error_estimate as estimate
 from MeshQuality.features import adapted_mesh
 
@@ -210,6 +211,8 @@ class Analyses(helpers.DocumentTest):
             fields.append((nodes.min(axis=0), nodes.max(axis=0)))
             box = part.getGlobalPlacement().multiply(part.Placement.inverse())
             self.assertTrue((fields[-1][0] < np.array(box.multVec(center))).all() and (np.array(box.multVec(center)) < fields[-1][1]).all())
-        self.assertLess(abs(counts[1][0] / counts[0][0] - 1), 0.03)
-        self.assertLess(abs(counts[1][1] / counts[0][1] - 1), 0.03)
+        # Since FreeCAD 1.0 the second part is meshed where it is, turned by 90 degrees.
+        alike = 0.06 if fem_in_document() else 0.03
+        self.assertLess(abs(counts[1][0] / counts[0][0] - 1), alike)
+        self.assertLess(abs(counts[1][1] / counts[0][1] - 1), alike)
         self.assertLess(abs(counts[1][1] / counts[1][0] - 1), 0.1)

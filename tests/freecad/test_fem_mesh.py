@@ -3,8 +3,10 @@
 
 import importlib.util
 import os
+import re
 import shutil
 import sys
+import tempfile
 import unittest
 from unittest import mock
 
@@ -15,8 +17,10 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality import compat, options
+from MeshQuality.compat import fem_in_document
 from MeshQuality.core.fem import fem, fem_size
-from MeshQuality.core.sources import frames
+from MeshQuality.core.meshes.element_mesh import ElementMesh
+from MeshQuality.core.sources import convert, frames
 from MeshQuality.features import fem_mesh
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks", "solvers"))
@@ -227,8 +231,12 @@ class Follows(FemObjectTest):
     def test_it_stands_where_a_nested_part_is(self):
         source, inner = self.nested()
         obj = mq.add_fem_mesh(source)
-        self.assertEqual(obj.getParentGeoFeatureGroup(), inner)
-        self.assertEqual(frames.frame_of(obj).Base, FreeCAD.Vector(100, 50, 0))
+        if fem_in_document():
+            self.assertIsNone(obj.getParentGeoFeatureGroup())
+        else:
+            self.assertEqual(obj.getParentGeoFeatureGroup(), inner)
+            self.assertEqual(frames.frame_of(obj).Base, FreeCAD.Vector(100, 50, 0))
+        self.assert_seen_on(obj, source)
         self.assert_on(obj, source)
         self.assertIsNone(obj.Proxy.told(obj))
         # What the container holds is counted as before.
@@ -242,20 +250,58 @@ class Follows(FemObjectTest):
         source, inner = self.nested()
         analysis = self.analysis()
         obj = mq.add_fem_mesh(source, analysis=analysis)
-        self.assertIn("put the analysis, or the mesh without one, into 'Inner'", obj.Proxy.told(obj))
+        beside = "put the analysis, or the mesh without one, into 'Inner'"
+        if fem_in_document():
+            self.assertIsNone(obj.Proxy.told(obj))
+            self.assert_seen_on(obj, source)
+        else:
+            self.assertIn(beside, obj.Proxy.told(obj))
         inner.addObject(analysis)
         self.document.recompute()
         self.assertEqual((analysis.Group, frames.frame_of(obj).Base), ([obj], FreeCAD.Vector(100, 50, 0)))
-        self.assertIsNone(obj.Proxy.told(obj))
+        if fem_in_document():
+            self.assertIn("take the mesh and its analysis out of 'Inner', 'Outer'", obj.Proxy.told(obj))
+        else:
+            self.assertIsNone(obj.Proxy.told(obj))
+            self.assert_seen_on(obj, source)
         self.assert_on(obj, source)
 
     def assert_on(self, obj, source):
-        """FreeCAD's constraints look for nodes on the faces of the part's Shape."""
+        """FreeCAD's constraints find the nodes of faces."""
         found = groups_of(obj.FemMesh)
-        for i, face in enumerate(source.Shape.Faces):
+        for i, face in enumerate(helpers.faces_as_fem_finds_them(source)):
             nodes = nodes_of(obj.FemMesh, found[f"Face{i + 1}"][1])
             self.assertEqual(nodes, set(obj.FemMesh.getNodesByFace(face)))
             self.assertGreater(len(nodes), 3)
+
+    def assert_seen_on(self, obj, source):
+        """The view has the mesh where it has the part."""
+        points, box = ElementMesh.of(obj).nodes, convert.shape_of(source).BoundBox
+        self.assertTrue(np.allclose(points.min(axis=0), (box.XMin, box.YMin, box.ZMin), atol=1e-5))
+        self.assertTrue(np.allclose(points.max(axis=0), (box.XMax, box.YMax, box.ZMax), atol=1e-5))
+
+    def test_loads_of_a_nested_part_are_written_for_calculix(self):
+        from femtools.ccxtools import FemToolsCcx
+
+        written = []
+        for moved in (False, True):
+            source, inner = self.nested() if moved else (self.box(), None)
+            analysis = cantilever.add_analysis(source, "force")
+            obj, folder = mq.add_fem_mesh(source, analysis=analysis), self.enterContext(tempfile.TemporaryDirectory())
+            if moved:
+                inner.Placement.Base = FreeCAD.Vector(0, -70, 3)  # after it was meshed
+                self.document.recompute()
+            tools = FemToolsCcx(analysis, next(found for found in analysis.Group if found.isDerivedFrom("Fem::FemSolverObjectPython")))
+            tools.update_objects()
+            tools.setup_working_dir(folder)
+            tools.write_inp_file()
+            with open(tools.inp_file_name, encoding="utf-8") as stream:
+                text = stream.read()
+            written.append(sorted(line for line in text.splitlines() if re.match(r"\d+,\d,-?\d", line)))
+            self.assertIn("*CLOAD", text)
+            self.assert_on(obj, source)
+        self.assertGreater(len(written[0]), 3)
+        self.assertEqual(len(written[0]), len(written[1]))
 
     def test_an_error_keeps_the_last_good_mesh_and_says_why(self):
         obj = mq.add_fem_mesh(self.cylinder())

@@ -27,6 +27,7 @@ for module, names in ((os, {os!r}), (signal, {signal!r})):
         vars(module).pop(name, None)
 vars(errno).pop("EDQUOT", None)
 shutil._use_fd_functions = False
+shutil._rmtree_impl = getattr(shutil, "_rmtree_unsafe", None)  # chosen when Python 3.14 imports shutil
 sys.platform = "win32"
 own_import = builtins.__import__
 

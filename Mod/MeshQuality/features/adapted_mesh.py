@@ -4,6 +4,7 @@
 import os
 import subprocess
 
+import FreeCAD
 import numpy as np
 
 from .. import label_phrases, options
@@ -74,7 +75,7 @@ class AnalysisOnMeshes:
     """An analysis that is solved on one mesh after the other while it is adapted.
 
     values   its options; options: those of curve, but for the order and the sizes
-    bounds   size_field in the frame of its mesh, which is that of the shape without its containers
+    bounds   size_field in the frame of its mesh
     """
 
     def __init__(self, analysis, order, progress, in_document, size_field=None):
@@ -84,8 +85,9 @@ class AnalysisOnMeshes:
         if not any(member.isDerivedFrom("Fem::FemSolverObjectPython") for member in analysis.Group):
             raise InvalidInput(f"{analysis.Label} has no solver: add CalculiX to it")
         self._source, = self._obj.Proxy.sources(self._obj)
-        self.shape = convert.taken(convert.own_shape_of(self._source))
-        self._frame, self._given = frames.frame_of(self._source), size_field
+        leaves = self._obj.Proxy.LEAVES_CONTAINERS
+        self.shape = convert.taken(convert.own_shape_of(self._source) if leaves else convert.shape_of(self._source))
+        self._frame, self._given = frames.frame_of(self._source) if leaves else FreeCAD.Placement(), size_field
         self.bounds = None if size_field is None else size_fields.moved(size_field, self._frame)
         self.values = options_of(self._obj, self._obj.Proxy.OPTIONS)
         self.values["order"] = self.values["order"] if order is None else order
@@ -110,9 +112,9 @@ class AnalysisOnMeshes:
         """(program, path of its input): CalculiX's for the analysis on another mesh."""
         from femtools.ccxtools import FemToolsCcx
 
-        held, made = self._obj.FemMesh, mesh.to_fem_mesh(groups=True)
+        held, made, place = self._obj.FemMesh, mesh.to_fem_mesh(groups=True), self._obj.Placement
         fem_groups.complete(self._obj, made)  # nodes of constraints, for which FreeCAD would search
-        self._obj.FemMesh = made
+        self._obj.Placement, self._obj.FemMesh = FreeCAD.Placement(), made
         try:
             solver = next(member for member in self._analysis.Group if member.isDerivedFrom("Fem::FemSolverObjectPython"))
             tools = FemToolsCcx(self._analysis, solver)
@@ -124,7 +126,7 @@ class AnalysisOnMeshes:
                 raise InvalidInput(f"{self._analysis.Label} cannot be solved: {' '.join(said.split())}")
             tools.write_inp_file()
         finally:
-            self._obj.FemMesh = held
+            self._obj.FemMesh, self._obj.Placement = held, place
         return tools.ccx_binary, tools.inp_file_name
 
     def keep(self, found):

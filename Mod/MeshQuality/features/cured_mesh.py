@@ -68,7 +68,11 @@ class CuredMeshObject(fem_mesh.FemMeshObject):
         if sources[1] is None:
             raise InvalidInput(phrases.Text(phrases.GIVEN_DELETED))
         values = options.check(cls.OPTIONS, values)
-        shape, mesh = convert.taken(convert.own_shape_of(sources[0])), fem_places.mesh_in_frame(sources[1], sources[0])
+        if cls.LEAVES_CONTAINERS:
+            shape, mesh = convert.own_shape_of(sources[0]), fem_places.mesh_in_frame(sources[1], sources[0])
+        else:
+            shape, mesh = convert.shape_of(sources[0]), fem_places.mesh_at(sources[1], sources[0])
+        convert.taken(shape)
         return Work(sources, values, partial(_digest, shape, mesh, values), partial(cls.compute, shape, values, mesh=mesh))
 
     @classmethod

@@ -2,9 +2,9 @@
 """The document object "FEM mesh": tetrahedra or shell elements for FreeCAD's FEM workbench that follow a shape of the
 document.
 
-That workbench finds nodes and faces by where they lie on a shape as its own placement has it, without the
-containers around it. So the mesh stays there, too. Only in the App::Part of the part it is seen at the part: it is put
-there unless an analysis elsewhere gets it.
+Since FreeCAD 1.0 that workbench finds nodes and faces by where they lie on a shape in the document, whatever containers the
+mesh is in. Before, it did by the shape's own placement, without the containers around it: so the mesh stays there, too, and
+only in the App::Part of the part it is seen at the part, where it is put unless an analysis elsewhere gets it.
 """
 
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import FreeCAD
 
 from .. import options, phrases
-from ..compat import fem_source_property
+from ..compat import fem_in_document, fem_source_property
 from ..core.curving import curve
 from ..core.fem import fem, fem_size
 from ..core.sources import frames
@@ -29,7 +29,7 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
     """Proxy of a Fem::FemMeshObjectPython that holds elements of order 1 or 2 on its source's shape."""
 
     TYPE, MESH = "Fem::FemMeshObjectPython", "FemMesh"
-    LEAVES_CONTAINERS = True
+    LEAVES_CONTAINERS, PLACED_IN_DOCUMENT = not fem_in_document(), fem_in_document()
     COMMAND, CALL = "MeshQuality_FemMesh", "add_fem_mesh"
     OPTIONS, PRESETS = options.fem.FEM, options.fem.FEM_PRESETS
     BOUND_BEFORE = options.RELATIVE
@@ -59,6 +59,9 @@ class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
     def told(self, obj):
         """A Text if the mesh is not seen where its part is, with the remedy."""
         source = self.sources(obj)[0]
+        if self.PLACED_IN_DOCUMENT:
+            around = ", ".join(f"'{found.Label}'" for found in frames.containers_of(obj))
+            return None if frames.is_identity(frames.frame_of(obj)) else phrases.Text(phrases.FEM_IN_CONTAINER, name=around)
         if source is None or frames.same(frames.frame_of(obj), frames.frame_of(source)):
             return None
         part, mesh = (frames.containers_of(found) for found in (frames.object_of(source), obj))
@@ -162,7 +165,9 @@ def add_fem_mesh(source, analysis=None, **values):
 
 
 def home_of(source):
-    """The App::Part in which the mesh of a source is seen where that is; None outside of such ones."""
+    """The App::Part in which alone the mesh of a source is seen where that is; None where there is none."""
+    if fem_in_document():
+        return None
     container = next(iter(frames.containers_of(frames.object_of(source))), None)
     return container if container is not None and container.isDerivedFrom("App::Part") else None
 

@@ -84,12 +84,13 @@ class MeshObject(PlainState):
     TAKES_MESHES        whether of a container the meshes in it count, too, and not its shape alone
     LEAVES_CONTAINERS   whether the mesh is where the source's own placement has it, whatever containers around
                         the source say, and not where the document has the source
+    PLACED_IN_DOCUMENT  whether its Placement is that in the document, whatever containers around the mesh say
     An error leaves the last good mesh as it is.
     """
 
     TYPE, MESH = "Mesh::FeaturePython", "Mesh"
     MEASURED = PRESETS = PROMISES = HIDDEN = ()
-    TAKES_MESHES = LEAVES_CONTAINERS = False
+    TAKES_MESHES = LEAVES_CONTAINERS = PLACED_IN_DOCUMENT = False
     BOUND_BEFORE = options.UNBOUNDED
     _clearing = False
     _precomputed = None  # the (Work, result) of with_precomputed

@@ -111,7 +111,7 @@ def move_to_source(obj):
         wanted = _wanted(obj)
         if wanted is None:
             return False
-        own = frames.relative(wanted, frames.frame_of(obj))
+        own = wanted if obj.Proxy.PLACED_IN_DOCUMENT else frames.relative(wanted, frames.frame_of(obj))
     if frames.same(own, property_of(obj, "Placement")):
         return False
     obj.Placement = own

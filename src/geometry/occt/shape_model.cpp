@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/single_precision_grid.h"
 #include "base/waits.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/closed_edge.h"
@@ -170,6 +171,7 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
         const OpenCascadeWait wait(progress, "measuring the size");
         topology_.box = bounding_box(shape, live_, topology_, evaluator, progress);
     }
+    static_cast<void>(SinglePrecisionGrid(topology_.box));  // refuses an unbounded part before edges are searched
     topology_.detail = join.detail ? join.detail(topology_.box) : 0.0;
     const OpenCascadeWait wait(progress, "reading the shape");
     remove_degenerate_faces(entities, topology_, live_, progress);

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where FEM meshes of a document lie on their parts.
 
-FreeCAD's FEM workbench makes meshes where the part's own placement has it, without the containers around it; other
-programs give them back where the document has the part. So a mesh may lie on the part in either place: the place where it
+Before version 1.0 FreeCAD's FEM workbench makes meshes where the part's own placement has it, without the containers around it; since
+then, and by other programs, they lie where the document has the part. So a mesh may lie on the part in either place: the place where it
 fits counts. Boxes tell that mostly; where both fit, as of a part that is turned about the middle of its box, the distance
 from the faces does.
 """
