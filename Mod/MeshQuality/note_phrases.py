@@ -7,7 +7,7 @@ NOTES = {
     "face_missing": "{name} is missing: {text}",
     "face_is_point": "{name} is a point in single precision: left out",
     "contracted": "{list}: shorter than {length}, which does not show at what is asked for: a vertex in the mesh",
-    "larger_details": "edges and faces below {length} are not told apart: with all of them the mesh had {count} triangles, more than twenty times what the max. deviation asks for. Ask for a smaller one, or for edge lengths, to keep them",
+    "larger_details": "edges and faces below {length} are not told apart: with all of them the mesh had {count} triangles or more, and the max. deviation asks for less than a twentieth of these. Ask for a smaller one, or for edge lengths, to keep them",
     "sampling_ended": "sampling ended at max_triangles = {count}: the mesh is consistent, but coarser than requested; raise max_triangles",
     "stopped": "stopped at max_triangles = {count}: the mesh is consistent, but not all limits are met, and it was not searched for triangles that cross; raise max_triangles",
     "coarsest_above_limit": "the coarsest mesh of this shape takes more than max_triangles = {count}: the mesh is consistent, but not all limits are met, and it was not searched for triangles that cross; raise max_triangles",

@@ -5627,12 +5627,12 @@
         <translation>einige Elemente sind nur mit Knoten mitten in ihren Vierecken gültig, die FreeCADs FEM-Netze nicht haben: mit max_edge eine feinere Oberfläche angeben, oder Ordnung 1</translation>
     </message>
     <message>
-        <source>edges and faces below {length} are not told apart: with all of them the mesh had {count} triangles, more than twenty times what the max. deviation asks for. Ask for a smaller one, or for edge lengths, to keep them</source>
-        <translation>Kanten und Flächen unter {length} werden nicht unterschieden: mit allen hätte das Netz {count} Dreiecke, mehr als das Zwanzigfache dessen, was die max. Abweichung verlangt. Um sie zu behalten, eine kleinere oder Kantenlängen verlangen</translation>
-    </message>
-    <message>
         <source>the mesh stands beside its part, as FreeCAD&apos;s FEM workbench looks for faces where the document has them, whatever the containers around the mesh: it solves rightly; to see mesh and results on the part, take the mesh and its analysis out of {name}</source>
         <translation>das Netz steht neben seinem Bauteil, da FreeCADs FEM-Arbeitsbereich Flächen dort sucht, wo das Dokument sie hat, was immer die Behälter um das Netz sind: gerechnet wird richtig; um Netz und Ergebnisse auf dem Bauteil zu sehen, nehmen Sie das Netz und seine Analyse aus {name} heraus</translation>
+    </message>
+    <message>
+        <source>edges and faces below {length} are not told apart: with all of them the mesh had {count} triangles or more, and the max. deviation asks for less than a twentieth of these. Ask for a smaller one, or for edge lengths, to keep them</source>
+        <translation>Kanten und Flächen unter {length} werden nicht unterschieden: mit allen hätte das Netz {count} Dreiecke oder mehr, und die max. Abweichung verlangt weniger als ein Zwanzigstel davon. Um sie zu behalten, eine kleinere oder Kantenlängen verlangen</translation>
     </message>
 </context>
 <context>

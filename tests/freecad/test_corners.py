@@ -148,6 +148,18 @@ class CutCorners(unittest.TestCase):
                 self.assertEqual([why.cause for _, why in mesh.report.exempt_reasons], ["narrow_corner"])
                 np.testing.assert_array_equal(mesh.vertices, kept.vertices)
 
+    def test_by_itself_a_corner_is_cut_off_where_its_triangle_is_narrower_than_the_detail(self):
+        corner = FreeCAD.Vector(0, 0, 8)
+        step = [corner, FreeCAD.Vector(40, 0.4, 8), FreeCAD.Vector(40, 20, 8), FreeCAD.Vector(0, 20, 8), corner]
+        part = Part.makeBox(40, 20, 8).fuse(Part.Face(Part.makePolygon(step)).extrude(FreeCAD.Vector(0, 0, 4)))
+        edge = next(f"Edge{i}" for i, edge in enumerate(part.Edges, 1)
+                    if edge.Length > 40.0001 and edge.BoundBox.ZMax < 8.001)
+        for size, cut in ((0.3, 1), (0.6, 0)):  # mm; the corner is 0.004 mm wide, as the detail is, at 0.4 mm
+            with self.subTest(size):
+                report = mq.triangulate(part, min_angle=25, chord_height_relative=2e-3, local_sizes={edge: size}).report
+                self.assertEqual((report.cut_corners, len(report.exempt)), (cut, 1 - cut), str(report))
+                self.assertEqual(report.self_intersections, 0)
+
     def test_by_itself_corners_are_cut_off_where_more_triangles_stay_below_the_bound(self):
         part = roof(0.2)
         kept = mq.triangulate(part, chord_height_relative=2e-3, corners="keep")

@@ -17,6 +17,7 @@ import test_section
 
 import MeshQuality as mq
 from MeshQuality.features import adapted_mesh
+from MeshQuality.compat import fem_in_document
 from MeshQuality.gui import commands
 from MeshQuality.gui.panels import quality_panel
 from MeshQuality.gui.panels.solid_panel import SolidPanel
@@ -202,7 +203,7 @@ class Fem(Nested):
                 self.put_in(part)
             self.document.recompute()
             analysis = cantilever.add_analysis(part, "force")
-            if nested:
+            if nested and not fem_in_document():
                 self.put_in(analysis)
             obj = mq.add_fem_mesh(part, analysis=analysis, max_edge=12.0)
             FreeCADGui.Selection.clearSelection()

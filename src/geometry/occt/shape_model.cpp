@@ -171,8 +171,10 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
         const OpenCascadeWait wait(progress, "measuring the size");
         topology_.box = bounding_box(shape, live_, topology_, evaluator, progress);
     }
-    static_cast<void>(SinglePrecisionGrid(topology_.box));  // refuses an unbounded part before edges are searched
-    topology_.detail = join.detail ? join.detail(topology_.box) : 0.0;
+    if (join.detail) {
+        static_cast<void>(SinglePrecisionGrid(topology_.box));  // refuses an unbounded part before edges are searched
+        topology_.detail = join.detail(topology_.box);
+    }
     const OpenCascadeWait wait(progress, "reading the shape");
     remove_degenerate_faces(entities, topology_, live_, progress);
     if (remove_spikes(topology_, live_, progress)) {

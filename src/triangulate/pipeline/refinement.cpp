@@ -120,7 +120,15 @@ void Refinement::refine_angles() {
         work_.angle_history.start();
     }
     work_.angle_history.record(work_);
+    const std::size_t budget = work_.budget;
+    if (options_.costly_above > 0) {
+        constexpr std::size_t kMostTimes = 20;
+        work_.budget = std::min(budget, std::max(options_.costly_above, kMostTimes * work_.triangles()));
+    }
     angles_.run();
+    if (!work_.over_budget()) {
+        work_.budget = budget;
+    }
     work_.angle_history.record(work_);  // triangles may have been exempted since the last vertex
     work_.angle_history.stop();
 }

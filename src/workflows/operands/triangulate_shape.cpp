@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -51,14 +52,28 @@ void note_lost_volume(Result& result, const TopoDS_Shape& shape, geometry::Engin
     }
 }
 
+double shortest_side(const mesh::TriangleMesh& mesh, std::int32_t triangle) {
+    const auto& corners = mesh.triangles[static_cast<std::size_t>(triangle)];
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 side = mesh.vertices[static_cast<std::size_t>(corners[i])] -
+                          mesh.vertices[static_cast<std::size_t>(corners[(i + 1) % 3])];
+        least = std::min(least, side.norm());
+    }
+    return least;
+}
+
 /// The number of triangles below the bound that are not each the one triangle of a narrow corner, or of an apex, of the
-/// shape itself, and that are there at all because of the bound on angles.
+/// shape itself, and that are there at all because of the bound on angles. Sides of a corner that are closer together
+/// than the detail where its triangle ends are not told apart: it explains nothing.
 std::ptrdiff_t unexplained(const Result& result) {
     using mesh::ExemptCause;
     const std::array<ExemptCause, 4> explained{ExemptCause::NarrowCorner, ExemptCause::Apex, ExemptCause::Budget,
                                                ExemptCause::MinEdge};
     return std::count_if(result.report.exempt.begin(), result.report.exempt.end(), [&](const auto& item) {
-        return std::find(explained.begin(), explained.end(), item.second.cause) == explained.end();
+        return std::find(explained.begin(), explained.end(), item.second.cause) == explained.end() ||
+               (item.second.cause == ExemptCause::NarrowCorner &&
+                shortest_side(result.mesh, item.first) < result.report.detail);
     });
 }
 
@@ -95,12 +110,28 @@ std::optional<Attempt> attempt(geometry::Engine& engine, const TopoDS_Shape& sha
     return Attempt{std::move(result), identified(model->topology())};
 }
 
-/// Whether the mesh has many more triangles than the distance alone asks for, and no sizes do.
-bool is_costly(const Result& result, const triangulate::TriangulateOptions& options) {
+bool asks_for_sizes(const triangulate::TriangulateOptions& options) {
+    return options.max_edge > 0.0 || !options.local_sizes.empty() || options.size_field != nullptr ||
+           options.edges_per_circle > 0.0 || options.growth > 0.0;
+}
+
+/// Whether a number of triangles is many times that which the distance alone asks for, as a report has it.
+bool is_costly(std::size_t triangles, const mesh::MeshReport& report) {
     constexpr std::size_t kMostTimes = 20;
-    return options.max_edge == 0.0 && options.local_sizes.empty() && options.size_field == nullptr &&
-           options.edges_per_circle == 0.0 && options.growth == 0.0 && result.report.chord_triangles > 0 &&
-           result.mesh.triangles.size() > kMostTimes * result.report.chord_triangles;
+    return report.chord_triangles > 0 && triangles > kMostTimes * report.chord_triangles;
+}
+
+/// Whether an attempt may be followed by one with larger details, so that it need not be done in full.
+bool may_stop(const triangulate::TriangulateOptions& options) {
+    return !asks_for_sizes(options) && options.max_triangles == 0 && !options.record_angles &&
+           options.method == triangulate::Method::Refine &&
+           (options.chord_height > 0.0 || options.chord_height_relative > 0.0);
+}
+
+/// The same options, but an attempt that need not be done in full ends as soon as details cost more than `triangles`.
+triangulate::TriangulateOptions stopped_where_costly(triangulate::TriangulateOptions options, std::size_t triangles) {
+    options.costly_above = may_stop(options) ? triangles : 0;
+    return options;
 }
 
 /// Whether a mesh keeps no less than another one.
@@ -120,27 +151,40 @@ class Attempts {
         : engine_(engine), shape_(shape), options_(options), progress_(progress), best_(first(cache)) {}
 
     /// Larger details, up to half of the distance, where keeping smaller ones takes more than twenty times the
-    /// triangles that the distance asks for.
+    /// triangles that the distance asks for. Where that was stopped, and larger details do not help, it is done in
+    /// full.
     void raise_detail() {
         const std::size_t at_first = best_.result.mesh.triangles.size();
         for (const double share : {0.2, 0.5}) {
-            if (!is_costly(best_.result, options_)) {
+            const std::size_t triangles = best_.result.mesh.triangles.size();
+            const bool stopped = !best_.result.report.complete;
+            if (stopped ? !may_stop(options_)
+                        : asks_for_sizes(options_) || !is_costly(triangles, best_.result.report)) {
                 return;
             }
-            triangulate::TriangulateOptions coarser = options_;
+            // About half of the triangles go again with the vertices that are taken out.
+            triangulate::TriangulateOptions coarser = stopped_where_costly(options_, 2 * triangles);
             coarser.detail = share * best_.result.report.chord_height_asked;
             const auto cuts =
                 coarser.corners == triangulate::Corners::Auto ? geometry::CornerCuts::All : coarser.corner_cuts();
             // Where something is identified, the same with another detail is identified elsewhere.
             const auto before = best_.identified == 0 ? std::optional<std::size_t>(0) : std::nullopt;
             if (try_with(coarser, cuts, before, [&](const Result& other) {
-                    return other.mesh.triangles.size() < best_.result.mesh.triangles.size() &&
-                           unexplained(other) <= unexplained(best_.result) &&
-                           keeps_as_much(other.report, best_.result.report);
+                    return other.report.complete && (stopped ? is_costly(triangles, other.report)
+                                                             : other.mesh.triangles.size() < triangles &&
+                                                                   unexplained(other) <= unexplained(best_.result) &&
+                                                                   keeps_as_much(other.report, best_.result.report));
                 })) {
                 options_.detail = coarser.detail;
                 larger_details_ = {phrases::kLargerDetails, {{"length", in_mm(coarser.detail)}, {"count", at_first}}};
             }
+        }
+    }
+
+    /// Without a stop, where all attempts before were stopped.
+    void complete() {
+        if (!best_.result.report.complete && may_stop(options_)) {
+            best_ = *attempt(engine_, shape_, options_, cuts_, std::nullopt, progress_, nullptr);
         }
     }
 
@@ -171,12 +215,16 @@ class Attempts {
     /// @throws TopologyError of the first one, if all are refused
     Attempt first(triangulate::MeshCache* cache) {
         const geometry::CornerCuts by_options = options_.corner_cuts();
+        constexpr std::size_t kFewTriangles = 100'000;  // take a second or two
+        const triangulate::TriangulateOptions stopped = stopped_where_costly(options_, kFewTriangles);
+        cuts_ = by_options;
         try {
-            return *attempt(engine_, shape_, options_, by_options, std::nullopt, progress_, cache);
+            return *attempt(engine_, shape_, stopped, by_options, std::nullopt, progress_, cache);
         } catch (const TopologyError&) {
             for (const geometry::CornerCuts cuts : {geometry::CornerCuts::All, geometry::CornerCuts::None}) {
                 const bool other = by_options == geometry::CornerCuts::Pinches;
-                if (auto found = other ? unless_refused(options_, cuts, std::nullopt) : std::nullopt) {
+                if (auto found = other ? unless_refused(stopped, cuts, std::nullopt) : std::nullopt) {
+                    cuts_ = cuts;
                     return std::move(*found);
                 }
             }
@@ -213,6 +261,7 @@ class Attempts {
     const TopoDS_Shape& shape_;
     triangulate::TriangulateOptions options_;
     Progress& progress_;
+    geometry::CornerCuts cuts_ = geometry::CornerCuts::None;  // of the first attempt
     Attempt best_;
     Message larger_details_;  // what is said of them; empty: there are none
 };
@@ -225,6 +274,7 @@ Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
     options.validate();
     Attempts attempts(engine, shape, options, progress, cache);
     attempts.raise_detail();
+    attempts.complete();
     attempts.cut_other_corners();
     Result result = attempts.take();
     note_lost_volume(result, shape, engine, progress);
