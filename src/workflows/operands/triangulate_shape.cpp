@@ -261,7 +261,7 @@ class Attempts {
     const TopoDS_Shape& shape_;
     triangulate::TriangulateOptions options_;
     Progress& progress_;
-    geometry::CornerCuts cuts_ = geometry::CornerCuts::None;  // of the first attempt
+    geometry::CornerCuts cuts_ = geometry::CornerCuts::None;  // the first attempt had them
     Attempt best_;
     Message larger_details_;  // what is said of them; empty: there are none
 };
