@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kFewPoints = 600;     ///< for each of the poses that principal axes propose
 constexpr std::size_t kSomePoints = 4000;   ///< for the best of them
-constexpr std::size_t kManyPoints = 40000;  ///< for the fit to the mesh
+constexpr std::size_t kManyPoints = 40000;  ///< for the fit to the mesh, and first steps with exact distances
 constexpr std::size_t kKeptPoses = 4;
 constexpr int kPoseSteps = 12;
 constexpr int kMostSteps = 100;
@@ -319,6 +319,10 @@ Alignment align(const std::vector<Vec3>& points, const AlignmentTarget& target, 
         fit.run(every(points, kManyPoints), target.by_mesh, kMostSteps, kRestOnMesh, false, found);
         progress.advance(0.6);
         if (found.converged && found.rms <= kMostRms * target.size) {
+            // Steps from the mesh's fit are long ones, for which some points are enough.
+            if (points.size() > kManyPoints) {
+                fit.run(every(points, kManyPoints), target.exact, kMostExactSteps, kRest, false, found);
+            }
             fit.run(points, target.exact, kMostExactSteps, kRest, false, found);
         }
     }

@@ -6,7 +6,7 @@ from PySide import QtCore, QtGui
 
 _ERROR = "border: 1px solid #cc0000; padding: 4px"
 _MARGIN = 20  # pixels that FreeCAD's task view has below a form, and some more
-_LINES = 8  # of text that are seen of what scrolls, at least
+_LINES = 8  # of text that a part must have room for to scroll by itself
 
 
 class Message(QtGui.QLabel):
@@ -164,7 +164,9 @@ class Scrolled(QtGui.QScrollArea):
 
     def _fit(self):
         if self._task_view is not None:
-            height = min(self._needed(), max(self._room(), _LINES * self.fontMetrics().height()))
+            needed, room = self._needed(), self._room()
+            # Too little to scroll in: then the task view scrolls all, and there is one bar.
+            height = min(needed, room) if room >= _LINES * self.fontMetrics().height() else needed
             if height != self.maximumHeight():
                 self.setFixedHeight(height)
 
