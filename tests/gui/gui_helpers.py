@@ -89,6 +89,15 @@ class GuiTest(helpers.DocumentTest):
         wait()
         self.view = FreeCADGui.getDocument(self.document.Name).activeView()
 
+    def as_at_first(self):
+        """Hides what a new FreeCAD does not show below the tasks."""
+        for name in ("Report view", "Python console"):
+            dock = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, name)
+            if dock is not None:
+                self.addCleanup(dock.setVisible, dock.isVisible())
+                dock.hide()
+        wait(0.2)
+
     def until(self, condition):
         """Lets the event loop run until a condition holds."""
         end = time.monotonic() + LIMIT

@@ -14,7 +14,6 @@ from MeshQuality.gui.panels.flow_panel import FlowPanel
 from MeshQuality.gui.panels.mesh_panel import MeshPanel
 
 _WINDOW = (1366, 768)
-_BELOW = "Report view", "Python console"  # which a new FreeCAD does not show
 
 
 def is_seen(widget, area):
@@ -29,12 +28,7 @@ class Heights(gui_helpers.PanelTest):
         window = FreeCADGui.getMainWindow()
         self.addCleanup(window.resize, window.size())
         window.resize(*_WINDOW)
-        for name in _BELOW:
-            dock = window.findChild(QtGui.QDockWidget, name)
-            if dock is not None:
-                self.addCleanup(dock.setVisible, dock.isVisible())
-                dock.hide()
-        gui_helpers.wait(0.2)
+        self.as_at_first()
         self.addCleanup(gui_helpers.use_units, gui_helpers.MM)
         self.addCleanup(FreeCADGui.setLocale, "English")
 
