@@ -199,8 +199,8 @@ class Fit {
   public:
     Fit(const AlignmentTarget& target, Progress& progress) : target_(target), progress_(progress) {}
 
-    /// Steps until the next one would be shorter than a fraction of its standard error, `most` at most; returns the last
-    /// one. Each step is expected to be as much shorter than the one before as that one was.
+    /// Steps until the next one would be shorter than a fraction of its standard error, `most` at most; returns the
+    /// last one. Each step is expected to be as much shorter than the one before as that one was.
     Step run(const std::vector<Vec3>& points, const DistancesOf& distances_of, int most, double rest, bool keep_all,
              Alignment& found) const {
         Step step;
@@ -211,7 +211,8 @@ class Fit {
             const std::vector<Vec3> now = moved(points, found.motion);
             step = step_from(now, distances_of(now), target_.size, keep_all);
             ++found.iterations;
-            const double shorter = before > step.length ? step.length / before : 1.0;
+            // What is kept whole comes to lie on the reference, and no scatter says when it is near enough.
+            const double shorter = !keep_all && before > step.length ? step.length / before : 1.0;
             before = step.length;
             found.converged = shorter * step.of_error <= rest || step.length <= kFinest * target_.size;
             found.motion = after(step.motion, found.motion);
