@@ -6,7 +6,7 @@ from PySide import QtCore, QtGui
 
 _ERROR = "border: 1px solid #cc0000; padding: 4px"
 _MARGIN = 20  # pixels that FreeCAD's task view has below a form, and some more
-_LINES = 8  # of text that a part must have room for to scroll by itself
+_LINES = 4  # of text that a part must have room for to scroll by itself
 
 
 class Message(QtGui.QLabel):
