@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kFewPoints = 600;     ///< for each of the poses that principal axes propose
 constexpr std::size_t kSomePoints = 4000;   ///< for the best of them
-constexpr std::size_t kManyPoints = 40000;  ///< for the fit to the mesh
+constexpr std::size_t kManyPoints = 40000;  ///< for the fit to the mesh, and first steps with exact distances
 constexpr std::size_t kKeptPoses = 4;
 constexpr int kPoseSteps = 12;
 constexpr int kMostSteps = 100;
@@ -26,7 +26,7 @@ constexpr int kMostExactSteps = 20;
 constexpr double kOutlier = 3.0;        ///< robust standard deviations
 constexpr double kDeviations = 1.4826;  ///< standard deviations of a normal distribution in its median absolute value
 constexpr double kRestOnMesh = 1.0;     ///< likewise with distances from facets, which are rough
-constexpr double kRest = 0.05;          ///< a step shorter than this fraction of its standard error is the last one
+constexpr double kRest = 0.05;          ///< the next step would be shorter than this fraction of its standard error
 constexpr double kFinest = 1e-9;        ///< a step shorter than this fraction of the size is the last one
 constexpr double kMostRms = 0.02;       ///< fraction of the size: points farther off do not fit
 constexpr double kFlat = 1e-6;          ///< motions that change squared distances by less than this fraction are free
@@ -199,17 +199,22 @@ class Fit {
   public:
     Fit(const AlignmentTarget& target, Progress& progress) : target_(target), progress_(progress) {}
 
-    /// Steps until one is shorter than a fraction of its standard error, `most` at most; returns the last one.
+    /// Steps until the next one would be shorter than a fraction of its standard error, `most` at most; returns the
+    /// last one. Each step is expected to be as much shorter than the one before as that one was.
     Step run(const std::vector<Vec3>& points, const DistancesOf& distances_of, int most, double rest, bool keep_all,
              Alignment& found) const {
         Step step;
+        double before = 0.0;
         found.converged = false;
         for (int i = 0; i < most && !found.converged; ++i) {
             progress_.check();
             const std::vector<Vec3> now = moved(points, found.motion);
             step = step_from(now, distances_of(now), target_.size, keep_all);
             ++found.iterations;
-            found.converged = step.of_error <= rest || step.length <= kFinest * target_.size;
+            // What is kept whole comes to lie on the reference, and no scatter says when it is near enough.
+            const double shorter = !keep_all && before > step.length ? step.length / before : 1.0;
+            before = step.length;
+            found.converged = shorter * step.of_error <= rest || step.length <= kFinest * target_.size;
             found.motion = after(step.motion, found.motion);
         }
         found.rms = step.rms;
@@ -319,6 +324,10 @@ Alignment align(const std::vector<Vec3>& points, const AlignmentTarget& target, 
         fit.run(every(points, kManyPoints), target.by_mesh, kMostSteps, kRestOnMesh, false, found);
         progress.advance(0.6);
         if (found.converged && found.rms <= kMostRms * target.size) {
+            // Steps from the mesh's fit are long ones, for which some points are enough.
+            if (points.size() > kManyPoints) {
+                fit.run(every(points, kManyPoints), target.exact, kMostExactSteps, kRest, false, found);
+            }
             fit.run(points, target.exact, kMostExactSteps, kRest, false, found);
         }
     }

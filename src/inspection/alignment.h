@@ -55,7 +55,7 @@ geometry::RigidMotion motion_of(const std::vector<PointPair>& pairs);
 
 /// Fits points to a reference by least squares of their distances along its normals (Chen and Medioni 1992), where
 /// points farther off than three robust standard deviations are left out of each step (Chetverikov et al. 2005). First
-/// steps take some of the points and distances from the mesh, the last ones all points and exact distances.
+/// steps take some of the points, with distances from the mesh and then exact ones; the last ones take all points.
 /// @param points  in an order in which neighbours are near each other, so that every n-th is spread evenly
 /// @returns not converged where the points do not come to rest, or lie farther off than a fiftieth of the size (rms)
 /// @throws Cancelled

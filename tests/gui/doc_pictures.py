@@ -95,6 +95,7 @@ class Pictures(gui_helpers.GuiTest):
         panel = MeshPanel([commands.CamMesh().editing(obj)], editing=True)
         FreeCADGui.Control.showDialog(panel)
         self.picture("cam_mesh", DOCS)
+        self.as_at_first()
         view = QtGui.QImage(os.path.join(DOCS, "cam_mesh.png"))
         gui_helpers.wait(0.5)
         panel.form.setFixedWidth(260)
@@ -149,12 +150,17 @@ class Pictures(gui_helpers.GuiTest):
         return source
 
     def picture_of_panel(self, panel, name):
-        """The panel as wide as FreeCAD's side bar is at first."""
+        """The panel as wide as FreeCAD's side bar is at first, in a window in which all of it is seen."""
+        self.as_at_first()
+        window = FreeCADGui.getMainWindow()
+        self.addCleanup(window.resize, window.size())
+        window.resize(1400, 1100)
         gui_helpers.wait(1.0)
         form = panel.form
         form.setFixedWidth(260)
         gui_helpers.wait(0.3)
-        form.grab().save(os.path.join(DOCS, f"{name}.png"))
+        height = panel.lowest.geometry().bottom() + 1 if hasattr(panel, "lowest") else form.height()
+        form.grab(QtCore.QRect(0, 0, form.width(), height)).save(os.path.join(DOCS, f"{name}.png"))
 
     def test_sections(self):
         """A FEM mesh cut open, and in whole elements, beside the panel."""
@@ -311,15 +317,15 @@ class Pictures(gui_helpers.GuiTest):
         self.document.recompute()
         good, missed = (mq.add_quality_mesh(source, chord_height_relative=0.003)
                         for source in (bracket, blade))
-        waiting = mq.add_curved_mesh(blade)
+        waiting = mq.add_curved_mesh(bracket)
         waiting.Recompute = "Manual"
-        blade.Placement.Base = FreeCAD.Vector(0, 0, 1)
+        bracket.Placement.Base = FreeCAD.Vector(0, 0, 1)
         self.document.recompute()
         self.assertEqual(good.Certificate, "met")
         self.assertTrue(missed.Certificate.startswith("not met"))
         for obj in (good, missed, waiting):
             obj.ViewObject.Visibility = True
-        gui_helpers.wait(0.3)
+        self.as_at_first()
         tree = next(tree for tree in FreeCADGui.getMainWindow().findChildren(QtGui.QTreeWidget)
                     if tree.isVisible() and tree.topLevelItemCount())
         tree.grab(QtCore.QRect(0, 0, 264, 155)).save(os.path.join(DOCS, "tree_badges.png"))

@@ -74,12 +74,9 @@ class Wheel(gui_helpers.PanelTest):
     def test_the_panel_scrolls_instead(self):
         panel = self.panel(commands.Triangulate, self.box())
         gui_helpers.unfold(panel)
-        panel.form.setMinimumHeight(3000)  # longer than any screen
+        panel.fields.setMinimumHeight(3000)  # longer than any screen
         gui_helpers.wait()
-        area = panel.form.parentWidget()
-        while not isinstance(area, QtGui.QScrollArea):
-            area = area.parentWidget()
-        bar, angle = area.verticalScrollBar(), panel.options.field("min_angle")
+        bar, angle = panel.lowest.verticalScrollBar(), panel.options.field("min_angle")
         self.until(lambda: bar.maximum() > 0)
         bar.setValue(0)
         turn(angle)

@@ -143,6 +143,12 @@ class Widths(gui_helpers.PanelTest):
         self.in_language("German")
         self.everywhere("German_dark")
 
+    def test_buttons_have_room_beside_long_labels_in_a_dark_theme(self):
+        self.in_dark_theme()
+        panel = self.panel(commands.FemMesh, self.box())
+        self.check(panel, "width_English_dark_FemMesh")
+        panel.reject()
+
     def test_nothing_is_cut_off_in_inches(self):
         self.in_language("German")
         gui_helpers.use_units(gui_helpers.INCHES)

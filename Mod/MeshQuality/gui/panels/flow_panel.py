@@ -99,9 +99,9 @@ class FlowPanel(MeshPanel):
             self.by_patch.addItem(name, faces)
         self.by_patch.setVisible(self.by_patch.count() > 1)
         self.by_patch.activated.connect(self._add_patch)
-        place = self.form.layout().indexOf(self.options)
+        place = self.fields.layout().indexOf(self.options)
         for widget in (self.by_patch, self.y_plus):
-            self.form.layout().insertWidget(place, widget)
+            self.fields.layout().insertWidget(place, widget)
 
     def _add_patch(self, row):
         faces = self.by_patch.itemData(row)

@@ -19,7 +19,7 @@ from ..translation import translated
 from ..view import badge
 from .option_form import OptionForm
 from .preset_box import PresetBox
-from .task_form import ClosesWithDocument, Form, Message, bring_into_sight, is_in_task_view, narrow_buttons
+from .task_form import ClosesWithDocument, Form, Message, Scrolled, bring_into_sight, is_in_task_view, narrow_buttons
 
 _PAUSE = 400  # ms without a change before a trial begins
 
@@ -95,9 +95,15 @@ class MeshPanel:
         layout.setContentsMargins(0, 0, 0, 0)
         for label in (of, self.estimate, self.doing):
             label.setWordWrap(True)
+        self.fields = QtGui.QWidget()
+        fields = QtGui.QVBoxLayout(self.fields)
+        fields.setContentsMargins(0, 0, 0, 0)
+        for widget in (self.presets, self.options):
+            fields.addWidget(widget)
+        self.lowest = Scrolled(self.fields)  # kept: else PySide may end what Python says of it
         # What tells of the work comes first, where it is seen however long the options are.
         for widget in (of, self.swap, self.message, self.estimate, self.doing, self.bar, self.button, self.leave, self.certificate,
-                       self.presets, self.options):
+                       self.lowest):
             layout.addWidget(widget)
         layout.addStretch()
         self.bar.setRange(0, 1000)

@@ -47,7 +47,6 @@ class SizeFieldsBox(QtGui.QWidget):
         self.draw.setCheckable(True)
         self.draw.setToolTip(translate("MeshQuality", "Draw the sizes as coloured points, and count the triangles to expect"))
         self.words = Message()
-        self.draw.setMinimumWidth(self.draw.sizeHint().width())
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.table)
@@ -63,6 +62,11 @@ class SizeFieldsBox(QtGui.QWidget):
         self.table.itemChanged.connect(self._edited)
         self.destroyed.connect(self._drawn.clear)
         self.fill(())
+
+    def showEvent(self, event):
+        """Called by Qt: only now the button has the style sheet of the window, and the width that it needs."""
+        self.draw.setMinimumWidth(self.draw.sizeHint().width())
+        super().showEvent(event)
 
     def names(self):
         """The names of the fields that are checked."""

@@ -5,6 +5,8 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 _ERROR = "border: 1px solid #cc0000; padding: 4px"
+_MARGIN = 20  # pixels that FreeCAD's task view has below a form, and some more
+_LINES = 4  # of text that a part must have room for to scroll by itself
 
 
 class Message(QtGui.QLabel):
@@ -100,6 +102,78 @@ class Form(QtGui.QWidget):
             return False
         event.ignore()
         return True
+
+
+class Scrolled(QtGui.QScrollArea):
+    """The lowest part of a form. It is as high as the fields in it, and scrolls by itself where the task view has less room than
+    that: FreeCAD's buttons and what tells of the work, which are above it, stay in sight.
+    """
+
+    def __init__(self, fields):
+        super().__init__()
+        self._task_view = None
+        self._later = QtCore.QTimer(self)  # not while the layout around is at work, which would not see another height
+        self._later.setSingleShot(True)
+        self._later.setInterval(0)
+        self._later.timeout.connect(self._fit)
+        self.setFrameShape(QtGui.QFrame.NoFrame)
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        self.setWidget(fields)
+        for part in (self.viewport(), fields):
+            part.setAutoFillBackground(False)
+
+    def minimumSizeHint(self):
+        """Called by Qt: there is no bar to reach what would be too wide."""
+        bar = 0 if self._needed() <= self.maximumHeight() else self.verticalScrollBar().sizeHint().width()
+        return QtCore.QSize(self.widget().minimumSizeHint().width() + bar, self.minimumHeight())
+
+    def sizeHint(self):
+        """Called by Qt."""
+        return QtCore.QSize(self.widget().sizeHint().width(), self._needed())
+
+    def showEvent(self, event):
+        """Called by Qt, in the task view."""
+        super().showEvent(event)
+        self._task_view = next((area for area in self.window().findChildren(QtGui.QScrollArea) if area.isAncestorOf(self)), None)
+        if self._task_view is not None:
+            self._task_view.viewport().installEventFilter(self)
+        self._later.start()
+
+    def moveEvent(self, event):
+        """Called by Qt where what is above gets more or less."""
+        super().moveEvent(event)
+        self._later.start()
+
+    def resizeEvent(self, event):
+        """Called by Qt: lines break elsewhere in another width."""
+        super().resizeEvent(event)
+        self._later.start()
+
+    def eventFilter(self, watched, event):
+        """Called by Qt where the fields need another height, or the task view gets one."""
+        done = super().eventFilter(watched, event)
+        if event.type() in (QtCore.QEvent.LayoutRequest, QtCore.QEvent.Resize):
+            self._later.start()
+        return done
+
+    def _needed(self):
+        fields, width = self.widget(), self.viewport().width()
+        layout = fields.layout()
+        return layout.heightForWidth(width) if layout.hasHeightForWidth() and self.isVisible() else fields.sizeHint().height()
+
+    def _fit(self):
+        if self._task_view is not None:
+            needed, room = self._needed(), self._room()
+            # Too little to scroll in: then the task view scrolls all, and there is one bar.
+            height = min(needed, room) if room >= _LINES * self.fontMetrics().height() else needed
+            if height != self.maximumHeight():
+                self.setFixedHeight(height)
+
+    def _room(self):
+        """Pixels between what is above and the lower end of the task view."""
+        view = self._task_view
+        return view.viewport().height() - self.mapTo(view.viewport(), QtCore.QPoint()).y() - view.verticalScrollBar().value() - _MARGIN
 
 
 class ClosesWithDocument:
