@@ -51,7 +51,7 @@ import os, signal, sys
 remove = os.unlink
 def interrupted(path):
     os.unlink = remove
-    os.kill(os.getpid(), signal.SIGINT)
+    signal.raise_signal(signal.SIGINT)  # to this thread, at once
     remove(path)
 os.unlink = interrupted
 from MeshQuality.cli import main
