@@ -206,6 +206,14 @@ class VolumeMeshes(helpers.DocumentTest):
     def test_cancelling(self):
         with self.assertRaises(mq.Cancelled):
             mq.volume_mesh(Part.makeBox(10, 8, 6), 3, 0.05, progress=lambda fraction, stage: fraction < 0.42)
+        asked = []
+
+        def until_the_last(fraction, stage):
+            asked.append(stage)
+            return asked.count("checking elements") < 8
+
+        with self.assertRaises(mq.Cancelled):
+            mq.volume_mesh(Part.makeBox(10, 8, 6), 3, 0.05, progress=until_the_last)
 
 
 class VolumeFiles(helpers.DocumentTest):

@@ -37,10 +37,11 @@ class MeasureTable(metaclass=Public):
     print(table) writes the worst value and the mean of each.
     """
 
-    __slots__ = {"_blocks": None, "_found": None, "_nodes": None, "face": "int32 (E,)", "kinds": "{kind of element: count}",
+    __slots__ = {"_blocks": None, "_check": None, "_found": None, "_nodes": None, "face": "int32 (E,)", "kinds": "{kind of element: count}",
                  "names": "tuple", "numbers": "int (E,)"}
 
-    def __init__(self, nodes, blocks, face=None):
+    def __init__(self, nodes, blocks, face=None, check=lambda: None):
+        self._check = check  # called now and then; may raise Cancelled
         self._nodes, self._found = np.asarray(nodes, dtype=np.float64), {}
         self._blocks = [(kind, corners) for kind, corners in blocks if len(corners)]
         self.kinds = {}
@@ -69,7 +70,7 @@ class MeasureTable(metaclass=Public):
 
     def _compute(self, name):
         if _BY_NAME[name] in FINITE_VOLUME:
-            found = finite_volume_measures(self._nodes, self._blocks)
+            found = finite_volume_measures(self._nodes, self._blocks, self._check)
             self._found.update(zip([measure.name for measure in FINITE_VOLUME], found))
         else:
             self._found[name] = np.concatenate([_BY_NAME[name].values(kind, self._nodes[corners])
@@ -158,9 +159,9 @@ def measures(mesh):
     return table_of_elements(read_mesh(mesh) if isinstance(mesh, (str, os.PathLike)) else ElementMesh.of(mesh))
 
 
-def table_of_elements(mesh):
-    """The MeasureTable of an ElementMesh."""
+def table_of_elements(mesh, check=lambda: None):
+    """The MeasureTable of an ElementMesh; `check` is called now and then while it is computed, and may raise Cancelled."""
     if mesh.dimension < 2:
         raise InvalidInput("the mesh has lines only: measures are of triangles, quadrilaterals and volumes")
     return MeasureTable(mesh.nodes, [(block.kind, block.nodes[:, :kinds.CORNERS[block.kind]]) for block in mesh.blocks
-                                     if kinds.DIMENSION[block.kind] == mesh.dimension])
+                                     if kinds.DIMENSION[block.kind] == mesh.dimension], check=check)

@@ -11,12 +11,14 @@ from . import kinds
 from .hanging import hangs
 
 
-def of_blocks(blocks, nodes):
+def of_blocks(blocks, nodes, check=lambda: None):
     """(conforming, oriented): whether no side has more than two elements and no corner hangs, and whether all pairs see a
     side from two sides.
 
     A corner hangs that is an inner node of another element, or lies on an edge or a side of one (hanging.py). Sides are the faces of volume elements; of a mesh without these, the
     edges of triangles and quadrilaterals, where more than two may meet.
+
+    check  called now and then; may raise Cancelled
     """
     highest = max(kinds.DIMENSION[block.kind] for block in blocks)
     whole = [block for block in blocks if kinds.DIMENSION[block.kind] == highest]
@@ -25,8 +27,11 @@ def of_blocks(blocks, nodes):
         _, counts = np.unique(directed, axis=0, return_counts=True)
         _, pairs = np.unique(np.sort(directed, axis=1), axis=0, return_counts=True)
         return not hangs(whole, nodes) and not doubled(whole), bool(counts.max(initial=0) <= 1 or pairs.max(initial=0) > 2)
-    conforming, oriented = not hangs(whole, nodes) and not doubled(whole), True
+    conforming, oriented = not hangs(whole, nodes), True
+    check()
+    conforming = conforming and not doubled(whole)
     for corners in (3, 4):
+        check()
         sides = [block.nodes[:, list(face)] for block in whole for face in kinds.FACES[block.kind] if len(face) == corners]
         if sides:
             counts, turns = _counted(np.concatenate(sides))
@@ -61,5 +66,8 @@ def _counted(sides):
     count = sides.shape[1]
     after, before = sides[rows, (first + 1) % count], sides[rows, (first - 1) % count]
     way = np.where(after < before, 1, -1)
-    _, index, counts = np.unique(np.sort(sides, axis=1), axis=0, return_inverse=True, return_counts=True)
-    return counts, np.bincount(index, weights=way)
+    keys = np.sort(sides, axis=1)
+    order = np.lexsort(keys.T)
+    begins = np.append(True, (keys[order[1:]] != keys[order[:-1]]).any(axis=1))[:len(keys)]
+    index = np.cumsum(begins) - 1
+    return np.bincount(index), np.bincount(index, weights=way[order])

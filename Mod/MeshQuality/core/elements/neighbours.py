@@ -24,21 +24,27 @@ class _Faces:
     area: np.ndarray
 
 
-def finite_volume_measures(nodes, blocks):
+def finite_volume_measures(nodes, blocks, check=lambda: None):
     """(non-orthogonality in degrees, skewness), float64 (E,): of each volume element the largest of its faces. Non-orthogonality
     is 0 of elements without a neighbour.
 
     nodes   float64 (N, 3)
     blocks  [(kind, int (E, corners)), ...] of volume elements
+    check   called now and then; may raise Cancelled
     """
     faces = _faces_of(nodes, blocks)
+    check()
     count = sum(len(corners) for _, corners in blocks)
     centres = _centres_of_elements(nodes, blocks, faces, count)
+    check()
     first, second = _pairs_of(faces.rings)
+    check()
     angle, skewness = np.zeros(count), np.zeros(count)
     inner = _angle(centres[faces.owner[second]] - centres[faces.owner[first]], faces.area[first])
+    check()
     across = _skewness_inside(nodes, faces, first, centres[faces.owner[first]], centres[faces.owner[second]])
     for side in (first, second):
+        check()
         np.maximum.at(angle, faces.owner[side], inner)
         np.maximum.at(skewness, faces.owner[side], across)
     alone = np.setdiff1d(np.arange(len(faces.owner)), np.concatenate([first, second]))

@@ -293,16 +293,20 @@ def _gap_of(mesh, progress):
 
 def _filled(mesh, surface, values, patches, progress):
     heights = values["first_height"] * values["growth_rate"] ** np.arange(values["layers"])
+    check = _checker(progress)
     marching = marching_of(surface.points, surface.triangles, surface.face, surface.is_wall, _plane_normals(surface))
     gap = _gap_of(mesh, part_of(progress, 0.3, 0.4))
-    layers = layers_of(surface, marching, heights, gap, _checker(progress))
+    layers = layers_of(surface, marching, heights, gap, check)
     if layers is None:
         raise GeometryError(Text(flow_phrases.NO_LAYERS))
     gap_of = _widest_gaps(surface, gap)
     _require_some(surface, layers, gap_of, heights.sum(), values["named"])
     points, tetrahedra = _inside(layers, values["growth_inside"], part_of(progress, 0.5, 0.95))
+    check = _checker(progress, 0.95, "checking elements")
+    check()
     made = _mesh_of(surface, layers, points, tetrahedra, patches)
-    made._report = report_of(made, surface, layers, values, heights, float(mesh.report.max_chord_height), _require_valid(made), gap_of)
+    least = _require_valid(made, check)
+    made._report = report_of(made, surface, layers, values, heights, float(mesh.report.max_chord_height), least, gap_of, check)
     return made
 
 
@@ -310,14 +314,14 @@ def _with_order(straight, shape, order, progress):
     """The VolumeMesh of a higher order on the same corners."""
     found = curved(straight, shape, order, progress)
     made = VolumeMesh(found.content, straight.prism_layer, straight._patches, straight.patch_types)
-    least = _require_valid(made)
+    least = _require_valid(made, _checker(progress, 0.95, "checking elements"))
     made._report = straight.report.of_order(made, found, least)
     return made
 
 
-def _checker(progress):
+def _checker(progress, done=0.45, stage="growing layers"):
     def check():
-        if progress is not None and progress(0.45, "growing layers") is False:
+        if progress is not None and progress(done, stage) is False:
             raise Cancelled("cancelled")
     return check
 
@@ -383,12 +387,13 @@ def _mesh_of(surface, layers, points, tetrahedra, patches):
                       layers.level.astype(np.int32), patches, types)
 
 
-def _require_valid(mesh):
+def _require_valid(mesh, check=lambda: None):
     """The smallest proven bound of min J / max |J|. Raises GeometryError unless all elements are proven valid, conform, and have the listed
     boundary and no other.
     """
     least = 1.0
     for block in mesh.blocks:
+        check()
         if kinds.DIMENSION[block.kind] < 3:
             continue
         bounds = proven_bounds(mesh.nodes, block.kind, block.nodes, block.order)
@@ -397,9 +402,11 @@ def _require_valid(mesh):
             raise GeometryError(f"{wrong} {kinds.PLURALS[block.kind]} are not proven valid: give thinner layers, or a finer surface by "
                                 "max_edge")
         least = min(least, float(bounds.min()))
-    conforming, oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
+    conforming, oriented = conformity.of_blocks(mesh.blocks, mesh.nodes, check)
+    check()
     listed = {len(rows[0]): rows for rows in (mesh.boundary_triangles, mesh.boundary_quadrilaterals) if len(rows)}
     bounds = {len(rows[0]): rows for rows in mesh.boundary() if len(rows)}
+    check()
     same = set(listed) == set(bounds) and all(_same_sides(listed[count], bounds[count]) for count in listed)
     if not (conforming and oriented and same):
         raise GeometryError("the elements do not conform: give thinner layers, or a finer surface by max_edge")

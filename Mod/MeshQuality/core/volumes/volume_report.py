@@ -136,9 +136,11 @@ def coverage_of(surface, layers, first_height):
     return tuple(found), float(areas[layers.covered].sum() / whole), float(areas[share >= _FULL].sum() / whole)
 
 
-def report_of(mesh, surface, layers, values, heights, chord_height, least, gap_of):
-    """The VolumeReport of a VolumeMesh; values are the checked options, least is its min_distortion, gap_of {wall face: its widest gap, mm}."""
-    table = table_of_elements(mesh)
+def report_of(mesh, surface, layers, values, heights, chord_height, least, gap_of, check):
+    """The VolumeReport of a VolumeMesh; values are the checked options, least is its min_distortion, gap_of {wall face: its widest gap, mm}.
+    `check` is called now and then, and may raise Cancelled.
+    """
+    table = table_of_elements(mesh, check)
     walls, covered, full = coverage_of(surface, layers, values["first_height"])
     total, gaps = heights.sum(), {surface.name_of(face): gap for face, gap in gap_of.items()}
     notes = [f"{wall.face} has no layers: the gap there is {gaps[wall.face]:.3g} mm at most, and the layers are {total:.3g} mm thick"
