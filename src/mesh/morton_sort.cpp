@@ -2,7 +2,10 @@
 #include "mesh/morton_sort.h"
 
 #include <cstddef>
-#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "base/threads/for_ranges.h"
 
 namespace mq::mesh {
 
@@ -32,18 +35,30 @@ void sort_by_code(LargeVector<MortonKey>& keys) {
     constexpr int kPasses = 3;
     // Buckets of one pass.
     constexpr std::size_t kBuckets = std::size_t{1} << kBits;
-    std::array<std::array<std::uint32_t, kBuckets + 1>, kPasses> begin{};
-    for (const MortonKey& key : keys) {
-        for (int pass = 0; pass < kPasses; ++pass) {
-            ++begin[pass][((key.code >> (kBits * pass)) & (kBuckets - 1)) + 1];
-        }
-    }
+    using Counts = std::array<std::uint32_t, kBuckets>;
     LargeVector<MortonKey> sorted(keys.size());
+    std::vector<Counts> places((keys.size() + kItemsInRange - 1) / kItemsInRange);  // by range of keys
     for (int pass = 0; pass < kPasses; ++pass) {
-        std::partial_sum(begin[pass].begin(), begin[pass].end(), begin[pass].begin());
-        for (const MortonKey& key : keys) {
-            sorted[begin[pass][(key.code >> (kBits * pass)) & (kBuckets - 1)]++] = key;
+        const auto bucket = [&](const MortonKey& key) { return (key.code >> (kBits * pass)) & (kBuckets - 1); };
+        for_ranges(keys.size(), [&](std::size_t from, std::size_t to) {
+            Counts& counts = places[from / kItemsInRange];
+            counts.fill(0);
+            for (std::size_t i = from; i < to; ++i) {
+                ++counts[bucket(keys[i])];
+            }
+        });
+        std::uint32_t place = 0;
+        for (std::size_t b = 0; b < kBuckets; ++b) {
+            for (Counts& counts : places) {
+                place += std::exchange(counts[b], place);
+            }
         }
+        for_ranges(keys.size(), [&](std::size_t from, std::size_t to) {
+            Counts& next = places[from / kItemsInRange];
+            for (std::size_t i = from; i < to; ++i) {
+                sorted[next[bucket(keys[i])]++] = keys[i];
+            }
+        });
         keys.swap(sorted);
     }
 }

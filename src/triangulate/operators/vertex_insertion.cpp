@@ -147,18 +147,21 @@ std::optional<SurfacePoint> surface_point(const Workspace& work, const Candidate
     return SurfacePoint{work.grid.snap(nearest.point), Vec2(nearest.u, nearest.v), nearest.normal};
 }
 
+std::optional<SurfacePoint> surface_point(geometry::Answerer& answerer, const Workspace& work, const Candidate& c) {
+    const int face = work.mesh.face_of(c.triangle);
+    Answer answer = answerer.answer(Query::face_nearest(face, work.grid.to_shape(c.point), c.uv.x(), c.uv.y()));
+    if (c.uv_is_near && (!answer.found() || answer.distance > c.reach)) {
+        answer = answerer.answer(Query::face_point(face, c.uv.x(), c.uv.y()));
+        answer.distance = (answer.point - work.grid.to_shape(c.point)).norm();
+    }
+    return surface_point(work, c, answer);
+}
+
 std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const std::vector<Candidate>& candidates) {
     std::vector<std::optional<SurfacePoint>> result(candidates.size());
     work.session.for_chunks(candidates.size(), [&](geometry::Answerer& answerer, std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            const Candidate& c = candidates[i];
-            const int face = work.mesh.face_of(c.triangle);
-            Answer answer = answerer.answer(Query::face_nearest(face, work.grid.to_shape(c.point), c.uv.x(), c.uv.y()));
-            if (c.uv_is_near && (!answer.found() || answer.distance > c.reach)) {
-                answer = answerer.answer(Query::face_point(face, c.uv.x(), c.uv.y()));
-                answer.distance = (answer.point - work.grid.to_shape(c.point)).norm();
-            }
-            result[i] = surface_point(work, c, answer);
+            result[i] = surface_point(answerer, work, candidates[i]);
         }
     });
     return result;

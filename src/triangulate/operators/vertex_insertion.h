@@ -40,6 +40,8 @@ struct SurfacePoint {
 /// Converts the projection of a candidate; no value if there is none, or it lies on another sheet of the surface.
 std::optional<SurfacePoint> surface_point(const Workspace& work, const Candidate& candidate,
                                           const geometry::Answer& nearest);
+/// Projects a candidate; no value where the engine finds no surface point nearby.
+std::optional<SurfacePoint> surface_point(geometry::Answerer& answerer, const Workspace& work, const Candidate& c);
 /// Projects many candidates at once; no value where the engine finds no surface point nearby.
 std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const std::vector<Candidate>& candidates);
 

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "base/angle.h"
 #include "base/parallel.h"
 #include "triangulate/refine/tuning.h"
+#include "triangulate/rounds/mesh_blocks.h"
 #include "triangulate/work_mesh/gradation.h"
 #include "triangulate/work_mesh/side_lengths.h"
 
@@ -235,6 +237,12 @@ void ChordRefinement::measure_growth(Violations& found) {
     }
 }
 
+void ChordRefinement::sort_worst_first(Violations& found) {
+    std::sort(found.begin(), found.end(), [](const Violation& a, const Violation& b) {
+        return a.excess != b.excess ? a.excess > b.excess : a.place < b.place;
+    });
+}
+
 // Returns the worst first, and those of similar excess in the order in which they were found: pieces that are split one
 // after another then lie together in memory.
 ChordRefinement::Violations ChordRefinement::violations() {
@@ -253,9 +261,7 @@ ChordRefinement::Violations ChordRefinement::violations() {
         found[i].place = static_cast<int>(i);
         found[i].excess = std::floor(std::log(found[i].excess) / std::log(kAlike));
     }
-    std::sort(found.begin(), found.end(), [](const Violation& a, const Violation& b) {
-        return a.excess != b.excess ? a.excess > b.excess : a.place < b.place;
-    });
+    sort_worst_first(found);
     return found;
 }
 
@@ -309,6 +315,9 @@ void ChordRefinement::split(const Violations& found) {
             inner.push_back(violation);
         }
     }
+    if (const std::size_t blocks = blocks_for(inner.size()); blocks > 1) {
+        inner = split_in_blocks(inner, blocks);
+    }
     CancelPace pace(work_.progress);
     for (std::size_t from = 0; from < inner.size() && !work_.over_budget(); from += kPiecesAtOnce) {
         const std::size_t to = std::min(from + kPiecesAtOnce, inner.size());
@@ -321,6 +330,94 @@ void ChordRefinement::split(const Violations& found) {
     known_points_ = {};
     segments_.run(touched_);
     touched_.clear();
+}
+
+// Returns the number of blocks of the mesh in which that number of edges is split at a time; 1: blocks do not pay.
+std::size_t ChordRefinement::blocks_for(std::size_t violations) const {
+    constexpr std::size_t kLeast = 4096;    // edges: about 20 ms of work
+    constexpr std::size_t kInBlock = 1024;  // edges
+    constexpr std::size_t kMostBlocks = 256;
+    constexpr std::size_t kLeastShare = 32;  // one edge to split for that number of triangles: all are cut into blocks
+    const std::size_t most = work_.triangles() + 2 * violations;
+    return violations < kLeast || violations * kLeastShare < work_.triangles() || most > work_.budget
+               ? 1
+               : std::min(kMostBlocks, violations / kInBlock);
+}
+
+// Splits edges inside faces in blocks of the mesh, those of each block in their order.
+// @return those that are left, in their order
+ChordRefinement::Violations ChordRefinement::split_in_blocks(const Violations& inner, std::size_t count) {
+    MeshBlocks blocks(work_.mesh, count);
+    std::vector<Violations> of_block(count);
+    Violations left;
+    for (const Violation& violation : inner) {
+        if (work_.mesh.stamp(violation.half_edge / 3) == violation.stamp) {
+            Violations& list =
+                work_.mesh.twin(violation.half_edge) < 0 ? left : of_block[blocks.block_of(violation.half_edge / 3)];
+            list.push_back(violation);
+        }
+    }
+    std::vector<std::size_t> insertions;
+    std::vector<std::unique_ptr<MaxMinSwaps>> swaps;
+    for (const Violations& violations : of_block) {
+        insertions.push_back(violations.size());
+        swaps.push_back(std::make_unique<MaxMinSwaps>(work_.mesh, work_.maxmin));
+    }
+    blocks.reserve(insertions);
+    work_.session.for_chunks(
+        count,
+        [&](geometry::Answerer& answerer, std::size_t from, std::size_t to) {
+            for (std::size_t k = from; k < to; ++k) {
+                const ClassifiedMesh::SharedEditing editing(blocks.share(k));
+                Workspace block{work_.session,  work_.grid,  work_.mesh,    *swaps[k],
+                                work_.progress, work_.floor, work_.min_edge};
+                of_block[k] = split_block(answerer, block, of_block[k]);
+            }
+        },
+        geometry::Session::kChunk);
+    std::vector<int> cuts = blocks.join();
+    for (std::size_t k = 0; k < count; ++k) {
+        work_.maxmin.adopt(*swaps[k], [&](int vertex) { return blocks.joined_vertex(k, vertex); });
+        left.insert(left.end(), of_block[k].begin(), of_block[k].end());
+    }
+    work_.maxmin.restore(cuts, touched_);
+    sort_worst_first(left);
+    return left;
+}
+
+// Returns the violations that have to be looked at without cuts.
+ChordRefinement::Violations ChordRefinement::split_block(geometry::Answerer& answerer, Workspace& block,
+                                                         const Violations& violations) const {
+    Violations left;
+    std::vector<int> touched;
+    CancelPace pace(block.progress);
+    for (const Violation& violation : violations) {
+        const int h = violation.half_edge;
+        pace.step();
+        if (block.mesh.stamp(h / 3) != violation.stamp) {
+            continue;
+        }
+        const std::optional<SurfacePoint> p = violation.surface_point >= 0
+                                                  ? known_points_[static_cast<std::size_t>(violation.surface_point)]
+                                                  : surface_point(answerer, block, edge_middle_site(block.mesh, h));
+        if (!p || !split_in_block(block, h, *p, touched)) {
+            left.push_back(violation);
+        }
+        touched.clear();
+    }
+    return left;
+}
+
+// Splits an edge that needs nothing but the triangles of its block: what concerns segments is left.
+bool ChordRefinement::split_in_block(Workspace& block, int half_edge, const SurfacePoint& p,
+                                     std::vector<int>& touched) const {
+    const ClassifiedMesh& mesh = block.mesh;
+    const auto is_corner = [&](int h) {
+        return mesh.segment_of(ClassifiedMesh::prev(h)) >= 0 && mesh.segment_of(ClassifiedMesh::next(h)) >= 0;
+    };
+    return !is_corner(half_edge) && !is_corner(mesh.twin(half_edge)) &&
+           surroundings_of(mesh, half_edge / 3, p.point).encroached.empty() &&
+           !insert_vertex(block, half_edge / 3, p, touched, kAlignedAtLast);
 }
 
 bool ChordRefinement::changed(const Violation& violation) const {

@@ -40,6 +40,7 @@ class ChordRefinement {
     };
     using Violations = LargeVector<Violation>;
     using SurfacePoints = std::vector<std::optional<SurfacePoint>>;
+    static void sort_worst_first(Violations& found);
     Violations violations();
     void forget_gone_edges();
     void measure_segments(Violations& found);
@@ -57,6 +58,10 @@ class ChordRefinement {
     double excess_of_edge(double chord, int half_edge) const;
     std::vector<double> turns_of(const std::vector<int>& segments);
     void split(const Violations& found);
+    std::size_t blocks_for(std::size_t violations) const;
+    Violations split_in_blocks(const Violations& inner, std::size_t count);
+    Violations split_block(geometry::Answerer& answerer, Workspace& block, const Violations& violations) const;
+    bool split_in_block(Workspace& block, int half_edge, const SurfacePoint& p, std::vector<int>& touched) const;
     SurfacePoints surface_points_of(const Violation* first, const Violation* last);
     bool changed(const Violation& violation) const;
     bool shorten_corner(int h);

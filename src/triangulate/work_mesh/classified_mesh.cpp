@@ -11,26 +11,16 @@ namespace mq::triangulate {
 
 namespace {
 
-// Marks a half-edge that is neither linked nor bound yet. Never a valid half-edge or ~segment.
-constexpr int kLoose = -0x7fffffff;
+// Marks a half-edge that is neither linked nor bound yet: names ClassifiedMesh::kLooseSide.
+constexpr int kLoose = ~0;
 
 // Returns the triangles in the order of a Morton curve, so that near triangles are near in the list.
 LargeVector<int> along_morton_curve(const ClassifiedMesh& mesh) {
-    Vec3 low = mesh.points().front();
-    Vec3 high = low;
-    for (const Vec3& p : mesh.points()) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    const double side = (high - low).maxCoeff();
-    const double scale = side > 0.0 ? (mesh::kMortonCells - 1) / (3.0 * side) : 0.0;
     LargeVector<mesh::MortonKey> keys(static_cast<std::size_t>(mesh.triangle_count()));
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-        const Vec3 cell =
-            (mesh.point_of(3 * t) + mesh.point_of(3 * t + 1) + mesh.point_of(3 * t + 2) - 3.0 * low) * scale;
-        keys[static_cast<std::size_t>(t)] = {mesh::morton_code({cell.x(), cell.y(), cell.z()}),
-                                             static_cast<std::uint32_t>(t)};
-    }
+    const MortonCurve curve(mesh);
+    for_each_in_ranges(keys.size(), [&](std::size_t t) {
+        keys[t] = {curve.place(static_cast<int>(t)), static_cast<std::uint32_t>(t)};
+    });
     mesh::sort_by_code(keys);
     LargeVector<int> order(keys.size());
     std::transform(keys.begin(), keys.end(), order.begin(),
@@ -44,19 +34,54 @@ int moved_half_edge(const NewIndices& renewed, int h) {
 
 }  // namespace
 
+MortonCurve::MortonCurve(const ClassifiedMesh& mesh) : mesh_(mesh) {
+    Vec3 high = low_ = mesh.points().front();
+    for (const Vec3& p : mesh.points()) {
+        low_ = low_.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    const double side = (high - low_).maxCoeff();
+    scale_ = side > 0.0 ? (mesh::kMortonCells - 1) / (3.0 * side) : 0.0;
+}
+
+std::uint32_t MortonCurve::place(int t) const {
+    const Vec3 cell =
+        (mesh_.point_of(3 * t) + mesh_.point_of(3 * t + 1) + mesh_.point_of(3 * t + 2) - 3.0 * low_) * scale_;
+    return mesh::morton_code({cell.x(), cell.y(), cell.z()});
+}
+
+thread_local ClassifiedMesh::Share* ClassifiedMesh::share_ = nullptr;
+
 int ClassifiedMesh::add_vertex(const Vec3& point, mesh::VertexEntity entity) {
+    if (share_ != nullptr) {
+        points_[share_->vertex] = point;
+        entities_[share_->vertex] = entity;
+        return share_->vertex++;
+    }
     points_.push_back(point);
     entities_.push_back(entity);
     return vertex_count() - 1;
 }
 
 int ClassifiedMesh::add_site(const VertexUse& site) {
-    sites_.push_back(site);
-    sites_.back().point = points_[site.vertex];
-    return site_count() - 1;
+    int index = site_count();
+    if (share_ != nullptr) {
+        index = share_->site++;
+        sites_[index] = site;
+    } else {
+        sites_.push_back(site);
+    }
+    sites_[index].point = points_[site.vertex];
+    return index;
 }
 
 int ClassifiedMesh::add_triangle(const std::array<int, 3>& sites, int face) {
+    if (share_ != nullptr) {
+        const int t = share_->triangle++;
+        std::copy(sites.begin(), sites.end(), corner_.begin() + 3 * t);
+        face_[t] = face;
+        return t;
+    }
     for (const int s : sites) {
         corner_.push_back(s);
         twin_.push_back(kLoose);
@@ -76,16 +101,31 @@ int ClassifiedMesh::add_segment(int edge, const std::array<int, 2>& vertices, co
     return segment_count() - 1;
 }
 
+int ClassifiedMesh::new_number() {
+    if (share_ == nullptr) {
+        return numbers_++;
+    }
+    const int number = share_->number;
+    share_->number += share_->stride;
+    return number;
+}
+
+// Returns what `twin_` is on that side.
+int ClassifiedMesh::add_side(int segment, int slot) {
+    sides_.push_back({segment, slot});
+    return ~(static_cast<int>(sides_.size()) - 1);
+}
+
 void ClassifiedMesh::link(int half_edge, int twin) {
     twin_[half_edge] = twin;
     twin_[twin] = half_edge;
-    number_[half_edge] = numbers_;
-    number_[twin] = numbers_++;
+    number_[half_edge] = new_number();
+    number_[twin] = number_[half_edge];
 }
 
 void ClassifiedMesh::bind(int half_edge, int segment, int use) {
-    twin_[half_edge] = ~segment;
-    number_[half_edge] = numbers_++;
+    twin_[half_edge] = add_side(segment, static_cast<int>(segments_[segment].uses.size()));
+    number_[half_edge] = new_number();
     segments_[segment].uses.push_back({half_edge, use});
 }
 
@@ -110,11 +150,11 @@ LargeVector<int> ClassifiedMesh::renumber_edges() {
         number = number < 0 ? -1 : numbers_++;
     }
     dropped_ -= numbers_;
-    for (int h = 0; h < half_edge_count(); ++h) {
-        if (!gone(triangle_of(h))) {
+    for_each_in_ranges(number_.size(), [&](std::size_t h) {
+        if (!gone(triangle_of(static_cast<int>(h)))) {
             number_[h] = renewed[number_[h]];
         }
-    }
+    });
     return renewed;
 }
 
@@ -150,11 +190,11 @@ NewIndices ClassifiedMesh::new_indices(const LargeVector<int>& order, int vertic
 void ClassifiedMesh::move_triangles(const LargeVector<int>& order, const NewIndices& renewed) {
     const auto move_corners = [&](LargeVector<int>& values, const auto& changed) {
         LargeVector<int> moved(values.size());
-        for (std::size_t i = 0; i < order.size(); ++i) {
+        for_each_in_ranges(order.size(), [&](std::size_t i) {
             for (int k = 0; k < 3; ++k) {
                 moved[3 * i + k] = changed(values[3 * order[i] + k]);
             }
-        }
+        });
         values.swap(moved);
     };
     move_corners(corner_, [&](int site) { return renewed.sites[site]; });
@@ -179,27 +219,12 @@ NewIndices ClassifiedMesh::order_in_space(int vertices, int sites) {
             use.half_edge = moved_half_edge(renewed, use.half_edge);
         }
     }
-    for (VertexUse& site : sites_) {
-        site.vertex = renewed.vertices[site.vertex];
-    }
+    for_each_in_ranges(sites_.size(), [&](std::size_t s) { sites_[s].vertex = renewed.vertices[sites_[s].vertex]; });
     move_to_indices(renewed.sites, sites_, {});
     move_to_indices(renewed.vertices, points_, Vec3::Zero());
     move_to_indices(renewed.vertices, entities_, {-1, -1});
     ++dropped_;  // data that are stored by indices of triangles are no longer valid
     return renewed;
-}
-
-ClassifiedMesh::Link ClassifiedMesh::link_of(int h) const {
-    Link link{twin_[h], -1, number_[h]};
-    if (link.twin < 0 && link.twin != kLoose) {
-        const auto& uses = segments_[~link.twin].uses;
-        for (int k = 0; k < static_cast<int>(uses.size()); ++k) {
-            if (uses[k].half_edge == h) {
-                link.slot = k;
-            }
-        }
-    }
-    return link;
 }
 
 void ClassifiedMesh::put(int h, const Link& link) {
@@ -208,7 +233,8 @@ void ClassifiedMesh::put(int h, const Link& link) {
     if (link.twin >= 0) {
         twin_[link.twin] = h;
     } else if (link.twin != kLoose) {
-        segments_[~link.twin].uses[link.slot].half_edge = h;
+        const SegmentSide side = sides_[~link.twin];
+        segments_[side.segment].uses[side.slot].half_edge = h;
     }
 }
 
@@ -250,6 +276,7 @@ int ClassifiedMesh::split_segment(int segment, int vertex, double t, const std::
         const int b = corner_[next(h)];
         const int c = corner_[prev(h)];
         const bool along = sites_[a].vertex == start;
+        const int side = twin_[h];
         const Link bc = link_of(next(h));
         const Link ca = link_of(prev(h));
         const int added = add_triangle({sites[k], b, c}, face_[tri]);
@@ -259,12 +286,8 @@ int ClassifiedMesh::split_segment(int segment, int vertex, double t, const std::
         link(3 * tri + 1, 3 * added + 2);
         const int near_half = along ? 3 * tri : 3 * added;
         const int far_half = along ? 3 * added : 3 * tri;
-        twin_[near_half] = ~segment;
-        number_[near_half] = numbers_++;
-        segments_[segment].uses[k].half_edge = near_half;
-        twin_[far_half] = ~far;
-        number_[far_half] = numbers_++;
-        segments_[far].uses.push_back({far_half, segments_[segment].uses[k].use});
+        put(near_half, {side, new_number()});
+        bind(far_half, far, segments_[segment].uses[k].use);
     }
     return far;
 }
@@ -369,14 +392,13 @@ std::vector<int> ClassifiedMesh::join_segments(int near, int far, const std::vec
     segments_[near].t[1] = segments_[far].t[1];
     std::vector<int> all;
     for (std::size_t k = 0; k < refills.size(); ++k) {
+        const int side = twin_[segments_[near].uses[k].half_edge];
         const std::vector<int> added = replace(refills[k].removed, refills[k].added);
         all.insert(all.end(), added.begin(), added.end());
         for (const int t : added) {
             for (int h = 3 * t; h < 3 * t + 3; ++h) {
                 if (corner_[h] == refills[k].base[0] && corner_[next(h)] == refills[k].base[1]) {
-                    twin_[h] = ~near;
-                    number_[h] = numbers_++;
-                    segments_[near].uses[k].half_edge = h;
+                    put(h, {side, new_number()});
                 }
             }
         }
@@ -395,12 +417,12 @@ void ClassifiedMesh::replace_between(int near, int far, int vertex, double t,
         for (const int h : spokes[k]) {
             corner_[h] = sites[k];
             ++stamp_[triangle_of(h)];
-            number_[h] = numbers_++;
+            number_[h] = new_number();
             if (twin(h) >= 0) {
                 number_[twin_[h]] = number_[h];
             }
         }
-        number_[prev(spokes[k].back())] = numbers_++;
+        number_[prev(spokes[k].back())] = new_number();
     }
 }
 
@@ -446,12 +468,23 @@ void ClassifiedMesh::drop_last_triangle() {
 
 bool ClassifiedMesh::leads_to(int h, int vertex) const {
     int g = h;
-    do {
+    for (int on = h; on >= 0; on = twin(prev(g))) {
+        g = on;
         if (vertex_of(next(g)) == vertex) {
             return true;
         }
-        g = twin(prev(g));
-    } while (g != h);
+        if (twin(prev(g)) == h) {
+            return false;
+        }
+    }
+    if (vertex_of(prev(g)) == vertex) {
+        return true;
+    }
+    for (g = twin(h); g >= 0; g = twin(next(g))) {  // the turn ends at a segment: the other way round
+        if (vertex_of(prev(g)) == vertex) {
+            return true;
+        }
+    }
     return false;
 }
 
@@ -516,10 +549,11 @@ std::string ClassifiedMesh::inconsistency() const {
             }
             continue;
         }
-        const Segment& s = segments_[~twin_[h]];
+        const SegmentSide side = sides_[~twin_[h]];
+        const Segment& s = segments_[side.segment];
         const bool same =
             (s.vertices[0] == from && s.vertices[1] == to) || (s.vertices[0] == to && s.vertices[1] == from);
-        if (!same || link_of(h).slot < 0) {
+        if (!same || s.uses[side.slot].half_edge != h) {
             return name + " does not match its segment";
         }
     }

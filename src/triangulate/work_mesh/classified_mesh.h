@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/memory/large_vector.h"
+#include "base/threads/for_ranges.h"
 #include "base/vec.h"
 #include "mesh/corner_table.h"
 #include "mesh/triangle_mesh.h"
@@ -46,11 +47,11 @@ void move_to_indices(const LargeVector<int>& renewed, Values& values, const type
     const auto present = [](int index) { return index >= 0; };
     // Data are copied, as moving them along the chains of indices would wait for memory at every step.
     Values moved(static_cast<std::size_t>(std::count_if(renewed.begin(), renewed.end(), present)), none);
-    for (std::size_t old = 0; old < std::min(values.size(), renewed.size()); ++old) {
+    for_each_in_ranges(std::min(values.size(), renewed.size()), [&](std::size_t old) {
         if (renewed[old] >= 0) {
             moved[static_cast<std::size_t>(renewed[old])] = values[old];
         }
-    }
+    });
     values.swap(moved);
 }
 
@@ -104,6 +105,23 @@ class ClassifiedMesh {
         std::vector<SegmentUse> uses;
     };
 
+    /// Where one of several threads that change triangles of their own puts the elements that it adds; see MeshBlocks.
+    struct Share {
+        int vertex = 0;    ///< the next vertex
+        int site = 0;      ///< the next site
+        int triangle = 0;  ///< the next triangle
+        int number = 0;    ///< the next number of an edge
+        int stride = 1;    ///< from one number to the next: the shares' numbers take turns
+    };
+    /// While it lives, its thread adds elements to a share, and not at the end of the mesh.
+    class SharedEditing {
+      public:
+        explicit SharedEditing(Share& share) { share_ = &share; }
+        ~SharedEditing() { share_ = nullptr; }
+        SharedEditing(const SharedEditing&) = delete;
+        SharedEditing& operator=(const SharedEditing&) = delete;
+    };
+
     int add_vertex(const Vec3& point, mesh::VertexEntity entity);
     int add_site(const VertexUse& site);
     int add_triangle(const std::array<int, 3>& sites, int face);
@@ -131,7 +149,7 @@ class ClassifiedMesh {
     /// Returns the other half-edge, or -1 if `h` lies on a segment.
     int twin(int h) const { return twin_[h] < 0 ? -1 : twin_[h]; }
     /// Returns the segment under `h`, or -1 if `h` has a twin.
-    int segment_of(int h) const { return twin_[h] < 0 ? ~twin_[h] : -1; }
+    int segment_of(int h) const { return twin_[h] < 0 ? sides_[~twin_[h]].segment : -1; }
     int face_of(int triangle) const { return face_[triangle]; }
     /// Returns the number of the edge under `h`, on this face if it lies on a segment; the same for both half-edges.
     /// An edge keeps it as long as it joins the same vertices, and no other edge gets it before `renumber_edges`, so
@@ -215,19 +233,30 @@ class ClassifiedMesh {
     std::vector<int> star(int h, std::size_t most = SIZE_MAX) const;
     /// Returns the triangles of each of `faces` CAD faces, ascending. No index may be unused.
     std::vector<std::vector<int>> triangles_by_face(std::size_t faces) const;
-    /// Whether an edge leads from the site of `h` to the vertex; `h` must leave a site that no segment touches.
+    /// Whether an edge leads from the site of `h` to the vertex, on this side of segments.
     bool leads_to(int h, int vertex) const;
 
     /// Returns the first inconsistency of links, segments and corners, or an empty string. For tests; O(n).
     std::string inconsistency() const;
 
   private:
+    friend class MeshBlocks;
+
     struct Link {
         int twin;
-        int slot;  // index of the segment's use, if twin names a segment
         int number;
     };
-    Link link_of(int h) const;
+    // One of the uses of a segment. Threads that change different sides of a segment look at their own only.
+    struct SegmentSide {
+        int segment;
+        int slot;  // index of the use
+    };
+    static constexpr SegmentSide kLooseSide{0x7ffffffe, -1};  // of half-edges that are neither linked nor bound yet
+    static thread_local Share* share_;                        // of SharedEditing; null: there is none
+
+    Link link_of(int h) const { return {twin_[h], number_[h]}; }
+    int new_number();
+    int add_side(int segment, int slot);
     void put(int h, const Link& link);
     void set_corners(int triangle, int a, int b, int c);
     void drop_last_triangle();
@@ -241,13 +270,27 @@ class ClassifiedMesh {
     LargeVector<VertexUse> sites_;
     LargeVector<Segment> segments_;
     LargeVector<int> corner_;  // site at the origin of each half-edge
-    LargeVector<int> twin_;    // half-edge, or ~segment
+    LargeVector<int> twin_;    // half-edge, or ~(index into sides_)
+    LargeVector<SegmentSide> sides_{kLooseSide};
     LargeVector<int> number_;  // number of the edge
     LargeVector<int> face_;
     LargeVector<std::uint32_t> stamp_;  // also for indices that were dropped from the end
     int numbers_ = 0;
     std::int64_t dropped_ = 0;  // count of the numbers that renumber_edges has dropped
     int gone_ = 0;              // number of unused indices
+};
+
+/// A Morton curve through the bounding box of a mesh.
+class MortonCurve {
+  public:
+    explicit MortonCurve(const ClassifiedMesh& mesh);
+    /// Returns the place of the triangle's centroid along the curve.
+    std::uint32_t place(int triangle) const;
+
+  private:
+    const ClassifiedMesh& mesh_;
+    Vec3 low_;
+    double scale_ = 0.0;
 };
 
 }  // namespace mq::triangulate

@@ -20,21 +20,41 @@ void MaxMinSwaps::rebuild() {
             remember(mesh_.segment(s).vertices[0], mesh_.segment(s).vertices[1]);
         }
     }
-    for (int h = 0; h < mesh_.half_edge_count(); ++h) {
-        if (mesh_.twin(h) > h && !mesh_.gone(ClassifiedMesh::triangle_of(h))) {
-            remember(mesh_.vertex_of(h), mesh_.vertex_of(ClassifiedMesh::next(h)));
+    using Pairs = std::vector<std::array<int, 2>>;
+    const auto count = static_cast<std::size_t>(mesh_.half_edge_count());
+    const auto pairs = found_in_ranges<Pairs>(count, [&](std::size_t from, std::size_t to, Pairs& found) {
+        for (int h = static_cast<int>(from); h < static_cast<int>(to); ++h) {
+            if (mesh_.twin(h) > h && !mesh_.gone(ClassifiedMesh::triangle_of(h))) {
+                const int a = mesh_.vertex_of(h);
+                const int b = mesh_.vertex_of(ClassifiedMesh::next(h));
+                if (may_be_doubled(a, b)) {
+                    found.push_back({a, b});
+                }
+            }
         }
+    });
+    for (const auto& [a, b] : pairs) {
+        remember(a, b);
     }
 }
 
+int MaxMinSwaps::edges_between(int a, int b) const {
+    const auto found = pairs_.find(pair_key(a, b));
+    return (found == pairs_.end() ? 0 : found->second) + (whole_ != nullptr ? whole_->edges_between(a, b) : 0);
+}
+
 void MaxMinSwaps::remember(int a, int b) {
-    if (may_be_doubled(a, b) && ++pairs_[pair_key(a, b)] == 2) {
+    if (may_be_doubled(a, b) && ++pairs_[pair_key(a, b)] == 2 && whole_ == nullptr) {
         ++doubled_;
     }
 }
 
 void MaxMinSwaps::forget(int a, int b) {
     if (!may_be_doubled(a, b)) {
+        return;
+    }
+    if (whole_ != nullptr) {
+        --pairs_[pair_key(a, b)];
         return;
     }
     const auto found = pairs_.find(pair_key(a, b));

@@ -22,6 +22,23 @@ class MaxMinSwaps {
   public:
     /// Enters the edges that the mesh has into the table of joined pairs.
     explicit MaxMinSwaps(ClassifiedMesh& mesh);
+    /// The swaps of one of several threads that change blocks of the mesh: its table holds what differs from that of
+    /// `whole`, which must not change while this object lives, until `adopt`.
+    MaxMinSwaps(ClassifiedMesh& mesh, const MaxMinSwaps& whole) : mesh_(mesh), whole_(&whole) {}
+    /// Enters the differences of a block into the table. `renamed` gives the present indices of its vertices.
+    template <typename Renamed>
+    void adopt(const MaxMinSwaps& block, const Renamed& renamed) {
+        for (const auto& [key, difference] : block.pairs_) {
+            const auto a = renamed(static_cast<std::int32_t>(key >> 32));
+            const auto b = renamed(static_cast<std::int32_t>(key & 0xffffffffU));
+            for (int n = difference; n > 0; --n) {
+                remember(a, b);
+            }
+            for (int n = difference; n < 0; ++n) {
+                forget(a, b);
+            }
+        }
+    }
     /// Enters all pairs of joined vertices again, after the mesh was replaced.
     void rebuild();
 
@@ -53,7 +70,7 @@ class MaxMinSwaps {
     /// Whether the vertex lies on a CAD edge or at a node.
     bool on_border(int vertex) const { return mesh_.vertex(vertex).entity[0] < 2; }
     /// Whether an edge or a segment joins the vertices already, one of which at least lies on a CAD edge.
-    bool joined(int a, int b) const { return may_be_doubled(a, b) && pairs_.count(pair_key(a, b)) > 0; }
+    bool joined(int a, int b) const { return may_be_doubled(a, b) && edges_between(a, b) > 0; }
 
     /// Whether another edge joins the same vertices.
     bool is_doubled(int h) const;
@@ -63,14 +80,16 @@ class MaxMinSwaps {
   private:
     // Two faces meet in vertices on CAD edges only, and so do the two sides of a face at its seam.
     bool may_be_doubled(int a, int b) const { return on_border(a) || on_border(b); }
+    int edges_between(int a, int b) const;
     void forget(int a, int b);
     void remember(int a, int b);
     bool legal(int h, double least) const;
     void book_inner_edges(const std::vector<int>& triangles, void (MaxMinSwaps::*book)(int, int));
 
     ClassifiedMesh& mesh_;
+    const MaxMinSwaps* whole_ = nullptr;
     std::vector<int> around_;  // buffer of restore_around, kept to reuse its memory
-    // Numbers of edges that join two vertices of which one at least lies on a CAD edge.
+    // Numbers of edges that join two vertices of which one at least lies on a CAD edge; with `whole_` how many more.
     KeyMap<int> pairs_;
     int doubled_ = 0;  // pairs that more than one edge joins
 };
