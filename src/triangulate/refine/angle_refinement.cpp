@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/angle.h"
 #include "base/parallel.h"
+#include "base/threads/for_ranges.h"
 #include "triangulate/refine/graded_fans.h"
 #include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
@@ -80,16 +82,28 @@ void AngleRefinement::push_touched() {
     touched_.clear();
 }
 
+// Touches the triangles that have changed since they were looked at.
+void AngleRefinement::push_new() {
+    using Triangles = std::vector<int>;
+    const auto count = static_cast<std::size_t>(work_.mesh.triangle_count());
+    const Triangles changed =
+        found_in_ranges<Triangles>(count, [&](std::size_t from, std::size_t to, Triangles& found) {
+            for (int t = static_cast<int>(from); t < static_cast<int>(to); ++t) {
+                if (!looked_at_.marked(work_.mesh, t)) {
+                    found.push_back(t);
+                }
+            }
+        });
+    touched_.insert(touched_.end(), changed.begin(), changed.end());
+}
+
 // Triangles that have not changed since the last run are good, or known to be infeasible.
 void AngleRefinement::run() {
     if (!(bound_ > 0.0)) {
         return;
     }
-    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
-        if (!looked_at_.marked(work_.mesh, t)) {
-            touched_.push_back(t);
-        }
-    }
+    push_new();
+    bool in_blocks = sites_in_round_ == 0 && insertion_ != Insertion::Circumcentre && !work_.angle_history.running();
     int retries = 0;
     std::optional<State> before;  // the last retry
     const auto retry = [&] {
@@ -106,6 +120,8 @@ void AngleRefinement::run() {
         }
         if (!segments_.idle()) {
             segments_.run(touched_);
+        } else if (std::exchange(in_blocks, false)) {
+            refine_in_blocks();
         } else {
             more = refine_round() || retry();
         }

@@ -50,6 +50,7 @@ class AngleRefinement {
             return angle != other.angle ? angle > other.angle : triangle > other.triangle;
         }
     };
+    using Queue = std::priority_queue<QueuedTriangle>;
     static constexpr int kLastAttempt = 2;  // Index of the last rule for sites: the middle of the longest edge.
     struct Job {
         QueuedTriangle bad;
@@ -63,6 +64,12 @@ class AngleRefinement {
     void add_turned(const QueuedTriangle& bad, std::vector<Job>& jobs);
     std::optional<QueuedTriangle> if_bad(int triangle) const;
     void push_touched();
+    void push_new();
+    void refine_in_blocks();
+    void refine_block(geometry::Answerer& answerer, Workspace& block, const ClassifiedMesh::Share& share,
+                      std::size_t room, std::vector<QueuedTriangle>& bad);
+    std::optional<int> insert_in_block(geometry::Answerer& answerer, Workspace& block, const QueuedTriangle& bad,
+                                       std::vector<int>& touched) const;
     bool refine_round();
     void drop_lost(std::vector<Job>& jobs);
     std::vector<Job> next_jobs();
@@ -95,7 +102,7 @@ class AngleRefinement {
     std::size_t sites_in_round_;
     ApexRings apex_rings_;
     GradedFans graded_fans_;
-    std::priority_queue<QueuedTriangle> queue_;
+    Queue queue_;
     std::map<int, int> sharpened_;  // by vertex: number of times the chords at a small input angle were halved
     TriangleMarks turned_;          // triangles that were refined for their alignment
     std::vector<int> touched_;

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "base/angle.h"
 #include "base/parallel.h"
 #include "triangulate/refine/tuning.h"
-#include "triangulate/rounds/mesh_blocks.h"
+#include "triangulate/rounds/block_round.h"
 #include "triangulate/work_mesh/gradation.h"
 #include "triangulate/work_mesh/side_lengths.h"
 
@@ -315,7 +314,8 @@ void ChordRefinement::split(const Violations& found) {
             inner.push_back(violation);
         }
     }
-    if (const std::size_t blocks = blocks_for(inner.size()); blocks > 1) {
+    const std::size_t blocks = blocks_for(work_, inner.size());
+    if (blocks > 1 && work_.triangles() + 2 * inner.size() <= work_.budget) {
         inner = split_in_blocks(inner, blocks);
     }
     CancelPace pace(work_.progress);
@@ -332,18 +332,6 @@ void ChordRefinement::split(const Violations& found) {
     touched_.clear();
 }
 
-// Returns the number of blocks of the mesh in which that number of edges is split at a time; 1: blocks do not pay.
-std::size_t ChordRefinement::blocks_for(std::size_t violations) const {
-    constexpr std::size_t kLeast = 4096;    // edges: about 20 ms of work
-    constexpr std::size_t kInBlock = 1024;  // edges
-    constexpr std::size_t kMostBlocks = 256;
-    constexpr std::size_t kLeastShare = 32;  // one edge to split for that number of triangles: all are cut into blocks
-    const std::size_t most = work_.triangles() + 2 * violations;
-    return violations < kLeast || violations * kLeastShare < work_.triangles() || most > work_.budget
-               ? 1
-               : std::min(kMostBlocks, violations / kInBlock);
-}
-
 // Splits edges inside faces in blocks of the mesh, those of each block in their order.
 // @return those that are left, in their order
 ChordRefinement::Violations ChordRefinement::split_in_blocks(const Violations& inner, std::size_t count) {
@@ -358,29 +346,15 @@ ChordRefinement::Violations ChordRefinement::split_in_blocks(const Violations& i
         }
     }
     std::vector<std::size_t> insertions;
-    std::vector<std::unique_ptr<MaxMinSwaps>> swaps;
     for (const Violations& violations : of_block) {
         insertions.push_back(violations.size());
-        swaps.push_back(std::make_unique<MaxMinSwaps>(work_.mesh, work_.maxmin));
     }
-    blocks.reserve(insertions);
-    work_.session.for_chunks(
-        count,
-        [&](geometry::Answerer& answerer, std::size_t from, std::size_t to) {
-            for (std::size_t k = from; k < to; ++k) {
-                const ClassifiedMesh::SharedEditing editing(blocks.share(k));
-                Workspace block{work_.session,  work_.grid,  work_.mesh,    *swaps[k],
-                                work_.progress, work_.floor, work_.min_edge};
-                of_block[k] = split_block(answerer, block, of_block[k]);
-            }
-        },
-        geometry::Session::kChunk);
-    std::vector<int> cuts = blocks.join();
-    for (std::size_t k = 0; k < count; ++k) {
-        work_.maxmin.adopt(*swaps[k], [&](int vertex) { return blocks.joined_vertex(k, vertex); });
-        left.insert(left.end(), of_block[k].begin(), of_block[k].end());
+    edit_in_blocks(work_, blocks, insertions, [&](geometry::Answerer& answerer, Workspace& block, std::size_t k) {
+        of_block[k] = split_block(answerer, block, of_block[k]);
+    });
+    for (const Violations& violations : of_block) {
+        left.insert(left.end(), violations.begin(), violations.end());
     }
-    work_.maxmin.restore(cuts, touched_);
     sort_worst_first(left);
     return left;
 }

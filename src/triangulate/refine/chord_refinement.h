@@ -58,7 +58,6 @@ class ChordRefinement {
     double excess_of_edge(double chord, int half_edge) const;
     std::vector<double> turns_of(const std::vector<int>& segments);
     void split(const Violations& found);
-    std::size_t blocks_for(std::size_t violations) const;
     Violations split_in_blocks(const Violations& inner, std::size_t count);
     Violations split_block(geometry::Answerer& answerer, Workspace& block, const Violations& violations) const;
     bool split_in_block(Workspace& block, int half_edge, const SurfacePoint& p, std::vector<int>& touched) const;

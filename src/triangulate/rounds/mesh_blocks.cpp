@@ -142,12 +142,6 @@ void MeshBlocks::renumber(int triangle) {
 }
 
 void MeshBlocks::move_elements() {
-    // Elements of the range go to their places, which lie before it or where it begins; returns the end.
-    const auto move = [](auto& values, const Range& range, int end, int width) {
-        const auto first = values.begin() + std::ptrdiff_t{width} * range.first;
-        return std::copy(first, values.begin() + std::ptrdiff_t{width} * end,
-                         first - std::ptrdiff_t{width} * range.shift);
-    };
     for (std::size_t k = 0; k < count_; ++k) {
         for (int s = new_sites_[k].first; s < shares_[k].site; ++s) {
             mesh_.sites_[s].vertex = joined_vertex(k, mesh_.sites_[s].vertex);

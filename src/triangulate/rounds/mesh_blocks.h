@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -40,11 +41,27 @@ class MeshBlocks {
     /// After `join`: the present index of a vertex from that block.
     int joined_vertex(std::size_t block, int vertex) const;
 
+    /// After `join`: moves data by vertex, which was stored by the indices of `reserve`, to the present ones.
+    template <typename Values>
+    void move_by_vertex(Values& values) const {
+        for (std::size_t k = 0; k < count_; ++k) {
+            move(values, new_vertices_[k], shares_[k].vertex, 1);
+        }
+        values.resize(mesh_.points_.size());
+    }
+
   private:
     struct Range {
         int first = 0;  // index of its first element
         int shift = 0;  // by which `join` lowers the indices
     };
+    // Moves the elements of the range up to `end`, of so many values each, to their places, which lie before it or
+    // where it begins.
+    template <typename Values>
+    static void move(Values& values, const Range& range, int end, int width) {
+        const auto first = values.begin() + std::ptrdiff_t{width} * range.first;
+        std::copy(first, values.begin() + std::ptrdiff_t{width} * end, first - std::ptrdiff_t{width} * range.shift);
+    }
     void assign();
     void cut();
     void measure_shares();

@@ -20,6 +20,7 @@ class AngleHistory {
 
     void start() { running_ = true; }
     void stop() { running_ = false; }
+    bool running() const { return running_; }
     /// Adds the present state, while it runs. Time O(triangles).
     void record(const Workspace& work) {
         if (running_) {

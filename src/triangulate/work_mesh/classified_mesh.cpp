@@ -356,7 +356,7 @@ std::vector<int> ClassifiedMesh::replace(const std::vector<int>& removed,
     for (std::size_t i = added.size(); i < removed.size(); ++i) {
         face_[removed[i]] = -1;
         ++stamp_[removed[i]];
-        ++gone_;
+        gone_.push_back(removed[i]);
     }
     return indices;
 }
@@ -429,12 +429,13 @@ void ClassifiedMesh::replace_between(int near, int far, int vertex, double t,
 std::vector<std::pair<int, int>> ClassifiedMesh::compact() {
     std::vector<std::pair<int, int>> moved;
     const int before = triangle_count();
-    for (int hole = 0; hole < triangle_count(); ++hole) {
+    std::sort(gone_.begin(), gone_.end());
+    for (const int hole : gone_) {
         while (triangle_count() > hole && gone(triangle_count() - 1)) {
             drop_last_triangle();
         }
-        if (hole >= triangle_count() || !gone(hole)) {
-            continue;
+        if (hole >= triangle_count()) {
+            break;
         }
         const int last = triangle_count() - 1;
         face_[hole] = face_[last];
@@ -447,7 +448,7 @@ std::vector<std::pair<int, int>> ClassifiedMesh::compact() {
         moved.emplace_back(last, hole);
         drop_last_triangle();
     }
-    gone_ = 0;
+    gone_.clear();
     // Releases the memory of triangles that are gone, where they are this fraction of all or more: it takes a copy.
     constexpr int kWorthACopy = 16;  // one in
     if (before - triangle_count() > before / kWorthACopy) {

@@ -133,7 +133,7 @@ class ClassifiedMesh {
 
     int triangle_count() const { return static_cast<int>(face_.size()); }
     /// Number of triangles without the indices that `replace` left unused.
-    int used_triangle_count() const { return triangle_count() - gone_; }
+    int used_triangle_count() const { return triangle_count() - static_cast<int>(gone_.size()); }
     int half_edge_count() const { return static_cast<int>(corner_.size()); }
     int vertex_count() const { return static_cast<int>(points_.size()); }
     int segment_count() const { return static_cast<int>(segments_.size()); }
@@ -277,7 +277,7 @@ class ClassifiedMesh {
     LargeVector<std::uint32_t> stamp_;  // also for indices that were dropped from the end
     int numbers_ = 0;
     std::int64_t dropped_ = 0;  // count of the numbers that renumber_edges has dropped
-    int gone_ = 0;              // number of unused indices
+    std::vector<int> gone_;     // unused indices of triangles
 };
 
 /// A Morton curve through the bounding box of a mesh.
