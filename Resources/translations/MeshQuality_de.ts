@@ -5635,12 +5635,12 @@
         <translation>Kanten und Flächen unter {length} werden nicht unterschieden: mit allen hätte das Netz {count} Dreiecke oder mehr, und die max. Abweichung verlangt weniger als ein Zwanzigstel davon. Um sie zu behalten, eine kleinere oder Kantenlängen verlangen</translation>
     </message>
     <message>
-        <source>{0} so far</source>
-        <translation>bisher {0}</translation>
+        <source>{0} passed</source>
+        <translation>{0} vergangen</translation>
     </message>
     <message>
-        <source>{0} so far, about {1} left</source>
-        <translation>bisher {0}, noch etwa {1}</translation>
+        <source>{0} passed, about {1} left</source>
+        <translation>{0} vergangen, noch etwa {1}</translation>
     </message>
 </context>
 <context>

@@ -15,6 +15,7 @@ from pathlib import Path
 import Part
 
 import MeshQuality as mq
+from MeshQuality.core.volumes.volume_report import percent
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path += [*map(str, (ROOT / "benchmarks").iterdir()), str(ROOT / "tests")]
@@ -54,8 +55,8 @@ def row_of(name):
         return [name, len(shape.Faces), "", round(time.time() - start), str(error)]
     seconds, report = time.time() - start, mesh.report
     faults = checked(mesh)
-    return [name, len(shape.Faces), f"{sum(report.elements.values()):,}", round(seconds), f"{report.covered:.1%}",
-            f"{report.full_height:.1%}", f"{report.max_non_orthogonality:.0f}°", "; ".join(faults) or "Mesh OK", *report.notes]
+    return [name, len(shape.Faces), f"{sum(report.elements.values()):,}", round(seconds), percent(report.covered) + " %",
+            percent(report.full_height) + " %", f"{report.max_non_orthogonality:.0f}°", "; ".join(faults) or "Mesh OK", *report.notes]
 
 
 def main():

@@ -146,10 +146,10 @@ class Waits(gui_helpers.PanelTest):
         self.assertEqual(made.text, "")  # short work
         go_on(1.0, *(0.01 * i for i in range(2, 31)))
         self.assertAlmostEqual(made.left, 70.0, delta=1.0)
-        self.assertEqual(made.text, "30 s so far, about 1 min 15 s left")
+        self.assertEqual(made.text, "30 s passed, about 1 min 15 s left")
         go_on(1.0, *[0.3] * 30)
         self.assertIsNone(made.left)
-        self.assertEqual(made.text, "1 min so far")
+        self.assertEqual(made.text, "1 min passed")
         go_on(1.0, *(0.3 + 0.001 * i for i in range(40)))
         self.assertIsNone(made.left)  # ten times as slow as the beginning
         go_on(1.0, *(0.01 * i for i in range(11)))
@@ -172,9 +172,9 @@ class Waits(gui_helpers.PanelTest):
         with mock.patch.object(pace, "_SHORT", 0.5), mock.patch.object(quality_mesh, "triangulate", slow):
             panel.apply()
             self.until(lambda: "left" in panel.doing.text())
-            self.assertRegex(panel.doing.text(), r"^filling.*; \d+ s so far, about \d+ s left$")
+            self.assertRegex(panel.doing.text(), r"^filling.*; \d+ s passed, about \d+ s left$")
             self.shot("time_left")
-            self.until(lambda: panel.doing.text().endswith("so far"))  # it stands still
+            self.until(lambda: panel.doing.text().endswith("passed"))  # it stands still
             gone_on.set()
             self.until(lambda: not panel.jobs)
 

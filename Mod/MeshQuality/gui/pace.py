@@ -16,7 +16,7 @@ _FINE, _COARSE = 5, 15  # s: times left are multiples of these, below and above 
 
 
 class Pace:
-    """The times at which work was so far.
+    """The times at which shares of work were done.
 
     Stages of work take longer or shorter than their shares. So the time left is told only where the pace since the beginning and that in the later
     half of the time say nearly the same; it is the longer of the two. Where a stage stands still, the time that has passed is all that is told.
@@ -27,7 +27,7 @@ class Pace:
         self._began, self._times, self._fractions = None, [], []
 
     def note(self, fraction):
-        """The work is so far now; less than before: another part of it has begun."""
+        """This share of the work is done now; less than before: another part of it has begun."""
         now = self._now()
         if self._began is None:
             self._began = now
@@ -61,9 +61,9 @@ class Pace:
             return ""
         passed, left = spoken(int(self.passed)), self.left
         if left is None:
-            return translate("MeshQuality", "{0} so far").format(passed)
+            return translate("MeshQuality", "{0} passed").format(passed)
         step = _FINE if left < 60 else _COARSE
-        return translate("MeshQuality", "{0} so far, about {1} left").format(passed, spoken(step * max(1, round(left / step))))
+        return translate("MeshQuality", "{0} passed, about {1} left").format(passed, spoken(step * max(1, round(left / step))))
 
 
 def spoken(seconds):

@@ -9,7 +9,7 @@ AT_A_TIME = 25_000  # rows
 
 
 def shares(count, size=None):
-    """Slices of so many rows, a share of at most `size` or AT_A_TIME each."""
+    """Slices of `count` rows, a share of at most `size` or AT_A_TIME each."""
     size = size or AT_A_TIME
     return [slice(start, min(start + size, count)) for start in range(0, count, size)]
 
@@ -52,6 +52,7 @@ def groups(rows, check=lambda: None, columns=None):
     share_of = (np.cumsum(np.bincount(rows[:, 0], minlength=count)) // AT_A_TIME).astype(np.uint16)
     check()
     share = share_of[rows[:, 0]]
+    check()
     order, ends = np.argsort(share, kind="stable"), np.cumsum(np.bincount(share))
     for start, end in zip([0, *ends[:-1]], ends):
         check()

@@ -42,7 +42,7 @@ def finite_volume_measures(nodes, blocks, check=lambda: None):
 
 
 def _checked(count, check):
-    """The shares of so many rows, with a check before each."""
+    """The shares of `count` rows, with a check before each."""
     for share in shares(count):
         check()
         yield share

@@ -121,11 +121,8 @@ class OptionForm(QtGui.QWidget):
                 continue
             label = self._labels[option.name] = QtGui.QLabel(_title(option))
             label.setToolTip(_help(option))
-            if field.below:
-                form.addRow(label)
-                form.addRow(field.widget)
-            else:
-                form.addRow(label, field.widget)
+            for row in ((label,), (field.widget,)) if field.below else ((label, field.widget),):
+                form.addRow(*row)
         return fields
 
     def _field(self, option, table):
