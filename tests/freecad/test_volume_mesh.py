@@ -207,7 +207,7 @@ class VolumeMeshes(helpers.DocumentTest):
             mq.volume_mesh(region, **given, walls=[narrow])
 
     def test_a_bare_corner_of_a_face_is_no_whole_face(self):
-        for covered, said in ((0.99996, "99.9%"), (0.9731, "97.3%"), (0.0, "0%")):
+        for covered, said in ((0.99996, "99.9%"), (0.9731, "97.3%"), (0.0, "0.0%")):
             wall = WallCoverage("Face4", 10.0, covered, covered, 0.1, 0.1)
             self.assertTrue(bare_note(wall, 5.0, 0.2).startswith(f"Face4 has layers on {said} of its area only: elsewhere"))
         self.assertEqual(bare_note(wall, 0.02, 0.2), "Face4 has no layers: the gap there is 0.02 mm at most, and the layers are 0.2 mm thick")

@@ -153,11 +153,16 @@ def report_of(mesh, surface, layers, values, heights, chord_height, least, gap_o
                         table.worst("non_orthogonality")[1], table.worst("skewness")[1], chord_height, least, tuple(notes))
 
 
+def partly(share):
+    """A share below 1 in percent with one digit, never 100.0%."""
+    return f"{min(share, 0.999):.1%}"
+
+
 def bare_note(wall, gap, total):
     """Why layers that are `total` mm thick do not cover all of a WallCoverage's face, whose widest gap is `gap` mm."""
     if not wall.covered and gap < total:
         return f"{wall.face} has no layers: the gap there is {gap:.3g} mm at most, and the layers are {total:.3g} mm thick"
-    return (f"{wall.face} has layers on {percent(wall.covered)}% of its area only: elsewhere they would be lower than a fifth of what was asked "
+    return (f"{wall.face} has layers on {partly(wall.covered)} of its area only: elsewhere they would be lower than a fifth of what was asked "
             "for, or invalid, or not end in the face beside it")
 
 
