@@ -5634,6 +5634,14 @@
         <source>edges and faces below {length} are not told apart: with all of them the mesh had {count} triangles or more, and the max. deviation asks for less than a twentieth of these. Ask for a smaller one, or for edge lengths, to keep them</source>
         <translation>Kanten und Flächen unter {length} werden nicht unterschieden: mit allen hätte das Netz {count} Dreiecke oder mehr, und die max. Abweichung verlangt weniger als ein Zwanzigstel davon. Um sie zu behalten, eine kleinere oder Kantenlängen verlangen</translation>
     </message>
+    <message>
+        <source>{0} passed</source>
+        <translation>{0} vergangen</translation>
+    </message>
+    <message>
+        <source>{0} passed, about {1} left</source>
+        <translation>{0} vergangen, noch etwa {1}</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityFilePreferences</name>

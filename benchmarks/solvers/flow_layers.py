@@ -12,16 +12,17 @@ prisms. A line each, and a sum at the end: how many checkMesh accepts, and how m
 import math
 import os
 import random
-import subprocess
-import tempfile
+import sys
 import time
+from pathlib import Path
 
 import Part
 from FreeCAD import Vector
 
 import MeshQuality as mq
 
-ENVIRONMENT = {**os.environ, "WM_PROJECT_DIR": os.environ.get("WM_PROJECT_DIR", "/usr/share/openfoam")}
+sys.path += map(str, Path(__file__).resolve().parents[1].iterdir())
+from check_mesh import checked
 
 
 def ribs(draw):
@@ -108,14 +109,6 @@ def hard_regions():
             ("diffuser, its cone alone", ring, {"walls": ["Face1"]}), ("junction of almost equal pipes", crossing, {}),
             ("star", star, {"max_edge": 1.0})):
         yield name, shape.removeSplitter().Solids[0] if name[0] != "w" else shape, {**usual, **more}
-
-
-def checked(mesh, *more):
-    """The faults that checkMesh finds; none: it says "Mesh OK"."""
-    with tempfile.TemporaryDirectory() as folder:
-        mesh.write(os.path.join(folder, "case"))
-        said = subprocess.run(["checkMesh", *more], cwd=os.path.join(folder, "case"), env=ENVIRONMENT, capture_output=True, text=True).stdout
-    return [] if "Mesh OK." in said else [line.strip() for line in said.splitlines() if "***" in line] or ["no verdict"]
 
 
 def main():

@@ -7,7 +7,9 @@ import os
 import re
 import shutil
 import subprocess
+import time
 import unittest
+from unittest import mock
 
 import helpers
 import numpy as np
@@ -21,7 +23,8 @@ from test_measures import ENVIRONMENT
 from test_patches import has_cgns
 
 import MeshQuality as mq
-from MeshQuality.core.elements import kinds
+from MeshQuality.core.elements import alike, kinds
+from MeshQuality.core.volumes.volume_report import WallCoverage, bare_note
 
 
 def pipe_bend():
@@ -203,6 +206,12 @@ class VolumeMeshes(helpers.DocumentTest):
         with self.assertRaisesRegex(mq.InvalidInput, f"{narrow}: the layers are .* mm thick, but the gap there is 0.02 mm"):
             mq.volume_mesh(region, **given, walls=[narrow])
 
+    def test_a_bare_corner_of_a_face_is_no_whole_face(self):
+        for covered, said in ((0.99996, "99.9%"), (0.9731, "97.3%"), (0.0, "0.0%")):
+            wall = WallCoverage("Face4", 10.0, covered, covered, 0.1, 0.1)
+            self.assertTrue(bare_note(wall, 5.0, 0.2).startswith(f"Face4 has layers on {said} of its area only: elsewhere"))
+        self.assertEqual(bare_note(wall, 0.02, 0.2), "Face4 has no layers: the gap there is 0.02 mm at most, and the layers are 0.2 mm thick")
+
     def test_cancelling(self):
         with self.assertRaises(mq.Cancelled):
             mq.volume_mesh(Part.makeBox(10, 8, 6), 3, 0.05, progress=lambda fraction, stage: fraction < 0.42)
@@ -214,6 +223,41 @@ class VolumeMeshes(helpers.DocumentTest):
 
         with self.assertRaises(mq.Cancelled):
             mq.volume_mesh(Part.makeBox(10, 8, 6), 3, 0.05, progress=until_the_last)
+
+    def test_cancelling_is_answered_in_all_stages(self):
+        last, gaps = [time.process_time()], []
+
+        def progress(_, stage):
+            gaps.append((time.process_time() - last[0], stage))
+            last[0] = time.process_time()
+
+        mesh = mq.volume_mesh(Part.makeCylinder(5, 40), 4, 0.02, walls=["Face1"], max_edge=0.9, growth_inside=0.1, progress=progress)
+        self.assertGreater(sum(mesh.report.elements.values()), 100_000)
+        self.assertLess(max(gaps[1:])[0], 0.2, max(gaps[1:]))
+        self.assertLess(time.process_time() - last[0], 0.2)
+
+    def test_shares_do_not_change_the_mesh(self):
+        region, given = stepped_duct(), {"layers": 3, "first_height": 0.1, "max_edge": 2.0}
+        whole, stages = mq.volume_mesh(region, **given), []
+        with mock.patch.object(alike, "AT_A_TIME", 300):
+            mesh = mq.volume_mesh(region, **given, progress=lambda _, stage: stages.append(stage))
+            table = mq.measures(mesh)
+        self.assertGreater(stages.count("checking elements"), sum(mesh.report.elements.values()) / 100)
+        self.assertEqual(mesh.report, whole.report)
+        for name in table.names:
+            np.testing.assert_array_equal(table[name], mq.measures(whole)[name])
+
+    def test_rows_that_are_alike(self):
+        rows = np.sort(np.random.default_rng(3).integers(0, 40, (5000, 4)).astype(np.int32), axis=1)
+        rows[::3] += 2**22  # more than fits into one number
+        for columns in (None, 3):
+            with mock.patch.object(alike, "AT_A_TIME", 700):
+                parts = list(alike.groups(rows, columns=columns))
+            self.assertGreater(len(parts), 5)
+            chosen, begins = (np.concatenate(side) for side in zip(*parts))
+            keys = rows[:, :columns]
+            np.testing.assert_array_equal(chosen, np.lexsort(keys.T[::-1]))
+            np.testing.assert_array_equal(np.diff(np.append(np.flatnonzero(begins), len(rows))), np.unique(keys, axis=0, return_counts=True)[1])
 
 
 class VolumeFiles(helpers.DocumentTest):

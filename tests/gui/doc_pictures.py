@@ -20,7 +20,9 @@ from MeshQuality.compat import extension
 from MeshQuality.core.sources import convert
 from MeshQuality.gui import commands, curved_view, element_measures, quality_data
 from MeshQuality.gui.panels import quality_panel
+from MeshQuality.gui.panels.flow_panel import FlowPanel
 from MeshQuality.gui.panels.mesh_panel import MeshPanel
+from MeshQuality.gui.panels.patches_panel import PatchesPanel
 from MeshQuality.gui.panels.solid_panel import SolidPanel
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks", "solvers"))
@@ -66,6 +68,8 @@ class Pictures(gui_helpers.GuiTest):
         panel.options.set_values({"size_field": [region.Name for region in regions]})
         panel.options.field("size_field").draw.click()
         self.picture("size_regions", DOCS)
+        self.until(lambda: "triangles" in panel.estimate.text() and "Counting" not in panel.estimate.text())
+        self.picture_of_panel(panel, "panel_size_regions")
 
     def test_given_fem_mesh(self):
         """Folded elements of a mesh that was given: the panel beside the view."""
@@ -223,6 +227,32 @@ class Pictures(gui_helpers.GuiTest):
         beside = self.document.addObject("Part::Feature", "Beside")
         beside.Shape = solid.Shape.translated(FreeCAD.Vector(55, 0, 0))
         self.picture("to_solid", DOCS)
+
+    def test_panel_of_a_flow_mesh(self):
+        """A pipe whose wall was picked, and its cells counted; and the patches of its ends."""
+        source = self.document.addObject("Part::Cylinder", "Pipe")
+        source.Radius, source.Height = 5, 20
+        self.document.recompute()
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(source, "Face1")
+        command = commands.FlowMesh()
+        panel = FlowPanel(command.operations(command.selected()))
+        FreeCADGui.Control.showDialog(panel)
+        panel.options.set_values({"max_edge": 2.5, "first_height": 0.1, "layers": 3, "walls": ["Face1"]})
+        self.until(lambda: "cells" in panel.estimate.text() and "Counting" not in panel.estimate.text())
+        self.picture_of_panel(panel, "panel_flow_mesh")
+        panel.reject()
+        patches = PatchesPanel(mq.add_flow_mesh(source, 3, 0.1, max_edge=2.5, walls=["Face1"]))
+        FreeCADGui.Control.showDialog(patches)
+        self.addCleanup(FreeCADGui.Control.closeDialog)
+        for row, (name, face) in enumerate((("inlet", "Face3"), ("outlet", "Face2"))):
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addSelection(source, face)
+            patches.new.click()
+            patches.table.item(row, 0).setText(name)
+        patches.rest.setText("pipe")
+        self.assertEqual(patches.patches(), {"inlet": {"faces": ["Face3"]}, "outlet": {"faces": ["Face2"]}})
+        self.picture_of_panel(patches, "panel_patches")
 
     def test_panel_of_quality_mesh(self):
         source = self.bracket()

@@ -8,6 +8,7 @@ import numpy as np
 import Part
 from PySide import QtGui
 
+import MeshQuality as mq
 from MeshQuality.gui import commands, quality_data
 from MeshQuality.gui.panels import quality_panel
 
@@ -42,6 +43,19 @@ class Inspect(gui_helpers.PanelTest):
         self.document.recompute()
         self.until(lambda: obj.Status == "up to date" and obj.Certificate == "met")
         self.assertAlmostEqual(obj.Minimum.Value, 2.5, delta=0.05)
+
+    def test_what_is_made_of_one_part_in_several_ways_is_seen_alone(self):
+        """Each object is made of the part or of a mesh of it, and would be drawn through what is made of the other."""
+        net, hollow = mq.add_quality_mesh(self.source), mq.add_hollow(self.source, 0.4)
+        for source in (net, self.source, hollow):
+            earlier = (self.source, net, hollow)
+            for obj in earlier:
+                obj.ViewObject.Visibility = True
+            with self.subTest(source=source.Name):
+                found = mq.add_inspection(source)
+                self.assertEqual([obj.ViewObject.Visibility for obj in (*earlier, found)], [False, False, False, True])
+                self.document.undo()
+                self.assertEqual([obj.ViewObject.Visibility for obj in earlier], [True, True, True])
 
     def test_its_mesh_is_coloured(self):
         panel = self.panel(commands.Inspect, self.source)

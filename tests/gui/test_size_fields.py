@@ -31,6 +31,10 @@ class SizeFields(gui_helpers.PanelTest):
         box.add.click()
         region = self.document.getObject("SizeRegion")
         self.assertEqual((box.names(), region.Kind), (["SizeRegion"], "Inside"))
+        self.narrow(panel, "panel_size_fields")
+        table = box.table
+        self.assertLessEqual(table.columnViewportPosition(1) + table.columnWidth(1), table.viewport().width())
+        self.assertGreaterEqual(table.columnWidth(0), table.fontMetrics().horizontalAdvance(region.Label))
         box.draw.click()
         self.assertRegex(box.words.text(), r"about [\d,]+ triangles")
         graph = FreeCADGui.getDocument(self.document.Name).activeView().getSceneGraph()

@@ -15,7 +15,8 @@ from PySide import QtCore
 
 import MeshQuality as mq
 from MeshQuality import compat
-from MeshQuality.gui import background, commands, jobs
+from MeshQuality.features import quality_mesh
+from MeshQuality.gui import background, commands, jobs, pace
 
 TEETH = 250  # OpenCASCADE's check of the face takes 4 s on an idle machine; with many more it is not asked
 
@@ -63,7 +64,7 @@ class Waits(gui_helpers.PanelTest):
     def test_the_panel_names_opencascade_and_the_face(self):
         panel = self.started(self.toothed())
         job = panel.jobs[0]
-        self.until(lambda: panel.doing.text() == "waits for OpenCASCADE: checking Face1")
+        self.until(lambda: panel.doing.text().startswith("waits for OpenCASCADE: checking Face1"))
         self.assertTrue(job.works)
         self.assertTrue(panel.doing.isVisible())
         self.shot("waits_opencascade")
@@ -117,7 +118,7 @@ class Waits(gui_helpers.PanelTest):
         threading.Thread(target=use, name="Mesh of Bracket").start()
         self.until(lambda: dict(compat.extension().waits()).get("Mesh of Bracket") == "waits for OpenCASCADE: checking Face1")
         panel = self.started(self.box())
-        self.until(lambda: panel.doing.text() == "waits for the shape engine, used by Mesh of Bracket")
+        self.until(lambda: panel.doing.text().startswith("waits for the shape engine, used by Mesh of Bracket"))
         self.shot("waits_engine")
         panel.reject()
         self.until(lambda: not panel.jobs)
@@ -131,6 +132,51 @@ class Waits(gui_helpers.PanelTest):
         panel.jobs[0].changed.connect(lambda: texts.add(panel.doing.text()))
         self.until(lambda: not panel.jobs)
         self.assertIn("waits for FreeCAD: adding the mesh to the document", texts)
+
+    def test_the_time_left(self):
+        """By the clock of the test: steady work, work that stands still, work whose second half takes longer, and two parts one after the other."""
+        clock, made = [0.0], pace.Pace(lambda: clock[0])
+
+        def go_on(seconds, *fractions):
+            for fraction in fractions:
+                clock[0] += seconds
+                made.note(fraction)
+
+        go_on(1.0, 0.0, 0.01)
+        self.assertEqual(made.text, "")  # short work
+        go_on(1.0, *(0.01 * i for i in range(2, 31)))
+        self.assertAlmostEqual(made.left, 70.0, delta=1.0)
+        self.assertEqual(made.text, "30 s passed, about 1 min 15 s left")
+        go_on(1.0, *[0.3] * 30)
+        self.assertIsNone(made.left)
+        self.assertEqual(made.text, "1 min passed")
+        go_on(1.0, *(0.3 + 0.001 * i for i in range(40)))
+        self.assertIsNone(made.left)  # ten times as slow as the beginning
+        go_on(1.0, *(0.01 * i for i in range(11)))
+        self.assertAlmostEqual(made.left, 90.0, delta=1.0)  # another part of it
+
+    def test_a_panel_tells_the_time(self):
+        gone_on = threading.Event()
+        self.addCleanup(gone_on.set)
+        source, real = self.box(), mq.triangulate
+        panel = self.panel(commands.Triangulate, source)
+
+        def slow(*args, progress, **values):
+            for i in range(100):
+                progress(0.004 * i, "filling")
+                gone_on.wait(0.02)
+            progress(0.4, "filling")
+            gone_on.wait(gui_helpers.LIMIT)
+            return real(*args, progress=progress, **values)
+
+        with mock.patch.object(pace, "_SHORT", 0.5), mock.patch.object(quality_mesh, "triangulate", slow):
+            panel.apply()
+            self.until(lambda: "left" in panel.doing.text())
+            self.assertRegex(panel.doing.text(), r"^filling.*; \d+ s passed, about \d+ s left$")
+            self.shot("time_left")
+            self.until(lambda: panel.doing.text().endswith("passed"))  # it stands still
+            gone_on.set()
+            self.until(lambda: not panel.jobs)
 
     def test_cycles_are_collected_on_the_thread_of_the_window(self):
         places, ended = [], threading.Event()

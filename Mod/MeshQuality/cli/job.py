@@ -19,6 +19,7 @@ from MeshQuality.cli.report_fields import WRAP_FIELDS, plain, report_fields
 from MeshQuality.core.certify import verdict
 from MeshQuality.core.reporting import report as report_pages
 from MeshQuality.core.reporting.page import page_of
+from MeshQuality.core.volumes.volume_report import partly
 from MeshQuality.phrases import Text, upper_first
 
 _GRACE = 30  # seconds beyond the limit, after which it ends without its owner
@@ -257,7 +258,7 @@ def volume(job):
     report = mesh.report
     where = written(job, lambda path: mesh.write(path, how.get("scale"), how["format"] or None, job["binary"]))
     return report, f"{_count(sum(report.elements.values()), 'element')}{where}, layers on {report.covered:.1%} of the walls", \
-        [verdict.Finding(f"{wall.face} has layers on {wall.covered:.1%} of its area only.", faces=(wall.face,))
+        [verdict.Finding(f"{wall.face} has layers on {partly(wall.covered)} of its area only.", faces=(wall.face,))
          for wall in report.walls if wall.covered < 1.0]
 
 

@@ -10,6 +10,7 @@ from ..errors import InvalidInput
 from ..listing import Public
 from .curving import holds_elements, taken_from
 from .elements import kinds
+from .elements.alike import shares
 from .elements.measures import MEASURES, ElementMeasure
 from .elements.neighbours import finite_volume_measures
 from .inspect import tables
@@ -73,8 +74,12 @@ class MeasureTable(metaclass=Public):
             found = finite_volume_measures(self._nodes, self._blocks, self._check)
             self._found.update(zip([measure.name for measure in FINITE_VOLUME], found))
         else:
-            self._found[name] = np.concatenate([_BY_NAME[name].values(kind, self._nodes[corners])
-                                                for kind, corners in self._blocks])
+            parts = [(kind, corners[share]) for kind, corners in self._blocks for share in shares(len(corners))]
+            self._found[name] = np.concatenate([self._values(name, *part) for part in parts])
+
+    def _values(self, name, kind, corners):
+        self._check()
+        return _BY_NAME[name].values(kind, self._nodes[corners])
 
     def worst(self, name):
         """(index of the element, value) with the worst value of a measure, the farthest from the ideal one on its bad side."""

@@ -17,6 +17,7 @@ from PySide import QtCore
 from .. import phrases
 from ..errors import Cancelled, Error
 from .garbage_collection import Collector
+from .pace import Pace
 from .translation import translated, translated_rest, translated_stage
 
 translate = FreeCAD.Qt.translate
@@ -75,6 +76,7 @@ class Job(QtCore.QObject):
         self._result = self._steps = None
         self._disposed = self._taken = False  # whether the result was taken or dropped, and taken
         self._given_up = None  # when it was seen to be cancelled
+        self._pace = Pace()
         self._thread = None
         self._cancel = threading.Event()
 
@@ -101,10 +103,16 @@ class Job(QtCore.QObject):
 
     @property
     def doing(self):
-        """What the job does or waits for, in the user's language."""
+        """What the job does or waits for, and how long, in the user's language."""
         if not self.active and not self.over:
             return translated_rest(self._stage_now())
-        return self.wait or (translated_stage(self.stage) if self.stage else state_text(self.state))
+        what = self.wait or (translated_stage(self.stage) if self.stage else state_text(self.state))
+        return "; ".join(filter(None, (what, self.time)))
+
+    @property
+    def time(self):
+        """How long its thread has worked, and how long that still takes where it is known, in the user's language; empty of short work."""
+        return self._pace.text if self.active and self.works else ""
 
     def _stage_now(self):
         """The stage; what the core waits for is known after it was cancelled, too."""
@@ -135,6 +143,7 @@ class Job(QtCore.QObject):
         if not self.wanted():
             self._cancel.set()
         if self.works:
+            self._pace.note(self.fraction)
             if self.active and self._patience_is_over():
                 self._end(CANCELLED)
             self.changed.emit()

@@ -30,8 +30,7 @@ class SolidView(FacesView):
 
 
 def show_in_place_of_sources(obj):
-    """Hides the sources of a mesh object that was added and the other meshes of these, which it would be drawn through, and
-    draws its edges. Undo and redo of the step in which the object is added bring them back and hide them again.
+    """Hides all that a mesh object that was added would be drawn through (_others_there), and draws its edges. Undo and redo of the step in which the object is added bring them back and hide them again.
     """
     view = obj.ViewObject
     if obj.Proxy.size(obj) == 0:
@@ -39,7 +38,7 @@ def show_in_place_of_sources(obj):
     # Curved meshes have a display mode of their own, with the edges of the elements.
     if view.DisplayMode == _FACES and obj.Mesh.CountFacets <= MOST_WITH_EDGES and not view.Coloring:
         view.DisplayMode = _EDGES
-    _hide((*sources_of(obj), *_made_of_the_same(obj)))
+    _hide(_others_there(obj))
 
 
 def _hide(objects):
@@ -80,14 +79,15 @@ def _give_view(obj, kind):
         is_new = view.Proxy is None
         view.Proxy = kind()
         if is_new:
-            _hide(sources_of(obj))
+            _hide(_others_there(obj))
 
 
-def _made_of_the_same(obj):
-    """The other meshes, and shapes of meshes, that are made of the sources of one, or of some of these, and what is made of those."""
-    known, found = list(_sources(obj)), []
+def _others_there(obj):
+    """What a mesh, or a shape of one, is made of in turn, and the other meshes and shapes that are made of nothing but those."""
+    known = _with_sources(obj)[1:]
+    found = [source for source in known if isinstance(source, FreeCAD.DocumentObject)]
     for made in obj.Document.Objects:
-        if made != obj and isinstance(getattr(made, "Proxy", None), (mesh_object.MeshObject, MeshShape)) \
+        if made not in (obj, *known) and isinstance(getattr(made, "Proxy", None), (mesh_object.MeshObject, MeshShape)) \
                 and all(source in known for source in _sources(made)):
             known.append(made)
             found.append(made)

@@ -4,14 +4,15 @@
 import numpy as np
 
 from . import kinds
+from .alike import groups, sorted_rows
 
 
-def boundary_of(blocks):
-    """A tuple of int32 (F, nodes per face); see ElementMesh.boundary."""
-    return tuple(nodes for nodes, _, _ in with_elements(blocks))
+def boundary_of(blocks, check=lambda: None):
+    """A tuple of int32 (F, nodes per face); see ElementMesh.boundary. `check` is called now and then; it may raise Cancelled."""
+    return tuple(nodes for nodes, _, _ in with_elements(blocks, check))
 
 
-def with_elements(blocks):
+def with_elements(blocks, check=lambda: None):
     """The same with the elements behind the faces: [(int32 (F, nodes per face), int (F,) the index of the block, and int
     (F,) that of the element in it), ...].
     """
@@ -23,10 +24,10 @@ def with_elements(blocks):
     if not faces:
         return [(block.nodes, np.full(len(block.nodes), i), np.arange(len(block.nodes)))
                 for i, block in enumerate(blocks) if kinds.DIMENSION[block.kind] == 2]
-    return _outer(faces)
+    return _outer(faces, check)
 
 
-def _outer(faces):
+def _outer(faces, check):
     """The faces that are there once; as with_elements has them.
 
     faces  {(corners, nodes): [(index of the block, its elements, nodes of the face in an element), ...]}
@@ -36,7 +37,7 @@ def _outer(faces):
         alike = [(key[1], part) for key, parts in sorted(faces.items()) if key[0] == corners for part in parts]
         if not alike:
             continue
-        single = _single(_keys([elements[:, local[:corners]] for _, (_, elements, local) in alike]))
+        single = _single(sorted_rows([(elements, local[:corners]) for _, (_, elements, local) in alike], check), check)
         found, first = {}, 0
         for count, (block, elements, local) in alike:
             chosen = np.flatnonzero(single[first:first + len(elements)])
@@ -46,30 +47,10 @@ def _outer(faces):
     return [part for part in once if len(part[0])]
 
 
-def _keys(corners):
-    """uint64 (F,) or (F, 2): faces of the same corners have the same."""
-    rows = [_sorted(part).astype(np.uint64) for part in corners]
+def _single(rows, check):
+    """bool (F,): which of the faces is there once."""
+    single = np.empty(len(rows), dtype=bool)
     # The three lowest numbers tell faces apart: two elements that share three corners share the face.
-    low = np.concatenate([part[:, 0] << np.uint64(32) | part[:, 1] for part in rows])
-    return low, np.concatenate([part[:, 2] for part in rows])
-
-
-def _sorted(corners):
-    """Each row in order; by exchanges, which are faster than sorting for rows as short as these."""
-    columns = [corners[:, i] for i in range(corners.shape[1])]
-    pairs = ((0, 1), (1, 2), (0, 1)) if len(columns) == 3 else ((0, 1), (2, 3), (0, 2), (1, 3), (1, 2))
-    for a, b in pairs:
-        columns[a], columns[b] = np.minimum(columns[a], columns[b]), np.maximum(columns[a], columns[b])
-    return np.stack(columns, axis=1)
-
-
-def _single(keys):
-    """bool (F,): which of the keys is there once."""
-    low, high = keys
-    order = np.lexsort((high, low))
-    low, high = low[order], high[order]
-    same = (low[1:] == low[:-1]) & (high[1:] == high[:-1])
-    again = np.concatenate([[False], same]) | np.concatenate([same, [False]])
-    single = np.empty(len(order), dtype=bool)
-    single[order] = ~again
+    for chosen, begins in groups(rows, check, 3):
+        single[chosen] = begins & np.append(begins[1:], True)
     return single

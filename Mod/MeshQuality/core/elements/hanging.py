@@ -10,22 +10,26 @@ all that is looked at, and bodies that only touch are not.
 import numpy as np
 
 from . import boundary, kinds, lagrange
+from .alike import unique_pairs
 
 _NEAR = 1e-6  # share of an edge's length within which places are the same
 _ROUNDS = 12  # steps of Newton's method
 _STEP = 1e-5  # step of the parameters for derivatives
-_AT_A_TIME = 200_000
+_AT_A_TIME = 50_000
 
 
-def hangs(whole, nodes):
-    """Whether a corner of an element lies amid another one."""
-    corners = np.unique(np.concatenate([block.nodes[:, : kinds.CORNERS[block.kind]].ravel() for block in whole]))
-    inner = [block.nodes[:, kinds.CORNERS[block.kind] :].ravel() for block in whole]
-    if np.isin(corners, np.concatenate(inner)).any():
-        return True
-    parts = list(_parts(whole))
+def hangs(whole, nodes, check=lambda: None):
+    """Whether a corner of an element lies amid another one. `check` is called now and then; it may raise Cancelled."""
+    inner = [block.nodes[:, kinds.CORNERS[block.kind]:].ravel() for block in whole if block.nodes.shape[1] > kinds.CORNERS[block.kind]]
+    if inner:
+        is_corner = np.zeros(len(nodes), dtype=bool)
+        for block in whole:
+            is_corner[block.nodes[:, :kinds.CORNERS[block.kind]]] = True
+        if is_corner[np.concatenate(inner)].any():
+            return True
+    parts = list(_parts(whole, check))
     neighbours = _Neighbours([rows[:, :2] for kind, _, rows, _ in parts if kind == "line"], len(nodes))
-    return any(_any_on(kind, order, rows, elements, neighbours, nodes) for kind, order, rows, elements in parts)
+    return any(_any_on(kind, order, rows, elements, neighbours, nodes, check) for kind, order, rows, elements in parts)
 
 
 class _Neighbours:
@@ -33,7 +37,7 @@ class _Neighbours:
 
     def __init__(self, ends, count):
         ends = np.concatenate([np.empty((0, 2), dtype=np.int32), *ends])
-        both = np.unique(np.concatenate([ends, ends[:, ::-1]]), axis=0)
+        both, _ = unique_pairs(np.concatenate([ends, ends[:, ::-1]]))
         self._first = np.searchsorted(both[:, 0], np.arange(count + 1))
         self._other = both[:, 1]
 
@@ -45,10 +49,10 @@ class _Neighbours:
         return row, self._other[self._first[corners][row] + offset]
 
 
-def _parts(whole):
+def _parts(whole, check):
     """(kind, order, rows of nodes, corners of the element behind) of edges and faces that are on sides of one element."""
     volumes = any(kinds.DIMENSION[block.kind] == 3 for block in whole)
-    for rows, block, element in boundary.with_elements(whole):
+    for rows, block, element in boundary.with_elements(whole, check):
         count = rows.shape[1]
         kind = "triangle" if kinds.order_of("triangle", count) else "quadrilateral"
         order, corners = kinds.order_of(kind, count), _corners_of(whole, block, element)
@@ -83,9 +87,10 @@ def _used_once(rows, kind, whole):
             for edge in kinds.EDGES[kind]]
 
 
-def _any_on(kind, order, rows, elements, neighbours, nodes):
+def _any_on(kind, order, rows, elements, neighbours, nodes, check):
     corners = kinds.CORNERS[kind]
     for start in range(0, len(rows), _AT_A_TIME):
+        check()
         part = rows[start:start + _AT_A_TIME]
         row, point = neighbours.of(part[:, 0])
         outside = (part[row] != point[:, None]).all(axis=1)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import kinds
+from .vectors import cross, dot, lengths
 
 # Of each corner of a volume element the three corners at the ends of its edges, right-handed.
 _AT_CORNERS = {
@@ -47,22 +48,6 @@ class ElementMeasure:
             return self.of[kind](np.asarray(corners, dtype=float))
 
 
-def _lengths(vectors):
-    return np.sqrt(np.einsum("...i,...i->...", vectors, vectors))
-
-
-def _dot(a, b):
-    return np.einsum("...i,...i->...", a, b)
-
-
-def _cross(a, b):
-    """As np.cross, in half the time."""
-    found = np.empty(np.broadcast_shapes(a.shape, b.shape))
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        found[..., i] = a[..., j] * b[..., k] - a[..., k] * b[..., j]
-    return found
-
-
 def _ratio(above, below):
     """above / below, infinite where there is nothing below."""
     return np.where(below > 0.0, above / np.where(below > 0.0, below, 1.0), np.inf)
@@ -70,7 +55,7 @@ def _ratio(above, below):
 
 def _sides(kind, corners):
     """float64 (E, edges): lengths."""
-    return np.stack([_lengths(corners[:, b] - corners[:, a]) for a, b in kinds.EDGES[kind]], axis=1)
+    return np.stack([lengths(corners[:, b] - corners[:, a]) for a, b in kinds.EDGES[kind]], axis=1)
 
 
 def _edge_ratio(kind):
@@ -88,9 +73,9 @@ def _ring(corners):
 def _signed_areas(corners):
     """float64 (E, 4): the areas of the parallelograms at the corners of quadrilaterals, below 0 where they are folded."""
     edges = _ring(corners)
-    at_corners = _cross(np.roll(edges, 1, axis=1), edges)
-    centre = _cross(*_axes_of_quadrilateral(corners))
-    return _dot(at_corners, (centre / _lengths(centre)[:, None])[:, None])
+    at_corners = cross(np.roll(edges, 1, axis=1), edges)
+    centre = cross(*_axes_of_quadrilateral(corners))
+    return dot(at_corners, (centre / lengths(centre)[:, None])[:, None])
 
 
 def _axes_of_quadrilateral(corners):
@@ -103,11 +88,11 @@ def _angles(corners):
     """float64 (E, 4), degrees, of quadrilaterals, 180 at most."""
     edges = _ring(corners)
     back = -np.roll(edges, 1, axis=1)
-    return np.degrees(np.arctan2(_lengths(_cross(edges, back)), _dot(edges, back)))
+    return np.degrees(np.arctan2(lengths(cross(edges, back)), dot(edges, back)))
 
 
 def _twice_area(corners):
-    return _lengths(_cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+    return lengths(cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
 
 
 def _angle_of_triangle(corners, pick):
@@ -115,8 +100,8 @@ def _angle_of_triangle(corners, pick):
     of the sides tells which angle is larger.
     """
     a, b, c = (corners[:, k] - corners[:, k - 1] for k in range(3))
-    product = pick(pick(-_dot(a, b), -_dot(b, c)), -_dot(c, a))
-    return np.degrees(np.arctan2(_lengths(_cross(a, b)), product))
+    product = pick(pick(-dot(a, b), -dot(b, c)), -dot(c, a))
+    return np.degrees(np.arctan2(lengths(cross(a, b)), product))
 
 
 def _smallest_angle(corners):
@@ -144,7 +129,7 @@ def _aspect_of_quadrilateral(corners):
 def _determinant(corners):
     """float64 (E,): six times the volume of tetrahedra."""
     a, b, c = (corners[:, k] - corners[:, 0] for k in (1, 2, 3))
-    return _dot(a, _cross(b, c))
+    return dot(a, cross(b, c))
 
 
 def _aspect_of_tetrahedron(corners):
@@ -163,14 +148,14 @@ def _axes_of_hexahedron(corners, which=_AXES):
 
 
 def _aspect_of_hexahedron(corners):
-    lengths = _lengths(_axes_of_hexahedron(corners))
-    return _ratio(lengths.max(axis=0), lengths.min(axis=0))
+    of_axes = lengths(_axes_of_hexahedron(corners))
+    return _ratio(of_axes.max(axis=0), of_axes.min(axis=0))
 
 
 def _frobenius_of_tetrahedron(corners):
     """The condition number of tetrahedra in the Frobenius norm, 1 of the regular one."""
     edges = corners[:, 1:] - corners[:, :1]
-    mixed = sum(_dot(edges[:, i], edges[:, j]) for i, j in _PAIRS)
+    mixed = sum(dot(edges[:, i], edges[:, j]) for i, j in _PAIRS)
     determinant = _determinant(corners)
     below = 3.0 * np.cbrt(2.0 * np.square(determinant))
     return _ratio(1.5 * np.square(edges).sum(axis=(1, 2)) - mixed, below)
@@ -184,31 +169,31 @@ def _aspect_of_prism(corners):
 
 def _skew_of_quadrilateral(corners):
     first, second = _axes_of_quadrilateral(corners)
-    return np.abs(_dot(first, second)) / (_lengths(first) * _lengths(second))
+    return np.abs(dot(first, second)) / (lengths(first) * lengths(second))
 
 
 def _skew_of_hexahedron(corners):
     axes = _axes_of_hexahedron(corners)
-    axes = axes / _lengths(axes)[..., None]
-    return np.max([np.abs(_dot(axes[i], axes[j])) for i, j in _PAIRS], axis=0)
+    axes = axes / lengths(axes)[..., None]
+    return np.max([np.abs(dot(axes[i], axes[j])) for i, j in _PAIRS], axis=0)
 
 
 def _taper_of_quadrilateral(corners):
     a, b, c, d = corners.transpose(1, 0, 2)
-    shorter = np.min([_lengths(axis) for axis in _axes_of_quadrilateral(corners)], axis=0)
-    return _ratio(_lengths(a - b + c - d), shorter)
+    shorter = np.min([lengths(axis) for axis in _axes_of_quadrilateral(corners)], axis=0)
+    return _ratio(lengths(a - b + c - d), shorter)
 
 
 def _taper_of_hexahedron(corners):
-    lengths, cross = (_lengths(_axes_of_hexahedron(corners, which)) for which in (_AXES, _CROSS_AXES))
-    return np.max([_ratio(cross[k], np.minimum(lengths[i], lengths[j])) for k, (i, j) in enumerate(_PAIRS)], axis=0)
+    of_axes, across = (lengths(_axes_of_hexahedron(corners, which)) for which in (_AXES, _CROSS_AXES))
+    return np.max([_ratio(across[k], np.minimum(of_axes[i], of_axes[j])) for k, (i, j) in enumerate(_PAIRS)], axis=0)
 
 
 def _warpage_of_quadrilateral(corners):
     edges = _ring(corners)
-    normals = _cross(np.roll(edges, 1, axis=1), edges)
-    normals = normals / _lengths(normals)[..., None]
-    return 1.0 - np.minimum(_dot(normals[:, 0], normals[:, 2]), _dot(normals[:, 1], normals[:, 3])) ** 3
+    normals = cross(np.roll(edges, 1, axis=1), edges)
+    normals = normals / lengths(normals)[..., None]
+    return 1.0 - np.minimum(dot(normals[:, 0], normals[:, 2]), dot(normals[:, 1], normals[:, 3])) ** 3
 
 
 def _jacobian_of_triangle(corners):
@@ -218,8 +203,8 @@ def _jacobian_of_triangle(corners):
 
 
 def _jacobian_of_quadrilateral(corners):
-    lengths = _lengths(_ring(corners))
-    products = lengths * np.roll(lengths, 1, axis=1)
+    sides = lengths(_ring(corners))
+    products = sides * np.roll(sides, 1, axis=1)
     return np.where(products > 0.0, _signed_areas(corners) / products, 0.0).min(axis=1)
 
 
@@ -242,7 +227,7 @@ def _jacobians_at_corners(kind, corners):
     found = []
     for at, *ends in _AT_CORNERS[kind]:
         a, b, c = (corners[:, end] - corners[:, at] for end in ends)
-        found.append(_dot(a, _cross(b, c)) / (_lengths(a) * _lengths(b) * _lengths(c)))
+        found.append(dot(a, cross(b, c)) / (lengths(a) * lengths(b) * lengths(c)))
     return np.min(found, axis=0)
 
 
@@ -252,7 +237,7 @@ def _jacobian_of_prism(corners):
 
 def _jacobian_of_hexahedron(corners):
     a, b, c = _axes_of_hexahedron(corners)
-    centre = _dot(a, _cross(b, c)) / (_lengths(a) * _lengths(b) * _lengths(c))
+    centre = dot(a, cross(b, c)) / (lengths(a) * lengths(b) * lengths(c))
     return np.minimum(centre, _jacobians_at_corners("hexahedron", corners))
 
 
@@ -266,8 +251,8 @@ def _equiangle_skew(corners):
 
 def _equiangle_skew_of_tetrahedron(corners):
     """The larger of that of the faces and that of the angles between them."""
-    normals = [_cross(corners[:, b] - corners[:, a], corners[:, c] - corners[:, a]) for a, b, c in kinds.FACES["tetrahedron"]]
-    between = [180.0 - np.degrees(np.arctan2(_lengths(_cross(normals[i], normals[j])), _dot(normals[i], normals[j])))
+    normals = [cross(corners[:, b] - corners[:, a], corners[:, c] - corners[:, a]) for a, b, c in kinds.FACES["tetrahedron"]]
+    between = [180.0 - np.degrees(np.arctan2(lengths(cross(normals[i], normals[j])), dot(normals[i], normals[j])))
                for i in range(4) for j in range(i)]
     dihedral = _skew_of_angles(np.min(between, axis=0), np.max(between, axis=0), np.degrees(np.arccos(1.0 / 3.0)))
     return np.maximum(dihedral, _worst_of_faces("tetrahedron", _equiangle_skew, (3,))(corners))

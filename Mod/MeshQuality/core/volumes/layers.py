@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...compat import extension
+from ..elements.alike import shares, unique_pairs
 
 LEAST = 0.2  # share of the heights that were asked for below which there are no layers
 _OF_GAP = 0.4  # most of a gap that layers on one side of it take
@@ -65,7 +66,7 @@ class Surface:
     @property
     def edges(self):
         """int (E, 2), each edge once."""
-        return np.unique(np.sort(np.concatenate([self.triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1), axis=0)
+        return unique_pairs(np.sort(np.concatenate([self.triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1))[0]
 
 
 def layers_of(surface, marching, heights, gap, check=lambda: None):
@@ -92,9 +93,10 @@ def layers_of(surface, marching, heights, gap, check=lambda: None):
         alive[surface.triangles[covered]] = True
         share[on_walls & ~alive] = 0.0
         share = _sloped(share, edges, lengths, total)
-        moved = marching.displacements(total * share, edges, lengths, on_walls & ~alive)
+        moved = marching.displacements(total * share, edges, lengths, on_walls & ~alive, check)
+        check()
         made = _assembled(surface, alive, moved, np.cumsum(heights) / total, share)
-        bad = _bad_vertices(surface, made)
+        bad = _bad_vertices(surface, made, check)
         if not len(bad):
             return made
         near = np.zeros(len(share), dtype=bool)
@@ -173,31 +175,34 @@ def _rims(surface, alive, point_at):
     return found
 
 
-def proven_bounds(points, kind, elements, order=1):
+def proven_bounds(points, kind, elements, order=1, check=lambda: None):
     """float64 (E,): lower bounds of min J / max |J|; 0 of elements that are not proven valid."""
-    if not len(elements):
-        return np.zeros(0)
-    low, _, verdict = extension().check_elements(kind, order, points, elements.astype(np.int32))
-    return np.where(np.asarray(verdict) == 0, np.maximum(low, 0.0), 0.0)
+    found = np.zeros(len(elements))
+    for share in shares(len(elements)):
+        check()
+        low, _, verdict = extension().check_elements(kind, order, points, elements[share].astype(np.int32))
+        found[share] = np.where(np.asarray(verdict) == 0, np.maximum(low, 0.0), 0.0)
+    return found
 
 
-def _unproven(points, kind, elements):
+def _unproven(points, kind, elements, check):
     """Indices of elements that are not proven valid."""
-    return np.flatnonzero(~(proven_bounds(points, kind, elements) > 0.0))
+    return np.flatnonzero(~(proven_bounds(points, kind, elements, check=check) > 0.0))
 
 
-def _bad_vertices(surface, made):
+def _bad_vertices(surface, made, check):
     """Vertices of the surface at which something is wrong: elements, triangles that turn over or nearly vanish, or the surface
     that is left crosses itself.
     """
     found = []
     for kind, elements in (("prism", made.prisms), ("pyramid", made.pyramids), ("tetrahedron", made.tetrahedra)):
-        found.append(elements[_unproven(made.points, kind, elements)].ravel())
+        found.append(elements[_unproven(made.points, kind, elements, check)].ravel())
     before, after = _area_vectors(surface.points, surface.triangles), _area_vectors(made.points, made.inner)
     kept = np.einsum("ti,ti->t", before, after) / np.einsum("ti,ti->t", before, before)
     found.append(surface.triangles[kept < _LEAST_SHRINK].ravel())
     if not any(len(part) for part in found):
-        crossing, not_proven, *_ = extension().surface_crossings(made.points, [("triangle", 1, made.inner.astype(np.int32))])
+        crossing, not_proven, *_ = extension().surface_crossings(made.points, [("triangle", 1, made.inner.astype(np.int32))],
+                                                               lambda *_: check())
         pairs = np.array([*crossing, *not_proven], dtype=np.int64).reshape(-1)
         found.append(made.inner[pairs].ravel())
     count, columns = len(surface.points), np.flatnonzero(made.share)

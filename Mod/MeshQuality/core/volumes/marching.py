@@ -7,11 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..elements.alike import shares
+
 STRETCH = 4.0  # most that a vertex moves for each mm of the layers' height: at acute edges layers get thinner than that
 _HULL_STEPS = 400  # of the search for the marching direction
 _SMOOTHING_STEPS = 150
 _SMALL_TURN = 0.02  # share of the normals' spread below which the triangles of a vertex count as one plane
 _ENDS = 0.17  # sine of 10 degrees: layers end in faces that turn off the wall by this at least, so that they lie in them
+_AT_A_TIME = 10_000  # vertices
 _SAME_PLANE = 1e-6  # likewise for faces that are planes
 
 
@@ -31,12 +34,13 @@ class Marching:
     visible: np.ndarray
     along: np.ndarray
 
-    def displacements(self, heights, edges, lengths, fixed):
+    def displacements(self, heights, edges, lengths, fixed, check=lambda: None):
         """float64 (V, 3), mm: each vertex moves by its height along its direction, and along the surface as its neighbours do.
 
         heights  float64 (V,), mm
         edges    int (E, 2); lengths: float64 (E,), mm
         fixed    bool (V,): vertices that stay
+        check    called now and then; may raise Cancelled
         """
         given = heights[:, None] * self.direction
         given[fixed] = 0.0
@@ -46,30 +50,34 @@ class Marching:
         whole = np.bincount(both[:, 0], weights=weights, minlength=len(given))
         along = np.where(fixed[:, None, None], 0.0, self.along)
         for _ in range(_SMOOTHING_STEPS):
+            check()
             mean = np.stack([np.bincount(both[:, 0], weights=weights * moved[both[:, 1], k], minlength=len(given))
                              for k in range(3)], axis=1) / whole[:, None]
             moved = given + np.einsum("vij,vj->vi", along, mean)
         return moved
 
 
-def marching_of(points, triangles, face, is_wall, plane_normal):
+def marching_of(points, triangles, face, is_wall, plane_normal, check=lambda: None):
     """The Marching of a closed surface.
 
     face          int (T,), the CAD face of each triangle
     is_wall       bool (T,)
     plane_normal  float64 (T, 3): the unit normal of the plane that a triangle without layers lies in; not a number: it lies in
                   none, and its vertices stay
+    check         called now and then; may raise Cancelled
     """
     count = len(points)
     a, b, c = points[triangles].transpose(1, 0, 2)
     inward = -np.cross(b - a, c - a)
     inward /= np.linalg.norm(inward, axis=1)[:, None]
-    planes = _free_of(count, triangles[~is_wall], plane_normal[~is_wall], _SAME_PLANE, _seams(points, triangles, face, plane_normal))
+    planes = _free_of(count, triangles[~is_wall], plane_normal[~is_wall], _SAME_PLANE, _seams(points, triangles, face, plane_normal),
+                      check)
     uses, offsets = _uses_of(count, triangles[is_wall])
     normals = np.repeat(inward[is_wall], 3, axis=0)[uses]
     owner = np.repeat(np.arange(count), np.diff(offsets))
     projected = np.einsum("uij,uj->ui", planes[owner], normals)
-    nearest = _least_of_hulls(projected, owner, offsets)
+    check()
+    nearest = _least_of_hulls(projected, offsets, check)
     size = np.linalg.norm(nearest, axis=1)
     with np.errstate(divide="ignore", invalid="ignore"):
         way = nearest / size[:, None]
@@ -78,9 +86,8 @@ def marching_of(points, triangles, face, is_wall, plane_normal):
     np.minimum.at(visible, owner, np.einsum("ui,ui->u", normals, np.nan_to_num(way)[owner]))
     direction[~np.isfinite(direction).all(axis=1)] = 0.0
     visible[_without_end(points, triangles, is_wall, inward)] = 0.0
-    spread = np.zeros((count, 3, 3))
-    np.add.at(spread, owner, projected[:, :, None] * projected[:, None, :])
-    along = planes @ _kernels(spread, _SMALL_TURN) @ planes
+    check()
+    along = planes @ _kernels(_spread([(owner, projected)], count), _SMALL_TURN, check) @ planes
     return Marching(direction, visible, along)
 
 
@@ -127,45 +134,68 @@ def _uses_of(count, triangles):
     return order, np.concatenate([[0], np.cumsum(np.bincount(triangles.ravel(), minlength=count))])
 
 
-def _free_of(count, triangles, normals, tolerance, seams):
+def _free_of(count, triangles, normals, tolerance, seams, check):
     """Projectors (V, 3, 3) onto what all planes and _seams of a vertex have in common; zero where one of its triangles lies in no plane."""
-    spread, bent = np.zeros((count, 3, 3)), np.zeros(count, dtype=bool)
+    bent = np.zeros(count, dtype=bool)
     known = np.isfinite(normals).all(axis=1)
     bent[triangles[~known]] = True
-    for k in range(3):
-        np.add.at(spread, triangles[known, k], normals[known, :, None] * normals[known, None, :])
     ends, across = seams
-    for k in range(2):
-        np.add.at(spread, ends[:, k], across[:, :, None] * across[:, None, :])
-    found = _kernels(spread, tolerance)
+    parts = [*((triangles[known, k], normals[known]) for k in range(3)), *((ends[:, k], across) for k in range(2))]
+    found = _kernels(_spread(parts, count), tolerance, check)
     found[bent] = 0.0
     return found
 
 
-def _kernels(spread, tolerance):
+def _spread(parts, count):
+    """float64 (V, 3, 3): by vertex the sum of the outer products of vectors with themselves; parts are [(vertices, vectors), ...]."""
+    owner, vectors = (np.concatenate(side) for side in zip(*parts))
+    found = np.empty((count, 3, 3))
+    for i in range(3):
+        for j in range(3):
+            found[:, i, j] = np.bincount(owner, weights=vectors[:, i] * vectors[:, j], minlength=count)
+    return found
+
+
+def _kernels(spread, tolerance, check):
     """Projectors onto the eigenvectors whose eigenvalues are below a share of the sum of all."""
-    values, vectors = np.linalg.eigh(spread)
-    small = values <= tolerance * values.sum(axis=1)[:, None]
-    return np.einsum("vik,vk,vjk->vij", vectors, small.astype(float), vectors)
+    found = np.empty_like(spread)
+    for share in shares(len(spread), _AT_A_TIME):
+        check()
+        values, vectors = np.linalg.eigh(spread[share])
+        small = values <= tolerance * values.sum(axis=1)[:, None]
+        found[share] = np.einsum("vik,vk,vjk->vij", vectors, small.astype(float), vectors)
+    return found
 
 
-def _least_of_hulls(normals, owner, offsets):
+def _least_of_hulls(normals, offsets, check):
     """By vertex the point of the convex hull of its normals that is nearest to the origin: its direction is the one whose least
     cosine with them is largest (Aubry and Löhner 2008, the most normal normal), by the steps of Gilbert 1966.
+
+    normals  float64 (U, 3), sorted by vertex; offsets: int (V + 1,), where those of each vertex begin
     """
-    count = len(offsets) - 1
-    number = np.maximum(np.diff(offsets), 1)
-    found = np.stack([np.bincount(owner, weights=normals[:, k], minlength=count) for k in range(3)], axis=1) / number[:, None]
-    starts = offsets[:-1][np.diff(offsets) > 0]
-    present = np.flatnonzero(np.diff(offsets) > 0)
+    counts = np.diff(offsets)
+    found = np.zeros((len(counts), 3))
+    for number in np.unique(counts[counts > 0]).tolist():
+        alike = np.flatnonzero(counts == number)
+        for share in shares(len(alike), _AT_A_TIME):
+            at = alike[share]
+            found[at] = _least_of_alike(normals[offsets[at][:, None] + np.arange(number)], check)
+    return found
+
+
+def _least_of_alike(normals, check):
+    """The same for float64 (V, n, 3): vertices with as many normals. One that a step leaves where it is has come to its end."""
+    found = normals.sum(axis=1) / normals.shape[1]
+    moving = np.arange(len(normals))
     for _ in range(_HULL_STEPS):
-        cosines = np.einsum("ui,ui->u", normals, found[owner])
-        least = np.minimum.reduceat(cosines, starts)
-        rows = np.flatnonzero(cosines <= np.repeat(least, np.diff(offsets)[present]))
-        worst = np.empty(count, dtype=np.int64)
-        worst[owner[rows[::-1]]] = rows[::-1]
-        step = normals[worst[present]] - found[present]
+        if not len(moving):
+            break
+        check()
+        there = found[moving]
+        cosines = np.einsum("vni,vi->vn", normals[moving], there)
+        step = normals[moving, np.argmin(cosines, axis=1)] - there
         size = np.einsum("vi,vi->v", step, step)
-        share = -np.einsum("vi,vi->v", found[present], step) / np.where(size > 0.0, size, 1.0)
-        found[present] += np.clip(share, 0.0, 1.0)[:, None] * step
+        share = -np.einsum("vi,vi->v", there, step) / np.where(size > 0.0, size, 1.0)
+        found[moving] += np.clip(share, 0.0, 1.0)[:, None] * step
+        moving = moving[(found[moving] != there).any(axis=1)]
     return found

@@ -9,7 +9,7 @@ import numpy as np
 from ... import flow_phrases, phrases
 from ...errors import InvalidInput, IoError
 from ...phrases import Text
-from ..elements.neighbours import rings_of
+from ..elements.neighbours import pairs_of, rings_of
 from ..meshes import openfoam_case, writing
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.+\-]*")
@@ -52,10 +52,8 @@ def faces_of(mesh):
     faces in upper-triangular order, inner ones first, then patch by patch; normals lead out of the owner.
     """
     rings, owner = rings_of(mesh.solid_blocks)
-    keys = np.sort(rings, axis=1)
-    order = np.lexsort((owner, *keys.T))
-    same = (keys[order[1:]] == keys[order[:-1]]).all(axis=1)
-    first, second = order[:-1][same], order[1:][same]  # the owner is the one with the lower number
+    pairs = np.concatenate([np.column_stack(sides) for sides in pairs_of(mesh.solid_blocks)])
+    first, second = np.take_along_axis(pairs, np.argsort(owner[pairs], axis=1, kind="stable"), axis=1).T  # the owner is the one with the lower number
     upper = np.lexsort((owner[second], owner[first]))
     first, second = first[upper], second[upper]
     outer = np.ones(len(rings), dtype=bool)

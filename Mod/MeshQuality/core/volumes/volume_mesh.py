@@ -11,7 +11,9 @@ from ...errors import Cancelled, GeometryError, InvalidInput
 from ...listing import Public
 from ...phrases import Text
 from ..elements import conformity, kinds
+from ..elements.alike import unique_pairs
 from ..elements.assembly import Content, ElementBlock
+from ..elements.boundary import boundary_of
 from ..formats.completion import blended
 from ..inspect.thickness import thickness
 from ..meshes.element_mesh import ElementMesh
@@ -256,7 +258,7 @@ def _surface_of(mesh, region, chosen):
     triangles, face = np.array(mesh.triangles, dtype=np.int64), np.array(mesh.triangle_face, dtype=np.int64)
     face, far = (face, (0, ())) if region is None else (region.origin[face], (region.count, region.names))
     edges = np.sort(np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
-    _, counts = np.unique(edges, axis=0, return_counts=True)
+    _, counts = unique_pairs(edges)
     if not mesh.report.closed or (counts != 2).any():
         raise GeometryError(Text(flow_phrases.OPEN_REGION))
     is_wall = np.ones(len(triangles), dtype=bool) if chosen is None else np.isin(face, sorted(chosen))
@@ -294,7 +296,8 @@ def _gap_of(mesh, progress):
 def _filled(mesh, surface, values, patches, progress):
     heights = values["first_height"] * values["growth_rate"] ** np.arange(values["layers"])
     check = _checker(progress)
-    marching = marching_of(surface.points, surface.triangles, surface.face, surface.is_wall, _plane_normals(surface))
+    marching = marching_of(surface.points, surface.triangles, surface.face, surface.is_wall, _plane_normals(surface),
+                          _checker(progress, 0.3))
     gap = _gap_of(mesh, part_of(progress, 0.3, 0.4))
     layers = layers_of(surface, marching, heights, gap, check)
     if layers is None:
@@ -304,7 +307,7 @@ def _filled(mesh, surface, values, patches, progress):
     points, tetrahedra = _inside(layers, values["growth_inside"], part_of(progress, 0.5, 0.95))
     check = _checker(progress, 0.95, "checking elements")
     check()
-    made = _mesh_of(surface, layers, points, tetrahedra, patches)
+    made = _mesh_of(surface, layers, points, tetrahedra, patches, check)
     least = _require_valid(made, check)
     made._report = report_of(made, surface, layers, values, heights, float(mesh.report.max_chord_height), least, gap_of, check)
     return made
@@ -354,16 +357,20 @@ def _inside(layers, growth, progress):
     return np.concatenate([layers.points, np.asarray(added).reshape(-1, 3)]), number[np.asarray(tetrahedra).reshape(-1, 4)]
 
 
-def _mesh_of(surface, layers, points, tetrahedra, patches):
+def _mesh_of(surface, layers, points, tetrahedra, patches, check):
     """The VolumeMesh, without points that no element has."""
     solid = {"tetrahedron": np.concatenate([layers.tetrahedra, tetrahedra]), "pyramid": layers.pyramids, "prism": layers.prisms}
     flat = {"triangle": 3, "quadrilateral": 4}
-    used = np.unique(np.concatenate([rows.ravel() for rows in solid.values()]))
-    number = np.full(len(points), -1, dtype=np.int32)
+    is_used = np.zeros(len(points), dtype=bool)
+    for rows in solid.values():
+        check()
+        is_used[rows] = True
+    used, number = np.flatnonzero(is_used), np.full(len(points), -1, dtype=np.int32)
     number[used] = np.arange(len(used))
     names = [REGION, *patches.names]
     blocks, members = [], {name: [] for name in names}
     for kind, rows in solid.items():
+        check()
         if len(rows):
             members[REGION].append((len(blocks), np.arange(len(rows), dtype=np.int32)))
             zero = np.zeros(len(rows), dtype=np.int32)
@@ -393,19 +400,17 @@ def _require_valid(mesh, check=lambda: None):
     """
     least = 1.0
     for block in mesh.blocks:
-        check()
         if kinds.DIMENSION[block.kind] < 3:
             continue
-        bounds = proven_bounds(mesh.nodes, block.kind, block.nodes, block.order)
+        bounds = proven_bounds(mesh.nodes, block.kind, block.nodes, block.order, check)
         wrong = int((~(bounds > 0.0)).sum())
         if wrong:
             raise GeometryError(f"{wrong} {kinds.PLURALS[block.kind]} are not proven valid: give thinner layers, or a finer surface by "
                                 "max_edge")
         least = min(least, float(bounds.min()))
     conforming, oriented = conformity.of_blocks(mesh.blocks, mesh.nodes, check)
-    check()
     listed = {len(rows[0]): rows for rows in (mesh.boundary_triangles, mesh.boundary_quadrilaterals) if len(rows)}
-    bounds = {len(rows[0]): rows for rows in mesh.boundary() if len(rows)}
+    bounds = {len(rows[0]): rows for rows in boundary_of(mesh.blocks, check) if len(rows)}
     check()
     same = set(listed) == set(bounds) and all(_same_sides(listed[count], bounds[count]) for count in listed)
     if not (conforming and oriented and same):

@@ -143,10 +143,7 @@ def report_of(mesh, surface, layers, values, heights, chord_height, least, gap_o
     table = table_of_elements(mesh, check)
     walls, covered, full = coverage_of(surface, layers, values["first_height"])
     total, gaps = heights.sum(), {surface.name_of(face): gap for face, gap in gap_of.items()}
-    notes = [f"{wall.face} has no layers: the gap there is {gaps[wall.face]:.3g} mm at most, and the layers are {total:.3g} mm thick"
-             if not wall.covered and gaps[wall.face] < total else
-             f"{wall.face} has layers on {wall.covered:.1%} of its area only: elsewhere they would be lower than a fifth of what was asked "
-             "for, or invalid, or not end in the face beside it" for wall in walls if wall.covered < 1.0]
+    notes = [bare_note(wall, gaps[wall.face], total) for wall in walls if wall.covered < 1.0]
     notes += _step_note(surface, values, heights[-1])
     notes += [str(values["first_height"])] if isinstance(values["first_height"], FirstHeight) else []
     notes += [f"the layers on {wall.face} are lower than asked for on {wall.covered - wall.full_height:.1%} of its area, the first one "
@@ -154,6 +151,19 @@ def report_of(mesh, surface, layers, values, heights, chord_height, least, gap_o
     return VolumeReport(values["layers"], float(values["first_height"]), values["growth_rate"], tuple(heights.tolist()), dict(table.kinds),
                         len(mesh.nodes), walls, covered, full, _volume(mesh), table.worst("scaled_jacobian")[1],
                         table.worst("non_orthogonality")[1], table.worst("skewness")[1], chord_height, least, tuple(notes))
+
+
+def partly(share):
+    """A share below 1 in percent with one digit, never 100.0%."""
+    return f"{min(share, 0.999):.1%}"
+
+
+def bare_note(wall, gap, total):
+    """Why layers that are `total` mm thick do not cover all of a WallCoverage's face, whose widest gap is `gap` mm."""
+    if not wall.covered and gap < total:
+        return f"{wall.face} has no layers: the gap there is {gap:.3g} mm at most, and the layers are {total:.3g} mm thick"
+    return (f"{wall.face} has layers on {partly(wall.covered)} of its area only: elsewhere they would be lower than a fifth of what was asked "
+            "for, or invalid, or not end in the face beside it")
 
 
 def _step_note(surface, values, last):

@@ -91,11 +91,6 @@ class AdaptPanel(WritingPanel):
     def said_of_cancelling():
         return translate("MeshQuality", "Cancelled; the last good step stays.")
 
-    def _start(self):
-        super()._start()
-        if self.job is not None:
-            self.job.changed.connect(self._tell)
-
     def _tell(self):
         if self.job is not None and is_in_task_view(self.form):
             self.doing.setText(self.job.doing)

@@ -52,6 +52,8 @@ class FaultsBox(QtGui.QWidget):
         self.text.setText(translate("MeshQuality", "Searching for faults ..."))
         self._job = jobs.queue().add(jobs.Job(translate("MeshQuality", "Searching for faults"), find, self._take, quiet=True))
         job = self._job
+        job.changed.connect(lambda: job.time and is_in_task_view(self) and self.text.setText(
+            "\n".join((translate("MeshQuality", "Searching for faults ..."), job.time))))
         job.ended.connect(lambda: job.state == jobs.FAILED and is_in_task_view(self) and self.text.setText(translated(job.error)))
 
     def end(self):

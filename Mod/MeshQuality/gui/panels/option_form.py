@@ -121,7 +121,8 @@ class OptionForm(QtGui.QWidget):
                 continue
             label = self._labels[option.name] = QtGui.QLabel(_title(option))
             label.setToolTip(_help(option))
-            form.addRow(label, field.widget)
+            for row in ((label,), (field.widget,)) if field.below else ((label, field.widget),):
+                form.addRow(*row)
         return fields
 
     def _field(self, option, table):
@@ -228,6 +229,7 @@ class _Field(QtCore.QObject):
     """
 
     changed = QtCore.Signal()
+    below = False  # whether the widget needs the whole width, below its label
 
     def __init__(self, option, widget):
         super().__init__()
@@ -508,6 +510,8 @@ class _SubElements(_Field):
 
 class _SizeFields(_Field):
     """The table of size regions."""
+
+    below = True
 
     def __init__(self, option, sources):
         super().__init__(option, SizeFieldsBox(sources))

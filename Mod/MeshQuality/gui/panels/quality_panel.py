@@ -230,7 +230,7 @@ class QualityPanel:
     def _tell(self, job):
         if job is self._job and job.active and (job.fraction or job.wait):
             measuring = translate("MeshQuality", "Measuring: {0} %").format(round(100 * job.fraction))
-            self._say("\n".join(filter(None, (measuring, job.wait))))
+            self._say("\n".join(filter(None, (measuring, job.wait, job.time))))
 
     def _measuring(self):
         self._say(translate("MeshQuality", "Measuring ..."))

@@ -37,6 +37,7 @@ class SizeFieldsBox(QtGui.QWidget):
         self.table = Table(0, 2)
         self.table.setHorizontalHeaderLabels([translate("MeshQuality", "Region"), translate("MeshQuality", "Size")])
         self.table.horizontalHeader().setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
+        self.table.horizontalHeader().setSectionResizeMode(1, QtGui.QHeaderView.ResizeToContents)
         self.table.verticalHeader().hide()
         self.table.setMaximumHeight((_ROWS + 1) * self.table.verticalHeader().defaultSectionSize())
         self.add, self.draw = QtGui.QToolButton(), QtGui.QToolButton()

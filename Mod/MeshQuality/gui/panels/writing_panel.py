@@ -105,8 +105,14 @@ class WritingPanel:
         self.say("")
         self.job = jobs.Job(self.form.windowTitle(), work, land, lambda: is_there(self.document, self.obj),
                             drop=self.DROP)
+        self.job.changed.connect(self._tell)
         self.job.ended.connect(self._ended)
         jobs.queue().add(self.job)
+
+    def _tell(self):
+        """What is said while the work goes on."""
+        if self.job is not None and self.job.time and is_in_task_view(self.form):
+            self.say(self.job.time)
 
     def _ended(self):
         job, self.job = self.job, None
