@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/angle.h"
-#include "base/parallel.h"
+#include "base/threads/for_ranges.h"
 #include "triangulate/refine/tuning.h"
 #include "triangulate/rounds/block_round.h"
 #include "triangulate/work_mesh/gradation.h"
@@ -115,21 +115,15 @@ void ChordRefinement::add_unpassed_edges(int triangle, std::vector<int>& edges) 
 
 // Returns the edges that are not known to be within their bounds, in the order of their half-edges.
 std::vector<int> ChordRefinement::unpassed_edges() {
-    constexpr int kBlock = 8192;  // triangles looked at in about 0.2 ms
-    const int count = work_.mesh.triangle_count();
     edges_passed_.cover(work_.mesh);
-    std::vector<std::vector<int>> of_blocks(static_cast<std::size_t>((count + kBlock - 1) / kBlock));
-    parallel_for(static_cast<int>(of_blocks.size()), [&](int k) {
+    using Edges = std::vector<int>;
+    const auto count = static_cast<std::size_t>(work_.mesh.triangle_count());
+    return found_in_ranges<Edges>(count, [&](std::size_t from, std::size_t to, Edges& edges) {
         work_.progress.check();
-        for (int t = k * kBlock; t < std::min((k + 1) * kBlock, count); ++t) {
-            add_unpassed_edges(t, of_blocks[static_cast<std::size_t>(k)]);
+        for (int t = static_cast<int>(from); t < static_cast<int>(to); ++t) {
+            add_unpassed_edges(t, edges);
         }
     });
-    std::vector<int> edges;
-    for (const std::vector<int>& of_block : of_blocks) {
-        edges.insert(edges.end(), of_block.begin(), of_block.end());
-    }
-    return edges;
 }
 
 void ChordRefinement::measure_edges(Violations& found) {
@@ -162,14 +156,16 @@ void ChordRefinement::measure_edges(const int* first, const int* last, Violation
 }
 
 void ChordRefinement::measure_triangles(Violations& found) {
-    std::vector<int> triangles;
-    CancelPace pace(work_.progress);
-    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
-        pace.step();
-        if (!measured_.marked(work_.mesh, t)) {
-            triangles.push_back(t);
+    using Triangles = std::vector<int>;
+    const auto count = static_cast<std::size_t>(work_.mesh.triangle_count());
+    const auto triangles = found_in_ranges<Triangles>(count, [&](std::size_t begin, std::size_t end, Triangles& news) {
+        work_.progress.check();
+        for (int t = static_cast<int>(begin); t < static_cast<int>(end); ++t) {
+            if (!measured_.marked(work_.mesh, t)) {
+                news.push_back(t);
+            }
         }
-    }
+    });
     for (std::size_t from = 0; from < triangles.size(); from += kPiecesAtOnce) {
         const auto begin = triangles.begin() + static_cast<std::ptrdiff_t>(from);
         const auto count = static_cast<std::ptrdiff_t>(std::min(kPiecesAtOnce, triangles.size() - from));

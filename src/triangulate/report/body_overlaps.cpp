@@ -6,11 +6,13 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <set>
+#include <mutex>
 #include <string>
 #include <utility>
 
 #include "base/disjoint_sets.h"
+#include "base/key_set.h"
+#include "base/parallel.h"
 #include "mesh/intersection/nearest_tree.h"
 #include "mesh/intersection/surface_winding.h"
 
@@ -44,6 +46,7 @@ struct Solid {
     Box box;
     double volume = 0.0;  ///< mm^3
     std::unique_ptr<Surface> surface;
+    std::once_flag once;  ///< of the surface, which the thread makes that asks first
 };
 
 class Overlaps {
@@ -69,22 +72,21 @@ class Overlaps {
                     found);
             }
         }
-        for (auto a = solids_.begin(); a != solids_.end(); ++a) {
+        const std::vector<Volumes> near = near_pairs();
+        std::vector<Volumes> inside(near.size(), {-1, -1});
+        parallel_for(static_cast<int>(near.size()), [&](int k) {
             work_.progress.check();
-            for (auto b = std::next(a); b != solids_.end(); ++b) {
-                if (!a->second.box.meets(b->second.box)) {
-                    continue;
+            const auto [a, b] = near[static_cast<std::size_t>(k)];
+            for (const Volumes& order : {Volumes{a, b}, Volumes{b, a}}) {
+                if (in_other(order.first, order.second)) {
+                    inside[static_cast<std::size_t>(k)] = order;
+                    break;
                 }
-                const auto known = worst_.find({a->first, b->first});
-                if (known != worst_.end() && known->second != BodyContact::Touching) {
-                    continue;
-                }
-                for (const Volumes& order : {Volumes{a->first, b->first}, Volumes{b->first, a->first}}) {
-                    if (in_other(order.first, order.second)) {
-                        add(order, BodyOverlap::Kind::Inside, found);
-                        break;
-                    }
-                }
+            }
+        });
+        for (const Volumes& order : inside) {
+            if (order.first >= 0) {
+                add(order, BodyOverlap::Kind::Inside, found);
             }
         }
         return found;
@@ -111,13 +113,30 @@ class Overlaps {
         }
     }
 
+    // Pairs of solids whose boxes meet, and that are not known to overlap.
+    std::vector<Volumes> near_pairs() const {
+        std::vector<Volumes> pairs;
+        for (auto a = solids_.begin(); a != solids_.end(); ++a) {
+            for (auto b = std::next(a); b != solids_.end(); ++b) {
+                const auto known = worst_.find({a->first, b->first});
+                if (a->second.box.meets(b->second.box) &&
+                    (known == worst_.end() || known->second == BodyContact::Touching)) {
+                    pairs.emplace_back(a->first, b->first);
+                }
+            }
+        }
+        return pairs;
+    }
+
     void add_contacts() {
         for (const FaceContact& contact : contacts_) {
             for (const auto& [volumes, how] : contact.contacts) {
                 BodyContact& worst = worst_[volumes];
                 worst = std::max(worst, how);
                 for (const auto& pair : contact.pairs) {
-                    crossing_[volumes].insert(pair.begin(), pair.end());
+                    for (const int t : pair) {
+                        crossing_[volumes].insert(static_cast<std::uint64_t>(t));
+                    }
                 }
             }
         }
@@ -159,14 +178,12 @@ class Overlaps {
 
     Surface& surface_of(int volume) {
         Solid& solid = solids_.at(volume);
-        if (!solid.surface) {
-            solid.surface = std::make_unique<Surface>(mesh_, solid.triangles);
-        }
+        std::call_once(solid.once, [&] { solid.surface = std::make_unique<Surface>(mesh_, solid.triangles); });
         return *solid.surface;
     }
 
     // Whether a triangle of a solid crosses one of the other, or is in the place of one.
-    bool meets(int t, const std::set<int>* crossing, int other) const {
+    bool meets(int t, const KeySet* crossing, int other) const {
         if (!mesh_.triangle_opposite.empty()) {
             const std::int32_t opposite = mesh_.triangle_opposite[static_cast<std::size_t>(t)];
             if (opposite >= 0 && mesh_.triangle_solid[static_cast<std::size_t>(opposite)] ==
@@ -174,29 +191,33 @@ class Overlaps {
                 return true;
             }
         }
-        return crossing != nullptr && crossing->count(source_[static_cast<std::size_t>(t)]) > 0;
+        return crossing != nullptr &&
+               crossing->count(static_cast<std::uint64_t>(source_[static_cast<std::size_t>(t)])) > 0;
     }
 
     // The sets of connected triangles of a solid without the triangles that meet the other one; each triangle that does
     // is a set of its own.
-    std::vector<std::vector<int>> parts_of(const Solid& solid, const std::set<int>* crossing, int other) const {
-        std::map<std::int32_t, int> first;  // by vertex: one of its triangles, as an index in the list
+    std::vector<std::vector<int>> parts_of(const Solid& solid, const KeySet* crossing, int other) const {
+        KeyMap<int> first;  // by vertex: one of its triangles, as an index in the list
         DisjointSets<int> joined(solid.triangles.size());
         for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
             if (meets(solid.triangles[i], crossing, other)) {
                 continue;
             }
             for (const std::int32_t v : mesh_.triangles[static_cast<std::size_t>(solid.triangles[i])]) {
-                joined.unite(first.emplace(v, static_cast<int>(i)).first->second, static_cast<int>(i));
+                const auto vertex = static_cast<std::uint64_t>(v);
+                joined.unite(first.emplace(vertex, static_cast<int>(i)).first->second, static_cast<int>(i));
             }
         }
-        std::map<int, std::vector<int>> parts;
-        for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
-            parts[joined.find(static_cast<int>(i))].push_back(solid.triangles[i]);
-        }
+        std::vector<int> place(solid.triangles.size(), -1);  // by representative: where its set is
         std::vector<std::vector<int>> found;
-        for (auto& entry : parts) {
-            found.push_back(std::move(entry.second));
+        for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
+            int& own = place[static_cast<std::size_t>(joined.find(static_cast<int>(i)))];
+            if (own < 0) {
+                own = static_cast<int>(found.size());
+                found.emplace_back();
+            }
+            found[static_cast<std::size_t>(own)].push_back(solid.triangles[i]);
         }
         return found;
     }
@@ -211,7 +232,7 @@ class Overlaps {
         const Solid& solid = solids_.at(volume);
         const Solid& around = solids_.at(other);
         const auto known = crossing_.find(std::minmax(volume, other));
-        const std::set<int>* crossing = known != crossing_.end() ? &known->second : nullptr;
+        const KeySet* crossing = known != crossing_.end() ? &known->second : nullptr;
         const bool meeting = crossing != nullptr || share(volume, other);
         if (!meeting) {
             return within(solid.box, around.box) && is_inside(solid.triangles, other, 4.0 * work_.grid.resolution());
@@ -267,10 +288,10 @@ class Overlaps {
     const mesh::TriangleMesh& mesh_;
     const std::vector<int>& source_;
     const std::vector<FaceContact>& contacts_;
-    double near_;                                // mm: depth by which meshes of bodies that touch may cross
-    std::map<int, Solid> solids_;                // by volume
-    std::map<Volumes, BodyContact> worst_;       // pairs whose triangles cross, and how they are in contact
-    std::map<Volumes, std::set<int>> crossing_;  // triangles of the working mesh
+    double near_;                           // mm: depth by which meshes of bodies that touch may cross
+    std::map<int, Solid> solids_;           // by volume
+    std::map<Volumes, BodyContact> worst_;  // pairs whose triangles cross, and how they are in contact
+    std::map<Volumes, KeySet> crossing_;    // triangles of the working mesh
 };
 
 }  // namespace
