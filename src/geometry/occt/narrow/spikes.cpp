@@ -101,10 +101,10 @@ class Spikes : EdgeJoining {
         const Vec3& end = topology_.nodes[static_cast<std::size_t>(node)].point;
         const Answer foot = nearest_on(a, end, within);
         const bool whole = foot.found() && !is_inside(a, foot, within);
-        if (!foot.found() || !(whole ? mouth_opens(sides, node, within) : opens(sides, foot))) {
+        if (!foot.found() || !(whole ? mouth_opens(sides, node) : opens(sides, foot))) {
             return std::nullopt;
         }
-        const bool same = sides.tips.empty() && along->distance <= own;
+        const bool same = !whole && sides.tips.empty() && along->distance <= own;
         if (!same &&
             !(others_open(sides.shorter, sides.longer) &&
               std::all_of(sides.tips.begin(), sides.tips.end(), [&](int tip) { return leaves_corner_beside(tip); }))) {
@@ -146,13 +146,13 @@ class Spikes : EdgeJoining {
         return into && angle_between(*into, leaving) <= 0.5 * M_PI - least;
     }
 
-    /// Whether the longer edge ends within this distance (mm) of the node of the shorter one, and the edges that go on
-    /// from there enclose DetailCorners::kLeastAngle.
-    bool mouth_opens(const Sides& sides, int node, double within) const {
+    /// Whether the longer edge ends within the detail of the node of the shorter one, and the edges that go on from
+    /// there enclose DetailCorners::kLeastAngle.
+    bool mouth_opens(const Sides& sides, int node) const {
         const int far = edge(edge_of(sides.longer)).nodes[use_of(sides.longer).forward == sides.ascending ? 0 : 1];
         const Vec3& mouth = topology_.nodes[static_cast<std::size_t>(node)].point;
         return sides.before != sides.beyond && far != node &&
-               (topology_.nodes[static_cast<std::size_t>(far)].point - mouth).norm() <= within &&
+               (topology_.nodes[static_cast<std::size_t>(far)].point - mouth).norm() <= topology_.detail &&
                angle_between(point_along(sides.before, !sides.ascending) - mouth,
                              point_along(sides.beyond, sides.ascending) - mouth) >= DetailCorners::kLeastAngle;
     }
