@@ -16,11 +16,11 @@ namespace {
 class TouchingEdges : EdgeJoining {
   public:
     TouchingEdges(Topology& topology, ShapeMap& live, const Progress* progress)
-        : EdgeJoining(topology, live), progress_(progress), solid_(topology.faces.size(), kNone) {
+        : EdgeJoining(topology, live), progress_(progress), solid_(topology.faces.size(), kNoSolid) {
         for (std::size_t v = 0; v < topology.volumes.size(); ++v) {
             for (const Volume::Side& side : topology.volumes[v].sides) {
                 int& solid = solid_[static_cast<std::size_t>(side.face)];
-                const bool only = solid == kNone && topology.volumes[v].kind == Volume::Kind::Solid;
+                const bool only = solid == kNoSolid && topology.volumes[v].kind == Volume::Kind::Solid;
                 solid = only ? static_cast<int>(v) : kSeveral;
             }
         }
@@ -48,12 +48,12 @@ class TouchingEdges : EdgeJoining {
     }
 
   private:
-    static constexpr int kNone = -1;
+    static constexpr int kNoSolid = -1;
     static constexpr int kSeveral = -2;
 
     struct Place {
-        Vec3 middle;       // of the points of both nodes
-        double tolerance;  // of the nodes, mm
+        Vec3 middle;       // between the points of both nodes
+        double tolerance;  // the largest one of nodes and edge, mm
         int edge;
     };
 
