@@ -45,6 +45,17 @@ def piece_of_torus(seed):
     return Part.makeTorus(10, radius).common(prism)
 
 
+class WideCorners(unittest.TestCase):
+    """Corners that are not below the bound force no triangle below it."""
+
+    def test_pieces_are_halved_where_chords_need_more_triangles_than_fit(self):
+        """Half a slender cone has 56 degrees at its tip, and its flat side 36."""
+        half = Part.makeCone(10 * math.tan(math.radians(18)), 0, 10, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 180)
+        report = mq.triangulate(half.removeSplitter(), chord_height=0.05, min_angle=25).report
+        self.assertEqual(len(report.exempt), 0, report)
+        self.assertGreaterEqual(report.min_angle, 25.0)
+
+
 class KeptCorners(unittest.TestCase):
     """A corner has the angle of its edges, which the first chords of curved ones approach."""
 

@@ -137,6 +137,18 @@ class Gaps(unittest.TestCase):
             self.assertTrue(any("pairs of triangles cross" in text for text in texts), texts)
             self.assertEqual(verdict.of_curved(crossing, True, {"overlap": "allow"}), [])
 
+    def test_a_solid_that_touches_itself_along_an_edge(self):
+        """Two edges lie on each other there, each between two faces: triangles have vertices in common there."""
+        outline = Part.makePolygon([V(*at) for at in ((0, 0), (5, 5), (10, 0), (10, 10), (5, 5), (0, 10), (0, 0))])
+        solid = Part.Face(outline).extrude(V(0, 0, 4))
+        self.assertEqual((solid.isValid(), len(solid.Edges)), (True, 18))
+        mesh = mq.triangulate(solid, chord_height=0.1)
+        self.assertEqual(mesh.report.self_intersections, 0)
+        self.assertTrue(mesh.report.closed and mesh.report.manifold, mesh.report)
+        self.assertAlmostEqual(mesh.report.volume, 200.0, places=6)
+        notes = [str(note) for note in mesh.report.notes]
+        self.assertTrue(any("where the solid touches itself" in note for note in notes), notes)
+
 
 if __name__ == "__main__":
     unittest.main()

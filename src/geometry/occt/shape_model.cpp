@@ -31,6 +31,7 @@
 #include "geometry/occt/narrow/degenerate_faces.h"
 #include "geometry/occt/narrow/loose_faces.h"
 #include "geometry/occt/narrow/spikes.h"
+#include "geometry/occt/narrow/touching_edges.h"
 #include "geometry/occt/plane_curves.h"
 #include "geometry/occt/topology/creases.h"
 #include "geometry/occt/topology/imprint.h"
@@ -180,6 +181,7 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     if (remove_spikes(topology_, live_, progress)) {
         remove_degenerate_faces(entities, topology_, live_, progress);  // what remains of a face can be thin, too
     }
+    join_touching_edges(topology_, live_, progress);
     join_border_contacts(topology_, live_, progress);
     cut_narrow_corners(topology_, live_, join.corner_cuts, progress);
     topology_.sewn = join.sew && topology_.detail > 0.0;

@@ -475,11 +475,31 @@ void AngleRefinement::give_up(const Job& job, Cause cause, const std::vector<int
     }
 }
 
+// Whether the smallest angle of a triangle lies at this CAD node, and no corner there is below the bound: too many
+// triangles share the corner, which its innermost pieces are too long for. The paper's refinement leaves them.
+bool AngleRefinement::shares_wide_corner(int triangle, int vertex) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    if (insertion_ == Insertion::Circumcentre || mesh.vertex_of(smallest_angle(mesh, triangle).half_edge) != vertex) {
+        return false;
+    }
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        const auto& ends = mesh.segment(s).vertices;
+        if ((ends[0] == vertex || ends[1] == vertex) &&
+            narrowest_corner(mesh, s, ends[0] == vertex ? 0 : 1).angle < bound_) {
+            return false;
+        }
+    }
+    return true;
+}
+
 // Names the blocking segments, and the small input angle if one of them must not be split because of it.
 void AngleRefinement::exempt_for(const QueuedTriangle& bad, Cause cause, const std::vector<int>& segments) {
     for (const int s : segments) {
         int corner = -1;
         if (segments_.is_terminal(s, &corner)) {
+            if (shares_wide_corner(bad.triangle, corner) && segments_.shrink_shell(corner) && split_instead(bad, {s})) {
+                return;
+            }
             exempt(bad, Cause::NarrowCluster, corner, s);
             return;
         }

@@ -79,6 +79,7 @@ class AngleRefinement {
     bool split_instead(const QueuedTriangle& bad, const std::vector<int>& segments);
     bool flattens_segment(const std::vector<int>& segments, const Vec3& p) const;
     void give_up(const Job& job, Cause cause, const std::vector<int>& segments = {});
+    bool shares_wide_corner(int triangle, int vertex) const;
     void exempt_for(const QueuedTriangle& bad, Cause cause, const std::vector<int>& segments);
     bool crowded(int triangle, double nearest, int& shrinks) const;
     void remember_shrinks(int first_vertex, int shrinks);

@@ -137,6 +137,17 @@ bool SegmentSplitter::is_terminal(int segment, int* corner_vertex) const {
     return false;
 }
 
+bool SegmentSplitter::shrink_shell(int vertex) {
+    int& left = halvings_left_.emplace(vertex, RefinementTuning::kMaxShellHalvings).first->second;
+    double& radius = shells_.innermost[static_cast<std::size_t>(vertex)];
+    if (left == 0 || 0.5 * radius < kAboveFloor * work_.shortest_allowed()) {
+        return false;
+    }
+    --left;
+    radius *= 0.5;
+    return true;
+}
+
 bool SegmentSplitter::opens(int vertex, int segment) const {
     return cut_.count(vertex) > 0 && may_split(segment);
 }

@@ -36,6 +36,10 @@ class SegmentSplitter {
     /// shell ends it, and leaves one triangle in the corner with the input angle. `corner_vertex` receives the
     /// corner's node.
     bool is_terminal(int segment, int* corner_vertex = nullptr) const;
+    /// Halves the innermost shell around a CAD node, so that its pieces may be split once more: for triangles that
+    /// these pieces leave below the bound although no corner there is.
+    /// @return whether that was done: not again and again
+    bool shrink_shell(int vertex);
     /// Whether pieces at this vertex, where a corner was cut off, enclose a larger angle the shorter they are, and are
     /// not as short yet as the corner is wide there.
     bool opens(int vertex, int segment) const;
@@ -100,8 +104,9 @@ class SegmentSplitter {
     double step_;                           // length of a piece in distances between the rails; 0: there is no bound
     std::set<std::array<int, 2>> ladders_;  // pairs of edges that meet in corners below kWidestLadder
     std::set<int> free_apexes_;
-    CornerShells shells_;  // before refinement
-    std::set<int> cut_;    // vertices where corners were cut off
+    CornerShells shells_;               // before refinement
+    std::set<int> cut_;                 // vertices where corners were cut off
+    std::map<int, int> halvings_left_;  // by vertex of a CAD node: see shrink_shell
     std::vector<int> pending_;
     std::vector<char> waiting_;   // by segment
     std::map<int, Shell> asked_;  // by segment, until it is split

@@ -27,6 +27,8 @@ struct RefinementTuning {
     MESHQUALITY_TUNED(double, kMaxShrink, 0.5);
     /// Times the edges at one vertex are halved because the angle between their chords is smaller than theirs.
     MESHQUALITY_TUNED(int, kMaxSharpened, 16);
+    /// Times the innermost shell around a CAD node is halved for triangles that its pieces leave below the bound.
+    MESHQUALITY_TUNED(int, kMaxShellHalvings, 4);
     /// Fraction of the shape's size: at the tip of a wing the normal turns within the resolution, and triangles
     /// below this size are not refined only because their normal deviates.
     MESHQUALITY_TUNED(double, kMinTurned, 1e-3);

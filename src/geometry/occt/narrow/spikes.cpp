@@ -43,14 +43,16 @@ class Spikes : EdgeJoining {
     /// Two neighbouring edges of a loop as the sides of a spike; edges shorter than the detail may lie between them.
     struct Sides {
         int longer;             // use of the edge that goes on beyond the spike
-        int shorter;            // use of the edge that ends at the inside of the longer one
+        int shorter;            // use of the edge that ends at the inside of the longer one, or at its end
         int beyond;             // the use after the shorter one, away from the tip
+        int before;             // the use before the longer one, away from the tip
         std::vector<int> tips;  // uses of the short edges
         bool ascending;         // whether the loop walks the longer edge first
     };
     struct Spike {
         Sides sides;
         int node;       // at the far end of the shorter edge
+        bool whole;     // whether both edges end at the mouth of the spike: the longer one is not divided
         double t;       // parameter of the longer edge at the foot
         double within;  // largest distance between the sides of the spike, mm
     };
@@ -58,7 +60,7 @@ class Spikes : EdgeJoining {
     bool remove_one(Loop& loop) {
         const std::size_t n = loop.uses.size();
         for (std::size_t i = 0; i < n; ++i) {
-            Sides sides{loop.uses[i], -1, -1, {}, true};
+            Sides sides{loop.uses[i], -1, -1, loop.uses[(i + n - 1) % n], {}, true};
             std::size_t k = i + 1;
             for (; k < i + n && is_short(edge_of(loop.uses[k % n])); ++k) {
                 sides.tips.push_back(loop.uses[k % n]);
@@ -71,7 +73,7 @@ class Spikes : EdgeJoining {
                 return true;
             }
             sides.beyond = loop.uses[(k + 1) % n];
-            const Sides other{sides.shorter, sides.longer, loop.uses[(i + n - 1) % n], sides.tips, false};
+            const Sides other{sides.shorter, sides.longer, sides.before, sides.beyond, sides.tips, false};
             for (const Sides& both : {sides, other}) {
                 const std::optional<Spike> spike = spike_between(both);
                 if (spike && cut_off(loop, *spike)) {
@@ -98,16 +100,17 @@ class Spikes : EdgeJoining {
         const int node = edge(b).nodes[use_of(sides.shorter).forward == sides.ascending ? 1 : 0];
         const Vec3& end = topology_.nodes[static_cast<std::size_t>(node)].point;
         const Answer foot = nearest_on(a, end, within);
-        if (!foot.found() || !is_inside(a, foot, within) || !opens(sides, foot)) {
+        const bool whole = foot.found() && !is_inside(a, foot, within);
+        if (!foot.found() || !(whole ? mouth_opens(sides, node) : opens(sides, foot))) {
             return std::nullopt;
         }
-        const bool same = sides.tips.empty() && along->distance <= own;
+        const bool same = !whole && sides.tips.empty() && along->distance <= own;
         if (!same &&
             !(others_open(sides.shorter, sides.longer) &&
               std::all_of(sides.tips.begin(), sides.tips.end(), [&](int tip) { return leaves_corner_beside(tip); }))) {
             return std::nullopt;
         }
-        return Spike{sides, node, foot.t, within};
+        return Spike{sides, node, whole, foot.t, within};
     }
 
     /// Radians: the angle between the directions in which both edges leave the tip.
@@ -143,6 +146,17 @@ class Spikes : EdgeJoining {
         return into && angle_between(*into, leaving) <= 0.5 * M_PI - least;
     }
 
+    /// Whether the longer edge ends within the detail of the node of the shorter one, and the edges that go on from
+    /// there enclose DetailCorners::kLeastAngle.
+    bool mouth_opens(const Sides& sides, int node) const {
+        const int far = edge(edge_of(sides.longer)).nodes[use_of(sides.longer).forward == sides.ascending ? 0 : 1];
+        const Vec3& mouth = topology_.nodes[static_cast<std::size_t>(node)].point;
+        return sides.before != sides.beyond && far != node &&
+               (topology_.nodes[static_cast<std::size_t>(far)].point - mouth).norm() <= topology_.detail &&
+               angle_between(point_along(sides.before, !sides.ascending) - mouth,
+                             point_along(sides.beyond, sides.ascending) - mouth) >= DetailCorners::kLeastAngle;
+    }
+
     /// Whether the faces beyond the tip keep a corner where they lose its edge.
     bool leaves_corner_beside(int tip) const {
         const std::vector<int>& uses = edge(edge_of(tip)).uses;
@@ -155,7 +169,7 @@ class Spikes : EdgeJoining {
         const int face = use_of(spike.sides.longer).face;
         const bool tip_is_last = use_of(spike.sides.longer).forward == spike.sides.ascending;
         const bool moved = spike.sides.tips.empty() && tip_angle(spike.sides) < DetailCorners::kLeastAngle;
-        const int second = divide(a, spike.t, spike.node);
+        const int second = spike.whole ? a : divide(a, spike.t, spike.node);
         const int piece = tip_is_last ? second : a;
         if (!alignment(piece, b, spike.within) || !alignment(b, piece, spike.within)) {
             return false;
@@ -201,7 +215,7 @@ class Spikes : EdgeJoining {
     std::optional<Tip> tip_between(int before, int after) const {
         const auto has_curve = [&](int use) { return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull(); };
         if (!parts_two_faces(before) || !parts_two_faces(after) || edge_of(before) == edge_of(after) ||
-            !has_curve(before) || !has_curve(after) || tip_angle({before, after, -1, {}, true}) >= kWidestTip) {
+            !has_curve(before) || !has_curve(after) || tip_angle({before, after, -1, -1, {}, true}) >= kWidestTip) {
             return std::nullopt;
         }
         const std::array<int, 2> edges{edge_of(before), edge_of(after)};

@@ -48,6 +48,33 @@ TopoDS_Shell spiked(double width, double rise) {
     return shell;
 }
 
+/// A square in the plane z = 0 between (0, 0) and (1, 1) from whose corner a strip of this width goes to (2, 2), as
+/// where two parts of a body are a little out of place. Left of the strip lies a face in the plane, right of it one
+/// that rises.
+TopoDS_Shell with_strip(double width) {
+    const double e = width / std::sqrt(2.0);
+    const TopoDS_Vertex a = vertex(0.0, 0.0, 0.0);
+    const TopoDS_Vertex b = vertex(1.0, 0.0, 0.0);
+    const TopoDS_Vertex right = vertex(1.0, 1.0 - e, 0.0);
+    const TopoDS_Vertex right_tip = vertex(2.0, 2.0 - e, 0.0);
+    const TopoDS_Vertex left_tip = vertex(2.0 - e, 2.0, 0.0);
+    const TopoDS_Vertex left = vertex(1.0 - e, 1.0, 0.0);
+    const TopoDS_Vertex d = vertex(0.0, 1.0, 0.0);
+    const TopoDS_Vertex far = vertex(0.0, 2.0, 0.0);
+    const TopoDS_Vertex low = vertex(2.0, 1.0 - e, 1.0);
+    const TopoDS_Edge first = line(right, right_tip);
+    const TopoDS_Edge second = line(left_tip, left);
+    const TopoDS_Edge top = line(left, d);
+    TopoDS_Shell shell;
+    BRep_Builder builder;
+    builder.MakeShell(shell);
+    builder.Add(shell,
+                planar_face({line(a, b), line(b, right), first, line(right_tip, left_tip), second, top, line(d, a)}));
+    builder.Add(shell, planar_face({second, line(left_tip, far), line(far, d), top}));
+    builder.Add(shell, planar_face({first, line(right, low), line(low, right_tip)}));
+    return shell;
+}
+
 /// The face between x = 1 and a border that leaves it at a tip this far above y = 1, lies this much to its left at y =
 /// 1 and that much at y = 0. Beyond the border lies a face in the plane, beyond x = 1 one that rises.
 TopoDS_Shell tapering(double length, double at_one, double at_zero) {
@@ -131,6 +158,15 @@ TEST(Spikes, ASpikeIsTakenOffAndTheFacesBesideItMeet) {
         }
         EXPECT_EQ(between, 1) << width;
     }
+}
+
+TEST(Spikes, AStripWhoseSidesEndBesideEachOtherIsTakenOffWhole) {
+    const auto model = make_shape_model(with_strip(2e-3), nullptr, Creases::Keep, finely());
+    const Topology& topology = model->topology();
+    EXPECT_TRUE(has_spike(topology));
+    EXPECT_EQ(topology.faces[0].loops.front().uses.size(), 4U);
+    EXPECT_EQ(topology.edges.size(), topology.own_count(1));  // nothing was divided
+    EXPECT_FALSE(has_spike(make_shape_model(with_strip(2e-2), nullptr, Creases::Keep, finely())->topology()));
 }
 
 /// The smallest corner of the first face at a point in the shape, radians; -1: it has none there.
