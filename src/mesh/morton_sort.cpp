@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/threads/for_ranges.h"
+#include "base/for_ranges.h"
 
 namespace mq::mesh {
 

@@ -23,7 +23,7 @@ STAGES = {
     "mesh": [["mesh"], ["mesh/io", "mesh/intersection"], ["mesh/quality"]],
     "triangulate": [
         ["triangulate/edges", "triangulate/work_mesh"],
-        ["triangulate/initial", "triangulate/components"],
+        ["triangulate/initial", "triangulate/components", "triangulate/rounds"],
         ["triangulate/measure", "triangulate/operators", "triangulate/spacing"],
         ["triangulate/front"],
         ["triangulate/sampling"],

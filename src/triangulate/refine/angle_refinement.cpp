@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/angle.h"
+#include "base/for_ranges.h"
 #include "base/parallel.h"
-#include "base/threads/for_ranges.h"
 #include "triangulate/refine/graded_fans.h"
 #include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"

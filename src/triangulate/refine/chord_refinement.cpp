@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "base/angle.h"
-#include "base/threads/for_ranges.h"
+#include "base/for_ranges.h"
 #include "triangulate/refine/tuning.h"
 #include "triangulate/rounds/block_round.h"
+#include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/gradation.h"
 #include "triangulate/work_mesh/side_lengths.h"
 

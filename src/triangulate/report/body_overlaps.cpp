@@ -46,7 +46,7 @@ struct Solid {
     Box box;
     double volume = 0.0;  ///< mm^3
     std::unique_ptr<Surface> surface;
-    std::once_flag once;  ///< of the surface, which the thread makes that asks first
+    std::once_flag once;  ///< the thread makes the surface that asks for it first
 };
 
 class Overlaps {

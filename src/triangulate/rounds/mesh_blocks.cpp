@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/threads/for_ranges.h"
+#include "base/for_ranges.h"
 
 namespace mq::triangulate {
 

@@ -55,8 +55,8 @@ class MeshBlocks {
         int first = 0;  // index of its first element
         int shift = 0;  // by which `join` lowers the indices
     };
-    // Moves the elements of the range up to `end`, of so many values each, to their places, which lie before it or
-    // where it begins.
+    // Moves the elements of the range up to `end`, `width` values each, to their places, which lie before it or where
+    // it begins.
     template <typename Values>
     static void move(Values& values, const Range& range, int end, int width) {
         const auto first = values.begin() + std::ptrdiff_t{width} * range.first;

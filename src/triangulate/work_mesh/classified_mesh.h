@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/for_ranges.h"
 #include "base/memory/large_vector.h"
-#include "base/threads/for_ranges.h"
 #include "base/vec.h"
 #include "mesh/corner_table.h"
 #include "mesh/triangle_mesh.h"
@@ -251,8 +251,8 @@ class ClassifiedMesh {
         int segment;
         int slot;  // index of the use
     };
-    static constexpr SegmentSide kLooseSide{0x7ffffffe, -1};  // of half-edges that are neither linked nor bound yet
-    static thread_local Share* share_;                        // of SharedEditing; null: there is none
+    static constexpr SegmentSide kLooseSide{0x7ffffffe, -1};  // half-edges neither linked nor bound yet
+    static thread_local Share* share_;                        // the one that SharedEditing sets; null: none
 
     Link link_of(int h) const { return {twin_[h], number_[h]}; }
     int new_number();
