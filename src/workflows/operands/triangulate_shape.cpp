@@ -143,11 +143,9 @@ bool keeps_as_much(const mesh::MeshReport& report, const mesh::MeshReport& other
            report.complete && report.closed == other.closed && report.manifold >= other.manifold;
 }
 
-/// Whether there is nothing that a mesh with smaller details could keep better: a stopped one does not say.
-bool misses_nothing(const Result& result) {
-    const mesh::MeshReport& report = result.report;
-    return report.complete && report.self_intersections == 0 && report.max_chord_height <= report.chord_height_asked &&
-           unexplained(result) == 0;
+/// Whether a mesh has no crossings and keeps the distance: of a stopped one nobody knows.
+bool is_sound(const mesh::MeshReport& report) {
+    return report.complete && report.self_intersections == 0 && report.max_chord_height <= report.chord_height_asked;
 }
 
 /// Attempts to mesh a shape, of which the best is kept.
@@ -177,10 +175,10 @@ class Attempts {
             // Where something is identified, the same with another detail is identified elsewhere.
             const auto before = best_.identified == 0 ? std::optional<std::size_t>(0) : std::nullopt;
             if (try_with(coarser, cuts, before, [&](const Result& other) {
-                    return stopped ? is_costly(triangles, other.report) && misses_nothing(other)
-                                   : other.mesh.triangles.size() < triangles &&
-                                         unexplained(other) <= unexplained(best_.result) &&
-                                         keeps_as_much(other.report, best_.result.report);
+                    return unexplained(other) <= unexplained(best_.result) &&
+                           (stopped ? is_costly(triangles, other.report) && is_sound(other.report)
+                                    : other.mesh.triangles.size() < triangles &&
+                                          keeps_as_much(other.report, best_.result.report));
                 })) {
                 options_.detail = coarser.detail;
                 larger_details_ = {phrases::kLargerDetails, {{"length", in_mm(coarser.detail)}, {"count", at_first}}};
