@@ -17,11 +17,13 @@ constexpr std::size_t kInsertionsInBlock = 1024;
 /// Insertions from which on blocks pay.
 constexpr std::size_t kInsertionsInRound = 4 * kInsertionsInBlock;
 
-/// Returns the number of blocks for that number of insertions; 1: blocks do not pay.
+/// Returns the number of blocks for that number of insertions; 1: blocks do not pay, or indices of triangles are
+/// unused.
 inline std::size_t blocks_for(const Workspace& work, std::size_t insertions) {
     constexpr std::size_t kMostBlocks = 4096;
     constexpr std::size_t kLeastShare = 32;  // one insertion for that number of triangles: all are cut into blocks
-    return insertions < kInsertionsInRound || insertions * kLeastShare < work.triangles()
+    const bool unused = work.mesh.used_triangle_count() < work.mesh.triangle_count();
+    return unused || insertions < kInsertionsInRound || insertions * kLeastShare < work.triangles()
                ? 1
                : std::min(kMostBlocks, insertions / kInsertionsInBlock);
 }

@@ -10,6 +10,7 @@
 #include "geometry/analytic/analytic_model.h"
 #include "triangulate/checks.h"
 #include "triangulate/operators/vertex_insertion.h"
+#include "triangulate/rounds/block_round.h"
 
 namespace mq::triangulate {
 namespace {
@@ -136,6 +137,19 @@ TEST(MeshBlocks, TheMeshIsTheSameForAnyNumberOfThreads) {
         EXPECT_EQ(corners_and_numbers(other->surface), corners_and_numbers(one->surface));
         EXPECT_EQ(other->surface.points(), one->surface.points());
     }
+}
+
+TEST(MeshBlocks, BlocksPayWhereThereIsEnoughToDo) {
+    const auto pipeline = torus();
+    EXPECT_EQ(blocks_for(pipeline->work, kInsertionsInRound - 1), 1U);
+    EXPECT_EQ(blocks_for(pipeline->work, kInsertionsInRound), 4U);
+    const int t = 5;
+    const std::array<int, 3> split = pipeline->surface.split_triangle(
+        t, pipeline->surface.add_site({pipeline->surface.add_vertex({}, {2, 0}), {}, {}}));
+    pipeline->surface.replace({split[1], split[2]},
+                              {{pipeline->surface.site_of(3 * split[1]), pipeline->surface.site_of(3 * split[1] + 1),
+                                pipeline->surface.site_of(3 * split[2] + 1)}});
+    EXPECT_EQ(blocks_for(pipeline->work, kInsertionsInRound), 1U) << "an index of a triangle is unused";
 }
 
 // Indices that were dropped must not get the marks of their former triangles.
