@@ -48,6 +48,7 @@ def workers_of(pid):
 # Python tries the temporary folder by a file: Ctrl-C comes just before it is removed.
 INTERRUPTED = """
 import os, signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # shells have commands in the background ignore it
 remove = os.unlink
 def interrupted(path):
     os.unlink = remove

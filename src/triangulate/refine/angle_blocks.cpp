@@ -28,9 +28,8 @@ void AngleRefinement::refine_in_blocks() {
     std::vector<QueuedTriangle> inner;
     for (; !queue_.empty(); queue_.pop()) {
         const QueuedTriangle& bad = queue_.top();
-        if (mesh.stamp(bad.triangle) == bad.stamp) {  // else it may be gone
-            (lowest_entity(mesh, bad.triangle) == 2 ? inner : left).push_back(bad);
-        }
+        const bool there = mesh.stamp(bad.triangle) == bad.stamp;
+        (there && lowest_entity(mesh, bad.triangle) == 2 ? inner : left).push_back(bad);
     }
     const std::size_t count = blocks_for(work_, inner.size());
     if (count == 1 || work_.triangles() + 2 * kRoom * inner.size() > work_.budget) {
