@@ -65,9 +65,8 @@ void AngleRefinement::refine_block(geometry::Answerer& answerer, Workspace& bloc
     Queue queue({}, std::move(bad));
     bad.clear();
     std::vector<int> touched;
-    CancelPace pace(block.progress);
     while (!queue.empty()) {
-        pace.step();
+        block.progress.check();
         const QueuedTriangle worst = queue.top();
         queue.pop();
         if (block.mesh.stamp(worst.triangle) != worst.stamp) {

@@ -361,10 +361,9 @@ ChordRefinement::Violations ChordRefinement::split_block(geometry::Answerer& ans
                                                          const Violations& violations) const {
     Violations left;
     std::vector<int> touched;
-    CancelPace pace(block.progress);
     for (const Violation& violation : violations) {
         const int h = violation.half_edge;
-        pace.step();
+        block.progress.check();
         if (block.mesh.stamp(h / 3) != violation.stamp) {
             continue;
         }

@@ -64,8 +64,7 @@ void MeshBlocks::cut() {
 void MeshBlocks::reserve(const std::vector<std::size_t>& insertions) {
     int all = 0;
     for (std::size_t k = 0; k < count_; ++k) {
-        shares_.push_back({vertices_ + all, sites_ + all, triangles_ + 2 * all, numbers_ + static_cast<int>(k),
-                           static_cast<int>(count_)});
+        shares_.push_back({vertices_ + all, sites_ + all, triangles_ + 2 * all, numbers_});
         new_vertices_.push_back({shares_.back().vertex});
         new_sites_.push_back({shares_.back().site});
         new_triangles_.push_back({shares_.back().triangle});
@@ -100,24 +99,19 @@ void MeshBlocks::measure_shares() {
         close_gap(new_sites_[k], shares_[k].site, sites);
         close_gap(new_triangles_[k], shares_[k].triangle, triangles);
         new_numbers_.push_back(numbers);
-        numbers += (shares_[k].number - numbers_) / static_cast<int>(count_);
+        numbers += shares_[k].number - numbers_;
     }
     mesh_.numbers_ = numbers_ + numbers;
 }
 
-int MeshBlocks::moved(const std::vector<Range>& ranges, int index, int first_new) const {
-    if (index < first_new) {
-        return index;
-    }
+std::size_t MeshBlocks::block_with(const std::vector<Range>& ranges, int index) {
     const auto after = std::upper_bound(ranges.begin(), ranges.end(), index,
                                         [](int value, const Range& range) { return value < range.first; });
-    return index - std::prev(after)->shift;
+    return static_cast<std::size_t>(after - ranges.begin()) - 1;
 }
 
-int MeshBlocks::moved_number(int number) const {
-    const int count = static_cast<int>(count_);
-    const int place = number - numbers_;
-    return place < 0 ? number : numbers_ + new_numbers_[static_cast<std::size_t>(place % count)] + place / count;
+int MeshBlocks::moved(const std::vector<Range>& ranges, int index, int first_new) {
+    return index < first_new ? index : index - ranges[block_with(ranges, index)].shift;
 }
 
 int MeshBlocks::joined_vertex(std::size_t block, int vertex) const {
@@ -128,10 +122,11 @@ int MeshBlocks::joined_vertex(std::size_t block, int vertex) const {
 // its own only.
 void MeshBlocks::renumber(int triangle) {
     const int index = moved(new_triangles_, triangle, triangles_);
+    const std::size_t block = triangle < triangles_ ? block_of(triangle) : block_with(new_triangles_, triangle);
     for (int k = 0; k < 3; ++k) {
         const int h = 3 * triangle + k;
         mesh_.corner_[h] = moved(new_sites_, mesh_.corner_[h], sites_);
-        mesh_.number_[h] = moved_number(mesh_.number_[h]);
+        mesh_.number_[h] += mesh_.number_[h] < numbers_ ? 0 : new_numbers_[block];
         if (mesh_.twin_[h] >= 0) {
             mesh_.twin_[h] = 3 * moved(new_triangles_, mesh_.twin_[h] / 3, triangles_) + mesh_.twin_[h] % 3;
         } else if (index != triangle) {

@@ -65,8 +65,8 @@ class MeshBlocks {
     void assign();
     void cut();
     void measure_shares();
-    int moved(const std::vector<Range>& ranges, int index, int first_new) const;
-    int moved_number(int number) const;
+    static std::size_t block_with(const std::vector<Range>& ranges, int index);
+    static int moved(const std::vector<Range>& ranges, int index, int first_new);
     void renumber(int triangle);
     void move_elements();
 

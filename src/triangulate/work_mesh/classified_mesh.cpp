@@ -102,12 +102,7 @@ int ClassifiedMesh::add_segment(int edge, const std::array<int, 2>& vertices, co
 }
 
 int ClassifiedMesh::new_number() {
-    if (share_ == nullptr) {
-        return numbers_++;
-    }
-    const int number = share_->number;
-    share_->number += share_->stride;
-    return number;
+    return share_ == nullptr ? numbers_++ : share_->number++;
 }
 
 // Returns what `twin_` is on that side.

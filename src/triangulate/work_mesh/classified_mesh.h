@@ -110,8 +110,7 @@ class ClassifiedMesh {
         int vertex = 0;    ///< the next vertex
         int site = 0;      ///< the next site
         int triangle = 0;  ///< the next triangle
-        int number = 0;    ///< the next number of an edge
-        int stride = 1;    ///< from one number to the next: the shares' numbers take turns
+        int number = 0;    ///< the next number of an edge: the same in all shares, until they are joined
     };
     /// While it lives, its thread adds elements to a share, and not at the end of the mesh.
     class SharedEditing {
