@@ -26,8 +26,6 @@ class MeshBlocks {
 
     std::size_t count() const { return count_; }
     std::size_t block_of(int triangle) const { return block_[static_cast<std::size_t>(triangle)]; }
-    /// Whether the segment is an edge between two blocks.
-    bool is_cut(int segment) const { return segment >= first_cut_; }
 
     /// Makes room for vertices inside faces: `insertions[k]` in block k, with two triangles each. Afterwards each
     /// thread adds elements by ClassifiedMesh::SharedEditing, to the share of the block that it works on.
