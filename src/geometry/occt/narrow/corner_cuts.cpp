@@ -11,6 +11,7 @@
 
 #include "base/angle.h"
 #include "base/message.h"
+#include "base/segment_distance.h"
 #include "geometry/detail.h"
 #include "geometry/occt/narrow/edge_joining.h"
 
@@ -41,7 +42,7 @@ class NarrowCorners : EdgeJoining {
             for (const auto& [corner, ends] : ends_at_nodes(face)) {
                 for (const int first : ends.arriving) {
                     for (const int second : ends.leaving) {
-                        if (kinds == CornerCuts::All || at_pinch(ends, first, second)) {
+                        if (kinds == CornerCuts::All || at_pinch(ends, first, second) || is_sharp(first, second)) {
                             if (const auto cut = cut_between(first, second, ends)) {
                                 cuts.push_back(*cut);
                             }
@@ -94,7 +95,8 @@ class NarrowCorners : EdgeJoining {
     void rename() { rename_nodes(); }
 
   private:
-    static constexpr double kWithin = 2.0;  // details: the largest distance of edges that are joined
+    static constexpr double kWithin = 2.0;            // details: the largest distance of edges that are joined
+    static constexpr double kDetailOfDistance = 0.1;  // that is asked for; the detail by itself
 
     /// The uses on a face that end in a node, and those that begin there.
     struct Ends {
@@ -112,6 +114,37 @@ class NarrowCorners : EdgeJoining {
             }
         }
         return ends;
+    }
+
+    /// The innermost piece of an edge, up to the corner where its use ends, or from the one where it starts: the edge
+    /// itself, or a half, a quarter, ... of it, until the edge is nowhere farther from it than asked for. @return  mm
+    double innermost_piece(int use, bool from_end) const {
+        constexpr int kMaxHalvings = 20;
+        const int corner = edge(edge_of(use)).nodes[use_of(use).forward == from_end ? 1 : 0];
+        const Vec3& start = topology_.nodes[static_cast<std::size_t>(corner)].point;
+        const double asked = topology_.detail / kDetailOfDistance;
+        double piece = length(edge_of(use));
+        for (int n = 0; n < kMaxHalvings; ++n) {
+            const Answer middle = point_at(use, from_end, 0.5 * piece);
+            const Answer end = point_at(use, from_end, piece);
+            if (middle.found() && end.found() && distance_to_segment(middle.point, start, end.point) <= asked) {
+                break;
+            }
+            piece *= 0.5;
+        }
+        return piece;
+    }
+
+    /// Whether the innermost pieces in a corner are so much longer than the corner is wide at their ends that no graded
+    /// fans beside them are found (for still longer ones InfeasibleCorner in triangulate has the proof).
+    bool is_sharp(int first, int second) const {
+        constexpr double kLongest = 150.0;  // widths, 35 of 69 times the next piece at 25 degrees
+        if (!divides_faces(first) || !divides_faces(second)) {
+            return false;
+        }
+        const double piece = std::min(innermost_piece(first, true), innermost_piece(second, false));
+        const std::optional<double> across = width(first, second, piece);
+        return across && piece > kLongest * *across;
     }
 
     /// Whether two points are across the face from each other: each lies on the inner side of the use of the other one.
