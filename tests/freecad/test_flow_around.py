@@ -11,6 +11,7 @@ import helpers
 import numpy as np
 import Part
 from FreeCAD import Vector
+from parts import wing
 from test_cli import run
 from test_measures import ENVIRONMENT
 
@@ -57,6 +58,14 @@ class FlowsAround(helpers.DocumentTest):
         self.assertEqual(mesh.report.covered, 1.0)
         self.assertAlmostEqual(mesh.report.volume / region.Volume, 1.0, delta=1e-4)  # the pin is round
         self.assert_sound(mesh, Part.makeBox(1, 1, mesh.report.volume))
+
+    def test_layers_at_a_sharp_trailing_edge_are_no_skewer_than_checkmesh_accepts(self):
+        flap = wing.flap()
+        size = flap.BoundBox.XLength
+        mesh = mq.volume_mesh(flap, layers=3, first_height=0.0007 * size, growth_rate=1.3, max_edge=size / 25, far_field="box:2")
+        self.assert_sound(mesh, Part.makeBox(1, 1, mesh.report.volume))
+        self.assertLess(mesh.report.max_skewness, 4.0)  # 6.1 with columns at most 4 times as long as layers are high
+        self.assertGreater(mesh.report.covered, 0.97)
 
     def test_a_sphere_and_a_solid(self):
         part = Part.makeBox(4, 4, 4)

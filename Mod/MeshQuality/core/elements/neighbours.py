@@ -21,14 +21,14 @@ def finite_volume_measures(nodes, blocks, check=lambda: None):
     check   called now and then; may raise Cancelled
     """
     rings, owner = rings_of(blocks, check)
-    centres = np.concatenate([_centres(nodes[corners[share]], kind) for kind, corners in blocks for share in _checked(len(corners), check)])
+    centres = _centres_of(nodes, blocks, check)
     angle, skewness = np.zeros(len(rings)), np.zeros(len(rings))  # by face
     alone = np.ones(len(rings), dtype=bool)
     for first, second in pairs_of(blocks, check):
         own, other = centres[owner[first]], centres[owner[second]]
         centre, area = _of_rings(nodes, rings[first])
         angle[first] = angle[second] = _angle(other - own, area)
-        skewness[first] = skewness[second] = _skewness(nodes[rings[first]], rings[first], centre, area, centre - own, other - own, 0.2)
+        skewness[first] = skewness[second] = _skewness_between(nodes[rings[first]], rings[first], centre, area, own, other)
         alone[first] = alone[second] = False
     flat = rings[:, 3] < 0
     for chosen in (np.flatnonzero(alone & flat), np.flatnonzero(alone & ~flat)):
@@ -39,6 +39,25 @@ def finite_volume_measures(nodes, blocks, check=lambda: None):
             normal = area / (lengths(area) + _TINY)[:, None]
             skewness[at] = _skewness(nodes[rings[at]], rings[at], centre, area, beside, normal * dot(normal, beside)[:, None], 0.4)
     return _largest(angle, blocks), _largest(skewness, blocks)
+
+
+def skew_faces(nodes, blocks, most, check=lambda: None):
+    """int (N,), the nodes of all faces between two elements whose skewness is above `most`. The rest as finite_volume_measures."""
+    rings, owner = rings_of(blocks, check)
+    centres = _centres_of(nodes, blocks, check)
+    found = [np.empty(0, dtype=rings.dtype)]
+    for first, second in pairs_of(blocks, check):
+        faces = rings[first]
+        measured = _skewness_between(nodes[faces], faces, *_of_rings(nodes, faces), centres[owner[first]], centres[owner[second]])
+        found.append(faces[measured > most].ravel())
+    chosen = np.unique(np.concatenate(found))
+    return chosen[chosen >= 0]
+
+
+def _centres_of(nodes, blocks, check):
+    """float64 (E, 3), the centres of volume of all elements."""
+    return np.concatenate([np.empty((0, 3)), *(_centres(nodes[corners[share]], kind)
+                                              for kind, corners in blocks for share in _checked(len(corners), check))])
 
 
 def _checked(count, check):
@@ -127,6 +146,11 @@ def _centres(corners, kind):
 
 def _angle(between, area):
     return np.degrees(np.arctan2(lengths(cross(between, area)), dot(between, area)))
+
+
+def _skewness_between(corners, rings, centre, area, own, other):
+    """_skewness of faces between elements with the centres `own` and `other`."""
+    return _skewness(corners, rings, centre, area, centre - own, other - own, 0.2)
 
 
 def _skewness(corners, rings, centre, area, beside, between, least):

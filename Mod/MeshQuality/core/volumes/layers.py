@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Layers of prisms on walls: as high as asked where that is valid, lower where it is not, and left off where they would be lower
-than LEAST of that. There they run out within one triangle, all together: prisms of which an edge has no height, which are
-pyramids, or two, tetrahedra. So all elements conform, and no side of a layer is left to be filled.
+than LEAST of that, or have faces that checkMesh would find too skew. There they run out within one triangle, all together: prisms
+of which an edge has no height, which are pyramids, or two, tetrahedra. So all elements conform, and no side of a layer is left to
+be filled.
 """
 
 from dataclasses import dataclass
@@ -10,11 +11,14 @@ import numpy as np
 
 from ...compat import extension
 from ..elements.alike import shares, unique_pairs
+from ..elements.neighbours import skew_faces
 
 LEAST = 0.2  # share of the heights that were asked for below which there are no layers
 _OF_GAP = 0.4  # most of a gap that layers on one side of it take
 _SLOPE = 0.5  # most by which the heights of two vertices differ, for each mm of the edge between them
 _LOWER = 0.75  # factor by which heights are lowered where elements are invalid
+_SHORT = 4.0  # mm by which a vertex moves for each mm of height: longer columns, at knife edges, get shorter before they get lower
+_MOST_SKEW = 3.9  # skewness of faces between elements; checkMesh accepts 4
 _ROUNDS = 60
 _LEAST_SHRINK = 0.05  # share of its area that a triangle keeps, at least, where layers end
 
@@ -85,6 +89,9 @@ def layers_of(surface, marching, heights, gap, check=lambda: None):
     on_walls = np.zeros(len(share), dtype=bool)
     on_walls[walls] = True
     alive = on_walls & (marching.visible > 0.02)
+    reach = np.linalg.norm(marching.direction, axis=1)
+    stretch = np.ones(len(share))
+    valid = None
     for _ in range(_ROUNDS):
         check()
         alive &= share >= LEAST
@@ -93,18 +100,22 @@ def layers_of(surface, marching, heights, gap, check=lambda: None):
         alive[surface.triangles[covered]] = True
         share[on_walls & ~alive] = 0.0
         share = _sloped(share, edges, lengths, total)
-        moved = marching.displacements(total * share, edges, lengths, on_walls & ~alive, check)
+        moved = marching.displacements(total * share * stretch, edges, lengths, on_walls & ~alive, check)
         check()
         made = _assembled(surface, alive, moved, np.cumsum(heights) / total, share)
         bad = _bad_vertices(surface, made, check)
-        if not len(bad):
-            return made
-        near = np.zeros(len(share), dtype=bool)
-        near[bad] = True
-        if not (near & alive).any():  # as far as the nearest wall
-            near = _on_same_faces(surface, near) & alive
-        share[near] *= _LOWER
-    return None
+        if not bad.any():
+            valid = made
+            skew = _skew_vertices(surface, made, check) & alive
+            if not skew.any():
+                break
+            share[skew] = 0.0
+            continue
+        near = bad if (bad & alive).any() else _on_same_faces(surface, bad) & alive  # as far as the nearest wall
+        long = near & (stretch * reach > _SHORT)
+        stretch[long] = np.maximum(_LOWER * stretch[long], _SHORT / reach[long])
+        share[near & ~long] *= _LOWER
+    return valid
 
 
 def _on_same_faces(surface, near):
@@ -191,8 +202,8 @@ def _unproven(points, kind, elements, check):
 
 
 def _bad_vertices(surface, made, check):
-    """Vertices of the surface at which something is wrong: elements, triangles that turn over or nearly vanish, or the surface
-    that is left crosses itself.
+    """bool (V,): vertices of the surface at which something is wrong: elements, triangles that turn over or nearly vanish, or the
+    surface that is left crosses itself.
     """
     found = []
     for kind, elements in (("prism", made.prisms), ("pyramid", made.pyramids), ("tetrahedron", made.tetrahedra)):
@@ -205,9 +216,22 @@ def _bad_vertices(surface, made, check):
                                                                lambda *_: check())
         pairs = np.array([*crossing, *not_proven], dtype=np.int64).reshape(-1)
         found.append(made.inner[pairs].ravel())
+    return _vertices_of(surface, made, np.concatenate(found))
+
+
+def _skew_vertices(surface, made, check):
+    """bool (V,): vertices of the surface with faces above them that are skewer than _MOST_SKEW. Lower layers would be skewer still."""
+    blocks = [("prism", made.prisms), ("pyramid", made.pyramids), ("tetrahedron", made.tetrahedra)]
+    return _vertices_of(surface, made, skew_faces(made.points, [block for block in blocks if len(block[1])], _MOST_SKEW, check))
+
+
+def _vertices_of(surface, made, points):
+    """bool (V,): the vertices of the surface that points of Layers belong to, or stand above."""
     count, columns = len(surface.points), np.flatnonzero(made.share)
     vertex_of = np.concatenate([np.arange(count), np.tile(columns, (len(made.points) - count) // max(len(columns), 1))])
-    return np.unique(vertex_of[np.concatenate(found).astype(np.int64)])
+    found = np.zeros(count, dtype=bool)
+    found[vertex_of[points.astype(np.int64)]] = True
+    return found
 
 
 def _off_walls(surface):

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..elements.alike import shares
 
-STRETCH = 4.0  # most that a vertex moves for each mm of the layers' height: at acute edges layers get thinner than that
+STRETCH = 10.0  # most that a vertex moves for each mm of the layers' height: at sharper edges layers get thinner than that
 _HULL_STEPS = 400  # of the search for the marching direction
 _SMOOTHING_STEPS = 150
 _SMALL_TURN = 0.02  # share of the normals' spread below which the triangles of a vertex count as one plane

@@ -163,7 +163,7 @@ def bare_note(wall, gap, total):
     if not wall.covered and gap < total:
         return f"{wall.face} has no layers: the gap there is {gap:.3g} mm at most, and the layers are {total:.3g} mm thick"
     return (f"{wall.face} has layers on {partly(wall.covered)} of its area only: elsewhere they would be lower than a fifth of what was asked "
-            "for, or invalid, or not end in the face beside it")
+            "for, or invalid or skew, or not end in the face beside it")
 
 
 def _step_note(surface, values, last):
