@@ -97,7 +97,7 @@ READABLE = {
     ".h5": ("a file of HOPR", "hopr"),
 }
 # Extensions of files for elements of all kinds.
-ELEMENTS_WRITTEN = (".msh", ".vtu", ".inp", ".unv", ".nas", ".bdf", ".su2", ".cgns", ".h5", ".re2")
+ELEMENTS_WRITTEN = (".msh", ".vtu", ".inp", ".unv", ".nas", ".bdf", ".su2", ".cgns", ".mesh", ".h5", ".re2")
 # Formats that are not in FORMATS, as no mesh that this package makes has their elements.
 ELEMENTS_ONLY = {".re2": Format("Nek5000")}
 _TEXT_ONLY = Format("STL as text", names=_ONE_WORD)

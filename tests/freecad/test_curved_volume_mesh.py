@@ -39,6 +39,42 @@ print(json.dumps(found))
 """
 
 
+# What MFEM's numbers of elements are, and their edges and quadrilaterals as fem/geom.cpp of MFEM goes through them.
+MFEM = {
+    4: ("tetrahedron", ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)), ()),
+    6: ("prism", ((0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5)), ((0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5))),
+    7: ("pyramid", ((0, 1), (1, 2), (3, 2), (0, 3), (0, 4), (1, 4), (2, 4), (3, 4)), ((3, 2, 1, 0),)),
+}
+
+
+def numbered_by_mfem(path):
+    """[(kind, attribute, points by place of the element: {corner, pair or four corners: point}), ...] of a file of volumes of order 2,
+    and its elements of the boundary, [(attribute, corners), ...].
+    """
+    with open(path, encoding="utf-8") as file:
+        lines = [line.strip() for line in file if line.strip() and not line.startswith("#")]
+    rows = {}
+    for title in ("elements", "boundary"):
+        at = lines.index(title)
+        rows[title] = [list(map(int, line.split())) for line in lines[at + 2:at + 2 + int(lines[at + 1])]]
+    vertices = int(lines[lines.index("vertices") + 1])
+    points = np.array([line.split() for line in lines[lines.index("nodes") + 5:]], dtype=float)
+    edges, quadrilaterals, found = {}, {}, []
+    for _, number, *corners in rows["elements"]:
+        for edge in MFEM[number][1]:
+            edges.setdefault(frozenset(corners[i] for i in edge), len(edges))
+        for four in MFEM[number][2]:
+            quadrilaterals.setdefault(frozenset(corners[i] for i in four), len(quadrilaterals))
+    for attribute, number, *corners in rows["elements"]:
+        kind, pairs, fours = MFEM[number]
+        places = {(i,): points[corner] for i, corner in enumerate(corners)}
+        places.update({edge: points[vertices + edges[frozenset(corners[i] for i in edge)]] for edge in pairs})
+        places.update({four: points[vertices + len(edges) + quadrilaterals[frozenset(corners[i] for i in four)]] for four in fours})
+        found.append((kind, attribute, places))
+    assert len(points) == vertices + len(edges) + len(quadrilaterals), "nodes are missing, or too many"
+    return found, [(attribute, corners) for attribute, _, *corners in rows["boundary"]]
+
+
 def distances(face, points):
     return [face.distToShape(Part.Vertex(Vector(*point)))[0] for point in points.tolist()]
 
@@ -134,6 +170,25 @@ class CurvedVolumeMeshes(helpers.DocumentTest):
         self.assertEqual(status, 0, said)
         with self.assertRaisesRegex(mq.InvalidInput, "straight sides, not of order 2"):
             mesh.write(os.path.join(self.folder, "case"))
+
+    def test_mfem_finds_each_node_in_its_place(self):
+        mesh = mq.volume_mesh(wedge(20), layers=3, first_height=0.05, max_edge=2.5, walls=["Face1", "Face2"], order=2)
+        self.assertIn(".mesh", mesh.suffixes)
+        path = os.path.join(self.folder, "wedge.mesh")
+        mesh.write(path, scale=0.001)
+        found, boundary = numbered_by_mfem(path)
+        volumes = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] == 3]
+        self.assertEqual({kind for kind, *_ in found}, {"tetrahedron", "prism", "pyramid"})
+        expected = [(block.kind, nodes) for block in volumes for nodes in block.nodes]
+        self.assertEqual(len(found), len(expected))
+        for (kind, attribute, places), (known, nodes) in zip(found, expected):
+            self.assertEqual((kind, attribute), (known, 1))
+            corners = kinds.places(kind, kinds.CORNERS[kind])
+            at = kinds.matching(kind, len(nodes), np.array([corners[list(place)].mean(axis=0) for place in places]))
+            np.testing.assert_allclose(np.array([*places.values()]), 0.001 * mesh.nodes[nodes[at]], rtol=1e-12, atol=1e-15)
+        faces = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] == 2]
+        self.assertEqual(len(boundary), sum(len(block.nodes) for block in faces))
+        self.assertEqual(len({attribute for attribute, _ in boundary}), 5)
 
     def test_the_command_line(self):
         part, path = (os.path.join(self.folder, name) for name in ("bend.brep", "bend.msh"))

@@ -23,6 +23,7 @@ from MeshQuality.core.formats.hopr_order import of_gmsh
 from MeshQuality.core.meshes.element_mesh import ElementMesh
 
 HAS_H5PY = importlib.util.find_spec("h5py") is not None
+NOT_READ = (".re2", ".mesh")
 SERENDIPITY = {"quadrilateral": 8, "pyramid": 13, "prism": 15, "hexahedron": 20}
 VOLUMES = ("tetrahedron", "pyramid", "prism", "hexahedron")
 READ_BY_GMSH = """
@@ -105,7 +106,7 @@ class Written(helpers.DocumentTest):
         for kind, count in all_elements():
             mesh = single(kind, count)
             for ending in mesh.suffixes:
-                if ending == ".re2" or ending == ".h5" and not HAS_H5PY:
+                if ending in NOT_READ or ending == ".h5" and not HAS_H5PY:
                     continue
                 tried[ending] += 1
                 with self.subTest(kind=kind, count=count, ending=ending):
@@ -116,7 +117,7 @@ class Written(helpers.DocumentTest):
                     expected = sheared(kinds.places(kind, full))
                     self.assertLess(np.abs(found.nodes[block.nodes[0]] - expected).max(), 1e-9)
                     self.assertEqual(found.faults, ())
-        self.assertEqual({ending: count for ending, count in tried.items() if ending != ".re2"},
+        self.assertEqual({ending: count for ending, count in tried.items() if ending not in NOT_READ},
                          {".msh": 39, ".vtu": 35, ".inp": 13, ".unv": 12, ".nas": 13, ".bdf": 13, ".su2": 7, ".cgns": 24,
                           ".h5": 23 if HAS_H5PY else 0})
 
@@ -125,7 +126,7 @@ class Written(helpers.DocumentTest):
             mesh = single(kind, kinds.CORNERS[kind])
             count = len(kinds.FACES[kind])
             for ending in mesh.suffixes:
-                if ending == ".re2" or ending == ".h5" and not HAS_H5PY:
+                if ending in NOT_READ or ending == ".h5" and not HAS_H5PY:
                     continue
                 found = mq.read_mesh(self.written(mesh, ending))
                 sizes = {name: sum(len(rows) for i, rows in parts if kinds.DIMENSION[found.blocks[i].kind] == 2)

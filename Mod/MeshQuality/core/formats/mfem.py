@@ -3,10 +3,26 @@
 
 import numpy as np
 
-from ..elements import lagrange, skeleton
+from ..elements import kinds, lagrange, skeleton
 from .arrays import points_of
+from .completion import completed
+from .sides import faces_of_groups
 
-_TYPES = {"line": 1, "triangle": 2, "tetrahedron": 4}
+_TYPES = {"line": 1, "triangle": 2, "quadrilateral": 3, "tetrahedron": 4, "hexahedron": 5, "prism": 6, "pyramid": 7}
+# (kind, nodes) that write_elements takes: of order 2 with or without nodes amid quadrilaterals.
+TYPES = frozenset((kind, count) for kind, counts in {
+    "tetrahedron": (4, 10), "pyramid": (5, 13, 14), "prism": (6, 15, 18), "hexahedron": (8, 20, 27)}.items() for count in counts)
+# Edges and quadrilaterals of elements as MFEM goes through them (fem/geom.cpp).
+_EDGES = {
+    "tetrahedron": ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)),
+    "pyramid": ((0, 1), (1, 2), (3, 2), (0, 3), (0, 4), (1, 4), (2, 4), (3, 4)),
+    "prism": ((0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5)),
+    "hexahedron": ((0, 1), (1, 2), (3, 2), (0, 3), (4, 5), (5, 6), (7, 6), (4, 7), (0, 4), (1, 5), (2, 6), (3, 7)),
+}
+_QUADRILATERALS = {
+    "tetrahedron": (), "pyramid": ((3, 2, 1, 0),), "prism": ((0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)),
+    "hexahedron": ((3, 2, 1, 0), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (4, 5, 6, 7)),
+}
 
 
 def write(mesh, path, patches, solids, scale):
@@ -37,6 +53,58 @@ def write(mesh, path, patches, solids, scale):
         if volume:
             _write_rows(file, _inside_faces(order, points, faces))
         _write_rows(file, _inside(kind, order, points[elements]))
+
+
+def write_elements(mesh, path, scale):
+    """Writes the volumes of an ElementMesh, all of order 1 or all of order 2. Their attributes are the CAD volumes that the mesh knows of,
+    else groups; those of the boundary are groups of faces, named in comments.
+    """
+    blocks = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] == 3]
+    known = all((block.geometry >= 0).all() for block in blocks)
+    points, volumes = completed(mesh.nodes * scale, [(block.kind, block.nodes) for block in blocks])
+    corners = [nodes[:, :kinds.CORNERS[kind]] for kind, nodes in volumes]
+    used = np.unique(np.concatenate([rows.ravel() for rows in corners]))
+    number = np.zeros(len(points), dtype=np.int64)
+    number[used] = np.arange(len(used))
+    faces = faces_of_groups(mesh)
+    names = list(dict.fromkeys(name for name, _ in faces))
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("MFEM mesh v1.0\n\n" + "".join(f"# boundary attribute {i + 1}: {name}\n" for i, name in enumerate(names)) + "\ndimension\n3\n")
+        _write_rows_of(file, "elements", [(kind, number[rows], block.geometry if known else block.group)
+                                          for (kind, _), rows, block in zip(volumes, corners, blocks)])
+        _write_rows_of(file, "boundary", [("triangle" if rows.shape[1] == 3 else "quadrilateral", number[rows],
+                                           np.full(len(rows), names.index(name))) for name, rows in faces])
+        file.write(f"\nvertices\n{len(used)}\n")
+        if all(block.order == 1 for block in blocks):
+            file.write("3\n")
+            _write_rows(file, points[used])
+            return
+        # Pyramids of 14 nodes, like ours; by itself MFEM from 4.8 on takes those of 15.
+        suffix = "_Pyr0" if any(kind == "pyramid" for kind, _ in volumes) else ""
+        file.write(f"\nnodes\nFiniteElementSpace\nFiniteElementCollection: H1_3D_P2{suffix}\nVDim: 3\nOrdering: 1\n\n")
+        _write_rows(file, points[used])
+        _write_rows(file, points[_first_of(volumes, _EDGES)])
+        _write_rows(file, points[_first_of(volumes, _QUADRILATERALS)])
+        _write_rows(file, points[np.concatenate([np.zeros(0, dtype=np.int64), *(nodes[:, -1] for kind, nodes in volumes if kind == "hexahedron")])])
+
+
+def _write_rows_of(file, title, parts):
+    """A list of elements, [(kind, corners, attributes from 0), ...]; what is in no group gets attribute 1 with those of the first."""
+    file.write(f"\n{title}\n{sum(len(corners) for _, corners, _ in parts)}\n")
+    for kind, corners, attributes in parts:
+        rows = np.column_stack([np.maximum(attributes, 0) + 1, np.full(len(corners), _TYPES[kind]), corners])
+        file.writelines(" ".join(map(str, row)) + "\n" for row in rows.tolist())
+
+
+def _first_of(volumes, table):
+    """int (n,): the nodes of order 2 amid edges or quadrilaterals, each once, in the order in which elements first have them."""
+    found = []
+    for kind, nodes in volumes:
+        places = kinds.places(kind, nodes.shape[1])
+        amid = [kinds.matching(kind, nodes.shape[1], places[list(side)].mean(axis=0)[None])[0] for side in table[kind]]
+        found.append(nodes[:, amid].ravel())
+    found = np.concatenate(found).astype(np.int64)
+    return found[np.sort(np.unique(found, return_index=True)[1])]
 
 
 def _names(mesh, patches, solids):

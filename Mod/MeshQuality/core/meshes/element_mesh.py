@@ -76,7 +76,8 @@ class ElementMesh(metaclass=Public):
         """Writes into a file, with the groups; one that is there is replaced once the new one is complete.
 
         path    the extension says the format: .msh (Gmsh 4.1), .vtu (VTK), .inp (Abaqus, CalculiX), .unv (I-DEAS), .nas .bdf
-                (Nastran), .su2 (SU2), .cgns (CGNS, by its library), .h5 (HOPR: volumes of one order), .re2 (Nek5000: hexahedra)
+                (Nastran), .su2 (SU2), .cgns (CGNS, by its library), .mesh (MFEM: volumes of orders 1 and 2), .h5 (HOPR: volumes of
+                one order), .re2 (Nek5000: hexahedra)
         scale   factor of the coordinates, which are mm: 0.001 for metres
         format  the format whatever the extension, such as "msh"
 

@@ -9,12 +9,15 @@ from ... import formats
 from ...compat import extension
 from ...errors import InvalidInput
 from ..elements import kinds
-from ..formats import cgns, hopr, nek
+from ..formats import cgns, hopr, mfem, nek
 from ..formats.sides import faces_of_groups
 from ..sources import convert
 from . import writing
 
-_CGNS, _HOPR, _NEK = ".cgns", ".h5", ".re2"
+_HOPR, _MFEM = ".h5", ".mesh"
+# By suffix: how much lower dimensions of elements may be than the highest, the (kind, nodes) it holds, and who writes it.
+_OWN = {".cgns": (1, cgns.TYPES, cgns.write_elements), ".re2": (0, nek.TYPES, nek.write),
+        _MFEM: (0, mfem.TYPES, mfem.write_elements)}
 
 
 def write(mesh, path, scale=1.0, format=None):  # noqa: A002 - an option of ElementMesh.write
@@ -27,14 +30,15 @@ def write(mesh, path, scale=1.0, format=None):  # noqa: A002 - an option of Elem
     if suffix == _HOPR:
         writing.atomically(name, suffix, lambda ready: _write_hopr(mesh, ready, scale))
         return
+    if suffix == _MFEM and len(_orders(mesh)) > 1:
+        raise InvalidInput(f"{suffix} files hold volumes of one order: choose one of {' '.join(suffixes_for(mesh))}")
     below, types = _held(suffix)
     for block in _written(mesh, below):
         if (block.kind, block.nodes.shape[1]) not in types:
             raise InvalidInput(f"{suffix} files hold no {kinds.PLURALS[block.kind]} of order {block.order} with "
                                f"{block.nodes.shape[1]} nodes: choose one of {' '.join(suffixes_for(mesh))}")
-    if suffix in (_CGNS, _NEK):
-        write_into = cgns.write_elements if suffix == _CGNS else nek.write
-        writing.atomically(name, suffix, lambda ready: write_into(mesh, ready, scale))
+    if suffix in _OWN:
+        writing.atomically(name, suffix, lambda ready: _OWN[suffix][2](mesh, ready, scale))
         return
     blocks = [(block.kind, block.nodes, block.geometry, _lagrange_order(block)) for block in mesh.blocks]
     groups = [(group, [part for part in parts if len(part[1])]) for group, parts in mesh.group_members.items()]
@@ -54,18 +58,23 @@ def suffixes_for(mesh):
     return tuple(suffix for suffix in formats.ELEMENTS_WRITTEN if _holds(mesh, suffix))
 
 
+def _orders(mesh):
+    """The orders of its volumes."""
+    return {block.order for block in mesh.blocks if kinds.DIMENSION[block.kind] == 3}
+
+
 def _holds(mesh, suffix):
+    if suffix in (_HOPR, _MFEM) and len(_orders(mesh)) != 1:
+        return False
     if suffix == _HOPR:
-        orders = {block.order for block in mesh.blocks if kinds.DIMENSION[block.kind] == 3}
-        return len(orders) == 1
+        return True
     below, types = _held(suffix)
     return all((block.kind, block.nodes.shape[1]) in types for block in _written(mesh, below))
 
 
 def _held(suffix):
     """How much lower dimensions of elements in a format may be than the highest, and the (kind, nodes) that it holds."""
-    own = {_CGNS: (1, cgns.TYPES), _NEK: (0, nek.TYPES)}
-    return own[suffix] if suffix in own else extension().element_formats()[suffix[1:]]
+    return _OWN[suffix][:2] if suffix in _OWN else extension().element_formats()[suffix[1:]]
 
 
 def _written(mesh, below):
