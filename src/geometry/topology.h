@@ -97,9 +97,10 @@ struct Joined {
 /// Which narrow corners of faces are cut off (see cut_narrow_corners).
 enum class CornerCuts {
     None,
-    /// Those where a face is pinched: parts of its border that do not follow each other meet there, as at a hole that
-    /// is tangent to an edge, or one of the edges is a seam, which is no line of the shape.
-    Pinches,
+    /// Those with which the bound on angles is not kept. At pinches parts of a face's border meet that do not follow
+    /// each other, as at a hole that is tangent to an edge, or one of the edges is a seam, which is no line of the
+    /// shape. Elsewhere the innermost pieces are 150 times as long as the corner is wide at their ends.
+    Infeasible,
     All,
 };
 

@@ -201,7 +201,7 @@ CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, co
     const ThreadLimit threads(options.threads);
     const bool pieces = !surface.mesh.triangle_piece.empty();
     const auto cuts = surface.report.cut_corners == 0 ? geometry::CornerCuts::None
-                      : surface.report.cut_pinches    ? geometry::CornerCuts::Pinches
+                      : surface.report.cut_pinches    ? geometry::CornerCuts::Infeasible
                                                       : geometry::CornerCuts::All;
     const auto model = model_of(
         engine, shape, pieces ? geometry::Creases::Cut : geometry::Creases::Keep,

@@ -171,6 +171,18 @@ class CutCorners(unittest.TestCase):
                 self.assertEqual((report.cut_corners, len(report.exempt)), (cut, 1 - cut), str(report))
                 self.assertEqual(report.self_intersections, 0)
 
+    def test_corners_too_sharp_for_any_fan_are_cut_off_before_the_first_triangle(self):
+        """The top of a nut, whose round border touches the six sides: innermost pieces get longer beside the width as the distance gets finer."""
+        across = 10.0 / math.cos(math.pi / 6)
+        corners = [FreeCAD.Vector(across * math.cos(math.pi / 3 * i), across * math.sin(math.pi / 3 * i), 0) for i in range(7)]
+        low = 10.0 * math.tan(math.pi / 6)
+        nut = Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 0, 5)).common(Part.makeCone(20, 10, low, FreeCAD.Vector(0, 0, 5 - low)))
+        coarse = mq.triangulate(nut, chord_height=2e-3).report
+        self.assertEqual((coarse.cut_corners, len(coarse.exempt)), (0, 12), str(coarse))
+        fine = mq.triangulate(nut, chord_height=2e-4).report
+        self.assertEqual((fine.cut_corners, len(fine.exempt), fine.self_intersections), (12, 0, 0), str(fine))
+        self.assertNotIn("attempts before", dict(fine.seconds))
+
     def test_by_itself_corners_are_cut_off_where_more_triangles_stay_below_the_bound(self):
         part = roof(0.2)
         kept = mq.triangulate(part, chord_height_relative=2e-3, corners="keep")

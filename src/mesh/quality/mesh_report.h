@@ -89,7 +89,7 @@ struct MeshReport {
     /// mm: shorter edges and thinner faces of the shape were not told apart where that is safe; 0: all were
     double detail = 0.0;
     std::size_t cut_corners = 0;  ///< narrow corners of faces that were cut off
-    bool cut_pinches = false;     ///< whether only those were that are no corners along the border of a face
+    bool cut_pinches = false;     ///< whether only those were with which the bound on angles is not kept
     bool sewn = false;  ///< whether faces without a shell were joined where their borders lie together within `detail`
     bool imprinted = false;  ///< whether solids that touch have the same triangles on both sides
     /// pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, and of loose faces

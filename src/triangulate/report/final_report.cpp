@@ -210,7 +210,7 @@ mesh::MeshReport final_report(const Workspace& work, MeasurementCache& findings,
     report.contacts = solid_contacts(out.mesh);
     report.sewn = work.session.topology().sewn;
     report.cut_corners = work.session.topology().cut_corners.size();
-    report.cut_pinches = work.session.topology().corner_cuts == geometry::CornerCuts::Pinches;
+    report.cut_pinches = work.session.topology().corner_cuts == geometry::CornerCuts::Infeasible;
     report_exemptions(work, out, joined, report.min_angle_asked, report);
     report_spanning(work, out, report);
     for (const std::string& fault : work.session.topology().faults) {

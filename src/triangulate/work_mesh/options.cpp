@@ -46,7 +46,7 @@ double TriangulateOptions::detail_of(const Box& box) const {
 
 geometry::CornerCuts TriangulateOptions::corner_cuts() const {
     if (corners == Corners::Auto) {
-        return keeps_bounds() && min_angle > 0.0 ? geometry::CornerCuts::Pinches : geometry::CornerCuts::None;
+        return keeps_bounds() && min_angle > 0.0 ? geometry::CornerCuts::Infeasible : geometry::CornerCuts::None;
     }
     return corners == Corners::Cut ? geometry::CornerCuts::All : geometry::CornerCuts::None;
 }

@@ -48,7 +48,8 @@ enum class KeepEdges {
 
 /// What becomes of corners of faces that are narrower than the bound on angles.
 enum class Corners {
-    Auto,  ///< they are cut off at pinches, and where refinement leaves further triangles below the bound otherwise
+    Auto,  ///< they are cut off where the bound is not kept with them (geometry::CornerCuts::Infeasible), and all of
+           ///< them where refinement leaves further triangles below the bound
     Keep,  ///< each keeps one triangle with the angle of the shape
     Cut,   ///< they are cut off where they are a detail wide, and keep the bound, where the faces beside allow it
 };

@@ -227,7 +227,7 @@ class Attempts {
             return *attempt(engine_, shape_, stopped, by_options, std::nullopt, progress_, cache);
         } catch (const TopologyError&) {
             for (const geometry::CornerCuts cuts : {geometry::CornerCuts::All, geometry::CornerCuts::None}) {
-                const bool other = by_options == geometry::CornerCuts::Pinches;
+                const bool other = by_options == geometry::CornerCuts::Infeasible;
                 if (auto found = other ? unless_refused(stopped, cuts, std::nullopt) : std::nullopt) {
                     cuts_ = cuts;
                     return std::move(*found);

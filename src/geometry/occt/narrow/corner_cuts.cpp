@@ -135,8 +135,8 @@ class NarrowCorners : EdgeJoining {
         return piece;
     }
 
-    /// Whether the innermost pieces in a corner are so much longer than the corner is wide at their ends that no graded
-    /// fans beside them are found (for still longer ones InfeasibleCorner in triangulate has the proof).
+    /// Whether the innermost pieces in a corner are too long beside its width at their ends: no graded fans beside them
+    /// are found then. For pieces twice as long InfeasibleCorner (triangulate) has the proof that there are none.
     bool is_sharp(int first, int second) const {
         constexpr double kLongest = 150.0;  // widths, 35 of 69 times the next piece at 25 degrees
         if (!divides_faces(first) || !divides_faces(second)) {

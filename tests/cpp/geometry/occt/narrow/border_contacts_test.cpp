@@ -80,7 +80,7 @@ TEST(BorderContacts, AHoleBesideAnEdgeTouchesItWithinHalfOfTheDetail) {
 TEST(BorderContacts, APinchedFaceIsOpenedOnBothSidesOfTheNode) {
     for (const double gap : {0.0, 0.01, 0.4}) {
         const Topology kept = topology_of(block_with_hole(gap * kDetail), CornerCuts::None);
-        const Topology cut = topology_of(block_with_hole(gap * kDetail), CornerCuts::Pinches);
+        const Topology cut = topology_of(block_with_hole(gap * kDetail), CornerCuts::Infeasible);
         EXPECT_EQ(cut.cut_corners.size(), 2u) << gap;
         EXPECT_EQ(count(cut, "is cut off where it is 0.001 mm wide"), 2) << gap;
         const auto top = static_cast<std::size_t>(&holed(kept) - kept.faces.data());
@@ -94,13 +94,13 @@ TEST(BorderContacts, APinchedFaceIsOpenedOnBothSidesOfTheNode) {
 }
 
 TEST(BorderContacts, ASeamThatTouchesAHoleGivesWay) {
-    const Topology topology = topology_of(cylinder_with_hole(), CornerCuts::Pinches);
+    const Topology topology = topology_of(cylinder_with_hole(), CornerCuts::Infeasible);
     EXPECT_EQ(topology.cut_corners.size(), 2u);
     EXPECT_EQ(topology_of(cylinder_with_hole(), CornerCuts::None).cut_corners.size(), 0u);
 }
 
 TEST(BorderContacts, CornersOfOneBorderStay) {
-    const Topology topology = topology_of(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape(), CornerCuts::Pinches);
+    const Topology topology = topology_of(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape(), CornerCuts::Infeasible);
     EXPECT_TRUE(topology.cut_corners.empty());
     EXPECT_TRUE(topology.faults.empty());
 }
