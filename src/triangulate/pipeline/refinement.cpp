@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/angle.h"
+#include "triangulate/measure/deviation_peaks.h"
 #include "triangulate/operators/border_normals.h"
 #include "triangulate/optimise/cavity_optimiser.h"
 #include "triangulate/optimise/vertex_removal.h"
@@ -39,6 +40,17 @@ Sizing sizing_of(const TriangulateOptions& options, double chord, const Workspac
     bounds.set_field(options.size_field, work.grid.origin());
     return {chord, std::move(bounds), options.edges_per_circle > 0.0 ? 2.0 * M_PI / options.edges_per_circle : 0.0,
             options.growth, 2.0 * options.min_angle * kDegree};
+}
+
+// Returns about how many triangles the distance alone asks for, by the slopes of the surfaces at the corners of an
+// initial triangulation: heights grow with the square of lengths, as areas do.
+std::size_t expected_triangles(const ClassifiedMesh& mesh, double chord) {
+    double sum = 0.0;
+    for (int t = 0; chord > 0.0 && t < mesh.triangle_count(); ++t) {
+        const auto corner = [&](int k) { return mesh.site(mesh.site_of(3 * t + k)); };
+        sum += std::max(1.0, expected_peak(corner(0), corner(1), corner(2)).height / chord);
+    }
+    return static_cast<std::size_t>(sum);
 }
 
 }  // namespace
@@ -123,7 +135,8 @@ void Refinement::refine_angles() {
     const std::size_t budget = work_.budget;
     if (options_.costly_above > 0) {
         constexpr std::size_t kMostTimes = 20;
-        work_.budget = std::min(budget, std::max(options_.costly_above, kMostTimes * work_.triangles()));
+        const std::size_t many = std::max(kMostTimes * work_.triangles(), 2 * expected_triangles(work_.mesh, chord_));
+        work_.budget = std::min(budget, std::max(options_.costly_above, many));
     }
     angles_.run();
     if (!work_.over_budget()) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "mesh/first_use_numbers.h"
 #include "mesh/morton_sort.h"
 
 namespace mq::triangulate {
@@ -23,8 +24,7 @@ LargeVector<int> along_morton_curve(const ClassifiedMesh& mesh) {
     });
     mesh::sort_by_code(keys);
     LargeVector<int> order(keys.size());
-    std::transform(keys.begin(), keys.end(), order.begin(),
-                   [](const mesh::MortonKey& key) { return static_cast<int>(key.item); });
+    for_each_in_ranges(keys.size(), [&](std::size_t i) { order[i] = static_cast<int>(keys[i].item); });
     return order;
 }
 
@@ -134,11 +134,12 @@ int ClassifiedMesh::edge_count() const {
 
 LargeVector<int> ClassifiedMesh::renumber_edges() {
     LargeVector<int> renewed(static_cast<std::size_t>(numbers_), -1);
-    for (int h = 0; h < half_edge_count(); ++h) {
-        if (!gone(triangle_of(h))) {
+    for_each_in_ranges(number_.size(), [&](std::size_t i) {
+        const int h = static_cast<int>(i);
+        if (twin_[h] < h && !gone(triangle_of(h))) {  // each edge at one of its half-edges
             renewed[number_[h]] = 0;
         }
-    }
+    });
     dropped_ += numbers_;
     numbers_ = 0;
     for (int& number : renewed) {
@@ -157,24 +158,22 @@ LargeVector<int> ClassifiedMesh::renumber_edges() {
 NewIndices ClassifiedMesh::new_indices(const LargeVector<int>& order, int vertices, int sites) {
     NewIndices renewed;
     renewed.triangles.resize(order.size());
-    renewed.vertices.assign(points_.size(), -1);
-    renewed.sites.assign(sites_.size(), -1);
-    renewed.edges.assign(static_cast<std::size_t>(numbers_), -1);
-    std::iota(renewed.vertices.begin(), renewed.vertices.begin() + vertices, 0);
-    std::iota(renewed.sites.begin(), renewed.sites.begin() + sites, 0);
-    const auto visit = [](int& index, int& count) { index = index < 0 ? count++ : index; };
-    int numbers = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        renewed.triangles[order[i]] = static_cast<int>(i);
-        for (int h = 3 * order[i]; h < 3 * order[i] + 3; ++h) {
-            visit(renewed.vertices[vertex_of(h)], vertices);
-            visit(renewed.sites[corner_[h]], sites);
-            visit(renewed.edges[number_[h]], numbers);
-        }
-    }
+    for_each_in_ranges(order.size(), [&](std::size_t i) { renewed.triangles[order[i]] = static_cast<int>(i); });
+    const std::size_t count = 3 * order.size();
+    const auto half_edge = [&](std::size_t i) { return 3 * order[i / 3] + static_cast<int>(i % 3); };
+    const auto number = [&](LargeVector<int>& indices, std::size_t all, int first, const auto& index_at) {
+        indices.assign(all, -1);
+        std::iota(indices.begin(), indices.begin() + first, 0);
+        return mesh::number_by_first_use(count, index_at, first, indices);
+    };
+    vertices =
+        number(renewed.vertices, points_.size(), vertices, [&](std::size_t i) { return vertex_of(half_edge(i)); });
+    number(renewed.sites, sites_.size(), sites, [&](std::size_t i) { return corner_[half_edge(i)]; });
+    const int numbers = number(renewed.edges, static_cast<std::size_t>(numbers_), 0,
+                               [&](std::size_t i) { return number_[half_edge(i)]; });
     for (const Segment& segment : segments_) {
         for (const int v : segment.vertices) {
-            visit(renewed.vertices[v], vertices);
+            renewed.vertices[v] = renewed.vertices[v] < 0 ? vertices++ : renewed.vertices[v];
         }
     }
     dropped_ += numbers_ - numbers;
@@ -206,14 +205,14 @@ NewIndices ClassifiedMesh::order_in_space(int vertices, int sites) {
     const LargeVector<int> order = along_morton_curve(*this);
     NewIndices renewed = new_indices(order, vertices, sites);
     move_triangles(order, renewed);
-    for (Segment& segment : segments_) {
-        for (int& v : segment.vertices) {
+    for_each_in_ranges(segments_.size(), [&](std::size_t s) {
+        for (int& v : segments_[s].vertices) {
             v = renewed.vertices[v];
         }
-        for (SegmentUse& use : segment.uses) {
+        for (SegmentUse& use : segments_[s].uses) {
             use.half_edge = moved_half_edge(renewed, use.half_edge);
         }
-    }
+    });
     for_each_in_ranges(sites_.size(), [&](std::size_t s) { sites_[s].vertex = renewed.vertices[sites_[s].vertex]; });
     move_to_indices(renewed.sites, sites_, {});
     move_to_indices(renewed.vertices, points_, Vec3::Zero());

@@ -72,8 +72,9 @@ struct TriangulateOptions {
     double feature_angle = 10.0;  ///< degrees, 0 < a <= 40; an edge is smooth if the faces' normals differ by less
     Corners corners = Corners::Auto;
     std::size_t max_triangles = 0;  ///< 0: 5 million
-    /// End where the first refinement of angles makes more triangles than this, and more than twenty for each that it
-    /// begins with: the result is then not complete. 0: never.
+    /// End where the first refinement of angles makes more triangles than this, more than twenty for each that it
+    /// begins with, and more than twice those that the distance seems to ask for: the result is then not complete. 0:
+    /// never.
     std::size_t costly_above = 0;
     bool allow_missing_faces = false;  ///< mesh the other faces of a shape if some fail, and name those in the report
     bool sew = true;                   ///< join faces without a shell where their borders lie together

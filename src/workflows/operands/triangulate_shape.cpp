@@ -189,7 +189,8 @@ class Attempts {
     /// Without a stop, where all attempts before were stopped.
     void complete() {
         if (!best_.result.report.complete && may_stop(options_)) {
-            best_ = *attempt(engine_, shape_, options_, cuts_, std::nullopt, progress_, nullptr);
+            const double before = watch_.wall();
+            replace_best(*attempt(engine_, shape_, options_, cuts_, std::nullopt, progress_, nullptr), before);
         }
     }
 
@@ -256,9 +257,14 @@ class Attempts {
         if (!other || !better(other->result)) {
             return false;
         }
-        best_ = std::move(*other);
-        best_.result.report.seconds.insert(best_.result.report.seconds.begin(), {"attempts before", before});
+        replace_best(std::move(*other), before);
         return true;
+    }
+
+    /// @param before  s of the attempts before, on the clock
+    void replace_best(Attempt other, double before) {
+        best_ = std::move(other);
+        best_.result.report.seconds.insert(best_.result.report.seconds.begin(), {"attempts before", before});
     }
 
     const Stopwatch watch_;
