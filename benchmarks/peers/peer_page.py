@@ -73,7 +73,8 @@ def section(task, rows, versions, missing, command, judged):
     first = ["Ahead of MeshQuality:", "", *bullets] if bullets else ["No rival is ahead in any figure of this table."]
     named = [f"{name} {version}" for name, version in versions.items()]
     judge = "" if judged else " No judge was given: what only it finds is not measured."
-    lines = [f"    {command}", "", *first, "", *textwrap.wrap(f"{task.said} {task.about or how_often(rows)}{judge}", 140), ""]
+    lines = [f"    {command}", "", *first, "", *textwrap.wrap(task.said, 140), ""]
+    lines += [*textwrap.wrap(f"{task.about or how_often(rows)}{judge}", 140), ""]
     lines += [*table(columns, rows), "", f"Versions: {', '.join(named)}."]
     lines += [f"Left out: {name} ({reason})." for name, reason in missing.items()]
     return "\n".join(lines)

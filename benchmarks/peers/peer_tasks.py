@@ -284,9 +284,9 @@ TASKS = {
         cgal=("cgal_mesh", lambda job: [job["fine"], job["out"], job["setting"], CGAL_EDGES * job["setting"]]),
         said="The target is a thousandth of the largest dimension; MeshQuality is asked for it and for 25 degrees. The others get the "
              "coarsest setting of a grid in steps of 1.4 whose measured distance is within it. That is for Gmsh (algorithms 5 and 6) the "
-             "elements on a turn of the curvature, for Netgen its safety of curvature, for BRepMesh its deflection, with the angular "
-             "limit opened, and for CGAL (Mesh_3 with protected edges and 25 degrees, of BRepMesh's triangles at a tenth of the target) its "
-             "facets' distance, with edges of up to 15 times that."),
+             "elements on a turn of the curvature, for Netgen its safety of curvature, and for BRepMesh its deflection, with the angular "
+             "limit opened. For CGAL it is the facets' distance, with edges of up to 15 times that: Mesh_3 with protected edges and 25 "
+             "degrees, of BRepMesh's triangles at a tenth of the target."),
     "public": Task(
         meshers=("MeshQuality", "BRepMesh", "Gmsh"),
         columns=(Column("meshed", "meshed", "d", 1), Column("time-outs", "late", "d", -1), Column("crashes", "crashed", "d", -1),

@@ -19,7 +19,7 @@ double DistanceToSolid::bound(double enough) {
     if (near.triangle < 0) {
         return 0.0;  // no operand has a triangle, so that there is nothing to compare
     }
-    const double least = 8.0 * solid_.beside();  // bound on the distance of the points that lies_on() tests
+    const double least = kLeastBound * solid_.beside();  // bound on the distance of the points that lies_on() tests
     if (near.distance <= 2.0 * solid_.beside() && lies_on()) {
         return least;
     }

@@ -16,6 +16,9 @@ class DistanceToSolid {
   public:
     DistanceToSolid(const ExactSolid& solid, const Vec3& p) : solid_(solid), p_(p) {}
 
+    /// The least bound, as a multiple of the distance by which the sides of the solid's surface are told apart.
+    static constexpr double kLeastBound = 8.0;
+
     /// @param enough  a bound up to this is not improved
     double bound(double enough);
 

@@ -6,11 +6,13 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.h"
 #include "boolean/distance_to_solid.h"
 #include "mesh/intersection/nearest_tree.h"
+#include "mesh/intersection/triangle_contact.h"
 #include "mesh/intersection/triangle_distance.h"
 
 namespace mq::boolean {
@@ -115,19 +117,47 @@ void in_blocks(std::size_t count, const Progress& progress, const Work& work) {
     });
 }
 
-/// The pieces of triangles without the settled ones, with sides up to a length; for each piece its triangle, in the
-/// order of the triangles.
-template <typename IsSettled>
-std::vector<std::pair<std::size_t, Piece>> unsettled_pieces(const std::vector<Piece>& triangles, double longest,
-                                                            const Progress& progress, const IsSettled& is_settled) {
-    std::vector<std::vector<std::pair<std::size_t, Piece>>> found((triangles.size() + kBlock - 1) / kBlock);
+/// Pieces of triangles that are not settled, with sides up to a length or of known distances.
+struct Unsettled {
+    std::vector<Piece> unknown;
+    std::vector<std::size_t> triangle;  ///< that each of these is a piece of
+    std::vector<Piece> known;
+
+    void add(const Unsettled& other) {
+        unknown.insert(unknown.end(), other.unknown.begin(), other.unknown.end());
+        triangle.insert(triangle.end(), other.triangle.begin(), other.triangle.end());
+        known.insert(known.end(), other.known.begin(), other.known.end());
+    }
+    /// The spacing of samples, as if they were taken on all of them.
+    double spacing(double finest) const {
+        std::vector<Piece> all = unknown;
+        all.insert(all.end(), known.begin(), known.end());
+        return spacing_on(all, finest);
+    }
+};
+
+/// In the order of the triangles.
+template <typename IsSettled, typename IsKnown>
+Unsettled unsettled_pieces(const std::vector<Piece>& triangles, double longest, const Progress& progress,
+                           const IsSettled& is_settled, const IsKnown& is_known) {
+    std::vector<Unsettled> found((triangles.size() + kBlock - 1) / kBlock);
     in_blocks(triangles.size(), progress, [&](std::size_t t, std::size_t block) {
-        for_each_piece(triangles[t], longest, is_settled,
-                       [&](const Piece& piece) { found[block].emplace_back(t, piece); });
+        const auto is_done = [&](const Piece& piece) {
+            const bool settled = is_settled(piece);
+            const bool known = !settled && is_known(piece);
+            if (known) {
+                found[block].known.push_back(piece);
+            }
+            return settled || known;
+        };
+        for_each_piece(triangles[t], longest, is_done, [&](const Piece& piece) {
+            found[block].unknown.push_back(piece);
+            found[block].triangle.push_back(t);
+        });
     });
-    std::vector<std::pair<std::size_t, Piece>> result;
-    for (const auto& part : found) {
-        result.insert(result.end(), part.begin(), part.end());
+    Unsettled result;
+    for (const Unsettled& part : found) {
+        result.add(part);
     }
     return result;
 }
@@ -156,7 +186,9 @@ class Measurement {
           tree_(result.vertices, result.triangles),
           limits_(limits),
           moved_(moved),
-          progress_(progress) {}
+          progress_(progress),
+          has_windings_(std::any_of(operands.begin(), operands.end(),
+                                    [](const EnclosedOperand& operand) { return operand.winding != nullptr; })) {}
 
     double to_exact(const std::vector<char>& own, double& spacing) const {
         std::vector<Piece> triangles;
@@ -177,12 +209,19 @@ class Measurement {
             }
             return alone;
         };
-        const auto left = unsettled_pieces(triangles, held(triangles), progress_, is_settled);
+        const auto is_known = [&](const Piece& piece) {
+            for (const double distance : {DistanceToSolid::kLeastBound * solid_.beside(), limits_.enough}) {
+                if (piece.longest_side() > limits_.finest && is_border_near(piece, distance)) {
+                    largest.add(distance);
+                    return true;
+                }
+            }
+            return false;
+        };
+        const Unsettled left = unsettled_pieces(triangles, held(triangles), progress_, is_settled, is_known);
         std::vector<std::int32_t> used;
-        std::vector<Piece> pieces;
-        for (const auto& [t, piece] : left) {
+        for (const std::size_t t : left.triangle) {
             used.insert(used.end(), corners[t].begin(), corners[t].end());
-            pieces.push_back(piece);
         }
         std::sort(used.begin(), used.end());
         used.erase(std::unique(used.begin(), used.end()), used.end());
@@ -192,9 +231,12 @@ class Measurement {
         in_blocks(used.size(), progress_, [&](std::size_t i, std::size_t /*block*/) {
             measure(result_.vertices[static_cast<std::size_t>(used[i])]);
         });
-        spacing = spacing_on(pieces, limits_.finest);
-        in_blocks(pieces.size(), progress_, [&](std::size_t i, std::size_t /*block*/) {
-            for_each_piece(pieces[i], spacing, is_settled, [&](const Piece& piece) { measure(piece.centre()); });
+        spacing = left.spacing(limits_.finest);
+        in_blocks(left.unknown.size(), progress_, [&](std::size_t i, std::size_t /*block*/) {
+            const auto is_done = [&](const Piece& piece) {
+                return is_settled(piece) || (piece.longest_side() > spacing && is_known(piece));
+            };
+            for_each_piece(left.unknown[i], spacing, is_done, [&](const Piece& piece) { measure(piece.centre()); });
         });
         return largest.get();
     }
@@ -217,13 +259,17 @@ class Measurement {
             }
             return alone;
         };
-        std::vector<Piece> pieces;
-        for (const auto& [t, piece] : unsettled_pieces(triangles, held(triangles), progress_, is_settled)) {
-            pieces.push_back(piece);
-        }
-        spacing = std::max(spacing, spacing_on(pieces, limits_.finest));
-        in_blocks(pieces.size(), progress_, [&](std::size_t i, std::size_t /*block*/) {
-            for_each_piece(pieces[i], spacing, is_settled, [&](const Piece& piece) { add_points(piece, largest); });
+        const auto is_known = [&](const Piece& piece) {
+            return piece.longest_side() > limits_.finest && (is_film(piece) || is_near_result(piece, limits_.enough));
+        };
+        const Unsettled left = unsettled_pieces(triangles, held(triangles), progress_, is_settled, is_known);
+        spacing = std::max(spacing, left.spacing(limits_.finest));
+        in_blocks(left.unknown.size(), progress_, [&](std::size_t i, std::size_t /*block*/) {
+            const auto is_done = [&](const Piece& piece) {
+                return is_settled(piece) ||
+                       (piece.longest_side() > spacing && (is_film(piece) || is_near_result(piece, largest.get())));
+            };
+            for_each_piece(left.unknown[i], spacing, is_done, [&](const Piece& piece) { add_points(piece, largest); });
         });
         return largest.get();
     }
@@ -255,6 +301,41 @@ class Measurement {
         return alone;
     }
 
+    /// Whether the solid has the points at a distance on either side of a piece, all or none, along the axis next to
+    /// its normal; no value where triangles are there.
+    std::optional<std::array<bool, 2>> sides(const Piece& piece, double distance) const {
+        if (has_windings_) {
+            return std::nullopt;
+        }
+        int axis = 0;
+        piece.normal().cwiseAbs().maxCoeff(&axis);
+        bool apart = true;
+        for (const double step : {-distance, distance}) {
+            Corners moved = piece.corners;
+            Box box;
+            for (Vec3& p : moved) {
+                p[axis] += step;
+                box.add(p);
+            }
+            solid_.tree().for_each_in_box(box, [&](std::int32_t triangle) {
+                apart = apart && mesh::certainly_apart(moved, solid_.corners(triangle));
+                return apart;
+            });
+        }
+        return apart ? std::optional(solid_.sides(piece.centre(), axis, distance)) : std::nullopt;
+    }
+    /// Whether it is certain that the border of the solid is within a distance of all points of a piece: it lies
+    /// between points of the solid and others.
+    bool is_border_near(const Piece& piece, double distance) const {
+        const std::optional<std::array<bool, 2>> found = sides(piece, distance);
+        return found && (*found)[0] != (*found)[1];
+    }
+    /// Whether it is certain that a piece of an operand lies in a film, in a gap, or inside of the solid or outside.
+    bool is_film(const Piece& piece) const {
+        const std::optional<std::array<bool, 2>> found = sides(piece, limits_.thinnest);
+        return found && (*found)[0] == (*found)[1];
+    }
+
     /// The largest distance of the points of a piece of an operand from the result, if no other operand is near.
     double distance_where_alone(const Piece& piece) const {
         const Corners& moved = moved_->triangles[static_cast<std::size_t>(piece.triangle)];
@@ -269,6 +350,18 @@ class Measurement {
     double size() const {
         const Box box = solid_.tree().box();
         return box.empty() ? 0.0 : (box.high - box.low).norm();
+    }
+
+    /// Whether it is certain that all points of a piece are within a distance of the result: its corners are within it
+    /// of one triangle.
+    bool is_near_result(const Piece& piece, double distance) const {
+        const std::int32_t nearest = tree_.size() > 0 ? tree_.nearest(piece.centre()).triangle : -1;
+        if (nearest < 0) {
+            return false;
+        }
+        const Triangle& v = result_.triangles[static_cast<std::size_t>(nearest)];
+        const Corners corners{result_.vertices[v[0]], result_.vertices[v[1]], result_.vertices[v[2]]};
+        return distance_to_triangle(piece.corners, corners) <= distance;
     }
 
     /// Takes points of a piece that lie on the border of the exact solid, but not at a film or gap, and adds their
@@ -306,6 +399,7 @@ class Measurement {
     const ErrorLimits& limits_;
     const MovedOperands* moved_;
     const Progress& progress_;
+    bool has_windings_;  ///< whether operands are open, so that the solid is not bounded by triangles only
 };
 
 }  // namespace

@@ -20,6 +20,8 @@ struct Contour {
     /// By triangle: the crossing whose plane it represents; -1: its own plane, if it closes a gap or the level set has
     /// no edge there: the triangle is then nearer to the level set than the planes at its corners.
     std::vector<std::int32_t> plane;
+    /// By triangle: points of CollapseLimits::kept_points that it is near; empty: none are kept.
+    std::vector<std::vector<std::int32_t>> kept;
 };
 
 /// The contour of all cells (cell_surface). Cells share points on their faces, so all of it is closed, 2-manifold and

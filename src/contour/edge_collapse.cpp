@@ -15,6 +15,7 @@
 #include "contour/tuning.h"
 #include "mesh/intersection/embedded_star.h"
 #include "mesh/intersection/triangle_contact.h"
+#include "mesh/intersection/triangle_distance.h"
 #include "mesh/simplex_stars.h"
 
 namespace mq::contour {
@@ -245,7 +246,7 @@ class EdgeCollapse {
             const bool leaves = k == 0 ? held[0] == 2 && places[0] != places[1] : held[k - 1] < held[2 - k];
             edge.place = places[k];
             if (!leaves && both.at(edge.place) <= most_ && keeps_shape(edge) && keeps_within(edge) &&
-                (!limits_.keeps_apart || keeps_apart(edge)) && is_accepted(edge)) {
+                keeps_points(edge) && (!limits_.keeps_apart || keeps_apart(edge)) && is_accepted(edge)) {
                 return true;
             }
         }
@@ -362,11 +363,72 @@ class EdgeCollapse {
         }
         return mesh::embedded_star(star_.data(), star_.size());
     }
+    bool is_fixed(std::int32_t t) const { return !limits_.fixed.empty() && limits_.fixed[t] != 0; }
+    /// Whether a triangle at an end stays where it is.
+    bool is_unmoved(std::int32_t t, const Candidate& edge) const {
+        const Triangle& c = surface_.triangles[t];
+        return std::all_of(c.begin(), c.end(),
+                           [&](std::int32_t v) { return !edge.is_end(v) || surface_.points[v] == edge.place; });
+    }
     /// Whether the limits accept all moved triangles.
     bool is_accepted(const Candidate& edge) const {
         return !limits_.accepts || all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
-            return limits_.accepts(moved, surface_.patch[t]);
+            const Triangle& c = surface_.triangles[t];
+            const std::size_t k = edge.is_end(c[0]) ? 0 : edge.is_end(c[1]) ? 1 : 2;
+            return is_unmoved(t, edge) ||
+                   limits_.accepts({moved[k], moved[(k + 1) % 3], moved[(k + 2) % 3]}, surface_.source[t]);
         });
+    }
+    /// Whether the kept points of the moved triangles and of those that vanish are near triangles of their patches,
+    /// which `handed_` has afterwards.
+    bool keeps_points(const Candidate& edge) {
+        handed_.clear();
+        if (surface_.kept.empty()) {
+            return true;
+        }
+        takers_.clear();
+        all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
+            if (!is_fixed(t)) {
+                takers_.emplace_back(t, moved);
+            }
+            return true;
+        });
+        const double most = limits_.kept_distance * limits_.kept_distance;
+        return all_at(edge, [&](std::int32_t t) {
+            if (is_fixed(t) || (!edge.removes(surface_.triangles[t]) && is_unmoved(t, edge))) {
+                return true;
+            }
+            return std::all_of(surface_.kept[t].begin(), surface_.kept[t].end(), [&](std::int32_t point) {
+                const Vec3& p = (*limits_.kept_points)[point];
+                double least = std::numeric_limits<double>::infinity();
+                std::int32_t taker = -1;
+                for (const auto& [other, c] : takers_) {
+                    const double squared = surface_.patch[other] != surface_.patch[t]
+                                               ? std::numeric_limits<double>::infinity()
+                                               : (mesh::nearest_on_triangle(p, c[0], c[1], c[2]) - p).squaredNorm();
+                    if (squared < least) {
+                        least = squared;
+                        taker = other;
+                    }
+                }
+                handed_.emplace_back(point, taker);
+                return least <= most;
+            });
+        });
+    }
+    void hand_over(const Candidate& edge) {
+        if (surface_.kept.empty()) {
+            return;
+        }
+        all_at(edge, [&](std::int32_t t) {
+            if (!is_fixed(t) && (edge.removes(surface_.triangles[t]) || !is_unmoved(t, edge))) {
+                surface_.kept[t].clear();
+            }
+            return true;
+        });
+        for (const auto& [point, taker] : handed_) {
+            surface_.kept[taker].push_back(point);
+        }
     }
     /// The corners of a triangle with the ends at the new place.
     std::array<Vec3, 3> corners_at(const Triangle& c, const Candidate& edge) const {
@@ -454,6 +516,7 @@ class EdgeCollapse {
         ++ages_[edge.a];
     }
     void collapse(const Candidate& edge) {
+        hand_over(edge);
         apply(edge);
         quadrics_[edge.a].add(quadrics_[edge.b]);
         ++ages_[edge.b];
@@ -480,13 +543,18 @@ class EdgeCollapse {
                 surface_.triangles[left] = {index[c[0]], index[c[1]], index[c[2]]};
                 surface_.source[left] = surface_.source[t];
                 surface_.patch[left] = surface_.patch[t];
-                surface_.plane[left++] = surface_.plane[t];
+                surface_.plane[left] = surface_.plane[t];
+                if (!surface_.kept.empty()) {
+                    std::swap(surface_.kept[left], surface_.kept[t]);
+                }
+                ++left;
             }
         }
         surface_.triangles.resize(left);
         surface_.source.resize(left);
         surface_.patch.resize(left);
         surface_.plane.resize(left);
+        surface_.kept.resize(surface_.kept.empty() ? 0 : left);
     }
 
     Contour& surface_;
@@ -510,6 +578,8 @@ class EdgeCollapse {
     std::vector<std::pair<std::int32_t, bool>> embedded_;  ///< vertices of moved triangles, whether their star is
     std::vector<mesh::StarSector> star_;                   ///< the star under test
     std::vector<Vec3> of_pair_;                            ///< points of two triangles that are tested
+    std::vector<std::pair<std::int32_t, std::array<Vec3, 3>>> takers_;  ///< moved triangles that kept points may go to
+    std::vector<std::pair<std::int32_t, std::int32_t>> handed_;         ///< kept points, and the triangle of each
 };
 
 }  // namespace

@@ -12,8 +12,9 @@
 
 namespace mq::contour {
 
-/// Whether a triangle with these corners, of this patch, is accepted.
-using TriangleFilter = std::function<bool(const std::array<Vec3, 3>&, std::int32_t patch)>;
+/// Whether a triangle with these corners, which comes from this triangle of the input, is accepted. The first corner is
+/// the one that moved.
+using TriangleFilter = std::function<bool(const std::array<Vec3, 3>&, std::int32_t source)>;
 
 /// The conditions on collapses of edges.
 struct CollapseLimits {
@@ -24,6 +25,9 @@ struct CollapseLimits {
     std::vector<char> fixed;
     /// Asked for each moved triangle whether its new place is accepted; empty: all are. Called by several threads.
     TriangleFilter accepts;
+    /// Points that each stay within a distance (mm) of a triangle of their patch: Contour::kept says of which.
+    const std::vector<Vec3>* kept_points = nullptr;
+    double kept_distance = 0.0;
     /// Whether each collapse is tested for triangles that meet after it. If not, the caller searches the result for
     /// them: on a surface that is not folded nearly no collapse makes any.
     bool keeps_apart = true;

@@ -144,6 +144,9 @@ class Blocks {
         block.surface.source.push_back(surface_.source[t]);
         block.surface.patch.push_back(surface_.patch[t]);
         block.surface.plane.push_back(surface_.plane[t]);
+        if (!surface_.kept.empty()) {
+            block.surface.kept.push_back(surface_.kept[t]);
+        }
     }
     /// Joins the blocks' results and the triangles between blocks to the whole surface.
     void join() {
@@ -182,6 +185,9 @@ class Blocks {
         all.source.push_back(from.source[t]);
         all.patch.push_back(from.patch[t]);
         all.plane.push_back(from.plane[t]);
+        if (!from.kept.empty()) {
+            all.kept.push_back(from.kept[t]);
+        }
     }
 
     Contour& surface_;

@@ -37,8 +37,8 @@ constexpr int kFullRounds = 5;
 constexpr double kPlaneSum = 6.0;
 /// Fraction of the tolerance within which sample points of moved triangles are: the proof comes afterwards.
 constexpr double kForward = 0.93;
-/// Sample points along a side of a moved triangle.
-constexpr int kSamples = 4;
+/// Rounds in which points of a triangle that is too far are kept near, before it is fixed.
+constexpr int kTimes = 2;
 /// Bounds of distances are proven to this fraction of the tolerance.
 constexpr double kFineness = 0.04;
 /// Blocks along the largest side, which are simplified in parallel.
@@ -51,7 +51,9 @@ class Simplification {
           progress_(progress),
           triangles_(welded(given)),
           points_(rounded(given.vertices)),
-          searched_(points_, triangles_) {
+          searched_(points_, triangles_),
+          kept_(points_),
+          times_(triangles_.size(), 0) {
         for (const Vec3& p : points_) {
             box_.add(p);
         }
@@ -63,7 +65,9 @@ class Simplification {
         contour::CollapseLimits limits;
         limits.distance = kPlaneSum * options_.tolerance;
         limits.border = options_.tolerance;
-        limits.accepts = [this](const Corners& c, std::int32_t patch) { return is_near(c, patch); };
+        limits.kept_points = &kept_;
+        limits.kept_distance = kForward * options_.tolerance;
+        limits.accepts = [this](const Corners& c, std::int32_t source) { return is_near(c, source); };
         for (result.rounds = 1; result.rounds <= kRounds; ++result.rounds) {
             now_ = start_;
             progress_.stage("simplifying", 0.0, 0.7);
@@ -114,6 +118,12 @@ class Simplification {
         return single;
     }
 
+    /// A point of a given triangle.
+    struct Place {
+        std::int32_t triangle = -1;
+        Vec3 point = Vec3::Zero();
+        std::int32_t source = -1;  ///< the given triangle from which the present one comes that is far from it; or -1
+    };
     Corners corners(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
     Vec3 normal(const Triangle& t) const {
         return (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]).normalized();
@@ -143,6 +153,22 @@ class Simplification {
         }
     }
 
+    /// By given triangle: vertices to keep near its patch, each once for each patch that it is a corner of.
+    std::vector<std::vector<std::int32_t>> vertices_of(const std::vector<std::vector<std::int32_t>>& patches) const {
+        std::vector<std::vector<std::int32_t>> kept(triangles_.size());
+        std::vector<std::size_t> seen(points_.size(), 0);
+        for (std::size_t patch = 0; patch < patches.size(); ++patch) {
+            for (const std::int32_t t : patches[patch]) {
+                for (const std::int32_t v : triangles_[static_cast<std::size_t>(t)]) {
+                    if (std::exchange(seen[static_cast<std::size_t>(v)], patch + 1) != patch + 1) {
+                        kept[static_cast<std::size_t>(t)].push_back(v);
+                    }
+                }
+            }
+        }
+        return kept;
+    }
+
     contour::Contour contour_of(const mesh::TriangleMesh& given) {
         DisjointSets<std::int32_t> smooth(triangles_.size());
         const double cosine = std::cos(options_.feature_angle * M_PI / 180.0);
@@ -163,6 +189,7 @@ class Simplification {
         for (std::size_t t = 0; t < triangles_.size(); ++t) {
             of_patch[static_cast<std::size_t>(contour.patch[t])].push_back(static_cast<std::int32_t>(t));
         }
+        contour.kept = vertices_of(of_patch);
         for (const std::vector<std::int32_t>& patch : of_patch) {
             trees_.push_back(std::make_unique<mesh::NearestTree>(points_, triangles_, patch));
         }
@@ -177,18 +204,20 @@ class Simplification {
         return contour;
     }
 
-    /// Whether sample points of a triangle are within a fraction of the tolerance of its patch of the given surface: so
-    /// borders between patches stay, too, where the surface beside them is plane.
-    bool is_near(const Corners& c, std::int32_t patch) const {
-        const mesh::NearestTree& tree = *trees_[static_cast<std::size_t>(patch)];
-        std::int32_t guess = tree.nearest(c[0]).triangle;
-        for (int i = 0; i <= kSamples; ++i) {
-            for (int j = 0; i + j <= kSamples; ++j) {
-                const Vec3 p = (i * c[0] + j * c[1] + (kSamples - i - j) * c[2]) / kSamples;
-                guess = tree.any_within(p, kForward * options_.tolerance, guess);
-                if (guess < 0) {
-                    return false;
-                }
+    /// Whether sample points of a moved triangle are within a fraction of the tolerance of its patch of the given
+    /// surface: so borders between patches stay, too, where the surface beside them is plane. The surfaces are farthest
+    /// apart at vertices of either, or where edges of both cross. Those of the given one are kept points; here are the
+    /// vertex that moved and the edges at it, each of which is in turn the first and the second of two triangles.
+    /// @param source  the triangle of the given surface that it comes from
+    bool is_near(const Corners& c, std::int32_t source) const {
+        const mesh::NearestTree& tree =
+            *trees_[static_cast<std::size_t>(start_.patch[static_cast<std::size_t>(source)])];
+        std::int32_t guess = source;
+        for (const Vec3& p :
+             {c[0], Vec3(0.75 * c[0] + 0.25 * c[1]), Vec3(0.25 * c[0] + 0.75 * c[1]), Vec3(0.5 * (c[0] + c[2]))}) {
+            guess = tree.any_within(p, kForward * options_.tolerance, guess);
+            if (guess < 0) {
+                return false;
             }
         }
         return true;
@@ -236,7 +265,7 @@ class Simplification {
 
     /// The given triangles that are too far from the present surface. What was proven in an earlier round and has not
     /// changed is not proven again, here and in `own_far`.
-    std::vector<std::int32_t> given_far() {
+    std::vector<Place> given_far() {
         std::vector<std::int32_t> asked;
         std::vector<Corners> some;
         witnesses_.resize(triangles_.size());
@@ -248,7 +277,8 @@ class Simplification {
         }
         std::vector<std::vector<std::int32_t>> found;
         const offset::SearchedSurface present(now_.points, now_.triangles);
-        std::vector<std::int32_t> far = beyond(some, present, &found);
+        std::vector<Vec3> places;
+        const std::vector<std::int32_t> far = beyond(some, present, &found, places);
         for (std::size_t k = 0; k < asked.size(); ++k) {
             std::vector<std::int32_t>& of = witnesses_[static_cast<std::size_t>(asked[k])];
             of.clear();
@@ -258,14 +288,16 @@ class Simplification {
             std::sort(of.begin(), of.end());
             of.erase(std::unique(of.begin(), of.end()), of.end());
         }
-        for (std::int32_t& t : far) {
-            t = asked[static_cast<std::size_t>(t)];
+        std::vector<Place> result;
+        for (std::size_t k = 0; k < far.size(); ++k) {
+            const std::int32_t t = asked[static_cast<std::size_t>(far[k])];
             witnesses_[static_cast<std::size_t>(t)].clear();
+            result.push_back({t, places[k]});
         }
-        return far;
+        return result;
     }
-    /// The given triangles from which those of the present surface come that are too far from the given one.
-    std::vector<std::int32_t> own_far(const std::vector<Corners>& own) {
+    /// The places of the given surface next to those of the present one that are too far from it.
+    std::vector<Place> own_far(const std::vector<Corners>& own) {
         std::vector<std::int32_t> asked;
         std::vector<Corners> some;
         for (std::size_t t = 0; t < own.size(); ++t) {
@@ -275,27 +307,44 @@ class Simplification {
                 some.push_back(own[t]);
             }
         }
-        std::vector<std::int32_t> far = beyond(some, searched_, nullptr);
-        for (std::int32_t& t : far) {
-            const auto index = static_cast<std::size_t>(asked[static_cast<std::size_t>(t)]);
+        std::vector<Vec3> places;
+        const std::vector<std::int32_t> far = beyond(some, searched_, nullptr, places);
+        std::vector<Place> found;
+        for (std::size_t k = 0; k < far.size(); ++k) {
+            const auto index = static_cast<std::size_t>(asked[static_cast<std::size_t>(far[k])]);
             near_own_[static_cast<std::size_t>(numbers_[index])] = 0;
-            t = now_.source[index];
+            const mesh::ClosestPoint next = searched_.tree.nearest(places[k]);
+            found.push_back({next.triangle, next.point, now_.source[index]});
         }
-        return far;
+        return found;
     }
 
-    /// Fixes the given triangles around what is too far from the other surface; false where there is nothing.
+    /// Adds the places that are too far from the other surface to the kept points, and fixes the given triangles around
+    /// those for which that did not do; false where there is nothing.
     bool keep_what_is_far() {
         const std::vector<Corners> own = own_corners();
         number(own);
-        std::vector<std::int32_t> far = given_far();
-        const std::vector<std::int32_t> others = own_far(own);
+        std::vector<Place> far = given_far();
+        const std::vector<Place> others = own_far(own);
         far.insert(far.end(), others.begin(), others.end());
         std::vector<char> around(points_.size(), 0);
-        for (const std::int32_t t : far) {
-            for (const std::int32_t v : triangles_[static_cast<std::size_t>(t)]) {
-                around[static_cast<std::size_t>(v)] = 1;
+        std::vector<char> asked(triangles_.size(), 0);
+        for (const Place& place : far) {
+            const auto t = static_cast<std::size_t>(place.triangle);
+            if (times_[t] < kTimes) {
+                asked[t] = 1;
+                start_.kept[t].push_back(static_cast<std::int32_t>(kept_.size()));
+                kept_.push_back(place.point);
+                continue;
             }
+            for (const std::int32_t fixed : {place.triangle, place.source}) {
+                for (int k = 0; k < 3 && fixed >= 0; ++k) {
+                    around[static_cast<std::size_t>(triangles_[static_cast<std::size_t>(fixed)][k])] = 1;
+                }
+            }
+        }
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            times_[t] += asked[t];
         }
         for (std::size_t t = 0; t < triangles_.size(); ++t) {
             const Triangle& c = triangles_[t];
@@ -306,9 +355,10 @@ class Simplification {
         return !far.empty();
     }
     std::vector<std::int32_t> beyond(const std::vector<Corners>& all, const offset::SearchedSurface& other,
-                                     std::vector<std::vector<std::int32_t>>* witnesses) const {
+                                     std::vector<std::vector<std::int32_t>>* witnesses,
+                                     std::vector<Vec3>& places) const {
         return offset::triangles_beyond(all, other, 0.0, options_.tolerance, kFineness * options_.tolerance, progress_,
-                                        witnesses);
+                                        witnesses, &places);
     }
 
     double bound() const {
@@ -323,6 +373,8 @@ class Simplification {
     const std::vector<Triangle> triangles_;  ///< as given, vertices in one place as one
     const std::vector<Vec3> points_;         ///< as given, in single precision
     const offset::SearchedSurface searched_;
+    std::vector<Vec3> kept_;   ///< points of the given surface that stay near: its vertices, and where that did not do
+    std::vector<char> times_;  ///< by given triangle: how often points of it were added
     Box box_;
     std::vector<char> fixed_;  ///< by triangle: whether it is at an open border, or where simplifying went too far
     std::vector<contour::Crossing> planes_;                  ///< by given triangle

@@ -20,9 +20,10 @@ struct SimplifiedSurface {
     int rounds = 0;          ///< attempts until that was within the tolerance
 };
 
-/// Collapses edges of a mesh without CAD, as contour::simplify does, as long as sample points of each moved triangle
-/// are within the tolerance of the given surface. Then all points of both surfaces are proven to be within it of the
-/// other one; given triangles around those for which that fails are fixed, and it begins anew.
+/// Collapses edges of a mesh without CAD, as contour::simplify does, as long as the given vertices are within the
+/// tolerance of the moved triangles, and sample points of these of the given surface. Then all points of both surfaces
+/// are proven to be within it of the other one. Places for which that fails are kept near like the vertices, or in the
+/// end the given triangles around them are fixed, and it begins anew.
 ///
 /// The result has the topology of the given mesh, is closed where that is, and none of its triangles meet but those
 /// that did; the triangles at open borders stay.

@@ -12,6 +12,7 @@
 
 #include "base/parallel.h"
 #include "mesh/intersection/triangle_distance.h"
+#include "offset/proof/triangle_pieces.h"
 
 namespace mq::offset {
 
@@ -103,22 +104,55 @@ double nearest_within(const Corners& t, const Vec3& middle, const SearchedSurfac
     return result;
 }
 
-/// Runs task(triangle, bound) over all triangles in parallel; each call may raise the bound of its block.
-template <typename Task>
-ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& progress, const Task& task) {
-    std::vector<ProvenBound> blocks((triangles.size() + kBlock - 1) / kBlock);
-    parallel_for(static_cast<int>(blocks.size()), [&](int k) {
+/// Runs work(block, first, end) in parallel for blocks of the same triangles at any number of threads.
+template <typename Work>
+void for_blocks(std::size_t triangles, const Progress& progress, const Work& work) {
+    parallel_for(static_cast<int>((triangles + kBlock - 1) / kBlock), [&](int k) {
         progress.check();
         const std::size_t first = static_cast<std::size_t>(k) * kBlock;
-        for (std::size_t t = first; t < std::min(first + kBlock, triangles.size()); ++t) {
-            task(triangles[t], blocks[static_cast<std::size_t>(k)]);
-        }
+        work(static_cast<std::size_t>(k), first, std::min(first + kBlock, triangles));
     });
-    ProvenBound result;
+}
+
+/// The largest bound that work(first, end, bound) of a block of triangles raises. @param least  from which all begin
+template <typename Work>
+ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& progress, const ProvenBound& least,
+                     const Work& work) {
+    std::vector<ProvenBound> blocks((triangles.size() + kBlock - 1) / kBlock, least);
+    for_blocks(triangles.size(), progress,
+               [&](std::size_t block, std::size_t first, std::size_t end) { work(first, end, blocks[block]); });
+    ProvenBound result = least;
     for (const ProvenBound& block : blocks) {
         result = block.bound > result.bound ? block : result;
     }
     return result;
+}
+
+/// How much farther than a distance corners and centres of triangles are from a surface at most: a bound from below.
+ProvenBound farthest_sample(const std::vector<Corners>& triangles, const SearchedSurface& surface, double wanted,
+                            const Progress& progress) {
+    return over_all(triangles, progress, {}, [&](std::size_t first, std::size_t end, ProvenBound& found) {
+        std::int32_t nearest = surface.tree.nearest(triangles[first][0]).triangle;
+        for (std::size_t t = first; t < end && nearest >= 0; ++t) {
+            for (const Vec3& p : {triangles[t][0], triangles[t][1], triangles[t][2], centre(triangles[t])}) {
+                const std::int32_t near = surface.tree.any_within(p, wanted + found.bound, nearest);
+                nearest = near < 0 ? surface.tree.nearest_from(p, nearest).triangle : near;
+                if (near < 0) {
+                    found = {distance(p, corners(surface, nearest)) - wanted, p};
+                }
+            }
+        }
+    });
+}
+
+/// The same where work(triangle, bound) is of one triangle.
+template <typename Work>
+ProvenBound over_each(const std::vector<Corners>& triangles, const Progress& progress, const Work& work) {
+    return over_all(triangles, progress, {}, [&](std::size_t first, std::size_t end, ProvenBound& found) {
+        for (std::size_t t = first; t < end; ++t) {
+            work(triangles[t], found);
+        }
+    });
 }
 
 /// Calls must_divide(piece, divisions) for a triangle and for the quarters of each piece for which it returns true.
@@ -136,47 +170,121 @@ void divide(const Corners& whole, MustDivide&& must_divide) {
     }
 }
 
-/// Raises a bound to the bound for one triangle. @param witnesses  gets the triangles of the surface near which pieces
-/// are that do not raise it; null: not asked for
-void raise_bound(const Corners& whole, const SearchedSurface& surface, double wanted, double fineness,
-                 ProvenBound& found, std::vector<std::int32_t>* witnesses = nullptr) {
-    const Vec3 middle = centre(whole);
-    if (wanted > 0.0) {  // no piece is nearer to the surface than the whole triangle is
-        const double near = nearest_within(whole, middle, surface, wanted);
-        if (wanted - near > found.bound) {
-            found = {wanted - near, middle};
+/// Raises a bound to the bound for the points of one triangle.
+///
+/// What lies over a triangle of the surface is as far from that as its corners are, so that it is cut out: pieces
+/// become as many as the triangles that they lie over, and not the smaller the closer the bound is. What is neither
+/// near enough nor proven to be as far as that is halved.
+class BoundOfTriangle {
+  public:
+    /// @param most  of the bound: above it the search ends
+    BoundOfTriangle(const SearchedSurface& surface, double wanted, double fineness, double most)
+        : surface_(surface), wanted_(wanted), fineness_(fineness), most_(most) {}
+
+    /// What follows is faster for a triangle near the one before.
+    /// @param found  is raised
+    /// @param witnesses  gets the triangles of the surface near which pieces are that do not raise it; null: not asked
+    /// for
+    ProvenBound raised(const Corners& whole, const ProvenBound& found, std::vector<std::int32_t>* witnesses = nullptr) {
+        found_ = found;
+        witnesses_ = witnesses;
+        if (wanted_ > 0.0) {  // no piece is nearer to the surface than the whole triangle is
+            const Vec3 middle = centre(whole);
+            const double near = nearest_within(whole, middle, surface_, wanted_);
+            if (wanted_ - near > found_.bound) {
+                found_ = {wanted_ - near, middle};
+            }
+        }
+        stack_.assign(1, Piece());
+        for (const Vec3& p : whole) {
+            stack_.back().add(p);
+        }
+        while (!stack_.empty() && found_.bound <= most_) {
+            const Piece piece = stack_.back();
+            stack_.pop_back();
+            settle(piece);
+        }
+        return found_;
+    }
+
+  private:
+    bool is_near(const Piece& piece, const Corners& t) {
+        far_ = piece.farthest_from(t);
+        return far_ - wanted_ <= found_.bound;
+    }
+    void settle(const Piece& piece) {
+        // The triangle that was nearest to the piece before is often near enough to this one, without a search.
+        if (nearest_ >= 0 && is_near(piece, its_)) {
+            accept();
+            return;
+        }
+        const Vec3 here = piece.centre();
+        nearest_ = (nearest_ < 0 ? surface_.tree.nearest(here) : surface_.tree.nearest_from(here, nearest_)).triangle;
+        if (nearest_ < 0) {
+            found_ = {kNoDistance, here};
+            return;
+        }
+        its_ = corners(surface_, nearest_);
+        if (is_near(piece, its_)) {
+            accept();
+            return;
+        }
+        Piece over = piece;
+        const std::array<Plane, 3> planes = upright(its_);
+        if (!piece.has_many() &&
+            std::all_of(planes.begin(), planes.end(), [&](const Plane& p) { return p.height(here) < 0.0; })) {
+            for (const Plane& plane : planes) {
+                const std::array<Piece, 2> parts = cut(over, plane);
+                if (parts[0].count > 0 && parts[1].count > 0) {
+                    over = parts[0];
+                    stack_.push_back(parts[1]);
+                }
+            }
+            if (is_near(over, its_)) {
+                accept();
+                return;
+            }
+        }
+        const Vec3* attained = attains(over);
+        if (attained != nullptr || over.halvings == 2 * kMostDivisions) {
+            found_ = {far_ - wanted_, attained != nullptr ? *attained : over.centre()};
+            return;
+        }
+        for (const Piece& half : halves(over)) {
+            if (half.count > 0) {
+                stack_.push_back(half);
+            }
         }
     }
-    std::int32_t nearest = -1;
-    divide(whole, [&](const Corners& piece, int divisions) {
-        // The triangle that was nearest to the piece before is often near enough to this one, without a search.
-        const Vec3 here = centre(piece);
-        double far = nearest < 0 ? kNoDistance : farthest(piece, corners(surface, nearest));
-        if (far - wanted > found.bound) {
-            nearest = surface.tree.nearest(here).triangle;
-            far = nearest < 0 ? kNoDistance : farthest(piece, corners(surface, nearest));
+    void accept() {
+        if (witnesses_ != nullptr) {
+            witnesses_->push_back(nearest_);
         }
-        if (far - wanted <= found.bound) {
-            if (witnesses != nullptr) {
-                witnesses->push_back(nearest);
-            }
-            return false;
-        }
-        // Distances from one triangle are at least those from the surface: only corners as far from it as `enough` can
-        // be as far from all of it.
-        const double enough = far - fineness;
-        const bool attained =
-            nearest < 0 || wanted >= enough || std::any_of(piece.begin(), piece.end(), [&](const Vec3& p) {
-                return distance(p, corners(surface, nearest)) >= enough &&
-                       surface.tree.any_within(p, enough, nearest) < 0;
-            });
-        if (attained || divisions == kMostDivisions) {
-            found = {far - wanted, here};
-            return false;
-        }
-        return true;
-    });
-}
+    }
+    /// A corner that is as far from the surface as the piece is at most, but for the fineness; null: none is. Distances
+    /// from one triangle are at least those from the surface: only corners as far from it as that can be as far from
+    /// all of it.
+    const Vec3* attains(const Piece& piece) const {
+        const double enough = std::min(far_ - fineness_, wanted_ + most_);
+        const Vec3* end = piece.corners.data() + piece.count;
+        const Vec3* found = std::find_if(piece.corners.data(), end, [&](const Vec3& p) {
+            return wanted_ >= enough ||
+                   (distance(p, its_) >= enough && surface_.tree.any_within(p, enough, nearest_) < 0);
+        });
+        return found == end ? nullptr : found;
+    }
+
+    const SearchedSurface& surface_;
+    double wanted_;
+    double fineness_;
+    double most_;
+    ProvenBound found_;
+    std::vector<std::int32_t>* witnesses_ = nullptr;
+    std::vector<Piece> stack_;
+    std::int32_t nearest_ = -1;  ///< to the last piece
+    Corners its_;                ///< corners of that triangle
+    double far_ = 0.0;           ///< the bound of the last piece's distance from it
+};
 
 }  // namespace
 
@@ -195,29 +303,37 @@ bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double 
 
 ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                     double wanted, double fineness, const Progress& progress) {
-    return over_all(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
-        raise_bound(whole, surface, wanted, fineness, found);
+    const ProvenBound least = farthest_sample(triangles, surface, wanted, progress);
+    return over_all(triangles, progress, least, [&](std::size_t first, std::size_t end, ProvenBound& found) {
+        BoundOfTriangle bound(surface, wanted, fineness, kNoDistance);
+        for (std::size_t t = first; t < end; ++t) {
+            found = bound.raised(triangles[t], found);
+        }
     });
 }
 
 std::vector<std::int32_t> triangles_beyond(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                            double wanted, double most, double fineness, const Progress& progress,
-                                           std::vector<std::vector<std::int32_t>>* witnesses) {
-    std::vector<char> is_beyond(triangles.size());
+                                           std::vector<std::vector<std::int32_t>>* witnesses,
+                                           std::vector<Vec3>* places) {
+    std::vector<ProvenBound> bounds(triangles.size());
     if (witnesses != nullptr) {
         witnesses->assign(triangles.size(), {});
     }
-    for_chunks(static_cast<int>(triangles.size()), [&](int k) {
-        progress.check();
-        ProvenBound bound{most, Vec3::Zero()};
-        const auto t = static_cast<std::size_t>(k);
-        raise_bound(triangles[t], surface, wanted, fineness, bound, witnesses != nullptr ? &(*witnesses)[t] : nullptr);
-        is_beyond[t] = bound.bound > most ? 1 : 0;
+    for_blocks(triangles.size(), progress, [&](std::size_t, std::size_t first, std::size_t end) {
+        BoundOfTriangle bound(surface, wanted, fineness, most);
+        for (std::size_t t = first; t < end; ++t) {
+            std::vector<std::int32_t>* its = witnesses != nullptr ? &(*witnesses)[t] : nullptr;
+            bounds[t] = bound.raised(triangles[t], {most, Vec3::Zero()}, its);
+        }
     });
     std::vector<std::int32_t> result;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        if (is_beyond[t] != 0) {
+        if (bounds[t].bound > most) {
             result.push_back(static_cast<std::int32_t>(t));
+            if (places != nullptr) {
+                places->push_back(bounds[t].where);
+            }
         }
     }
     return result;
@@ -230,7 +346,7 @@ namespace {
 ProvenBound coarse_bound_of_missing(const std::vector<Corners>& triangles, const SearchedSurface& surface, double least,
                                     double gap, const SearchedSurface& result, const Progress& progress) {
     std::atomic<bool> missing{false};
-    const ProvenBound coarse = over_all(triangles, progress, [&](const Corners& t, ProvenBound& found) {
+    const ProvenBound coarse = over_each(triangles, progress, [&](const Corners& t, ProvenBound& found) {
         const Vec3 middle = centre(t);
         if (farthest(t, middle, surface) < least) {
             return;
@@ -255,7 +371,7 @@ ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, cons
         coarse.bound > 0.0) {
         return coarse;
     }
-    return over_all(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
+    return over_each(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
         const Vec3 cross = (whole[1] - whole[0]).cross(whole[2] - whole[0]);
         const Vec3 ahead = cross.squaredNorm() > 0.0 ? Vec3(gap * cross.normalized()) : Vec3(Vec3::Zero());
         divide(whole, [&](const Corners& piece, int divisions) {

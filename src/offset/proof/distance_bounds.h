@@ -43,9 +43,11 @@ ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const
 /// The indices of the triangles for which deviation_from_distance is above `most` (mm).
 /// @param witnesses  by triangle, for distance = 0: triangles of the surface that prove by themselves that it is not;
 /// null: not asked for
+/// @param places  gets a point of each of those triangles where it is; null: not asked for
 std::vector<std::int32_t> triangles_beyond(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                            double distance, double most, double fineness, const Progress& progress,
-                                           std::vector<std::vector<std::int32_t>>* witnesses = nullptr);
+                                           std::vector<std::vector<std::int32_t>>* witnesses = nullptr,
+                                           std::vector<Vec3>* places = nullptr);
 
 /// A bound for the distances from `result` of the points of some triangles that may lie on the exact offset: those at
 /// least `least` (mm) in front of a surface that come no nearer to other triangles of it when they are moved by `gap`

@@ -122,6 +122,12 @@ TEST(SimplifySurface, DistancesOfASphereAreWithinTheToleranceBothWays) {
     }
 }
 
+TEST(SimplifySurface, WherePointsAreTooFarTheyAreKeptNearAndNothingAroundThemIsFixed) {
+    // Fixing left 790 and 142.
+    EXPECT_LE(simplified(sphere(10.0), 0.1).surface.mesh.triangles.size(), 560U);
+    EXPECT_LE(simplified(sphere(10.0), 0.5).surface.mesh.triangles.size(), 115U);
+}
+
 TEST(SimplifySurface, FewerTrianglesWithALargerTolerance) {
     const TriangleMesh given = sphere(10.0);
     std::size_t before = given.triangles.size() + 1;

@@ -74,6 +74,37 @@ TEST(OffsetError, ATriangleThatCrossesTheSurfaceIsAtNoDistance) {
     EXPECT_NEAR(deviation_from_distance(through, surface, 2.0, 1e-3, kUnwatched).bound, 2.0, 1e-9);
 }
 
+/// A square of side 10 of squares of two triangles each.
+mesh::TriangleMesh tiles(int along) {
+    mesh::TriangleMesh mesh;
+    for (int i = 0; i <= along; ++i) {
+        for (int j = 0; j <= along; ++j) {
+            mesh.vertices.emplace_back(10.0 * i / along, 10.0 * j / along, 0.0);
+        }
+    }
+    for (int i = 0; i < along; ++i) {
+        for (int j = 0; j < along; ++j) {
+            const int v = i * (along + 1) + j;
+            mesh.triangles.push_back({v, v + along + 1, v + along + 2});
+            mesh.triangles.push_back({v, v + along + 2, v + 1});
+        }
+    }
+    return mesh;
+}
+
+TEST(OffsetError, OverManySmallTrianglesTheBoundIsThatOfTheHeight) {
+    const mesh::TriangleMesh mesh = tiles(7);
+    const SearchedSurface surface(mesh.vertices, mesh.triangles);
+    const std::vector<Corners> above{{Vec3(0.3, 0.2, 1.0), Vec3(9.4, 0.7, 1.0), Vec3(4.1, 9.6, 0.5)}};
+    constexpr double kFineness = 0.5;
+    EXPECT_NEAR(deviation_from_distance(above, surface, 0.0, kFineness, kUnwatched).bound, 1.0, 1e-9);
+    EXPECT_TRUE(triangles_beyond(above, surface, 0.0, 1.0 + 1e-9, kFineness, kUnwatched).empty());
+    std::vector<Vec3> places;
+    EXPECT_EQ(triangles_beyond(above, surface, 0.0, 0.8, 0.01, kUnwatched, nullptr, &places).size(), 1U);
+    ASSERT_EQ(places.size(), 1U);
+    EXPECT_GE(places[0].z(), 0.79);
+}
+
 TEST(OffsetError, WitnessesProveByThemselvesThatATriangleIsNear) {
     const mesh::TriangleMesh box = solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
     const SearchedSurface surface(box.vertices, box.triangles);
