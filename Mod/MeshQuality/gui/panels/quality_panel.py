@@ -29,7 +29,7 @@ from .mesh_panel import title_of
 from .range_box import RangeBox
 from .saving_box import SavingBox
 from .section_box import SectionBox
-from .task_form import Form, Message, Table, narrow
+from .task_form import Form, Message, Table, keep_choices, narrow
 
 translate = FreeCAD.Qt.translate
 
@@ -110,13 +110,11 @@ class QualityPanel:
         self.section = SectionBox(lambda: SectionData(self.data))  # its box to check stands beside that of the edges
         for measure in self.data.measures:
             self.measures.addItem(translate("MeshQuality", measure.title))
+        keep_choices(self.measures)
         for label in (of, self.meaning, self.summary, self.hint):
             label.setWordWrap(True)
         self.worst.setWordWrap(True)
         self.worst.setAlternatingRowColors(True)
-        # The panel may be 260 pixels wide.
-        self.measures.setSizeAdjustPolicy(
-            QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self._lay_out_faces()
         self.tabs = QtGui.QTabWidget()
         self.tabs.setMaximumHeight(_LISTS)

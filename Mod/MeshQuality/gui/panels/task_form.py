@@ -6,6 +6,7 @@ from PySide import QtCore, QtGui
 
 _ERROR = "border: 1px solid #cc0000; padding: 4px"
 _MARGIN = 20  # pixels that FreeCAD's task view has below a form, and some more
+_ARROW = 21  # pixels that the arrow of a box with choices takes from its text
 _LINES = 4  # of text that a part must have room for to scroll by itself
 
 
@@ -33,6 +34,14 @@ def narrow(widget, rules):
     """
     if QtGui.QApplication.instance().styleSheet():
         widget.setStyleSheet(rules)
+
+
+def keep_choices(box):
+    """Keeps room in a box for the longest of its texts beside its arrow: style sheets give boxes a least width, which counts
+    instead of that of their texts.
+    """
+    longest = max(box.fontMetrics().horizontalAdvance(box.itemText(i)) for i in range(box.count()))
+    narrow(box, f"min-width: {longest + _ARROW}px")
 
 
 def narrow_buttons(box):
