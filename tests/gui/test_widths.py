@@ -33,7 +33,7 @@ def cut_texts(widget):
             found.append(("columns", part.horizontalHeader().length(), part.viewport().width()))
             for column in range(part.columnCount()):
                 text = part.horizontalHeaderItem(column).text()
-                found.append((text, part.fontMetrics().horizontalAdvance(text) + 4, part.columnWidth(column)))
+                found += [(line, part.fontMetrics().horizontalAdvance(line) + 4, part.columnWidth(column)) for line in text.splitlines()]
         if isinstance(part, QtGui.QTabBar):
             found.append((" ".join(part.tabText(i) for i in range(part.count())), part.sizeHint().width(), part.width()))
         if isinstance(part, QtGui.QAbstractButton) and part.text() and part.maximumWidth() > part.width():  # no field's own

@@ -333,7 +333,7 @@ class QualityPanel:
         unit = self.scale.unit.strip()
         self.tabs.setTabText(1, translate("MeshQuality", "Patches") if self.data.patches else translate("MeshQuality", "Faces"))
         mean = translate("MeshQuality", "Mean")
-        self.faces.horizontalHeaderItem(3).setText(f"{mean} [{unit}]" if unit else mean)
+        self.faces.horizontalHeaderItem(3).setText(f"{mean}\n[{unit}]" if unit else mean)
         self.faces.blockSignals(True)
         self.faces.setRowCount(len(faces))
         for i, row in enumerate(faces):
