@@ -509,6 +509,14 @@ class QualityView(gui_helpers.GuiTest):
                 for line in table.horizontalHeaderItem(column).text().splitlines():
                     self.assertLessEqual(table.fontMetrics().horizontalAdvance(line), width - 4, line)
 
+    def test_one_list_is_seen_at_a_time(self):
+        panel = self.open(self.meshed(Part.makeCylinder(5, 20)))
+        for i, seen in ((0, panel.worst), (1, panel.faces)):
+            panel.tabs.setCurrentIndex(i)
+            for measure in panel.data.measures[:2]:
+                self.choose(panel, measure)
+                self.assertEqual([page for page in (panel.worst, panel.faces) if page.isVisible()], [seen])
+
     def test_object_or_document_deleted_meanwhile(self):
         panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
         self.document.removeObject(panel.obj.Name)

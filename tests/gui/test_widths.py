@@ -7,7 +7,8 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 import gui_helpers
-from PySide import QtGui
+import numpy as np
+from PySide import QtCore, QtGui
 
 import MeshQuality as mq
 from MeshQuality.gui import commands
@@ -155,6 +156,21 @@ class Widths(gui_helpers.PanelTest):
             choice.setCurrentIndex(i)
             gui_helpers.wait()
             self.assertGreaterEqual(room_of(choice), choice.fontMetrics().horizontalAdvance(choice.currentText()))
+        panel.reject()
+
+    def test_lists_of_choices_are_as_dark_as_their_boxes_in_a_dark_theme(self):
+        self.in_dark_theme()
+        panel = self.panel(commands.Triangulate, self.box())
+        gui_helpers.unfold(panel)
+        boxes = [box for box in panel.form.findChildren(QtGui.QComboBox) if box.isVisible() and box.count() > 1]
+        self.assertGreater(len(boxes), 2)
+        for box in boxes:
+            box.showPopup()
+            gui_helpers.wait(0.2)
+            place = QtCore.QRect(box.view().mapToGlobal(QtCore.QPoint(0, 0)), box.view().size())
+            pixels = gui_helpers.pixels_of(gui_helpers.screen().copy(place))  # a widget alone has nothing behind it
+            box.hidePopup()
+            self.assertLess(np.median(pixels), 128, box.currentText())
         panel.reject()
 
     def test_nothing_is_cut_off_in_a_dark_theme(self):

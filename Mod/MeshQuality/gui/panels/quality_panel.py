@@ -221,8 +221,10 @@ class QualityPanel:
         self._show_numbers(False)
 
     def _show_numbers(self, shown):
-        for widget in (self.histogram, self.range, self.hint, self.worst, self.faces, self.section.on, self.saving):
+        for widget in (self.histogram, self.range, self.hint, self.section.on, self.saving):
             widget.setVisible(shown)
+        for page in (self.worst, self.faces):  # one that is behind another would be drawn beside it
+            page.setVisible(shown and page is self.tabs.currentWidget())
         self.section.setVisible(shown and self.section.on.isChecked())
 
     def _tell(self, job):

@@ -29,8 +29,8 @@ class Message(QtGui.QLabel):
 
 
 def narrow(widget, rules):
-    """Takes room from a widget to which a style sheet of the whole window, as FreeCAD's dark ones, gives more than the task view
-    has at first; without such a sheet nothing is changed.
+    """Gives a widget rules of its own where the whole window has a style sheet, as FreeCAD's dark ones, mostly to take room from it that
+    the task view does not have at first; without such a sheet nothing is changed.
     """
     if QtGui.QApplication.instance().styleSheet():
         widget.setStyleSheet(rules)
@@ -41,7 +41,7 @@ def keep_choices(box):
     instead of that of their texts.
     """
     longest = max(box.fontMetrics().horizontalAdvance(box.itemText(i)) for i in range(box.count()))
-    narrow(box, f"min-width: {longest + _ARROW}px")
+    narrow(box, f"QComboBox {{ min-width: {longest + _ARROW}px }}")
 
 
 def narrow_buttons(box):
@@ -103,6 +103,9 @@ class Form(QtGui.QWidget):
             for field in self.findChildren(kind):
                 field.setFocusPolicy(QtCore.Qt.StrongFocus)  # not by the wheel
                 field.installEventFilter(self)
+        for box in self.findChildren(QtGui.QComboBox):  # whose list FreeCAD's dark style sheets leave white in task panels, with light text
+            box.ensurePolished()
+            narrow(box.view(), f"background-color: {box.palette().color(QtGui.QPalette.Button).name()}")
         super().showEvent(event)
 
     def eventFilter(self, field, event):
