@@ -1244,7 +1244,7 @@
     </message>
     <message>
         <source>Longest edge / shortest edge</source>
-        <translation>Längste Kante / kürzeste Kante</translation>
+        <translation>Längste / kürzeste Kante</translation>
     </message>
     <message>
         <source>Scaled Jacobian</source>
@@ -2628,7 +2628,7 @@
     </message>
     <message>
         <source>Least / largest Jacobian</source>
-        <translation>Kleinste / größte Jacobi-Determinante</translation>
+        <translation>Jacobi-Determinante min / max</translation>
     </message>
     <message>
         <source>1 = not distorted by its middle nodes, ≤ 0 = not proven valid; those are marked.</source>
@@ -5641,6 +5641,10 @@
     <message>
         <source>{0} passed, about {1} left</source>
         <translation>{0} vergangen, noch etwa {1}</translation>
+    </message>
+    <message>
+        <source>{0}: {1}; a point inside, for snappyHexMesh: {2}</source>
+        <translation>{0}: {1}; ein Punkt im Innern, für snappyHexMesh: {2}</translation>
     </message>
 </context>
 <context>

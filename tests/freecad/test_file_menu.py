@@ -209,6 +209,22 @@ class Triangles(FileMenu):
         boxes = [body.BoundBox for body in Mesh.Mesh(plate).getSeparateComponents()]
         self.assertEqual({(round(box.XMin), round(box.YMin)) for box in boxes}, {place[:2] for place in places})
 
+    @unittest.skipUnless(shutil.which("prusa-slicer"), "PrusaSlicer (prusa-slicer) is not installed")
+    def test_a_slicer_slices_it_without_a_warning_in_any_unit(self):
+        used, store = {}, file_settings.stored()
+        for unit, name in ((0, "mm.3mf"), (1, "m.3mf"), (2, "inch.3mf"), (0, "mm.stl"), (0, "mm.obj")):
+            self.addCleanup(store.SetInt, "ExportUnit", 0)
+            store.SetInt("ExportUnit", unit)
+            path = self.put([self.cylinder(name=f"Pin{len(used)}")], name)
+            sliced = os.path.join(self.folder, "sliced.gcode")
+            said = subprocess.run(["prusa-slicer", "--export-gcode", "--loglevel", "2", "-o", sliced, path], stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, text=True, timeout=120, check=True).stdout
+            self.assertNotIn("warning", said.lower())
+            with open(sliced, encoding="utf-8") as stream:
+                used[name] = float(re.search(r"filament used \[mm\] = (\S+)", stream.read())[1])
+        self.assertGreater(min(used.values()), 10.0)
+        self.assertAlmostEqual(min(used.values()), max(used.values()), delta=1e-3 * max(used.values()))
+
     def test_3mf_has_the_colours_of_faces(self):
         box, view = self.box(), mock.Mock(spec=["DiffuseColor", "ShapeColor"])
         view.DiffuseColor = [(1.0, 0.0, 0.0, 0.0)] + [(0.0, 0.0, 1.0, 0.0)] * 5

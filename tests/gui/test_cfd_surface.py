@@ -16,7 +16,7 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality.features import cfd_surface
-from MeshQuality.gui import commands
+from MeshQuality.gui import commands, quantities
 
 if os.environ.get("MESHQUALITY_CFDOF"):  # a clone of it that is no addon
     sys.path.append(os.environ["MESHQUALITY_CFDOF"])
@@ -50,8 +50,12 @@ class CfdSurfaces(gui_helpers.PanelTest):
         for chosen, active in (((box,), False), ((), False), ((mesh,), True)):
             self.select(*chosen)
             self.assertEqual(command.IsActive(), active)
-        command.Activated()
+        with gui_helpers.mock.patch.object(FreeCAD.Console, "PrintMessage") as told:
+            command.Activated()
         obj = self.document.ActiveObject
+        self.assertEqual(FreeCADGui.Selection.getSelection(), [obj])
+        self.assertEqual(told.call_args[0][0], f"{obj.Label}: Face1: inlet, Face2: walls; a point inside, for snappyHexMesh: "
+                                               f"{', '.join(map(quantities.text_of, obj.PointInside))}\n")
         self.assertEqual(obj.TypeId, "Part::FeaturePython")
         self.assertFalse(mesh.ViewObject.Visibility)
         self.assertEqual(obj.ViewObject.DiffuseColor[obj.Patches.index("Face1: inlet")][:3], (1.0, 0.0, 0.0))

@@ -22,7 +22,7 @@ from MeshQuality.features import file_settings
 LIMIT = 120  # seconds
 SPACE = {"m": "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"}
 SCRIPT = """
-import json, sys
+import json, os, sys
 import FreeCAD, FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -97,6 +97,12 @@ def main():
     export("Quality mesh, Abaqus and CalculiX (*.inp)", {folder!r} + "/part.inp", part)
     export("Quality mesh (*.obj)", {folder!r} + "/line.obj", line)
     said["later"] = report.toPlainText()
+    said["written"] = {{}}
+    for name in said["filters"]:
+        if name.startswith("Quality mesh"):
+            path = {folder!r} + "/each" + name.split("*")[1].split()[0].rstrip(")")
+            export(name, path, part)
+            said["written"][name] = os.path.getsize(path) if os.path.exists(path) else 0
     QtCore.QTimer.singleShot(300, lambda: take({folder!r} + "/part.inp"))
     FreeCADGui.runCommand("Std_Import")
     said["imported"] = [(obj.TypeId, [obj.FemMesh.getGroupName(group) for group in obj.FemMesh.Groups]) for obj in document.Objects
@@ -150,6 +156,11 @@ class FileExport(unittest.TestCase):
             self.assertRegex(self.said["report"], words)
         self.assertIn("Pair: 24 triangles", self.said["later"])
         self.assertIn("target not met: 1 pair of bodies overlaps", self.said["later"])
+
+    def test_every_type_writes_a_file(self):
+        written = self.said["written"]
+        self.assertGreater(len(written), 15)
+        self.assertEqual([name for name, size in written.items() if size < 100], [])
 
     def test_freecad_asks_which_of_two_readers_is_meant(self):
         self.assertEqual(len(self.said["choice"]), 2)

@@ -13,7 +13,7 @@ from PySide import QtCore, QtGui
 
 import MeshQuality as mq
 from MeshQuality.features import mesh_object
-from MeshQuality.gui import background_recompute, commands, jobs
+from MeshQuality.gui import background_recompute, commands, jobs, quantities
 from MeshQuality.gui.panels.mesh_panel import MeshPanel
 
 TOLERANCE = 0.05
@@ -37,6 +37,17 @@ class SolidCommands(gui_helpers.PanelTest):
 
 
 class Offset(SolidCommands):
+    def test_the_panel_says_what_the_result_is_asked_to_keep(self):
+        for command, name, lengths in ((commands.Offset, "distance", (-2.0, 0.05, 3.0)), (commands.Hollow, "thickness", (0.5, 2.0))):
+            for length in lengths:
+                panel = self.panel(command, self.cube)
+                panel.options.set_values({name: length})
+                gui_helpers.wait()
+                told = panel.estimate.text()
+                self.finish(panel)
+                asked = self.document.ActiveObject.AskedTolerance.Value
+                self.assertEqual(told, f"Keeps within {quantities.length_text(asked)} of the exact result.")
+
     def test_from_the_selection_to_the_mesh_inward(self):
         panel = self.panel(commands.Offset, self.cube)
         gui_helpers.typed(panel.options.field("distance"), "-2 mm")

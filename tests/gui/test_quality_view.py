@@ -343,7 +343,7 @@ class QualityView(gui_helpers.GuiTest):
                 self.assertGreater(float(worst), 0.0)
                 self.assertIn(f"worst {worst} {unit}", panel.summary.text())
                 self.assertTrue(panel.worst.item(0).text().startswith(f"{worst} {unit}: element"))
-                self.assertEqual(panel.faces.horizontalHeaderItem(3).text(), f"Mean [{unit}]")
+                self.assertEqual(panel.faces.horizontalHeaderItem(3).text(), f"Mean\n[{unit}]")
                 self.assertEqual(panel.faces.item(0, 2).text(), f"{panel.values.max() / factor:.3g}")
                 self.assertIn(f"more than the requested {0.05 / factor:.4g} {unit}", panel.meaning.text())
                 self.assertIn(unit, panel.histogram.words(0))
@@ -506,8 +506,16 @@ class QualityView(gui_helpers.GuiTest):
                 texts = [table.item(row, column).text() for row in range(table.rowCount())]
                 for text in texts:
                     self.assertLessEqual(table.fontMetrics().horizontalAdvance(text), width - 4, text)
-                header = table.horizontalHeaderItem(column).text()
-                self.assertLessEqual(table.fontMetrics().horizontalAdvance(header), width - 4, header)
+                for line in table.horizontalHeaderItem(column).text().splitlines():
+                    self.assertLessEqual(table.fontMetrics().horizontalAdvance(line), width - 4, line)
+
+    def test_one_list_is_seen_at_a_time(self):
+        panel = self.open(self.meshed(Part.makeCylinder(5, 20)))
+        for i, seen in ((0, panel.worst), (1, panel.faces)):
+            panel.tabs.setCurrentIndex(i)
+            for measure in panel.data.measures[:2]:
+                self.choose(panel, measure)
+                self.assertEqual([page for page in (panel.worst, panel.faces) if page.isVisible()], [seen])
 
     def test_object_or_document_deleted_meanwhile(self):
         panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))

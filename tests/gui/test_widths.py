@@ -1,19 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Widths of panels: no word and no number is cut off in the task view as wide as it is at first, in English and German."""
 
+import importlib.util
 from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
 import gui_helpers
-from PySide import QtGui
+import numpy as np
+from PySide import QtCore, QtGui
 
 import MeshQuality as mq
 from MeshQuality.gui import commands
 from MeshQuality.gui.panels import case_panel, export_panel, patches_panel, quality_panel, solid_panel
 
-_ARROW = 20  # pixels that a box with choices or a spin box takes beside its text, at least
+_CURSOR = 2  # pixels that a field for text has for its cursor
 _WINDOW = (1366, 768)
+HAS_FEM = importlib.util.find_spec("Fem") is not None
 
 
 def cut_texts(widget):
@@ -31,16 +34,20 @@ def cut_texts(widget):
             found.append(("columns", part.horizontalHeader().length(), part.viewport().width()))
             for column in range(part.columnCount()):
                 text = part.horizontalHeaderItem(column).text()
-                found.append((text, part.fontMetrics().horizontalAdvance(text) + 4, part.columnWidth(column)))
+                found += [(line, part.fontMetrics().horizontalAdvance(line) + 4, part.columnWidth(column)) for line in text.splitlines()]
         if isinstance(part, QtGui.QTabBar):
             found.append((" ".join(part.tabText(i) for i in range(part.count())), part.sizeHint().width(), part.width()))
         if isinstance(part, QtGui.QAbstractButton) and part.text() and part.maximumWidth() > part.width():  # no field's own
             found.append((part.text(), part.minimumSizeHint().width(), part.width()))
             continue
         if isinstance(part, QtGui.QAbstractSpinBox):
-            text, beside = part.text(), _ARROW
+            found.append((part.text(), part.fontMetrics().horizontalAdvance(part.text()), part.findChild(QtGui.QLineEdit).width() - _CURSOR))
+            continue
         elif isinstance(part, QtGui.QComboBox):
-            text, beside = part.currentText(), _ARROW
+            texts = [part.currentText()] if part.maximumWidth() == part.width() else \
+                map(part.itemText, range(part.count()))  # else it becomes as wide as what is chosen
+            found += [(text, part.fontMetrics().horizontalAdvance(text), room_of(part)) for text in texts]
+            continue
         elif isinstance(part, QtGui.QLineEdit) and not isinstance(part.parentWidget(), QtGui.QAbstractSpinBox):
             text, beside = part.text() or part.placeholderText(), 8
         elif isinstance(part, QtGui.QGroupBox):
@@ -48,6 +55,13 @@ def cut_texts(widget):
         if text:
             found.append((text, part.fontMetrics().horizontalAdvance(text) + beside, part.width()))
     return [row for row in found if row[1] > row[2]]
+
+
+def room_of(box):
+    """Pixels that a box with choices has for text, beside its frame and its arrow."""
+    option = QtGui.QStyleOptionComboBox()
+    box.initStyleOption(option)
+    return box.style().subControlRect(QtGui.QStyle.CC_ComboBox, option, QtGui.QStyle.SC_ComboBoxEditField, box).width()
 
 
 SHEETS = [Path(FreeCAD.getResourceDir(), "Gui", "Stylesheets", "Dark-blue.qss"),
@@ -107,8 +121,12 @@ class Widths(gui_helpers.PanelTest):
                     self.check(panel, f"width_{language}_{kind.__name__}")
                 finally:
                     panel.reject()
-        panel = quality_panel.open_panel(net)
-        self.addCleanup(lambda: panel.ended or panel.reject())
+        meshes = [net, mq.add_curved_mesh(sources[0])] + ([mq.add_fem_mesh(sources[0])] if HAS_FEM else [])
+        for mesh in meshes:
+            self.all_measures(mesh, language)
+
+    def all_measures(self, mesh, language):
+        panel = quality_panel.open_panel(mesh)
         self.until(lambda: panel.values is not None)
         panel.section.on.setChecked(True)
         for i in range(panel.measures.count()):
@@ -117,8 +135,9 @@ class Widths(gui_helpers.PanelTest):
             for tab in range(panel.tabs.count()):
                 panel.tabs.setCurrentIndex(tab)
                 gui_helpers.wait()
-                with self.subTest(measure=panel.measure.title, tab=tab):
+                with self.subTest(mesh.Label, measure=panel.measure.title, tab=tab):
                     self.check(panel, f"width_{language}_quality")
+        panel.reject()
 
     def test_nothing_is_cut_off_in_english(self):
         self.everywhere("English")
@@ -133,9 +152,25 @@ class Widths(gui_helpers.PanelTest):
         panel = self.panel(commands.Triangulate, self.box())
         choice, = (box for box in panel.form.findChildren(QtGui.QComboBox) if box.findText("Relativ") >= 0)
         panel.form.grab().save(f"{gui_helpers.PICTURES}/width_German_dark.png")
-        self.assertGreaterEqual(choice.width() - choice.fontMetrics().horizontalAdvance("Relativ"),
-                                choice.sizeHint().width() - max(choice.fontMetrics().horizontalAdvance(choice.itemText(i))
-                                                                for i in range(choice.count())))
+        for i in range(choice.count()):
+            choice.setCurrentIndex(i)
+            gui_helpers.wait()
+            self.assertGreaterEqual(room_of(choice), choice.fontMetrics().horizontalAdvance(choice.currentText()))
+        panel.reject()
+
+    def test_lists_of_choices_are_as_dark_as_their_boxes_in_a_dark_theme(self):
+        self.in_dark_theme()
+        panel = self.panel(commands.Triangulate, self.box())
+        gui_helpers.unfold(panel)
+        boxes = [box for box in panel.form.findChildren(QtGui.QComboBox) if box.isVisible() and box.count() > 1]
+        self.assertGreater(len(boxes), 2)
+        for box in boxes:
+            box.showPopup()
+            gui_helpers.wait(0.2)
+            place = QtCore.QRect(box.view().mapToGlobal(QtCore.QPoint(0, 0)), box.view().size())
+            pixels = gui_helpers.pixels_of(gui_helpers.screen().copy(place))  # a widget alone has nothing behind it
+            box.hidePopup()
+            self.assertLess(np.median(pixels), 128, box.currentText())
         panel.reject()
 
     def test_nothing_is_cut_off_in_a_dark_theme(self):

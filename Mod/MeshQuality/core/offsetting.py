@@ -49,6 +49,22 @@ def offset(source, distance, tolerance=None, progress=None, threads=0):
     return run_offset(Operands([source]), values, progress)
 
 
+def tolerance_of_offset(operands):
+    """A function of options: the tolerance in mm that an offset of these Operands keeps."""
+    size = operands.size()
+
+    def kept(values):
+        distance = values["distance"] or 0.0
+        return values["tolerance"] or min(1e-3 * (size + 2.0 * max(distance, 0.0)), 0.1 * abs(distance))
+
+    return kept
+
+
+def tolerance_of_hollow(values):
+    """The tolerance in mm that hollowing keeps by its options."""
+    return values["tolerance"] or (values["thickness"] or 0.0) / 40.0
+
+
 def run_offset(operands, values, progress=None):
     """The OffsetMesh of a single operand that was read (Operands), with checked options."""
     return OffsetMesh(operands.given_to(lambda core: extension().offset_shape(

@@ -7,7 +7,7 @@ import numpy as np
 from .. import options, phrases
 from ..compat import property_of
 from ..core.certify import verdict
-from ..core.offsetting import run_hollow
+from ..core.offsetting import run_hollow, tolerance_of_hollow
 from ..core.sources import convert
 from ..errors import InvalidInput
 from . import offset, transactions
@@ -35,6 +35,11 @@ class HollowObject(offset.SolidMesh):
     OPTIONS = options.offset.HOLLOW_OBJECT
     MEASURED = (*offset.SolidMesh.MEASURED, *_OF_HOLLOW)
     HIDDEN = (*offset.SolidMesh.HIDDEN, _FACES)
+
+    @classmethod
+    def kept_length(cls, sources):
+        """A function from options to the tolerance."""
+        return tolerance_of_hollow
 
     @classmethod
     def given_of(cls, source, values, obj):

@@ -6,10 +6,10 @@ from functools import partial
 
 from .. import options, phrases
 from ..core.certify import verdict
-from ..core.offsetting import run_offset
+from ..core.offsetting import run_offset, tolerance_of_offset
 from ..core.operands.operands import Operands
 from ..core.sources import convert
-from ..errors import InvalidInput
+from ..errors import Error, InvalidInput
 from . import mesh_object, properties, transactions
 from .recompute_work import Work
 
@@ -92,6 +92,14 @@ class OffsetObject(SolidMesh):
     COMMAND, CALL = "MeshQuality_Offset", "add_offset"
     SOURCE, NEEDS = "The object whose solid is offset", "a shape or a mesh"
     OPTIONS = options.offset.OFFSET_OBJECT
+
+    @classmethod
+    def kept_length(cls, sources):
+        """A function from options to the tolerance."""
+        try:
+            return tolerance_of_offset(Operands(sources))
+        except Error:
+            return None
 
     @classmethod
     def compute(cls, given, values, progress):

@@ -26,7 +26,8 @@ from .panels.mesh_panel import MeshPanel
 from .panels.patches_panel import PatchesPanel
 from .panels.repair_panel import RepairPanel
 from .panels.solid_panel import SolidPanel
-from .selection import picked_faces
+from .quantities import text_of
+from .selection import picked_faces, select
 from .translation import translated
 from .triangle_estimate import FemTrial, FlowTrial, Trial
 from .update import update_in_background
@@ -425,6 +426,11 @@ class CfdSurface(_OfOneMesh):
             FreeCADGui.doCommand(f"mq.add_cfd_surface({name_of(self.selected()[0])})")
         except Error as error:
             FreeCAD.Console.PrintError(f"{translated(error)}\n")
+            return
+        obj = FreeCAD.ActiveDocument.ActiveObject
+        select([obj])
+        told = FreeCAD.Qt.translate("MeshQuality", "{0}: {1}; a point inside, for snappyHexMesh: {2}")
+        FreeCAD.Console.PrintMessage(told.format(obj.Label, ", ".join(obj.Patches), ", ".join(map(text_of, obj.PointInside))) + "\n")
 
 
 class Patches(_OfOneMesh):

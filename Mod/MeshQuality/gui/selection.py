@@ -38,9 +38,14 @@ def follow(sources, results):
     """Selects what was made of sources in their place, unless something else has been selected meanwhile."""
     chosen = [source for selected in FreeCADGui.Selection.getSelectionEx("", 0) for source, _ in frames.paths_of_selection(selected)]
     if all(source in sources for source in chosen):
-        FreeCADGui.Selection.clearSelection()
-        for obj in results:
-            FreeCADGui.Selection.addSelection(obj)
+        select(results)
+
+
+def select(objects):
+    """Selects objects, and nothing else."""
+    FreeCADGui.Selection.clearSelection()
+    for obj in objects:
+        FreeCADGui.Selection.addSelection(obj)
 
 
 def _below(source, root, path):

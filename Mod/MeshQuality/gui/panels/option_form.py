@@ -15,7 +15,7 @@ from ..selection import picked
 from ..translation import translated
 from .folding import fold_button
 from .size_fields_box import SizeFieldsBox
-from .task_form import narrow
+from .task_form import keep_choices, narrow
 
 translate = FreeCAD.Qt.translate
 
@@ -296,7 +296,7 @@ class _Choice(_Field):
         box = QtGui.QComboBox()
         for choice, title in zip(option.choices, option.choice_titles):
             box.addItem(translate("MeshQuality", title), choice)
-        _keep_wide(box, max(box.fontMetrics().horizontalAdvance(box.itemText(i)) for i in range(box.count())) + _ARROW // 2)
+        keep_choices(box)
         super().__init__(option, box)
         box.currentIndexChanged.connect(self._changed)
 

@@ -29,7 +29,7 @@ from .mesh_panel import title_of
 from .range_box import RangeBox
 from .saving_box import SavingBox
 from .section_box import SectionBox
-from .task_form import Form, Message, Table, narrow
+from .task_form import Form, Message, Table, keep_choices, narrow
 
 translate = FreeCAD.Qt.translate
 
@@ -110,13 +110,11 @@ class QualityPanel:
         self.section = SectionBox(lambda: SectionData(self.data))  # its box to check stands beside that of the edges
         for measure in self.data.measures:
             self.measures.addItem(translate("MeshQuality", measure.title))
+        keep_choices(self.measures)
         for label in (of, self.meaning, self.summary, self.hint):
             label.setWordWrap(True)
         self.worst.setWordWrap(True)
         self.worst.setAlternatingRowColors(True)
-        # The panel may be 260 pixels wide.
-        self.measures.setSizeAdjustPolicy(
-            QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self._lay_out_faces()
         self.tabs = QtGui.QTabWidget()
         self.tabs.setMaximumHeight(_LISTS)
@@ -223,8 +221,10 @@ class QualityPanel:
         self._show_numbers(False)
 
     def _show_numbers(self, shown):
-        for widget in (self.histogram, self.range, self.hint, self.worst, self.faces, self.section.on, self.saving):
+        for widget in (self.histogram, self.range, self.hint, self.section.on, self.saving):
             widget.setVisible(shown)
+        for page in (self.worst, self.faces):  # one that is behind another would be drawn beside it
+            page.setVisible(shown and page is self.tabs.currentWidget())
         self.section.setVisible(shown and self.section.on.isChecked())
 
     def _tell(self, job):
@@ -335,7 +335,7 @@ class QualityPanel:
         unit = self.scale.unit.strip()
         self.tabs.setTabText(1, translate("MeshQuality", "Patches") if self.data.patches else translate("MeshQuality", "Faces"))
         mean = translate("MeshQuality", "Mean")
-        self.faces.horizontalHeaderItem(3).setText(f"{mean} [{unit}]" if unit else mean)
+        self.faces.horizontalHeaderItem(3).setText(f"{mean}\n[{unit}]" if unit else mean)
         self.faces.blockSignals(True)
         self.faces.setRowCount(len(faces))
         for i, row in enumerate(faces):

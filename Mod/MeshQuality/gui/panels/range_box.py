@@ -8,7 +8,7 @@ from .task_form import narrow
 
 translate = FreeCAD.Qt.translate
 
-_NUMBER = 60  # least width of a number, pixels
+_NUMBER = 58  # least width of a number, pixels
 
 _DIGITS = 3
 
@@ -29,7 +29,7 @@ class RangeBox(QtGui.QWidget):
         self.reset.clicked.connect(lambda: self.chosen.emit(None))
         row = QtGui.QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(3)
+        row.setSpacing(2)
         for widget in (QtGui.QLabel(translate("MeshQuality", "Range")), self.low, QtGui.QLabel("–"), self.high, self.unit, self.reset):
             row.addWidget(widget)
         for field, words in ((self.low, translate("MeshQuality", "Colours begin at this value")),

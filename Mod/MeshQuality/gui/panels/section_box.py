@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 
 from ...core.inspect.section import Plane
 from ..quantities import QuantityBox
-from .task_form import narrow
+from .task_form import keep_choices, narrow
 
 translate = FreeCAD.Qt.translate
 
@@ -49,6 +49,7 @@ class SectionBox(QtGui.QWidget):
         self.whole.setToolTip(translate("MeshQuality", "Leave elements whole: those whose middle is not cut off"))
         for text in ("X", "Y", "Z", translate("MeshQuality", "Picked")):
             self.direction.addItem(text)
+        keep_choices(self.direction)
         self.direction.model().item(_FACE).setEnabled(False)
         self.direction.setToolTip(translate("MeshQuality", "Direction across which the mesh is cut"))
         self.flip.setText(translate("MeshQuality", "Flip"))
@@ -58,21 +59,18 @@ class SectionBox(QtGui.QWidget):
         self.pick.setCheckable(True)
         self.slider.setRange(0, _STEPS)
         self.offset.setToolTip(translate("MeshQuality", "Where the plane is: its coordinate, or its distance from the picked place"))
-        self.direction.setMinimumWidth(50)
         self.offset.setMinimumWidth(self.offset.sizeHint().width())
         for button in (self.flip, self.pick):
             narrow(button, "padding: 2px 4px; margin: 0px")
-        rows = [QtGui.QHBoxLayout(), QtGui.QHBoxLayout()]
-        for row, widgets in zip(rows, ((self.direction, self.pick, self.flip), (self.slider, self.offset))):
-            row.setSpacing(3)
-            for widget in widgets:
-                row.addWidget(widget, 1 if widget in (self.direction, self.slider) else 0)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(3)
-        for row in rows:
+        for widgets in ((self.direction, self.pick), (self.slider, self.offset), (self.whole, self.flip)):
+            row = QtGui.QHBoxLayout()
+            row.setSpacing(3)
+            for i, widget in enumerate(widgets):
+                row.addWidget(widget, 1 - i)
             layout.addLayout(row)
-        layout.addWidget(self.whole)
 
     @property
     def plane(self):

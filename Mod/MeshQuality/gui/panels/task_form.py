@@ -6,6 +6,7 @@ from PySide import QtCore, QtGui
 
 _ERROR = "border: 1px solid #cc0000; padding: 4px"
 _MARGIN = 20  # pixels that FreeCAD's task view has below a form, and some more
+_ARROW = 21  # pixels that the arrow of a box with choices takes from its text
 _LINES = 4  # of text that a part must have room for to scroll by itself
 
 
@@ -28,11 +29,19 @@ class Message(QtGui.QLabel):
 
 
 def narrow(widget, rules):
-    """Takes room from a widget to which a style sheet of the whole window, as FreeCAD's dark ones, gives more than the task view
-    has at first; without such a sheet nothing is changed.
+    """Gives a widget rules of its own where the whole window has a style sheet, as FreeCAD's dark ones, mostly to take room from it that
+    the task view does not have at first; without such a sheet nothing is changed.
     """
     if QtGui.QApplication.instance().styleSheet():
         widget.setStyleSheet(rules)
+
+
+def keep_choices(box):
+    """Keeps room in a box for the longest of its texts beside its arrow: style sheets give boxes a least width, which counts
+    instead of that of their texts.
+    """
+    longest = max(box.fontMetrics().horizontalAdvance(box.itemText(i)) for i in range(box.count()))
+    narrow(box, f"QComboBox {{ min-width: {longest + _ARROW}px }}")
 
 
 def narrow_buttons(box):
@@ -94,6 +103,9 @@ class Form(QtGui.QWidget):
             for field in self.findChildren(kind):
                 field.setFocusPolicy(QtCore.Qt.StrongFocus)  # not by the wheel
                 field.installEventFilter(self)
+        for box in self.findChildren(QtGui.QComboBox):  # whose list FreeCAD's dark style sheets leave white in task panels, with light text
+            box.ensurePolished()
+            narrow(box.view(), f"background-color: {box.palette().color(QtGui.QPalette.Button).name()}")
         super().showEvent(event)
 
     def eventFilter(self, field, event):
