@@ -344,11 +344,12 @@ TASKS = {
         | {"CGAL": [2.0**(4 - k / 2) for k in range(8)]},
         relative=("MeshLib", "PyMeshLab", "trueform", "CGAL"),
         cgal=("alpha_wrap", lambda job: [job["input"], job["out"], job["setting"], job["distance"]]),
-        said="By 2 % of the largest dimension outward and inward, with a tolerance of 0.1 %; all get the same closed mesh, by MeshQuality at "
-             "25 degrees and 0.02 %, but for OpenCASCADE, which offsets the shape with rounded joins. MeshQuality proves the tolerance. "
-             "MeshLib, PyMeshLab and trueform get the coarsest voxels of a grid in steps of 1.4, from 8 tolerances on, and CGAL's alpha "
-             "wrap, which goes outward only, the largest alpha, from 16 on, whose measured distance is within it: of 8,000 points of the "
-             "result from the given mesh, and of points at the distance from the result, by VTK. Manifold adds a sphere by Minkowski's sum."),
+        said="By 2 % of the largest dimension outward and inward, with a tolerance of 0.1 %. All get the same closed mesh, by "
+             "MeshQuality at 25 degrees and 0.02 %, but for OpenCASCADE, which offsets the shape with rounded joins. MeshQuality "
+             "proves the tolerance. The others get the coarsest setting that keeps it: 8,000 points of the result are measured from "
+             "the given mesh, and points at the distance from the result, by VTK. MeshLib, PyMeshLab and trueform have voxels from 8 "
+             "tolerances on, CGAL's alpha wrap, outward only, alpha from 16 on, in steps of 1.4. Manifold adds a sphere by "
+             "Minkowski's sum."),
     "wrap": Task(
         meshers=("MeshQuality", "CGAL", "PyMeshLab", "MeshLib"),
         columns=(Column("triangles", "triangles", "d"), Column("within the tolerance, % of the area", "near", ".1f", 1),
