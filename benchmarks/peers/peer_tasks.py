@@ -346,8 +346,8 @@ TASKS = {
         cgal=("alpha_wrap", lambda job: [job["input"], job["out"], job["setting"], job["distance"]]),
         said="By 2 % of the largest dimension outward and inward, with a tolerance of 0.1 %. All get the same closed mesh, by "
              "MeshQuality at 25 degrees and 0.02 %, but for OpenCASCADE, which offsets the shape with rounded joins. MeshQuality "
-             "proves the tolerance. The others get the coarsest setting that keeps it: 8,000 points of the result are measured "
-             "from the given one, and points at the distance from it, by VTK. MeshLib, PyMeshLab and trueform have voxels from 8 "
+             "proves the tolerance. The others get the coarsest setting that keeps it: VTK measures 8,000 points of the result from "
+             "the given mesh, and points at the distance from the result. MeshLib, PyMeshLab and trueform have voxels from 8 "
              "tolerances on, CGAL's alpha wrap, outward only, alpha from 16 on, in steps of 1.4. Manifold adds a sphere by "
              "Minkowski's sum."),
     "wrap": Task(
