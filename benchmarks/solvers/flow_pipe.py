@@ -27,6 +27,8 @@ RADIUS, LENGTH = 5.0, 40.0  # mm
 MEAN = 0.1  # m/s
 GROWTH = float(os.environ.get("GROWTH", 0.3))
 HALF = (0.5, 0.9)  # of the length, where the gradient of the pressure is measured
+
+
 def parabola(squared):
     """m/s, for the square of the distance from the axis in mm^2."""
     return np.maximum(2.0 * MEAN * (1.0 - squared / RADIUS**2), 0.0)
@@ -34,8 +36,9 @@ def parabola(squared):
 
 def measured(mesh):
     """{what: value} of a run to its end."""
-    velocity = np.zeros((len(laminar.centres_of_inlet(mesh)), 3))
-    velocity[:, 2] = parabola((laminar.centres_of_inlet(mesh)[:, :2] ** 2).sum(axis=1))
+    at_inlet = laminar.centres_of_inlet(mesh)
+    velocity = np.zeros_like(at_inlet)
+    velocity[:, 2] = parabola((at_inlet[:, :2] ** 2).sum(axis=1))
     run, centres = laminar.solved(mesh, velocity), laminar.centres_of_cells(mesh)
     off = run["velocity"][:, 2] - parabola((centres[:, :2] ** 2).sum(axis=1))
     along = centres[:, 2] / LENGTH

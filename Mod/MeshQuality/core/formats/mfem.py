@@ -14,7 +14,7 @@ TYPES = frozenset((kind, count) for kind, counts in {
     "tetrahedron": (4, 10), "pyramid": (5, 13, 14), "prism": (6, 15, 18), "hexahedron": (8, 20, 27)}.items() for count in counts)
 # Edges and quadrilaterals of elements as MFEM goes through them (fem/geom.cpp).
 _EDGES = {
-    "tetrahedron": ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)),
+    "tetrahedron": skeleton.EDGES["tetrahedron"],
     "pyramid": ((0, 1), (1, 2), (3, 2), (0, 3), (0, 4), (1, 4), (2, 4), (3, 4)),
     "prism": ((0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5)),
     "hexahedron": ((0, 1), (1, 2), (3, 2), (0, 3), (4, 5), (5, 6), (7, 6), (4, 7), (0, 4), (1, 5), (2, 6), (3, 7)),
@@ -39,8 +39,8 @@ def write(mesh, path, patches, solids, scale):
     corners = int(elements[:, :4 if volume else 3].max()) + 1
     with open(path, "w", encoding="utf-8") as file:
         file.write(f"MFEM mesh v1.0\n\n{_names(mesh, patches, solids)}\ndimension\n{3 if volume else 2}\n")
-        _write_elements(file, "elements", kind, elements, attributes)
-        _write_elements(file, "boundary", "triangle" if volume else "line", *rim)
+        _write_elements(file, "elements", [(kind, elements, attributes)])
+        _write_elements(file, "boundary", [("triangle" if volume else "line", *rim)])
         file.write(f"\nvertices\n{corners}\n")
         if order == 1:
             file.write("3\n")
@@ -61,6 +61,7 @@ def write_elements(mesh, path, scale):
     """
     blocks = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] == 3]
     known = all((block.geometry >= 0).all() for block in blocks)
+    rest = len(mesh.groups)  # attribute, from 0, of what is in no group
     points, volumes = completed(mesh.nodes * scale, [(block.kind, block.nodes) for block in blocks])
     corners = [nodes[:, :kinds.CORNERS[kind]] for kind, nodes in volumes]
     used = np.unique(np.concatenate([rows.ravel() for rows in corners]))
@@ -69,11 +70,13 @@ def write_elements(mesh, path, scale):
     faces = faces_of_groups(mesh)
     names = list(dict.fromkeys(name for name, _ in faces))
     with open(path, "w", encoding="utf-8") as file:
-        file.write("MFEM mesh v1.0\n\n" + "".join(f"# boundary attribute {i + 1}: {name}\n" for i, name in enumerate(names)) + "\ndimension\n3\n")
-        _write_rows_of(file, "elements", [(kind, number[rows], block.geometry if known else block.group)
-                                          for (kind, _), rows, block in zip(volumes, corners, blocks)])
-        _write_rows_of(file, "boundary", [("triangle" if rows.shape[1] == 3 else "quadrilateral", number[rows],
-                                           np.full(len(rows), names.index(name))) for name, rows in faces])
+        named = [] if known else [f"# attribute {i + 1}: {name}\n" for i, name in enumerate(mesh.groups) if any((block.group == i).any() for block in blocks)]
+        named += [f"# boundary attribute {i + 1}: {name}\n" for i, name in enumerate(names)]
+        file.write("MFEM mesh v1.0\n\n" + "".join(named) + "\ndimension\n3\n")
+        _write_elements(file, "elements", [(kind, number[rows], block.geometry if known else np.where(block.group < 0, rest, block.group))
+                                           for (kind, _), rows, block in zip(volumes, corners, blocks)])
+        _write_elements(file, "boundary", [("triangle" if rows.shape[1] == 3 else "quadrilateral", number[rows],
+                                            np.full(len(rows), names.index(name))) for name, rows in faces])
         file.write(f"\nvertices\n{len(used)}\n")
         if all(block.order == 1 for block in blocks):
             file.write("3\n")
@@ -88,11 +91,11 @@ def write_elements(mesh, path, scale):
         _write_rows(file, points[np.concatenate([np.zeros(0, dtype=np.int64), *(nodes[:, -1] for kind, nodes in volumes if kind == "hexahedron")])])
 
 
-def _write_rows_of(file, title, parts):
-    """A list of elements, [(kind, corners, attributes from 0), ...]; what is in no group gets attribute 1 with those of the first."""
-    file.write(f"\n{title}\n{sum(len(corners) for _, corners, _ in parts)}\n")
-    for kind, corners, attributes in parts:
-        rows = np.column_stack([np.maximum(attributes, 0) + 1, np.full(len(corners), _TYPES[kind]), corners])
+def _write_elements(file, title, parts):
+    """A list of elements, [(kind, their nodes, attributes from 0), ...]."""
+    file.write(f"\n{title}\n{sum(len(elements) for _, elements, _ in parts)}\n")
+    for kind, elements, attributes in parts:
+        rows = np.column_stack([attributes + 1, np.full(len(elements), _TYPES[kind]), elements[:, :kinds.CORNERS[kind]]])
         file.writelines(" ".join(map(str, row)) + "\n" for row in rows.tolist())
 
 
@@ -132,13 +135,6 @@ def _outer_edges(mesh, edges):
     keys = np.sort(given[:, :2].astype(np.int64), axis=1) @ [size, 1]
     known = np.isin(keys, outer.astype(np.int64) @ [size, 1])
     return given[known], mesh.edge_entity[known]
-
-
-def _write_elements(file, title, kind, elements, attributes):
-    file.write(f"\n{title}\n{len(elements)}\n")
-    corners = {"line": 2, "triangle": 3, "tetrahedron": 4}[kind]
-    rows = np.column_stack([attributes + 1, np.full(len(elements), _TYPES[kind]), elements[:, :corners]])
-    file.writelines(" ".join(map(str, row)) + "\n" for row in rows.tolist())
 
 
 def _write_rows(file, points):

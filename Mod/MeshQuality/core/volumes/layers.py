@@ -17,7 +17,7 @@ LEAST = 0.2  # share of the heights that were asked for below which there are no
 _OF_GAP = 0.4  # most of a gap that layers on one side of it take
 _SLOPE = 0.5  # most by which the heights of two vertices differ, for each mm of the edge between them
 _LOWER = 0.75  # factor by which heights are lowered where elements are invalid
-_SHORT = 4.0  # mm by which a vertex moves for each mm of height: longer columns, at knife edges, get shorter before they get lower
+_SHORT = 4.0  # mm by which a vertex moves for each mm of height: columns are longer only at knife edges, where faces are too skew else
 _MOST_SKEW = 3.9  # skewness of faces between elements; checkMesh accepts 4
 _ROUNDS = 60
 _LEAST_SHRINK = 0.05  # share of its area that a triangle keeps, at least, where layers end
@@ -90,7 +90,8 @@ def layers_of(surface, marching, heights, gap, check=lambda: None):
     on_walls[walls] = True
     alive = on_walls & (marching.visible > 0.02)
     reach = np.linalg.norm(marching.direction, axis=1)
-    stretch = np.ones(len(share))
+    length = np.minimum(reach, _SHORT)  # of the columns, for each mm of height
+    growing = reach > _SHORT
     valid = None
     for _ in range(_ROUNDS):
         check()
@@ -100,7 +101,7 @@ def layers_of(surface, marching, heights, gap, check=lambda: None):
         alive[surface.triangles[covered]] = True
         share[on_walls & ~alive] = 0.0
         share = _sloped(share, edges, lengths, total)
-        moved = marching.displacements(total * share * stretch, edges, lengths, on_walls & ~alive, check)
+        moved = marching.displacements(total * share * length / np.where(reach > 0.0, reach, 1.0), edges, lengths, on_walls & ~alive, check)
         check()
         made = _assembled(surface, alive, moved, np.cumsum(heights) / total, share)
         bad = _bad_vertices(surface, made, check)
@@ -109,11 +110,14 @@ def layers_of(surface, marching, heights, gap, check=lambda: None):
             skew = _skew_vertices(surface, made, check) & alive
             if not skew.any():
                 break
-            share[skew] = 0.0
+            if (skew & growing).any():
+                length, growing = np.where(skew & growing, reach, length), growing & ~skew
+            else:
+                share[skew] = 0.0
             continue
         near = bad if (bad & alive).any() else _on_same_faces(surface, bad) & alive  # as far as the nearest wall
-        long = near & (stretch * reach > _SHORT)
-        stretch[long] = np.maximum(_LOWER * stretch[long], _SHORT / reach[long])
+        long = near & (length > _SHORT)
+        length[long] = np.maximum(_LOWER * length[long], _SHORT)
         share[near & ~long] *= _LOWER
     return valid
 
