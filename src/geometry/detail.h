@@ -5,6 +5,9 @@
 
 namespace mq::geometry {
 
+/// The detail (Topology::detail), where nothing else is said, as a fraction of the distance or the edges asked for.
+constexpr double kDetailOfWhatIsAsked = 0.1;
+
 /// Bounds on the corners that remain after details (Topology::detail) are contracted.
 struct DetailCorners {
     /// Radians: least angle between the edges or faces that meet once a detail is contracted. Above the bounds that are

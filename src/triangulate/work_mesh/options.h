@@ -8,6 +8,7 @@
 
 #include "base/sizes/size_field.h"
 #include "base/vec.h"
+#include "geometry/detail.h"
 #include "geometry/evaluation.h"
 #include "geometry/topology.h"
 #include "triangulate/work_mesh/size_bounds.h"
@@ -106,7 +107,7 @@ struct TriangulateOptions {
     double detail = 0.0;
     /// Largest length of a detail, as a fraction of the shape's size, and of the requested tolerance or edge lengths.
     static constexpr double kLargestDetail = 1e-4;
-    static constexpr double kDetailOfWhatIsAsked = 0.1;
+    static constexpr double kDetailOfWhatIsAsked = geometry::kDetailOfWhatIsAsked;
     /// The length below which edges and faces of a shape of this box show neither at the requested tolerance nor at the
     /// requested sizes, mm.
     double detail_of(const Box& box) const;

@@ -95,8 +95,7 @@ class NarrowCorners : EdgeJoining {
     void rename() { rename_nodes(); }
 
   private:
-    static constexpr double kWithin = 2.0;            // details: the largest distance of edges that are joined
-    static constexpr double kDetailOfDistance = 0.1;  // that is asked for; the detail by itself
+    static constexpr double kWithin = 2.0;  // details: the largest distance of edges that are joined
 
     /// The uses on a face that end in a node, and those that begin there.
     struct Ends {
@@ -122,7 +121,7 @@ class NarrowCorners : EdgeJoining {
         constexpr int kMaxHalvings = 20;
         const int corner = edge(edge_of(use)).nodes[use_of(use).forward == from_end ? 1 : 0];
         const Vec3& start = topology_.nodes[static_cast<std::size_t>(corner)].point;
-        const double asked = topology_.detail / kDetailOfDistance;
+        const double asked = topology_.detail / kDetailOfWhatIsAsked;
         double piece = length(edge_of(use));
         for (int n = 0; n < kMaxHalvings; ++n) {
             const Answer middle = point_at(use, from_end, 0.5 * piece);
