@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "mesh/intersection/nearest_tree.h"
+#include "mesh/proof/distance_bounds.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::wrap {
@@ -19,20 +19,14 @@ struct FirstMeeting {
 /// The triangles to be wrapped, in any order and orientation, and the queries that the wrap makes. Triangles are closed
 /// sets: a segment that touches an edge or a vertex meets them, so that none passes between neighbours. Queries are
 /// exact.
-class InputSurface {
+class InputSurface : public mesh::SearchedSurface {
   public:
-    /// Both lists must outlive this object.
-    InputSurface(const std::vector<Vec3>& its_points, const std::vector<mesh::Triangle>& its_triangles)
-        : points(its_points), triangles(its_triangles), tree(its_points, its_triangles) {}
+    using SearchedSurface::SearchedSurface;
 
     bool meets(const Vec3& from, const Vec3& to) const;
     FirstMeeting first_meeting(const Vec3& from, const Vec3& to) const;
     /// The normal of length 1; zero for a triangle without area.
     Vec3 normal(std::int32_t triangle) const;
-
-    const std::vector<Vec3>& points;
-    const std::vector<mesh::Triangle>& triangles;
-    const mesh::NearestTree tree;
 };
 
 }  // namespace mq::wrap

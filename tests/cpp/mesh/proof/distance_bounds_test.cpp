@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "offset/proof/distance_bounds.h"
+#include "mesh/proof/distance_bounds.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "boolean/closed_solids.h"
 
-namespace mq::offset {
+namespace mq::mesh {
 
 namespace solids = boolean::solids;
 namespace {
@@ -129,4 +129,4 @@ TEST(OffsetError, WitnessesProveByThemselvesThatATriangleIsNear) {
 }
 
 }  // namespace
-}  // namespace mq::offset
+}  // namespace mq::mesh
