@@ -6,17 +6,18 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
 
+#include "contour/corner_lists.h"
 #include "contour/quadric.h"
 #include "contour/triangle_grid.h"
 #include "contour/tuning.h"
 #include "mesh/intersection/embedded_star.h"
 #include "mesh/intersection/triangle_contact.h"
 #include "mesh/intersection/triangle_distance.h"
-#include "mesh/simplex_stars.h"
 
 namespace mq::contour {
 
@@ -24,13 +25,13 @@ namespace {
 
 using mesh::Triangle;
 
-double longest_side(const std::array<Vec3, 3>& c) {
-    return std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+/// The square of the longest side.
+double longest_square(const std::array<Vec3, 3>& c) {
+    return std::max({(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(), (c[0] - c[2]).squaredNorm()});
 }
 
-/// Tangent of the smallest angle.
-double smallest_tangent(const std::array<Vec3, 3>& c) {
-    const double area = (c[1] - c[0]).cross(c[2] - c[0]).norm();
+/// Tangent of the smallest angle. @param area  twice that of the triangle
+double smallest_tangent(const std::array<Vec3, 3>& c, double area) {
     double cosine = 0.0;  // the largest cosine of an angle, times the lengths of its two sides
     for (std::size_t k = 0; k < 3; ++k) {
         cosine = std::max(cosine, (c[(k + 1) % 3] - c[k]).dot(c[(k + 2) % 3] - c[k]));
@@ -38,25 +39,40 @@ double smallest_tangent(const std::array<Vec3, 3>& c) {
     return area / cosine;
 }
 
+Vec3 cross(const std::array<Vec3, 3>& c) {
+    return (c[1] - c[0]).cross(c[2] - c[0]);
+}
+
 bool has(const Triangle& t, std::int32_t v) {
     return t[0] == v || t[1] == v || t[2] == v;
 }
 
-/// An edge in the queue of candidates.
-struct Queued {
-    double cost = 0.0;
+/// An edge of the surface.
+struct Edge {
+    enum class State : std::uint8_t {
+        Waiting,    ///< in the queue
+        Changed,    ///< in the queue; its cost is another one since
+        Tried,      ///< not in the queue: it cannot collapse as the surface is around it
+        Impossible  ///< gone, fixed or too far from planes: that stays so, as the planes of its ends get more
+    };
     std::int32_t a = -1;
     std::int32_t b = -1;
-    std::int32_t age_a = 0;  ///< number of moves of each end when the edge was assessed
-    std::int32_t age_b = 0;
+    double cost = 0.0;  ///< that it has in the queue
+    State state = State::Impossible;
+};
 
-    bool operator<(const Queued& o) const { return std::tie(o.cost, o.a, o.b) < std::tie(cost, a, b); }
+/// An edge in the queue.
+struct Queued {
+    double cost = 0.0;
+    std::int32_t edge = -1;
+
+    bool operator<(const Queued& o) const { return std::tie(o.cost, o.edge) < std::tie(cost, edge); }
 };
 
 /// An edge, and the place to which both of its ends would move.
 struct Candidate {
-    std::int32_t a = -1;
-    std::int32_t b = -1;
+    std::int32_t a = -1;  ///< stays
+    std::int32_t b = -1;  ///< becomes the other one
     Vec3 place = Vec3::Zero();
 
     bool is_end(std::int32_t v) const { return v == a || v == b; }
@@ -75,9 +91,12 @@ class EdgeCollapse {
           progress_(progress),
           from_(from),
           pace_(progress),
-          stars_(surface.points.size()),
-          ages_(surface.points.size()),
+          border_weight_(std::pow(limits.distance / limits.border, 2.0)),
+          corners_(surface.triangles, surface.points.size()),
+          edges_of_(surface.triangles.size()),
           stays_(surface.points.size()),
+          on_border_(surface.points.size()),
+          marks_(surface.points.size()),
           quadrics_(surface.points.size()),
           planes_(surface.triangles.size()),
           seen_(surface.triangles.size()) {
@@ -97,11 +116,16 @@ class EdgeCollapse {
             // Collapses add candidates, so that the work left is unknown: the progress is the fraction of the first
             // queue that is done.
             advance(1.0 - 0.5 * static_cast<double>(queue_.size()) / first);
-            const Queued next = queue_.top();
+            const std::int32_t next = queue_.top().edge;
             queue_.pop();
-            Candidate edge{next.a, next.b};
-            if (next.age_a == ages_[next.a] && next.age_b == ages_[next.b] && keeps_links(edge) && finds_place(edge)) {
-                collapse(edge);
+            if (is_still_first(next)) {
+                Edge& edge = edges_[next];
+                edge.state = Edge::State::Tried;
+                Candidate candidate = candidate_of(edge);
+                if (keeps_links(candidate) && finds_place(candidate)) {
+                    edge.state = Edge::State::Impossible;
+                    collapse(candidate);
+                }
             }
         }
         finish();
@@ -114,62 +138,78 @@ class EdgeCollapse {
     std::array<Vec3, 3> corners(const Triangle& t) const {
         return {surface_.points[t[0]], surface_.points[t[1]], surface_.points[t[2]]};
     }
-    Vec3 normal(const Triangle& t) const {
-        const std::array<Vec3, 3> c = corners(t);
-        return (c[1] - c[0]).cross(c[2] - c[0]).normalized();
-    }
-
     void prepare() {
         double longest = 0.0;
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-            const Triangle& c = surface_.triangles[t];
+            const std::array<Vec3, 3> c = corners(surface_.triangles[t]);
             const std::int32_t plane = surface_.plane[t];
-            planes_[t] = plane >= 0 ? crossings_[plane].normal : normal(c);
-            stars_.add(static_cast<int>(t), c);
-            const Vec3& on = plane >= 0 ? crossings_[plane].on_input : surface_.points[c[0]];
-            for (int k = 0; k < 3; ++k) {
-                quadrics_[c[k]].add_plane(on, planes_[t], 1.0);
-                longest = std::max(longest, (surface_.points[c[k]] - surface_.points[c[(k + 1) % 3]]).norm());
+            planes_[t] = plane >= 0 ? crossings_[plane].normal : Vec3(cross(c).normalized());
+            Quadric of_plane;
+            of_plane.add_plane(plane >= 0 ? crossings_[plane].on_input : c[0], planes_[t], 1.0);
+            for (const std::int32_t v : surface_.triangles[t]) {
+                quadrics_[v].add(of_plane);
             }
+            longest = std::max(longest, longest_square(c));
         }
-        grid_ = TriangleGrid(longest);
+        grid_ = TriangleGrid(std::sqrt(longest));
         for (std::size_t t = 0; limits_.keeps_apart && t < surface_.triangles.size(); ++t) {
             grid_.add(static_cast<std::int32_t>(t), corners(surface_.triangles[t]));
         }
-        for (const Triangle& c : surface_.triangles) {
+        edges_.reserve(surface_.triangles.size() * 3 / 2);
+        for (std::int32_t t = 0; t < static_cast<std::int32_t>(surface_.triangles.size()); ++t) {
             for (int k = 0; k < 3; ++k) {
-                const std::int32_t a = c[k];
-                const std::int32_t b = c[(k + 1) % 3];
-                if (a < b) {
-                    keep_border(a, b);
-                }
+                add_edge(t, k);
             }
         }
+        for (std::size_t v = 0; v < surface_.points.size(); ++v) {
+            find_border_at(static_cast<std::int32_t>(v));
+        }
     }
-
+    /// Numbers an edge of a triangle, after corner k, unless it has its number from the triangle beyond it.
+    void add_edge(std::int32_t t, int k) {
+        const std::int32_t a = surface_.triangles[t][k];
+        const std::int32_t b = surface_.triangles[t][(k + 1) % 3];
+        const std::int32_t beyond = beyond_edge(b, a);
+        if (beyond >= 0 && beyond / 3 < t) {
+            edges_of_[t][k] = edges_of_[beyond / 3][beyond % 3];
+            return;
+        }
+        edges_of_[t][k] = static_cast<std::int32_t>(edges_.size());
+        edges_.push_back({a, b});
+        // A block ends at edges of one triangle, which are fixed.
+        if (beyond >= 0 && surface_.patch[t] != surface_.patch[beyond / 3]) {
+            keep_border(a, b, {t, beyond / 3});
+        }
+    }
+    /// The corner from which an edge runs on from a to b; -1: none.
+    std::int32_t beyond_edge(std::int32_t a, std::int32_t b) const {
+        for (const std::int32_t corner : corners_.at(a)) {
+            if (surface_.triangles[corner / 3][(corner + 1) % 3 == 0 ? 0 : corner % 3 + 1] == b) {
+                return corner;
+            }
+        }
+        return -1;
+    }
+    void find_border_at(std::int32_t v) {
+        on_border_[v] = 0;
+        for (const std::int32_t corner : corners_.at(v)) {
+            on_border_[v] |= static_cast<char>(surface_.patch[corner / 3] != surface_.patch[*corners_.at(v).begin() / 3]);
+        }
+    }
     bool is_border(std::int32_t a, std::int32_t b) const {
-        const std::vector<int> two = stars_.of({a, b}, surface_.triangles);
-        return surface_.patch[two[0]] != surface_.patch[two[1]];
-    }
-    bool on_border(std::int32_t v) const {
-        return std::any_of(stars_[v].begin(), stars_[v].end(),
-                           [&](std::int32_t t) { return surface_.patch[t] != surface_.patch[stars_[v][0]]; });
+        const std::int32_t one = beyond_edge(a, b);
+        const std::int32_t two = beyond_edge(b, a);
+        return one >= 0 && two >= 0 && surface_.patch[one / 3] != surface_.patch[two / 3];
     }
     /// Adds planes along a border edge that are perpendicular to the surface, so that the border does not shift across
     /// it.
-    void keep_border(std::int32_t a, std::int32_t b) {
-        const double weight = std::pow(limits_.distance / limits_.border, 2.0);
-        const std::vector<int> two = stars_.of({a, b}, surface_.triangles);
+    void keep_border(std::int32_t a, std::int32_t b, const std::array<std::int32_t, 2>& triangles) {
         const Vec3 along = surface_.points[b] - surface_.points[a];
-        // A block ends at edges of one triangle, which are fixed.
-        if (two.size() < 2 || surface_.patch[two[0]] == surface_.patch[two[1]] || along.squaredNorm() == 0.0) {
-            return;
-        }
-        for (const std::int32_t t : two) {
+        for (const std::int32_t t : triangles) {
             const Vec3 across = along.cross(planes_[t]);
             if (across.squaredNorm() > 0.0) {
-                quadrics_[a].add_plane(surface_.points[a], across.normalized(), weight);
-                quadrics_[b].add_plane(surface_.points[a], across.normalized(), weight);
+                quadrics_[a].add_plane(surface_.points[a], across.normalized(), border_weight_);
+                quadrics_[b].add_plane(surface_.points[a], across.normalized(), border_weight_);
             }
         }
     }
@@ -177,37 +217,58 @@ class EdgeCollapse {
     void assess_all() {
         double done = 0.0;
         std::vector<Queued> all;
-        for (const Triangle& c : surface_.triangles) {
-            advance(0.5 * done++ / static_cast<double>(surface_.triangles.size()));
-            for (int k = 0; k < 3; ++k) {
-                if (c[k] < c[(k + 1) % 3]) {
-                    assess(c[k], c[(k + 1) % 3], [&](const Queued& edge) { all.push_back(edge); });
-                }
+        for (std::size_t e = 0; e < edges_.size(); ++e) {
+            advance(0.5 * done++ / static_cast<double>(edges_.size()));
+            if (assess(edges_[e])) {
+                all.push_back({edges_[e].cost, static_cast<std::int32_t>(e)});
             }
         }
         queue_ = std::priority_queue<Queued>(std::less<Queued>(), std::move(all));
     }
-
-    /// Adds the edge to the candidates if its ends may be merged in one place.
-    template <typename Add>
-    void assess(std::int32_t a, std::int32_t b, const Add& add) const {
-        if (stays_[b] != 0) {
-            std::swap(a, b);  // after the collapse the vertex has the index of the first end
+    /// Finds the cost of an edge. @return whether its ends may be merged in one place
+    bool assess(Edge& edge) const {
+        edge.state = Edge::State::Impossible;
+        const Candidate candidate = candidate_of(edge);
+        const std::array<int, 2> held{hold(candidate.a), hold(candidate.b)};
+        if (held[1] == 2) {
+            return false;
         }
-        const int hold_a = hold(a);
-        const int hold_b = hold(b);
-        if (stays_[b] != 0 || (hold_a > 0 && hold_b > 0 && !is_border(a, b))) {
-            return;
+        edge.state = Edge::State::Tried;
+        edge.cost = 0.0;
+        if ((held[0] > 0 && held[1] > 0 && !is_border(edge.a, edge.b))) {
+            return false;
         }
-        Quadric both = quadrics_[a];
-        both.add(quadrics_[b]);
-        const double cost = std::max(0.0, both.at(best_place(a, b, {hold_a, hold_b}, both)));
+        Quadric both = quadrics_[candidate.a];
+        both.add(quadrics_[candidate.b]);
+        const double cost = std::max(0.0, both.at(best_place(candidate.a, candidate.b, held, both)));
         // In a plane all costs are nearly 0: there short edges come first.
         constexpr double kByLength = 1e-2;
-        if (cost <= most_) {
-            const double length = (surface_.points[b] - surface_.points[a]).squaredNorm();
-            add({cost + kByLength * length, a, b, ages_[a], ages_[b]});
+        if (cost > most_) {
+            return false;
         }
+        edge.cost = cost + kByLength * (surface_.points[edge.b] - surface_.points[edge.a]).squaredNorm();
+        edge.state = Edge::State::Waiting;
+        return true;
+    }
+    Candidate candidate_of(const Edge& edge) const {
+        const auto [a, b] = std::minmax(edge.a, edge.b);
+        return stays_[b] != 0 ? Candidate{b, a} : Candidate{a, b};
+    }
+    /// Whether an edge from the queue is to be collapsed now. If its cost has changed, it comes again later: costs
+    /// nearly always rise.
+    bool is_still_first(std::int32_t e) {
+        Edge& edge = edges_[e];
+        if (edge.state != Edge::State::Changed) {
+            return edge.state == Edge::State::Waiting;
+        }
+        if (!assess(edge)) {
+            return false;
+        }
+        if (queue_.empty() || !(Queued{edge.cost, e} < queue_.top())) {
+            return true;
+        }
+        queue_.push({edge.cost, e});
+        return false;
     }
     /// The best place for both ends of an edge.
     /// @param held  see hold(), by end
@@ -224,13 +285,36 @@ class EdgeCollapse {
         return (best - place).squaredNorm() <= (q - p).squaredNorm() ? best : to_single(place);
     }
     /// The constraint on a vertex: 2 fixed by a triangle, 1 on a border between patches, 0 none.
-    int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border(v) ? 1 : 0; }
+    int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border_[v] != 0 ? 1 : 0; }
 
-    /// Whether the surface stays 2-manifold, and is more than a tetrahedron.
-    bool keeps_links(const Candidate& edge) const {
+    /// Whether the surface stays 2-manifold, and is more than a tetrahedron: only the vertices beside the edge are joined
+    /// to both of its ends (link condition).
+    bool keeps_links(const Candidate& edge) {
         constexpr std::size_t kOfTetrahedron = 6;  // triangles at both ends
-        return stars_[edge.a].size() + stars_[edge.b].size() > kOfTetrahedron &&
-               stars_.link_condition(edge.a, edge.b, surface_.triangles);
+        const std::uint32_t joined = next_mark_;
+        const std::uint32_t beside = next_mark_ + 1;
+        next_mark_ += 2;
+        std::size_t count = 0;
+        for (const std::int32_t corner : corners_.at(edge.a)) {
+            const Triangle& c = surface_.triangles[corner / 3];
+            ++count;
+            for (const std::int32_t v : c) {
+                if (edge.removes(c) && !edge.is_end(v) && std::exchange(marks_[v], beside) == beside) {
+                    return false;  // two triangles with the same vertices
+                }
+                marks_[v] = std::max(marks_[v], joined);
+            }
+        }
+        for (const std::int32_t corner : corners_.at(edge.b)) {
+            const Triangle& c = surface_.triangles[corner / 3];
+            ++count;
+            for (const std::int32_t v : c) {
+                if (!edge.is_end(v) && marks_[v] == joined) {
+                    return false;
+                }
+            }
+        }
+        return count > kOfTetrahedron;
     }
 
     /// Tries the best place and the places of both ends, and takes the first at which the surface stays sound.
@@ -245,7 +329,7 @@ class EdgeCollapse {
             // fixed.
             const bool leaves = k == 0 ? held[0] == 2 && places[0] != places[1] : held[k - 1] < held[2 - k];
             edge.place = places[k];
-            if (!leaves && both.at(edge.place) <= most_ && keeps_shape(edge) && keeps_within(edge) &&
+            if (!leaves && both.at(edge.place) <= most_ && limits_.within.contains(edge.place) && keeps_shape(edge) &&
                 keeps_points(edge) && (!limits_.keeps_apart || keeps_apart(edge)) && is_accepted(edge)) {
                 return true;
             }
@@ -256,10 +340,17 @@ class EdgeCollapse {
     /// Visits the triangles at one end or both, each once.
     template <typename Visit>
     bool all_at(const Candidate& edge, const Visit& visit) const {
-        const auto is_new = [&](std::int32_t t) { return !has(surface_.triangles[t], edge.a); };
-        return std::all_of(stars_[edge.a].begin(), stars_[edge.a].end(), visit) &&
-               std::all_of(stars_[edge.b].begin(), stars_[edge.b].end(),
-                           [&](std::int32_t t) { return !is_new(t) || visit(t); });
+        for (const std::int32_t corner : corners_.at(edge.a)) {
+            if (!visit(corner / 3)) {
+                return false;
+            }
+        }
+        for (const std::int32_t corner : corners_.at(edge.b)) {
+            if (!has(surface_.triangles[corner / 3], edge.a) && !visit(corner / 3)) {
+                return false;
+            }
+        }
+        return true;
     }
     /// Visits the triangles that stay, with both ends at the new place: visit(triangle, its new corners).
     template <typename Visit>
@@ -273,28 +364,36 @@ class EdgeCollapse {
     /// Whether no triangle turns away from its plane, becomes thinner than all triangles at the edge are, or gets a
     /// side that is too long.
     bool keeps_shape(const Candidate& edge) const {
-        double thinnest = ContourTuning::kThinTangent;
-        all_at(edge, [&](std::int32_t t) {
-            thinnest = std::min(thinnest, smallest_tangent(corners(surface_.triangles[t])));
-            return true;
-        });
+        std::optional<double> thinnest;
         return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
-            const Vec3 cross = (moved[1] - moved[0]).cross(moved[2] - moved[0]);
-            const double length = cross.norm();
-            const double before = normal(surface_.triangles[t]).dot(planes_[t]);
-            return length > 0.0 && longest_side(moved) <= limits_.longest &&
-                   cross.dot(planes_[t]) >= std::min(ContourTuning::kTurn, before) * length &&
-                   smallest_tangent(moved) >= thinnest;
+            const Vec3 now = cross(moved);
+            const double length = now.norm();
+            const double ahead = now.dot(planes_[t]);
+            if (!(length > 0.0) || longest_square(moved) > limits_.longest * limits_.longest ||
+                (ahead < ContourTuning::kTurn * length && ahead < turn(t) * length)) {
+                return false;
+            }
+            const double tangent = smallest_tangent(moved, length);
+            if (tangent >= ContourTuning::kThinTangent) {
+                return true;
+            }
+            thinnest = thinnest ? thinnest : thinnest_at(edge);
+            return tangent >= *thinnest;
         });
     }
-
-    /// Whether all moved triangles are in the box of the limits.
-    bool keeps_within(const Candidate& edge) const {
-        return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
-            const bool is_fixed = !limits_.fixed.empty() && limits_.fixed[t] != 0;
-            return is_fixed ||
-                   std::all_of(moved.begin(), moved.end(), [&](const Vec3& p) { return limits_.within.contains(p); });
+    /// The cosine between a triangle's normal and that of its plane.
+    double turn(std::int32_t t) const {
+        return cross(corners(surface_.triangles[t])).normalized().dot(planes_[t]);
+    }
+    /// The tangent of the smallest angle of all triangles at an edge.
+    double thinnest_at(const Candidate& edge) const {
+        double least = std::numeric_limits<double>::infinity();
+        all_at(edge, [&](std::int32_t t) {
+            const std::array<Vec3, 3> c = corners(surface_.triangles[t]);
+            least = std::min(least, smallest_tangent(c, cross(c).norm()));
+            return true;
         });
+        return least;
     }
 
     /// Whether no moved triangle meets another one.
@@ -359,7 +458,9 @@ class EdgeCollapse {
         if (v == edge.a) {
             all_at(edge, add);
         } else {
-            std::for_each(stars_[v].begin(), stars_[v].end(), add);
+            for (const std::int32_t corner : corners_.at(v)) {
+                add(corner / 3);
+            }
         }
         return mesh::embedded_star(star_.data(), star_.size());
     }
@@ -487,42 +588,77 @@ class EdgeCollapse {
         return t;
     }
 
-    /// Moves both ends of the edge to the new place, and merges them.
-    void apply(const Candidate& edge) {
-        std::vector<std::int32_t> star;
-        all_at(edge, [&](std::int32_t t) {
-            star.push_back(t);
-            return true;
-        });
-        for (const std::int32_t t : star) {
-            if (limits_.keeps_apart) {
-                grid_.remove(t, corners(surface_.triangles[t]));
-            }
-        }
-        surface_.points[edge.a] = edge.place;
-        for (const std::int32_t t : star) {
-            Triangle& c = surface_.triangles[t];
-            stars_.remove(t, c);
-            if (edge.removes(c)) {
-                c = {-1, -1, -1};
-            } else {
-                c = renamed(c, edge, edge.a);
-                stars_.add(t, c);
-                if (limits_.keeps_apart) {
-                    grid_.add(t, corners(c));
-                }
-            }
-        }
-        ++ages_[edge.a];
-    }
+    /// Moves both ends of an edge to the new place, and merges them.
     void collapse(const Candidate& edge) {
         hand_over(edge);
-        apply(edge);
-        quadrics_[edge.a].add(quadrics_[edge.b]);
-        ++ages_[edge.b];
-        for (const std::int32_t v : stars_.link({edge.a}, surface_.triangles)) {
-            assess(std::min(edge.a, v), std::max(edge.a, v), [&](const Queued& one) { queue_.push(one); });
+        if (limits_.keeps_apart) {
+            all_at(edge, [&](std::int32_t t) {
+                grid_.remove(t, corners(surface_.triangles[t]));
+                return true;
+            });
         }
+        merge_ends(edge);
+        surface_.points[edge.a] = edge.place;
+        quadrics_[edge.a].add(quadrics_[edge.b]);
+        find_border_at(edge.a);
+        for (const std::int32_t corner : corners_.at(edge.a)) {
+            const std::int32_t t = corner / 3;
+            if (limits_.keeps_apart) {
+                grid_.add(t, corners(surface_.triangles[t]));
+            }
+            change(edges_of_[t][corner % 3]);
+            change(edges_of_[t][(corner + 2) % 3]);
+        }
+    }
+    /// Removes the triangles at an edge; the others at its second end get the first one in its place.
+    void merge_ends(const Candidate& edge) {
+        gone_.clear();
+        for (const std::int32_t corner : corners_.at(edge.b)) {
+            if (has(surface_.triangles[corner / 3], edge.a)) {
+                gone_.push_back(corner);
+            }
+        }
+        for (const std::int32_t corner : gone_) {
+            remove_triangle(corner / 3, corner % 3, edge);
+        }
+        for (const std::int32_t corner : corners_.at(edge.b)) {
+            const std::int32_t t = corner / 3;
+            surface_.triangles[t][corner % 3] = edge.a;
+            for (const int k : {corner % 3, (corner + 2) % 3}) {
+                Edge& its = edges_[edges_of_[t][k]];
+                its.a = its.a == edge.b ? edge.a : its.a;
+                its.b = its.b == edge.b ? edge.a : its.b;
+            }
+        }
+        corners_.append(edge.a, edge.b);
+    }
+    /// Removes a triangle of the edge. Its other two edges become one.
+    /// @param k  its corner at the end that vanishes
+    void remove_triangle(std::int32_t t, int k, const Candidate& edge) {
+        const Triangle c = surface_.triangles[t];
+        const int at_a = c[(k + 1) % 3] == edge.a ? (k + 1) % 3 : (k + 2) % 3;
+        const int beside = 3 - k - at_a;
+        const bool forward = at_a == (k + 1) % 3;  // the edge runs from b to a
+        const std::int32_t stays = edges_of_[t][forward ? at_a : beside];
+        const std::int32_t goes = edges_of_[t][forward ? beside : k];
+        const std::int32_t beyond = forward ? beyond_edge(edge.b, c[beside]) : beyond_edge(c[beside], edge.b);
+        edges_[goes].state = Edge::State::Impossible;
+        if (beyond >= 0) {
+            edges_of_[beyond / 3][beyond % 3] = stays;
+        }
+        for (const int corner : {k, at_a, beside}) {
+            corners_.remove(3 * t + corner, c[corner]);
+        }
+        surface_.triangles[t] = {-1, -1, -1};
+        find_border_at(c[beside]);
+    }
+    /// What is known of an edge holds no more.
+    void change(std::int32_t e) {
+        Edge& edge = edges_[e];
+        if (edge.state == Edge::State::Tried) {
+            queue_.push({edge.cost, e});
+        }
+        edge.state = edge.state == Edge::State::Impossible ? edge.state : Edge::State::Changed;
     }
 
     /// Removes vertices and triangles that are gone.
@@ -530,7 +666,7 @@ class EdgeCollapse {
         std::vector<std::int32_t> index(surface_.points.size(), -1);
         std::size_t count = 0;
         for (std::size_t v = 0; v < surface_.points.size(); ++v) {
-            if (!stars_[static_cast<std::int32_t>(v)].empty()) {
+            if (!corners_.empty(static_cast<std::int32_t>(v))) {
                 index[v] = static_cast<std::int32_t>(count);
                 surface_.points[count++] = surface_.points[v];
             }
@@ -564,14 +700,20 @@ class EdgeCollapse {
     Progress& progress_;
     double from_;
     CancelPace pace_;
-    mesh::SimplexStars stars_;
-    std::vector<std::int32_t> ages_;
-    std::vector<char> stays_;  ///< by vertex: whether a fixed triangle has it
+    double border_weight_;
+    CornerLists corners_;
+    std::vector<Edge> edges_;
+    std::vector<std::array<std::int32_t, 3>> edges_of_;  ///< by triangle: the edge after each of its corners
+    std::vector<char> stays_;                            ///< by vertex: whether a fixed triangle has it
+    std::vector<char> on_border_;                        ///< by vertex: whether its triangles are of several patches
+    std::vector<std::uint32_t> marks_;                   ///< by vertex, for keeps_links
+    std::uint32_t next_mark_ = 1;
     std::vector<Quadric> quadrics_;
     std::vector<Vec3> planes_;  ///< normal of the plane that each triangle stands for
     TriangleGrid grid_{1.0};
     std::priority_queue<Queued> queue_;
     // Buffers for the tests of one collapse.
+    std::vector<std::int32_t> gone_;                  ///< corners of triangles that vanish
     std::vector<std::pair<std::int32_t, Box>> near_;  ///< moved triangles, then those near them, with their boxes
     std::vector<std::uint32_t> seen_;                 ///< by triangle: the round in which it came into near_
     std::uint32_t round_ = 0;
