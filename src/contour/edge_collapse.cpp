@@ -193,7 +193,8 @@ class EdgeCollapse {
     void find_border_at(std::int32_t v) {
         on_border_[v] = 0;
         for (const std::int32_t corner : corners_.at(v)) {
-            on_border_[v] |= static_cast<char>(surface_.patch[corner / 3] != surface_.patch[*corners_.at(v).begin() / 3]);
+            on_border_[v] |=
+                static_cast<char>(surface_.patch[corner / 3] != surface_.patch[*corners_.at(v).begin() / 3]);
         }
     }
     bool is_border(std::int32_t a, std::int32_t b) const {
@@ -277,8 +278,10 @@ class EdgeCollapse {
         const Vec3& p = surface_.points[a];
         const Vec3& q = surface_.points[b];
         const Vec3 place = held[0] == held[1] ? Vec3(0.5 * (p + q)) : held[0] > held[1] ? p : q;
-        if (stays_[a] != 0) {
-            return place;
+        // What lies on all planes already is as good as any other place.
+        constexpr double kOnPlanes = 1e-6;  // a fraction of the largest squared distance
+        if (stays_[a] != 0 || both.at(place) <= kOnPlanes * most_) {
+            return to_single(place);
         }
         const Vec3 best = to_single(both.least(place, ContourTuning::kFlatShare));
         // The least point of a nearly singular quadric may be anywhere.
@@ -287,8 +290,8 @@ class EdgeCollapse {
     /// The constraint on a vertex: 2 fixed by a triangle, 1 on a border between patches, 0 none.
     int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border_[v] != 0 ? 1 : 0; }
 
-    /// Whether the surface stays 2-manifold, and is more than a tetrahedron: only the vertices beside the edge are joined
-    /// to both of its ends (link condition).
+    /// Whether the surface stays 2-manifold, and is more than a tetrahedron: only the vertices beside the edge are
+    /// joined to both of its ends (link condition).
     bool keeps_links(const Candidate& edge) {
         constexpr std::size_t kOfTetrahedron = 6;  // triangles at both ends
         const std::uint32_t joined = next_mark_;
@@ -382,9 +385,7 @@ class EdgeCollapse {
         });
     }
     /// The cosine between a triangle's normal and that of its plane.
-    double turn(std::int32_t t) const {
-        return cross(corners(surface_.triangles[t])).normalized().dot(planes_[t]);
-    }
+    double turn(std::int32_t t) const { return cross(corners(surface_.triangles[t])).normalized().dot(planes_[t]); }
     /// The tangent of the smallest angle of all triangles at an edge.
     double thinnest_at(const Candidate& edge) const {
         double least = std::numeric_limits<double>::infinity();

@@ -17,9 +17,9 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/edge_table.h"
 #include "mesh/intersection/self_intersection.h"
+#include "mesh/proof/distance_bounds.h"
 #include "mesh/quality/mesh_report.h"
 #include "mesh/weld_vertices.h"
-#include "mesh/proof/distance_bounds.h"
 
 namespace mq::workflows {
 
@@ -358,7 +358,7 @@ class Simplification {
                                      std::vector<std::vector<std::int32_t>>* witnesses,
                                      std::vector<Vec3>& places) const {
         return mesh::triangles_beyond(all, other, 0.0, options_.tolerance, kFineness * options_.tolerance, progress_,
-                                        witnesses, &places);
+                                      witnesses, &places);
     }
 
     double bound() const {

@@ -129,8 +129,8 @@ ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& prog
     return result;
 }
 
-/// Which points count: those that are not inside of a surface, or all. Around a point inside there is a ball as large as
-/// its distance from the surface that is all inside: most points near to the last one need no look.
+/// Which points count: those that are not inside of a surface, or all. Around a point inside there is a ball as large
+/// as its distance from the surface that is all inside: most points near to the last one need no look.
 class Counted {
   public:
     using Inside = std::function<bool(const Vec3&)>;
@@ -317,8 +317,8 @@ class BoundOfTriangle {
         const double enough = std::min(far_ - fineness_, wanted_ + most_);
         const Vec3* end = piece.corners.data() + piece.count;
         const Vec3* found = std::find_if(piece.corners.data(), end, [&](const Vec3& p) {
-            return wanted_ >= enough ||
-                   (distance(p, its_) >= enough && surface_.tree.any_within(p, enough, nearest_) < 0 && counted_.has(p, 0.0));
+            return wanted_ >= enough || (distance(p, its_) >= enough &&
+                                         surface_.tree.any_within(p, enough, nearest_) < 0 && counted_.has(p, 0.0));
         });
         return found == end ? nullptr : found;
     }
@@ -365,8 +365,7 @@ ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const
 ProvenBound distance_of_points_outside(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                        const std::function<bool(const Vec3&)>& is_inside, double fineness,
                                        const Progress& progress) {
-    const ProvenBound least =
-        farthest_sample(triangles, surface, 0.0, {fineness, Vec3::Zero()}, &is_inside, progress);
+    const ProvenBound least = farthest_sample(triangles, surface, 0.0, {fineness, Vec3::Zero()}, &is_inside, progress);
     return over_all(triangles, progress, least, [&](std::size_t first, std::size_t end, ProvenBound& found) {
         BoundOfTriangle bound(surface, 0.0, fineness, kNoDistance, &is_inside);
         for (std::size_t t = first; t < end; ++t) {

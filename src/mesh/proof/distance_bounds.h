@@ -39,8 +39,8 @@ bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double 
 ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                     double distance, double fineness, const Progress& progress);
 
-/// A bound for the distance from a closed surface of all points of some triangles that are outside of it; `fineness` (mm)
-/// where no point is farther. The bound is at most the fineness above the largest distance, as in
+/// A bound for the distance from a closed surface of all points of some triangles that are outside of it; `fineness`
+/// (mm) where no point is farther. The bound is at most the fineness above the largest distance, as in
 /// deviation_from_distance.
 /// @param is_inside  whether a point is inside of the surface; called by several threads
 ProvenBound distance_of_points_outside(const std::vector<Corners>& triangles, const SearchedSurface& surface,

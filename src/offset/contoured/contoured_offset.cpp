@@ -14,10 +14,10 @@
 #include "contour/simplification.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/intersection/self_intersection.h"
+#include "mesh/proof/distance_bounds.h"
 #include "offset/contoured/distance_level_set.h"
 #include "offset/contoured/lattice_refinement.h"
 #include "offset/contoured/tuning.h"
-#include "mesh/proof/distance_bounds.h"
 #include "offset/trimmed/tuning.h"
 
 namespace mq::offset {
@@ -140,7 +140,8 @@ class ContouredOffset {
     }
     double deviation() const {
         const double fineness = OffsetTuning::kFineness * tolerance_;
-        return mesh::deviation_from_distance(triangles_found(), level_set_.searched(), distance_, fineness, progress_).bound;
+        return mesh::deviation_from_distance(triangles_found(), level_set_.searched(), distance_, fineness, progress_)
+            .bound;
     }
     /// By node: how far from the offset it is if it lies on the wrong side of the contour; 0 if it lies on the right
     /// side.

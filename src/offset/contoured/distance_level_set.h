@@ -8,8 +8,8 @@
 #include "base/vec.h"
 #include "contour/level_set.h"
 #include "mesh/intersection/nearest_tree.h"
-#include "mesh/triangle_mesh.h"
 #include "mesh/proof/distance_bounds.h"
+#include "mesh/triangle_mesh.h"
 
 namespace mq::offset {
 

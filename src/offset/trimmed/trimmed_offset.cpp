@@ -299,7 +299,8 @@ class OffsetPipeline {
             triangles.push_back({v[static_cast<std::size_t>(t[0])], v[static_cast<std::size_t>(t[1])],
                                  v[static_cast<std::size_t>(t[2])]});
         }
-        const mesh::ProvenBound there = mesh::deviation_from_distance(triangles, searched_, asked_, fineness, progress_);
+        const mesh::ProvenBound there =
+            mesh::deviation_from_distance(triangles, searched_, asked_, fineness, progress_);
         // Every point of the exact offset has a point of the raw offset within the raw offset's error; that point may
         // be in a piece that was trimmed off.
         triangles.clear();
@@ -313,8 +314,9 @@ class OffsetPipeline {
             }
         }
         // The result has the larger of both bounds, so the second one need not be refined below the first.
-        const mesh::ProvenBound back = mesh::distance_of_outer_points(triangles, searched_, distance_ - raw_error, tolerance_,
-                                                          result, std::max(raw_error, there.bound), progress_);
+        const mesh::ProvenBound back =
+            mesh::distance_of_outer_points(triangles, searched_, distance_ - raw_error, tolerance_, result,
+                                           std::max(raw_error, there.bound), progress_);
         result_.error_bound = std::max(there.bound, back.bound);
     }
 
