@@ -51,7 +51,10 @@ class NodeStates {
         return static_cast<std::size_t>(slots_[lattice_.block_of(node)]) * Lattice::kBlockNodes +
                static_cast<std::size_t>(Lattice::place_in_block(node));
     }
-    /// The number of stored nodes.
+    Node node_of(std::size_t index) const {
+        return Lattice::node_at(blocks_[index / Lattice::kBlockNodes], static_cast<int>(index % Lattice::kBlockNodes));
+    }
+    /// The number of stored nodes; it fits into 32 bits, as the memory is limited.
     std::size_t size() const { return states_.size() * Lattice::kBlockNodes; }
     bool is_outside(const Node& node) const {
         const std::int32_t slot = slots_[lattice_.block_of(node)];
