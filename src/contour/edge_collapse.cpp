@@ -52,8 +52,8 @@ struct Edge {
     enum class State : std::uint8_t {
         Waiting,    ///< in the queue
         Changed,    ///< in the queue; its cost is another one since
-        Tried,      ///< not in the queue: it cannot collapse as the surface is around it
-        Impossible  ///< gone, fixed or too far from planes: that stays so, as the planes of its ends get more
+        Tried,      ///< not in the queue: it cannot collapse as the surface is around it now
+        Impossible  ///< gone or fixed
     };
     std::int32_t a = -1;
     std::int32_t b = -1;
@@ -235,8 +235,8 @@ class EdgeCollapse {
             return false;
         }
         edge.state = Edge::State::Tried;
-        edge.cost = 0.0;
-        if ((held[0] > 0 && held[1] > 0 && !is_border(edge.a, edge.b))) {
+        edge.cost = std::numeric_limits<double>::infinity();
+        if (held[0] > 0 && held[1] > 0 && !is_border(edge.a, edge.b)) {
             return false;
         }
         Quadric both = quadrics_[candidate.a];
@@ -244,10 +244,10 @@ class EdgeCollapse {
         const double cost = std::max(0.0, both.at(best_place(candidate.a, candidate.b, held, both)));
         // In a plane all costs are nearly 0: there short edges come first.
         constexpr double kByLength = 1e-2;
+        edge.cost = cost + kByLength * (surface_.points[edge.b] - surface_.points[edge.a]).squaredNorm();
         if (cost > most_) {
             return false;
         }
-        edge.cost = cost + kByLength * (surface_.points[edge.b] - surface_.points[edge.a]).squaredNorm();
         edge.state = Edge::State::Waiting;
         return true;
     }
@@ -609,6 +609,7 @@ class EdgeCollapse {
             }
             change(edges_of_[t][corner % 3]);
             change(edges_of_[t][(corner + 2) % 3]);
+            change(edges_of_[t][(corner + 1) % 3]);
         }
     }
     /// Removes the triangles at an edge; the others at its second end get the first one in its place.

@@ -83,13 +83,11 @@ class NodeStates {
     /// @throws Cancelled
     template <typename Visit>
     void for_each_node(Progress& progress, double from, double to, const Visit& visit) {
-        double done = 0.0;
-        for (const std::array<std::int32_t, 3>& block : blocks_) {
+        for (std::size_t k = 0; k < blocks_.size(); ++k) {
             progress.check();
-            progress.advance(from + (to - from) * done++ / static_cast<double>(blocks_.size()));
+            progress.advance(from + (to - from) * static_cast<double>(k) / static_cast<double>(blocks_.size()));
             for (int place = 0; place < Lattice::kBlockNodes; ++place) {
-                const Node node = Lattice::node_at(block, place);
-                visit(node, *find(node));
+                visit(Lattice::node_at(blocks_[k], place), states_[k][place]);
             }
         }
     }
