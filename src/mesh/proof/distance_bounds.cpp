@@ -129,8 +129,8 @@ ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& prog
     return result;
 }
 
-/// Which points count: those that are not inside of a surface, or all. Around a point inside there is a ball as large
-/// as its distance from the surface that is all inside: most points near to the last one need no look.
+/// Which points count: those that are not inside of a closed surface, or all. Around a point inside there is a ball as
+/// large as its distance from the surface that is all inside: many points near to the last one need no look.
 class Counted {
   public:
     using Inside = std::function<bool(const Vec3&)>;
@@ -139,22 +139,32 @@ class Counted {
     explicit Counted(const Inside* is_inside) : is_inside_(is_inside) {}
 
     bool all() const { return is_inside_ == nullptr; }
-    /// Whether no point within a reach of another one counts, as far as is known.
+    /// Whether no point within a reach of another one counts, as far as is known. Below 0 it is of points that may count
+    /// if they are as near as that to the surface.
     bool leaves_out(const Vec3& p, double reach) const { return (p - centre_).norm() + reach < radius_; }
-    /// Whether a point counts. @param distance  of the point from the surface
-    bool has(const Vec3& p, double distance) {
-        if (all() || !(*is_inside_)(p)) {
+    bool has(const Vec3& p) const { return all() || !(*is_inside_)(p); }
+    /// Whether a point counts. Where the surface is nearest amid a triangle, the side of that tells.
+    /// @param nearest  the triangle of the surface that is nearest to it
+    bool has(const Vec3& p, const Corners& nearest) {
+        if (all()) {
+            return true;
+        }
+        const std::array<Plane, 3> planes = upright(nearest);
+        const bool is_amid =
+            std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) { return plane.height(p) < 0.0; });
+        const double height = (nearest[1] - nearest[0]).cross(nearest[2] - nearest[0]).dot(p - nearest[0]);
+        if (is_amid ? height >= 0.0 : has(p)) {
             return true;
         }
         centre_ = p;
-        radius_ = distance;
+        radius_ = distance(p, nearest);
         return false;
     }
 
   private:
     const Inside* is_inside_;
     Vec3 centre_ = Vec3::Zero();
-    double radius_ = 0.0;
+    double radius_ = -std::numeric_limits<double>::infinity();
 };
 
 /// How much farther than a distance corners and centres of triangles are from a surface at most, or else `least`: a
@@ -172,9 +182,9 @@ ProvenBound farthest_sample(const std::vector<Corners>& triangles, const Searche
                 }
                 const std::int32_t near = surface.tree.any_within(p, wanted + found.bound, nearest);
                 nearest = near < 0 ? surface.tree.nearest_from(p, nearest).triangle : near;
-                if (const double away = near < 0 ? distance(p, corners(surface, nearest)) : 0.0;
-                    near < 0 && counted.has(p, away)) {
-                    found = {away - wanted, p};
+                const Corners its = corners(surface, nearest);
+                if (near < 0 && counted.has(p, its)) {
+                    found = {distance(p, its) - wanted, p};
                 }
             }
         }
@@ -302,8 +312,7 @@ class BoundOfTriangle {
     }
     /// Whether all of a piece is inside: what is smaller than its distance from the surface lies on one side of it.
     bool is_all_inside(const Vec3& here, double reach) {
-        const double away = distance(here, its_);
-        return reach < away && !counted_.has(here, away);
+        return reach < distance(here, its_) && !counted_.has(here, its_);
     }
     void accept() {
         if (witnesses_ != nullptr) {
@@ -318,7 +327,7 @@ class BoundOfTriangle {
         const Vec3* end = piece.corners.data() + piece.count;
         const Vec3* found = std::find_if(piece.corners.data(), end, [&](const Vec3& p) {
             return wanted_ >= enough || (distance(p, its_) >= enough &&
-                                         surface_.tree.any_within(p, enough, nearest_) < 0 && counted_.has(p, 0.0));
+                                         surface_.tree.any_within(p, enough, nearest_) < 0 && counted_.has(p));
         });
         return found == end ? nullptr : found;
     }
