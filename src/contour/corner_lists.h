@@ -44,14 +44,6 @@ class CornerLists {
     }
 
     Range at(std::int32_t v) const { return {{*this, first_[static_cast<std::size_t>(v)]}, {*this, kNone}}; }
-    bool empty(std::int32_t v) const { return first_[static_cast<std::size_t>(v)] == kNone; }
-    std::size_t size(std::int32_t v) const {
-        std::size_t count = 0;
-        for ([[maybe_unused]] const std::int32_t corner : at(v)) {
-            ++count;
-        }
-        return count;
-    }
     /// Takes a corner out of the list of its vertex.
     void remove(std::int32_t corner, std::int32_t v) {
         std::int32_t* at = &first_[static_cast<std::size_t>(v)];

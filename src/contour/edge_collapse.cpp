@@ -11,9 +11,10 @@
 #include <tuple>
 #include <utility>
 
-#include "contour/corner_lists.h"
+#include "contour/edge_mesh.h"
 #include "contour/quadric.h"
 #include "contour/triangle_grid.h"
+#include "contour/triangle_shape.h"
 #include "contour/tuning.h"
 #include "mesh/intersection/embedded_star.h"
 #include "mesh/intersection/triangle_contact.h"
@@ -25,38 +26,14 @@ namespace {
 
 using mesh::Triangle;
 
-/// The square of the longest side.
-double longest_square(const std::array<Vec3, 3>& c) {
-    return std::max({(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(), (c[0] - c[2]).squaredNorm()});
-}
-
-/// Tangent of the smallest angle. @param area  twice that of the triangle
-double smallest_tangent(const std::array<Vec3, 3>& c, double area) {
-    double cosine = 0.0;  // the largest cosine of an angle, times the lengths of its two sides
-    for (std::size_t k = 0; k < 3; ++k) {
-        cosine = std::max(cosine, (c[(k + 1) % 3] - c[k]).dot(c[(k + 2) % 3] - c[k]));
-    }
-    return area / cosine;
-}
-
-Vec3 cross(const std::array<Vec3, 3>& c) {
-    return (c[1] - c[0]).cross(c[2] - c[0]);
-}
-
-bool has(const Triangle& t, std::int32_t v) {
-    return t[0] == v || t[1] == v || t[2] == v;
-}
-
-/// An edge of the surface.
-struct Edge {
+/// What is known of an edge of the surface.
+struct Assessed {
     enum class State : std::uint8_t {
         Waiting,    ///< in the queue
         Changed,    ///< in the queue; its cost is another one since
         Tried,      ///< not in the queue: it cannot collapse as the surface is around it now
         Impossible  ///< gone or fixed
     };
-    std::int32_t a = -1;
-    std::int32_t b = -1;
     double cost = 0.0;  ///< that it has in the queue
     State state = State::Impossible;
 };
@@ -92,11 +69,10 @@ class EdgeCollapse {
           from_(from),
           pace_(progress),
           border_weight_(std::pow(limits.distance / limits.border, 2.0)),
-          corners_(surface.triangles, surface.points.size()),
-          edges_of_(surface.triangles.size()),
+          edges_(surface.triangles, surface.points.size()),
+          assessed_(edges_.edge_count()),
           stays_(surface.points.size()),
           on_border_(surface.points.size()),
-          marks_(surface.points.size()),
           quadrics_(surface.points.size()),
           planes_(surface.triangles.size()),
           seen_(surface.triangles.size()) {
@@ -119,16 +95,15 @@ class EdgeCollapse {
             const std::int32_t next = queue_.top().edge;
             queue_.pop();
             if (is_still_first(next)) {
-                Edge& edge = edges_[next];
-                edge.state = Edge::State::Tried;
-                Candidate candidate = candidate_of(edge);
-                if (keeps_links(candidate) && finds_place(candidate)) {
-                    edge.state = Edge::State::Impossible;
-                    collapse(candidate);
+                assessed_[next].state = Assessed::State::Tried;
+                Candidate edge = candidate_of(next);
+                if (edges_.keeps_links(edge.a, edge.b) && finds_place(edge)) {
+                    assessed_[next].state = Assessed::State::Impossible;
+                    collapse(edge);
                 }
             }
         }
-        finish();
+        remove_gone(surface_);
     }
 
   private:
@@ -152,61 +127,45 @@ class EdgeCollapse {
             longest = std::max(longest, longest_square(c));
         }
         grid_ = TriangleGrid(std::sqrt(longest));
-        for (std::size_t t = 0; limits_.keeps_apart && t < surface_.triangles.size(); ++t) {
-            grid_.add(static_cast<std::int32_t>(t), corners(surface_.triangles[t]));
-        }
-        edges_.reserve(surface_.triangles.size() * 3 / 2);
-        for (std::int32_t t = 0; t < static_cast<std::int32_t>(surface_.triangles.size()); ++t) {
-            for (int k = 0; k < 3; ++k) {
-                add_edge(t, k);
+        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+            if (is_tested(corners(surface_.triangles[t]))) {
+                grid_.add(static_cast<std::int32_t>(t), corners(surface_.triangles[t]));
             }
+        }
+        for (std::size_t e = 0; e < edges_.edge_count(); ++e) {
+            keep_border(static_cast<std::int32_t>(e));
         }
         for (std::size_t v = 0; v < surface_.points.size(); ++v) {
             find_border_at(static_cast<std::int32_t>(v));
         }
     }
-    /// Numbers an edge of a triangle, after corner k, unless it has its number from the triangle beyond it.
-    void add_edge(std::int32_t t, int k) {
-        const std::int32_t a = surface_.triangles[t][k];
-        const std::int32_t b = surface_.triangles[t][(k + 1) % 3];
-        const std::int32_t beyond = beyond_edge(b, a);
-        if (beyond >= 0 && beyond / 3 < t) {
-            edges_of_[t][k] = edges_of_[beyond / 3][beyond % 3];
-            return;
-        }
-        edges_of_[t][k] = static_cast<std::int32_t>(edges_.size());
-        edges_.push_back({a, b});
-        // A block ends at edges of one triangle, which are fixed.
-        if (beyond >= 0 && surface_.patch[t] != surface_.patch[beyond / 3]) {
-            keep_border(a, b, {t, beyond / 3});
-        }
-    }
-    /// The corner from which an edge runs on from a to b; -1: none.
-    std::int32_t beyond_edge(std::int32_t a, std::int32_t b) const {
-        for (const std::int32_t corner : corners_.at(a)) {
-            if (surface_.triangles[corner / 3][(corner + 1) % 3 == 0 ? 0 : corner % 3 + 1] == b) {
-                return corner;
-            }
-        }
-        return -1;
-    }
     void find_border_at(std::int32_t v) {
         on_border_[v] = 0;
-        for (const std::int32_t corner : corners_.at(v)) {
-            on_border_[v] |=
-                static_cast<char>(surface_.patch[corner / 3] != surface_.patch[*corners_.at(v).begin() / 3]);
+        for (const std::int32_t corner : edges_.corners_at(v)) {
+            const std::int32_t first = *edges_.corners_at(v).begin();
+            on_border_[v] |= static_cast<char>(surface_.patch[corner / 3] != surface_.patch[first / 3]);
         }
     }
-    bool is_border(std::int32_t a, std::int32_t b) const {
-        const std::int32_t one = beyond_edge(a, b);
-        const std::int32_t two = beyond_edge(b, a);
-        return one >= 0 && two >= 0 && surface_.patch[one / 3] != surface_.patch[two / 3];
+    /// The triangles on both sides of an edge; -1: it has one only, as edges at which a block ends, which are fixed.
+    std::array<std::int32_t, 2> beside(std::int32_t e) const {
+        const auto [a, b] = edges_.ends(e);
+        const std::int32_t one = edges_.corner_of(a, b);
+        const std::int32_t two = edges_.corner_of(b, a);
+        return {one < 0 ? -1 : one / 3, two < 0 ? -1 : two / 3};
+    }
+    bool is_border(std::int32_t e) const {
+        const auto [one, two] = beside(e);
+        return one >= 0 && two >= 0 && surface_.patch[one] != surface_.patch[two];
     }
     /// Adds planes along a border edge that are perpendicular to the surface, so that the border does not shift across
     /// it.
-    void keep_border(std::int32_t a, std::int32_t b, const std::array<std::int32_t, 2>& triangles) {
+    void keep_border(std::int32_t e) {
+        if (!is_border(e)) {
+            return;
+        }
+        const auto [a, b] = edges_.ends(e);
         const Vec3 along = surface_.points[b] - surface_.points[a];
-        for (const std::int32_t t : triangles) {
+        for (const std::int32_t t : beside(e)) {
             const Vec3 across = along.cross(planes_[t]);
             if (across.squaredNorm() > 0.0) {
                 quadrics_[a].add_plane(surface_.points[a], across.normalized(), border_weight_);
@@ -218,59 +177,62 @@ class EdgeCollapse {
     void assess_all() {
         double done = 0.0;
         std::vector<Queued> all;
-        for (std::size_t e = 0; e < edges_.size(); ++e) {
-            advance(0.5 * done++ / static_cast<double>(edges_.size()));
-            if (assess(edges_[e])) {
-                all.push_back({edges_[e].cost, static_cast<std::int32_t>(e)});
+        for (std::int32_t e = 0; e < static_cast<std::int32_t>(edges_.edge_count()); ++e) {
+            advance(0.5 * done++ / static_cast<double>(edges_.edge_count()));
+            if (assess(e)) {
+                all.push_back({assessed_[e].cost, e});
             }
         }
         queue_ = std::priority_queue<Queued>(std::less<Queued>(), std::move(all));
     }
     /// Finds the cost of an edge. @return whether its ends may be merged in one place
-    bool assess(Edge& edge) const {
-        edge.state = Edge::State::Impossible;
-        const Candidate candidate = candidate_of(edge);
-        const std::array<int, 2> held{hold(candidate.a), hold(candidate.b)};
-        if (held[1] == 2) {
+    bool assess(std::int32_t e) {
+        Assessed& its = assessed_[e];
+        const Candidate edge = candidate_of(e);
+        const std::array<int, 2> held{hold(edge.a), hold(edge.b)};
+        its = {std::numeric_limits<double>::infinity(),
+               held[1] == 2 ? Assessed::State::Impossible : Assessed::State::Tried};
+        if (held[1] == 2 || (held[0] > 0 && held[1] > 0 && !is_border(e))) {
             return false;
         }
-        edge.state = Edge::State::Tried;
-        edge.cost = std::numeric_limits<double>::infinity();
-        if (held[0] > 0 && held[1] > 0 && !is_border(edge.a, edge.b)) {
-            return false;
-        }
-        Quadric both = quadrics_[candidate.a];
-        both.add(quadrics_[candidate.b]);
-        const double cost = std::max(0.0, both.at(best_place(candidate.a, candidate.b, held, both)));
+        Quadric both = quadrics_[edge.a];
+        both.add(quadrics_[edge.b]);
+        const double cost = std::max(0.0, both.at(best_place(edge.a, edge.b, held, both)));
         // In a plane all costs are nearly 0: there short edges come first.
         constexpr double kByLength = 1e-2;
-        edge.cost = cost + kByLength * (surface_.points[edge.b] - surface_.points[edge.a]).squaredNorm();
-        if (cost > most_) {
-            return false;
-        }
-        edge.state = Edge::State::Waiting;
-        return true;
+        its.cost = cost + kByLength * (surface_.points[edge.b] - surface_.points[edge.a]).squaredNorm();
+        its.state = cost <= most_ ? Assessed::State::Waiting : Assessed::State::Tried;
+        return cost <= most_;
     }
-    Candidate candidate_of(const Edge& edge) const {
-        const auto [a, b] = std::minmax(edge.a, edge.b);
+    Candidate candidate_of(std::int32_t e) const {
+        const auto [a, b] = std::minmax(edges_.ends(e)[0], edges_.ends(e)[1]);
         return stays_[b] != 0 ? Candidate{b, a} : Candidate{a, b};
     }
     /// Whether an edge from the queue is to be collapsed now. If its cost has changed, it comes again later: costs
     /// nearly always rise.
     bool is_still_first(std::int32_t e) {
-        Edge& edge = edges_[e];
-        if (edge.state != Edge::State::Changed) {
-            return edge.state == Edge::State::Waiting;
+        if (assessed_[e].state != Assessed::State::Changed) {
+            return assessed_[e].state == Assessed::State::Waiting;
         }
-        if (!assess(edge)) {
+        if (!assess(e)) {
             return false;
         }
-        if (queue_.empty() || !(Queued{edge.cost, e} < queue_.top())) {
+        const Queued again{assessed_[e].cost, e};
+        if (queue_.empty() || !(again < queue_.top())) {
             return true;
         }
-        queue_.push({edge.cost, e});
+        queue_.push(again);
         return false;
     }
+    /// What is known of an edge holds no more.
+    void change(std::int32_t e) {
+        Assessed& its = assessed_[e];
+        if (its.state == Assessed::State::Tried) {
+            queue_.push({its.cost, e});
+        }
+        its.state = its.state == Assessed::State::Impossible ? its.state : Assessed::State::Changed;
+    }
+
     /// The best place for both ends of an edge.
     /// @param held  see hold(), by end
     /// @param both  the sum of their quadrics
@@ -290,36 +252,6 @@ class EdgeCollapse {
     /// The constraint on a vertex: 2 fixed by a triangle, 1 on a border between patches, 0 none.
     int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border_[v] != 0 ? 1 : 0; }
 
-    /// Whether the surface stays 2-manifold, and is more than a tetrahedron: only the vertices beside the edge are
-    /// joined to both of its ends (link condition).
-    bool keeps_links(const Candidate& edge) {
-        constexpr std::size_t kOfTetrahedron = 6;  // triangles at both ends
-        const std::uint32_t joined = next_mark_;
-        const std::uint32_t beside = next_mark_ + 1;
-        next_mark_ += 2;
-        std::size_t count = 0;
-        for (const std::int32_t corner : corners_.at(edge.a)) {
-            const Triangle& c = surface_.triangles[corner / 3];
-            ++count;
-            for (const std::int32_t v : c) {
-                if (edge.removes(c) && !edge.is_end(v) && std::exchange(marks_[v], beside) == beside) {
-                    return false;  // two triangles with the same vertices
-                }
-                marks_[v] = std::max(marks_[v], joined);
-            }
-        }
-        for (const std::int32_t corner : corners_.at(edge.b)) {
-            const Triangle& c = surface_.triangles[corner / 3];
-            ++count;
-            for (const std::int32_t v : c) {
-                if (!edge.is_end(v) && marks_[v] == joined) {
-                    return false;
-                }
-            }
-        }
-        return count > kOfTetrahedron;
-    }
-
     /// Tries the best place and the places of both ends, and takes the first at which the surface stays sound.
     bool finds_place(Candidate& edge) {
         Quadric both = quadrics_[edge.a];
@@ -333,7 +265,7 @@ class EdgeCollapse {
             const bool leaves = k == 0 ? held[0] == 2 && places[0] != places[1] : held[k - 1] < held[2 - k];
             edge.place = places[k];
             if (!leaves && both.at(edge.place) <= most_ && limits_.within.contains(edge.place) && keeps_shape(edge) &&
-                keeps_points(edge) && (!limits_.keeps_apart || keeps_apart(edge)) && is_accepted(edge)) {
+                keeps_points(edge) && keeps_apart(edge) && is_accepted(edge)) {
                 return true;
             }
         }
@@ -343,12 +275,12 @@ class EdgeCollapse {
     /// Visits the triangles at one end or both, each once.
     template <typename Visit>
     bool all_at(const Candidate& edge, const Visit& visit) const {
-        for (const std::int32_t corner : corners_.at(edge.a)) {
+        for (const std::int32_t corner : edges_.corners_at(edge.a)) {
             if (!visit(corner / 3)) {
                 return false;
             }
         }
-        for (const std::int32_t corner : corners_.at(edge.b)) {
+        for (const std::int32_t corner : edges_.corners_at(edge.b)) {
             if (!has(surface_.triangles[corner / 3], edge.a) && !visit(corner / 3)) {
                 return false;
             }
@@ -397,8 +329,17 @@ class EdgeCollapse {
         return least;
     }
 
+    /// Whether a triangle is at a place where it must not meet others.
+    bool is_tested(const std::array<Vec3, 3>& c) const {
+        return std::any_of(limits_.tested.begin(), limits_.tested.end(),
+                           [&](const Box& tested) { return tested.meets(box_of(c)); });
+    }
     /// Whether no moved triangle meets another one.
     bool keeps_apart(const Candidate& edge) {
+        if (limits_.tested.empty() ||
+            all_of_moved(edge, [&](std::int32_t, const std::array<Vec3, 3>& moved) { return !is_tested(moved); })) {
+            return true;
+        }
         // The grid contains the moved triangles, too, at their old places: their new boxes come first in the list.
         near_.clear();
         ++round_;
@@ -407,7 +348,7 @@ class EdgeCollapse {
             return true;
         });
         all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>&) {
-            near_.emplace_back(t, box_of(t, edge));
+            near_.emplace_back(t, box_at(t, edge));
             return true;
         });
         const std::size_t moved = near_.size();
@@ -416,7 +357,7 @@ class EdgeCollapse {
             grid_.all_near(corners_at(own, edge), [&](std::int32_t other) {
                 if (seen_[other] != round_) {
                     seen_[other] = round_;
-                    near_.emplace_back(other, box_of(other, edge));
+                    near_.emplace_back(other, box_at(other, edge));
                 }
                 return true;
             });
@@ -459,7 +400,7 @@ class EdgeCollapse {
         if (v == edge.a) {
             all_at(edge, add);
         } else {
-            for (const std::int32_t corner : corners_.at(v)) {
+            for (const std::int32_t corner : edges_.corners_at(v)) {
                 add(corner / 3);
             }
         }
@@ -540,13 +481,7 @@ class EdgeCollapse {
         }
         return moved;
     }
-    Box box_of(std::int32_t t, const Candidate& edge) const {
-        Box box;
-        for (const std::int32_t v : surface_.triangles[t]) {
-            box.add(edge.is_end(v) ? edge.place : surface_.points[v]);
-        }
-        return box;
-    }
+    Box box_at(std::int32_t t, const Candidate& edge) const { return box_of(corners_at(surface_.triangles[t], edge)); }
     /// Whether two triangles are apart with both ends of the edge at the new place.
     bool apart(std::int32_t t, std::int32_t other, const Candidate& edge) {
         const Triangle first = renamed(surface_.triangles[t], edge, edge.a);
@@ -592,107 +527,31 @@ class EdgeCollapse {
     /// Moves both ends of an edge to the new place, and merges them.
     void collapse(const Candidate& edge) {
         hand_over(edge);
-        if (limits_.keeps_apart) {
-            all_at(edge, [&](std::int32_t t) {
-                grid_.remove(t, corners(surface_.triangles[t]));
-                return true;
-            });
-        }
-        merge_ends(edge);
+        all_at(edge, [&](std::int32_t t) {
+            if (const std::array<Vec3, 3> c = corners(surface_.triangles[t]); is_tested(c)) {
+                grid_.remove(t, c);
+            }
+            return true;
+        });
+        const EdgeMesh::Merged& merged = edges_.merge(edge.a, edge.b);
         surface_.points[edge.a] = edge.place;
         quadrics_[edge.a].add(quadrics_[edge.b]);
+        for (const std::int32_t e : merged.edges) {
+            assessed_[e].state = Assessed::State::Impossible;
+        }
+        for (const std::int32_t v : merged.vertices) {
+            find_border_at(v);
+        }
         find_border_at(edge.a);
-        for (const std::int32_t corner : corners_.at(edge.a)) {
+        for (const std::int32_t corner : edges_.corners_at(edge.a)) {
             const std::int32_t t = corner / 3;
-            if (limits_.keeps_apart) {
-                grid_.add(t, corners(surface_.triangles[t]));
+            if (const std::array<Vec3, 3> c = corners(surface_.triangles[t]); is_tested(c)) {
+                grid_.add(t, c);
             }
-            change(edges_of_[t][corner % 3]);
-            change(edges_of_[t][(corner + 2) % 3]);
-            change(edges_of_[t][(corner + 1) % 3]);
-        }
-    }
-    /// Removes the triangles at an edge; the others at its second end get the first one in its place.
-    void merge_ends(const Candidate& edge) {
-        gone_.clear();
-        for (const std::int32_t corner : corners_.at(edge.b)) {
-            if (has(surface_.triangles[corner / 3], edge.a)) {
-                gone_.push_back(corner);
+            for (int k = 0; k < 3; ++k) {
+                change(edges_.edge_after(t, k));
             }
         }
-        for (const std::int32_t corner : gone_) {
-            remove_triangle(corner / 3, corner % 3, edge);
-        }
-        for (const std::int32_t corner : corners_.at(edge.b)) {
-            const std::int32_t t = corner / 3;
-            surface_.triangles[t][corner % 3] = edge.a;
-            for (const int k : {corner % 3, (corner + 2) % 3}) {
-                Edge& its = edges_[edges_of_[t][k]];
-                its.a = its.a == edge.b ? edge.a : its.a;
-                its.b = its.b == edge.b ? edge.a : its.b;
-            }
-        }
-        corners_.append(edge.a, edge.b);
-    }
-    /// Removes a triangle of the edge. Its other two edges become one.
-    /// @param k  its corner at the end that vanishes
-    void remove_triangle(std::int32_t t, int k, const Candidate& edge) {
-        const Triangle c = surface_.triangles[t];
-        const int at_a = c[(k + 1) % 3] == edge.a ? (k + 1) % 3 : (k + 2) % 3;
-        const int beside = 3 - k - at_a;
-        const bool forward = at_a == (k + 1) % 3;  // the edge runs from b to a
-        const std::int32_t stays = edges_of_[t][forward ? at_a : beside];
-        const std::int32_t goes = edges_of_[t][forward ? beside : k];
-        const std::int32_t beyond = forward ? beyond_edge(edge.b, c[beside]) : beyond_edge(c[beside], edge.b);
-        edges_[goes].state = Edge::State::Impossible;
-        if (beyond >= 0) {
-            edges_of_[beyond / 3][beyond % 3] = stays;
-        }
-        for (const int corner : {k, at_a, beside}) {
-            corners_.remove(3 * t + corner, c[corner]);
-        }
-        surface_.triangles[t] = {-1, -1, -1};
-        find_border_at(c[beside]);
-    }
-    /// What is known of an edge holds no more.
-    void change(std::int32_t e) {
-        Edge& edge = edges_[e];
-        if (edge.state == Edge::State::Tried) {
-            queue_.push({edge.cost, e});
-        }
-        edge.state = edge.state == Edge::State::Impossible ? edge.state : Edge::State::Changed;
-    }
-
-    /// Removes vertices and triangles that are gone.
-    void finish() {
-        std::vector<std::int32_t> index(surface_.points.size(), -1);
-        std::size_t count = 0;
-        for (std::size_t v = 0; v < surface_.points.size(); ++v) {
-            if (!corners_.empty(static_cast<std::int32_t>(v))) {
-                index[v] = static_cast<std::int32_t>(count);
-                surface_.points[count++] = surface_.points[v];
-            }
-        }
-        surface_.points.resize(count);
-        std::size_t left = 0;
-        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-            const Triangle c = surface_.triangles[t];
-            if (c[0] >= 0) {
-                surface_.triangles[left] = {index[c[0]], index[c[1]], index[c[2]]};
-                surface_.source[left] = surface_.source[t];
-                surface_.patch[left] = surface_.patch[t];
-                surface_.plane[left] = surface_.plane[t];
-                if (!surface_.kept.empty()) {
-                    std::swap(surface_.kept[left], surface_.kept[t]);
-                }
-                ++left;
-            }
-        }
-        surface_.triangles.resize(left);
-        surface_.source.resize(left);
-        surface_.patch.resize(left);
-        surface_.plane.resize(left);
-        surface_.kept.resize(surface_.kept.empty() ? 0 : left);
     }
 
     Contour& surface_;
@@ -703,19 +562,15 @@ class EdgeCollapse {
     double from_;
     CancelPace pace_;
     double border_weight_;
-    CornerLists corners_;
-    std::vector<Edge> edges_;
-    std::vector<std::array<std::int32_t, 3>> edges_of_;  ///< by triangle: the edge after each of its corners
-    std::vector<char> stays_;                            ///< by vertex: whether a fixed triangle has it
-    std::vector<char> on_border_;                        ///< by vertex: whether its triangles are of several patches
-    std::vector<std::uint32_t> marks_;                   ///< by vertex, for keeps_links
-    std::uint32_t next_mark_ = 1;
+    EdgeMesh edges_;
+    std::vector<Assessed> assessed_;  ///< by edge
+    std::vector<char> stays_;         ///< by vertex: whether a fixed triangle has it
+    std::vector<char> on_border_;     ///< by vertex: whether its triangles are of several patches
     std::vector<Quadric> quadrics_;
     std::vector<Vec3> planes_;  ///< normal of the plane that each triangle stands for
     TriangleGrid grid_{1.0};
     std::priority_queue<Queued> queue_;
     // Buffers for the tests of one collapse.
-    std::vector<std::int32_t> gone_;                  ///< corners of triangles that vanish
     std::vector<std::pair<std::int32_t, Box>> near_;  ///< moved triangles, then those near them, with their boxes
     std::vector<std::uint32_t> seen_;                 ///< by triangle: the round in which it came into near_
     std::uint32_t round_ = 0;

@@ -32,17 +32,38 @@ struct Block {
     std::vector<std::int32_t> vertices;   ///< the vertices of fixed triangles, by their index in the whole surface
 };
 
-/// Collapses edges without a test of each collapse. If triangles of the result meet, all is done again with the test.
+/// The boxes of the triangles that meet; of some of them, where they are many.
+std::vector<Box> boxes_of_contacts(const Contour& surface, const Progress& progress) {
+    constexpr std::size_t kMost = 16;
+    std::vector<Box> boxes;
+    for (const mesh::ContactPair& pair :
+         mesh::self_intersections(surface.points, surface.triangles, kMost, &progress)) {
+        boxes.emplace_back();
+        for (const std::int32_t t : {pair.a, pair.b}) {
+            for (const std::int32_t v : surface.triangles[static_cast<std::size_t>(t)]) {
+                boxes.back().add(surface.points[static_cast<std::size_t>(v)]);
+            }
+        }
+    }
+    return boxes;
+}
+
+/// Collapses edges without a test of each collapse. If triangles of the result meet, all is done again, with a test of
+/// the collapses there; if that is not enough, with a test of all.
 void collapse(Contour& surface, const std::vector<Crossing>& crossings, CollapseLimits& limits, Progress& progress,
               double from = 0.0) {
     const Contour before = surface;
-    limits.keeps_apart = false;
-    collapse_edges(surface, crossings, limits, progress, from);
-    if (!mesh::self_intersections(surface.points, surface.triangles, 1, &progress).empty()) {
-        surface = before;
-        limits.keeps_apart = true;
+    limits.tested.clear();
+    for (const bool is_first : {true, false}) {
         collapse_edges(surface, crossings, limits, progress, from);
+        const std::vector<Box> contacts = boxes_of_contacts(surface, progress);
+        if (contacts.empty()) {
+            return;
+        }
+        surface = before;
+        limits.tested = is_first ? contacts : std::vector<Box>{limits.within};
     }
+    collapse_edges(surface, crossings, limits, progress, from);
 }
 
 class Blocks {

@@ -21,7 +21,7 @@ using Node = std::array<std::int32_t, 3>;
 /// Nodes are stored in blocks of 4 x 4 x 4 cubes.
 class Lattice {
   public:
-    static constexpr int kBlockNodes = 128;     ///< nodes of a block
+    static constexpr int kBlockNodes = 128;  ///< nodes of a block
     static constexpr int kBits = 3;
     static constexpr std::int32_t kAcross = 1 << kBits;  ///< half sides along a block
 

@@ -18,8 +18,6 @@ struct WrapTuning {
     /// Longest edge of the simplified surface, in spacings: with longer ones the tests of nearby triangles would take
     /// more time.
     MESHQUALITY_TUNED(double, kLongest, 10.0);
-    /// Distances are proven to this fraction of a spacing.
-    MESHQUALITY_TUNED(double, kFineness, 0.02);
     /// Side of the blocks that are simplified in parallel, in spacings: far longer than the edges of the contour.
     MESHQUALITY_TUNED(double, kBlock, 24.0);
 };

@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "inspection/ray_crossings.h"
-#include "wrap/lattice/tuning.h"
 
 namespace mq::wrap {
 
@@ -29,7 +28,8 @@ std::vector<mesh::Corners> corners_of(const std::vector<Vec3>& points, const std
 
 WrapDistance wrap_distance(const mesh::TriangleMesh& wrap, const std::vector<std::int32_t>& source,
                            const InputSurface& input, double spacing, Progress& progress) {
-    const double fineness = WrapTuning::kFineness * spacing;
+    constexpr double kFineness = 0.02;  // distances are proven to this fraction of a spacing
+    const double fineness = kFineness * spacing;
     const mesh::ProvenBound to_input = mesh::deviation_from_distance(
         corners_of(wrap.vertices, wrap.triangles, [&](std::size_t t) { return source[t] >= 0; }), input, 0.0, fineness,
         progress);

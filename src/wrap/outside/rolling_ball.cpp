@@ -120,9 +120,9 @@ class RollingBall {
         double radius;
     };
     struct Reached {
-        double height;        ///< mm: height above the ball's surface, at most 0
-        std::uint32_t node;   ///< its index among the stored nodes
-        std::uint32_t ball;   ///< its index
+        double height;       ///< mm: height above the ball's surface, at most 0
+        std::uint32_t node;  ///< its index among the stored nodes
+        std::uint32_t ball;  ///< its index
         bool operator<(const Reached& o) const {
             return std::tie(o.height, o.node, o.ball) < std::tie(height, node, ball);
         }
