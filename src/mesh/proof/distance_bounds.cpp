@@ -139,8 +139,8 @@ class Counted {
     explicit Counted(const Inside* is_inside) : is_inside_(is_inside) {}
 
     bool all() const { return is_inside_ == nullptr; }
-    /// Whether no point within a reach of another one counts, as far as is known. Below 0 it is of points that may count
-    /// if they are as near as that to the surface.
+    /// Whether no point within a reach of another one counts, as far as is known. Below 0 it is of points that may
+    /// count if they are as near as that to the surface.
     bool leaves_out(const Vec3& p, double reach) const { return (p - centre_).norm() + reach < radius_; }
     bool has(const Vec3& p) const { return all() || !(*is_inside_)(p); }
     /// Whether a point counts. Where the surface is nearest amid a triangle, the side of that tells.
@@ -373,13 +373,16 @@ ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const
 
 ProvenBound distance_of_points_outside(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                        const std::function<bool(const Vec3&)>& is_inside, double fineness,
-                                       const Progress& progress) {
+                                       Progress& progress, double from) {
+    std::atomic<std::size_t> done{0};
     const ProvenBound least = farthest_sample(triangles, surface, 0.0, {fineness, Vec3::Zero()}, &is_inside, progress);
     return over_all(triangles, progress, least, [&](std::size_t first, std::size_t end, ProvenBound& found) {
         BoundOfTriangle bound(surface, 0.0, fineness, kNoDistance, &is_inside);
         for (std::size_t t = first; t < end; ++t) {
             found = bound.raised(triangles[t], found);
         }
+        const std::size_t so_far = done += end - first;
+        progress.advance(from + (1.0 - from) * static_cast<double>(so_far) / static_cast<double>(triangles.size()));
     });
 }
 

@@ -43,9 +43,10 @@ ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const
 /// (mm) where no point is farther. The bound is at most the fineness above the largest distance, as in
 /// deviation_from_distance.
 /// @param is_inside  whether a point is inside of the surface; called by several threads
+/// @param from  fraction of the stage that was done before; this call advances it to the end
 ProvenBound distance_of_points_outside(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                        const std::function<bool(const Vec3&)>& is_inside, double fineness,
-                                       const Progress& progress);
+                                       Progress& progress, double from = 0.0);
 
 /// The indices of the triangles for which deviation_from_distance is above `most` (mm).
 /// @param witnesses  by triangle, for distance = 0: triangles of the surface that prove by themselves that it is not;

@@ -33,7 +33,7 @@ WrapDistance wrap_distance(const mesh::TriangleMesh& wrap, const std::vector<std
     const mesh::ProvenBound to_input = mesh::deviation_from_distance(
         corners_of(wrap.vertices, wrap.triangles, [&](std::size_t t) { return source[t] >= 0; }), input, 0.0, fineness,
         progress);
-    progress.advance(0.5);
+    progress.advance(0.25);
     const mesh::SearchedSurface surface(wrap.vertices, wrap.triangles);
     // The direction is arbitrary: which triangles the ray crosses is decided exactly.
     const Vec3 direction(0.48, 0.6, 0.64);
@@ -43,7 +43,7 @@ WrapDistance wrap_distance(const mesh::TriangleMesh& wrap, const std::vector<std
             return inspection::winding_at_start(
                        inspection::crossings_of(surface.tree, wrap.vertices, wrap.triangles, p, direction, -1)) > 0;
         },
-        fineness, progress);
+        fineness, progress, 0.25);
     return {to_input.bound, to_input.where, from_input.bound, from_input.where};
 }
 

@@ -83,7 +83,8 @@ TEST(DistanceBounds, OnlyWhatIsOutsideCounts) {
     const TriangleMesh box = solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
     const SearchedSurface surface(box.vertices, box.triangles);
     const auto bound = [&](const Corners& t) {
-        return distance_of_points_outside({t}, surface, is_in_box, 0.01, kUnwatched).bound;
+        Progress progress;
+        return distance_of_points_outside({t}, surface, is_in_box, 0.01, progress).bound;
     };
     // Deep inside, across a side near it, and through the box with both ends outside.
     EXPECT_EQ(bound({Vec3(3, 3, 3), Vec3(7, 3, 4), Vec3(4, 7, 6)}), 0.01);
