@@ -132,11 +132,11 @@ class EdgeCollapse {
                 grid_.add(static_cast<std::int32_t>(t), corners(surface_.triangles[t]));
             }
         }
-        for (std::size_t e = 0; e < edges_.edge_count(); ++e) {
-            keep_border(static_cast<std::int32_t>(e));
-        }
         for (std::size_t v = 0; v < surface_.points.size(); ++v) {
             find_border_at(static_cast<std::int32_t>(v));
+        }
+        for (std::size_t e = 0; e < edges_.edge_count(); ++e) {
+            keep_border(static_cast<std::int32_t>(e));
         }
     }
     void find_border_at(std::int32_t v) {
@@ -154,6 +154,9 @@ class EdgeCollapse {
         return {one < 0 ? -1 : one / 3, two < 0 ? -1 : two / 3};
     }
     bool is_border(std::int32_t e) const {
+        if (on_border_[edges_.ends(e)[0]] == 0 || on_border_[edges_.ends(e)[1]] == 0) {
+            return false;
+        }
         const auto [one, two] = beside(e);
         return one >= 0 && two >= 0 && surface_.patch[one] != surface_.patch[two];
     }

@@ -71,17 +71,15 @@ unsigned InputSurface::met_of(const Fan& fan) const {
 }
 
 bool InputSurface::meets(const Vec3& from, const Vec3& to) const {
-    bool found = false;
-    tree.for_each_on_ray(from, to - from, 1.0, [&](std::int32_t t) {
-        found = meets_triangle(*this, triangles[static_cast<std::size_t>(t)], from, to);
-        return !found;
-    });
-    return found;
+    return met_of({from, {to}, 1}) != 0;
 }
 
 FirstMeeting InputSurface::first_meeting(const Vec3& from, const Vec3& to) const {
     FirstMeeting first;
-    tree.for_each_on_ray(from, to - from, 1.0, [&](std::int32_t t) {
+    Box box;
+    box.add(from);
+    box.add(to);
+    tree.for_each_in_box(box, [&](std::int32_t t) {
         const Triangle& corners = triangles[static_cast<std::size_t>(t)];
         if (!meets_triangle(*this, corners, from, to)) {
             return;

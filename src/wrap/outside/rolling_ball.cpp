@@ -129,9 +129,10 @@ class RollingBall {
     };
 
     bool has_covered_neighbour(const Node& node) const {
-        bool has = false;
-        for_each_neighbour(lattice_, node, [&](const Node& other, int) { has = has || !states_.is_free(other); });
-        return has;
+        return std::any_of(Lattice::steps().begin(), Lattice::steps().end(), [&](const Node& step) {
+            const Node other = node + step;
+            return lattice_.contains(other) && !states_.is_free(other);
+        });
     }
     void spread(const Node& node, std::uint32_t index) {
         const Ball& ball = balls_[index];

@@ -52,7 +52,7 @@ TEST(InputSurface, SegmentsOfAFanMeetWhatEachOfThemMeets) {
         const unsigned met = surface.met_of(fan);
         EXPECT_EQ(met >> fan.count, 0U);
         for (std::size_t k = 0; k < fan.count; ++k) {
-            EXPECT_EQ((met >> k & 1U) != 0, surface.meets(fan.from, fan.to[k]));
+            EXPECT_EQ((met >> k & 1U) != 0, surface.first_meeting(fan.from, fan.to[k]).triangle >= 0);
             meeting += static_cast<int>(met >> k & 1U);
         }
     }
