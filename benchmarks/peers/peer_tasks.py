@@ -17,7 +17,8 @@ SURFACE_PARTS = ("netgen_screw.step", "gmsh_t20_data.step", "Pump_TopCover.brep"
 BOOLEAN_PAIRS = (("needles84_a", "needles84_b"), ("torusA", "torusRot"), ("bunny70k", "dragon58k"), ("twin_a", "twin_b"))
 GIVEN_PARTS = ("netgen_screw.step", "gmsh_t20_data.step", "linkrods.step", "part.step")  # to simplify and to fill
 SOLIDS = ("elbow", "screw", "drilled", "linkrods", "filletbox", "t20")  # to curve, of curve_models
-WRAPPED = ("as1-oc-214.stp", "3DBenchy.obj", "dm1-id-214.stp", "chair_model.obj", "dlr_f6.brep", "plane_holes.obj")
+WRAPPED = ("as1-oc-214.stp", "3DBenchy.obj", "dm1-id-214.stp", "occBSplCone.brep", "decimated-knight.off", "chair_model.obj", "dlr_f6.brep",
+           "plane_holes.obj")
 OFFSETS = (0.02, -0.02)  # of the largest dimension
 GAP, WRAP_TOLERANCE = 0.03, 0.01  # of the largest dimension
 GIVEN_FINER = 0.3  # of the target: the distance of meshes to simplify from their part

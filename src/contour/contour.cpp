@@ -95,6 +95,44 @@ class ContourBuilder {
 
 }  // namespace
 
+void remove_gone(Contour& surface) {
+    std::vector<std::int32_t> index(surface.points.size(), -1);
+    for (const mesh::Triangle& c : surface.triangles) {
+        for (const std::int32_t v : c) {
+            if (v >= 0) {
+                index[v] = 0;
+            }
+        }
+    }
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < surface.points.size(); ++v) {
+        if (index[v] == 0) {
+            index[v] = static_cast<std::int32_t>(count);
+            surface.points[count++] = surface.points[v];
+        }
+    }
+    surface.points.resize(count);
+    std::size_t left = 0;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const mesh::Triangle c = surface.triangles[t];
+        if (c[0] >= 0) {
+            surface.triangles[left] = {index[c[0]], index[c[1]], index[c[2]]};
+            surface.source[left] = surface.source[t];
+            surface.patch[left] = surface.patch[t];
+            surface.plane[left] = surface.plane[t];
+            if (!surface.kept.empty()) {
+                std::swap(surface.kept[left], surface.kept[t]);
+            }
+            ++left;
+        }
+    }
+    surface.triangles.resize(left);
+    surface.source.resize(left);
+    surface.patch.resize(left);
+    surface.plane.resize(left);
+    surface.kept.resize(surface.kept.empty() ? 0 : left);
+}
+
 Contour contour(const CrossedCells& cells, const LevelSet* level_set, const Progress& progress) {
     std::vector<CellSurface> surfaces(cells.cells.size());
     for_chunks(static_cast<int>(surfaces.size()), [&](int k) {

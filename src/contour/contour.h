@@ -24,6 +24,9 @@ struct Contour {
     std::vector<std::vector<std::int32_t>> kept;
 };
 
+/// Removes the triangles without vertices (-1), and the points that no triangle has. The others keep their order.
+void remove_gone(Contour& surface);
+
 /// The contour of all cells (cell_surface). Cells share points on their faces, so all of it is closed, 2-manifold and
 /// free of self-intersections, before its points are rounded to single precision.
 /// @param level_set  as in cell_surface()

@@ -6,17 +6,19 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
 
+#include "contour/edge_mesh.h"
 #include "contour/quadric.h"
 #include "contour/triangle_grid.h"
+#include "contour/triangle_shape.h"
 #include "contour/tuning.h"
 #include "mesh/intersection/embedded_star.h"
 #include "mesh/intersection/triangle_contact.h"
 #include "mesh/intersection/triangle_distance.h"
-#include "mesh/simplex_stars.h"
 
 namespace mq::contour {
 
@@ -24,39 +26,30 @@ namespace {
 
 using mesh::Triangle;
 
-double longest_side(const std::array<Vec3, 3>& c) {
-    return std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
-}
+/// What is known of an edge of the surface.
+struct Assessed {
+    enum class State : std::uint8_t {
+        Waiting,    ///< in the queue
+        Changed,    ///< in the queue; its cost is another one since
+        Tried,      ///< not in the queue: it cannot collapse as the surface is around it now
+        Impossible  ///< gone or fixed
+    };
+    double cost = 0.0;  ///< that it has in the queue
+    State state = State::Impossible;
+};
 
-/// Tangent of the smallest angle.
-double smallest_tangent(const std::array<Vec3, 3>& c) {
-    const double area = (c[1] - c[0]).cross(c[2] - c[0]).norm();
-    double cosine = 0.0;  // the largest cosine of an angle, times the lengths of its two sides
-    for (std::size_t k = 0; k < 3; ++k) {
-        cosine = std::max(cosine, (c[(k + 1) % 3] - c[k]).dot(c[(k + 2) % 3] - c[k]));
-    }
-    return area / cosine;
-}
-
-bool has(const Triangle& t, std::int32_t v) {
-    return t[0] == v || t[1] == v || t[2] == v;
-}
-
-/// An edge in the queue of candidates.
+/// An edge in the queue.
 struct Queued {
     double cost = 0.0;
-    std::int32_t a = -1;
-    std::int32_t b = -1;
-    std::int32_t age_a = 0;  ///< number of moves of each end when the edge was assessed
-    std::int32_t age_b = 0;
+    std::int32_t edge = -1;
 
-    bool operator<(const Queued& o) const { return std::tie(o.cost, o.a, o.b) < std::tie(cost, a, b); }
+    bool operator<(const Queued& o) const { return std::tie(o.cost, o.edge) < std::tie(cost, edge); }
 };
 
 /// An edge, and the place to which both of its ends would move.
 struct Candidate {
-    std::int32_t a = -1;
-    std::int32_t b = -1;
+    std::int32_t a = -1;  ///< stays
+    std::int32_t b = -1;  ///< becomes the other one
     Vec3 place = Vec3::Zero();
 
     bool is_end(std::int32_t v) const { return v == a || v == b; }
@@ -75,9 +68,11 @@ class EdgeCollapse {
           progress_(progress),
           from_(from),
           pace_(progress),
-          stars_(surface.points.size()),
-          ages_(surface.points.size()),
+          border_weight_(std::pow(limits.distance / limits.border, 2.0)),
+          edges_(surface.triangles, surface.points.size()),
+          assessed_(edges_.edge_count()),
           stays_(surface.points.size()),
+          on_border_(surface.points.size()),
           quadrics_(surface.points.size()),
           planes_(surface.triangles.size()),
           seen_(surface.triangles.size()) {
@@ -97,14 +92,18 @@ class EdgeCollapse {
             // Collapses add candidates, so that the work left is unknown: the progress is the fraction of the first
             // queue that is done.
             advance(1.0 - 0.5 * static_cast<double>(queue_.size()) / first);
-            const Queued next = queue_.top();
+            const std::int32_t next = queue_.top().edge;
             queue_.pop();
-            Candidate edge{next.a, next.b};
-            if (next.age_a == ages_[next.a] && next.age_b == ages_[next.b] && keeps_links(edge) && finds_place(edge)) {
-                collapse(edge);
+            if (is_still_first(next)) {
+                assessed_[next].state = Assessed::State::Tried;
+                Candidate edge = candidate_of(next);
+                if (edges_.keeps_links(edge.a, edge.b) && finds_place(edge)) {
+                    assessed_[next].state = Assessed::State::Impossible;
+                    collapse(edge);
+                }
             }
         }
-        finish();
+        remove_gone(surface_);
     }
 
   private:
@@ -114,62 +113,66 @@ class EdgeCollapse {
     std::array<Vec3, 3> corners(const Triangle& t) const {
         return {surface_.points[t[0]], surface_.points[t[1]], surface_.points[t[2]]};
     }
-    Vec3 normal(const Triangle& t) const {
-        const std::array<Vec3, 3> c = corners(t);
-        return (c[1] - c[0]).cross(c[2] - c[0]).normalized();
-    }
-
     void prepare() {
         double longest = 0.0;
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-            const Triangle& c = surface_.triangles[t];
+            const std::array<Vec3, 3> c = corners(surface_.triangles[t]);
             const std::int32_t plane = surface_.plane[t];
-            planes_[t] = plane >= 0 ? crossings_[plane].normal : normal(c);
-            stars_.add(static_cast<int>(t), c);
-            const Vec3& on = plane >= 0 ? crossings_[plane].on_input : surface_.points[c[0]];
-            for (int k = 0; k < 3; ++k) {
-                quadrics_[c[k]].add_plane(on, planes_[t], 1.0);
-                longest = std::max(longest, (surface_.points[c[k]] - surface_.points[c[(k + 1) % 3]]).norm());
+            planes_[t] = plane >= 0 ? crossings_[plane].normal : Vec3(cross(c).normalized());
+            Quadric of_plane;
+            of_plane.add_plane(plane >= 0 ? crossings_[plane].on_input : c[0], planes_[t], 1.0);
+            for (const std::int32_t v : surface_.triangles[t]) {
+                quadrics_[v].add(of_plane);
+            }
+            longest = std::max(longest, longest_square(c));
+        }
+        grid_ = TriangleGrid(std::sqrt(longest));
+        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+            if (is_tested(corners(surface_.triangles[t]))) {
+                grid_.add(static_cast<std::int32_t>(t), corners(surface_.triangles[t]));
             }
         }
-        grid_ = TriangleGrid(longest);
-        for (std::size_t t = 0; limits_.keeps_apart && t < surface_.triangles.size(); ++t) {
-            grid_.add(static_cast<std::int32_t>(t), corners(surface_.triangles[t]));
+        for (std::size_t v = 0; v < surface_.points.size(); ++v) {
+            find_border_at(static_cast<std::int32_t>(v));
         }
-        for (const Triangle& c : surface_.triangles) {
-            for (int k = 0; k < 3; ++k) {
-                const std::int32_t a = c[k];
-                const std::int32_t b = c[(k + 1) % 3];
-                if (a < b) {
-                    keep_border(a, b);
-                }
-            }
+        for (std::size_t e = 0; e < edges_.edge_count(); ++e) {
+            keep_border(static_cast<std::int32_t>(e));
         }
     }
-
-    bool is_border(std::int32_t a, std::int32_t b) const {
-        const std::vector<int> two = stars_.of({a, b}, surface_.triangles);
-        return surface_.patch[two[0]] != surface_.patch[two[1]];
+    void find_border_at(std::int32_t v) {
+        on_border_[v] = 0;
+        for (const std::int32_t corner : edges_.corners_at(v)) {
+            const std::int32_t first = *edges_.corners_at(v).begin();
+            on_border_[v] |= static_cast<char>(surface_.patch[corner / 3] != surface_.patch[first / 3]);
+        }
     }
-    bool on_border(std::int32_t v) const {
-        return std::any_of(stars_[v].begin(), stars_[v].end(),
-                           [&](std::int32_t t) { return surface_.patch[t] != surface_.patch[stars_[v][0]]; });
+    /// The triangles on both sides of an edge; -1: it has one only, as edges at which a block ends, which are fixed.
+    std::array<std::int32_t, 2> beside(std::int32_t e) const {
+        const auto [a, b] = edges_.ends(e);
+        const std::int32_t one = edges_.corner_of(a, b);
+        const std::int32_t two = edges_.corner_of(b, a);
+        return {one < 0 ? -1 : one / 3, two < 0 ? -1 : two / 3};
+    }
+    bool is_border(std::int32_t e) const {
+        if (on_border_[edges_.ends(e)[0]] == 0 || on_border_[edges_.ends(e)[1]] == 0) {
+            return false;
+        }
+        const auto [one, two] = beside(e);
+        return one >= 0 && two >= 0 && surface_.patch[one] != surface_.patch[two];
     }
     /// Adds planes along a border edge that are perpendicular to the surface, so that the border does not shift across
     /// it.
-    void keep_border(std::int32_t a, std::int32_t b) {
-        const double weight = std::pow(limits_.distance / limits_.border, 2.0);
-        const std::vector<int> two = stars_.of({a, b}, surface_.triangles);
-        const Vec3 along = surface_.points[b] - surface_.points[a];
-        // A block ends at edges of one triangle, which are fixed.
-        if (two.size() < 2 || surface_.patch[two[0]] == surface_.patch[two[1]] || along.squaredNorm() == 0.0) {
+    void keep_border(std::int32_t e) {
+        if (!is_border(e)) {
             return;
         }
-        for (const std::int32_t t : two) {
+        const auto [a, b] = edges_.ends(e);
+        const Vec3 along = surface_.points[b] - surface_.points[a];
+        for (const std::int32_t t : beside(e)) {
             const Vec3 across = along.cross(planes_[t]);
             if (across.squaredNorm() > 0.0) {
-                quadrics_[a].add_plane(surface_.points[a], across.normalized(), weight);
-                quadrics_[b].add_plane(surface_.points[a], across.normalized(), weight);
+                quadrics_[a].add_plane(surface_.points[a], across.normalized(), border_weight_);
+                quadrics_[b].add_plane(surface_.points[a], across.normalized(), border_weight_);
             }
         }
     }
@@ -177,38 +180,62 @@ class EdgeCollapse {
     void assess_all() {
         double done = 0.0;
         std::vector<Queued> all;
-        for (const Triangle& c : surface_.triangles) {
-            advance(0.5 * done++ / static_cast<double>(surface_.triangles.size()));
-            for (int k = 0; k < 3; ++k) {
-                if (c[k] < c[(k + 1) % 3]) {
-                    assess(c[k], c[(k + 1) % 3], [&](const Queued& edge) { all.push_back(edge); });
-                }
+        for (std::int32_t e = 0; e < static_cast<std::int32_t>(edges_.edge_count()); ++e) {
+            advance(0.5 * done++ / static_cast<double>(edges_.edge_count()));
+            if (assess(e)) {
+                all.push_back({assessed_[e].cost, e});
             }
         }
         queue_ = std::priority_queue<Queued>(std::less<Queued>(), std::move(all));
     }
-
-    /// Adds the edge to the candidates if its ends may be merged in one place.
-    template <typename Add>
-    void assess(std::int32_t a, std::int32_t b, const Add& add) const {
-        if (stays_[b] != 0) {
-            std::swap(a, b);  // after the collapse the vertex has the index of the first end
+    /// Finds the cost of an edge. @return whether its ends may be merged in one place
+    bool assess(std::int32_t e) {
+        Assessed& its = assessed_[e];
+        const Candidate edge = candidate_of(e);
+        const std::array<int, 2> held{hold(edge.a), hold(edge.b)};
+        its = {std::numeric_limits<double>::infinity(),
+               held[1] == 2 ? Assessed::State::Impossible : Assessed::State::Tried};
+        if (held[1] == 2 || (held[0] > 0 && held[1] > 0 && !is_border(e))) {
+            return false;
         }
-        const int hold_a = hold(a);
-        const int hold_b = hold(b);
-        if (stays_[b] != 0 || (hold_a > 0 && hold_b > 0 && !is_border(a, b))) {
-            return;
-        }
-        Quadric both = quadrics_[a];
-        both.add(quadrics_[b]);
-        const double cost = std::max(0.0, both.at(best_place(a, b, {hold_a, hold_b}, both)));
+        Quadric both = quadrics_[edge.a];
+        both.add(quadrics_[edge.b]);
+        const double cost = std::max(0.0, both.at(best_place(edge.a, edge.b, held, both)));
         // In a plane all costs are nearly 0: there short edges come first.
         constexpr double kByLength = 1e-2;
-        if (cost <= most_) {
-            const double length = (surface_.points[b] - surface_.points[a]).squaredNorm();
-            add({cost + kByLength * length, a, b, ages_[a], ages_[b]});
-        }
+        its.cost = cost + kByLength * (surface_.points[edge.b] - surface_.points[edge.a]).squaredNorm();
+        its.state = cost <= most_ ? Assessed::State::Waiting : Assessed::State::Tried;
+        return cost <= most_;
     }
+    Candidate candidate_of(std::int32_t e) const {
+        const auto [a, b] = std::minmax(edges_.ends(e)[0], edges_.ends(e)[1]);
+        return stays_[b] != 0 ? Candidate{b, a} : Candidate{a, b};
+    }
+    /// Whether an edge from the queue is to be collapsed now. If its cost has changed, it comes again later: costs
+    /// nearly always rise.
+    bool is_still_first(std::int32_t e) {
+        if (assessed_[e].state != Assessed::State::Changed) {
+            return assessed_[e].state == Assessed::State::Waiting;
+        }
+        if (!assess(e)) {
+            return false;
+        }
+        const Queued again{assessed_[e].cost, e};
+        if (queue_.empty() || !(again < queue_.top())) {
+            return true;
+        }
+        queue_.push(again);
+        return false;
+    }
+    /// What is known of an edge holds no more.
+    void change(std::int32_t e) {
+        Assessed& its = assessed_[e];
+        if (its.state == Assessed::State::Tried) {
+            queue_.push({its.cost, e});
+        }
+        its.state = its.state == Assessed::State::Impossible ? its.state : Assessed::State::Changed;
+    }
+
     /// The best place for both ends of an edge.
     /// @param held  see hold(), by end
     /// @param both  the sum of their quadrics
@@ -216,22 +243,17 @@ class EdgeCollapse {
         const Vec3& p = surface_.points[a];
         const Vec3& q = surface_.points[b];
         const Vec3 place = held[0] == held[1] ? Vec3(0.5 * (p + q)) : held[0] > held[1] ? p : q;
-        if (stays_[a] != 0) {
-            return place;
+        // What lies on all planes already is as good as any other place.
+        constexpr double kOnPlanes = 1e-6;  // a fraction of the largest squared distance
+        if (stays_[a] != 0 || both.at(place) <= kOnPlanes * most_) {
+            return to_single(place);
         }
         const Vec3 best = to_single(both.least(place, ContourTuning::kFlatShare));
         // The least point of a nearly singular quadric may be anywhere.
         return (best - place).squaredNorm() <= (q - p).squaredNorm() ? best : to_single(place);
     }
     /// The constraint on a vertex: 2 fixed by a triangle, 1 on a border between patches, 0 none.
-    int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border(v) ? 1 : 0; }
-
-    /// Whether the surface stays 2-manifold, and is more than a tetrahedron.
-    bool keeps_links(const Candidate& edge) const {
-        constexpr std::size_t kOfTetrahedron = 6;  // triangles at both ends
-        return stars_[edge.a].size() + stars_[edge.b].size() > kOfTetrahedron &&
-               stars_.link_condition(edge.a, edge.b, surface_.triangles);
-    }
+    int hold(std::int32_t v) const { return stays_[v] != 0 ? 2 : on_border_[v] != 0 ? 1 : 0; }
 
     /// Tries the best place and the places of both ends, and takes the first at which the surface stays sound.
     bool finds_place(Candidate& edge) {
@@ -245,8 +267,8 @@ class EdgeCollapse {
             // fixed.
             const bool leaves = k == 0 ? held[0] == 2 && places[0] != places[1] : held[k - 1] < held[2 - k];
             edge.place = places[k];
-            if (!leaves && both.at(edge.place) <= most_ && keeps_shape(edge) && keeps_within(edge) &&
-                keeps_points(edge) && (!limits_.keeps_apart || keeps_apart(edge)) && is_accepted(edge)) {
+            if (!leaves && both.at(edge.place) <= most_ && limits_.within.contains(edge.place) && keeps_shape(edge) &&
+                keeps_points(edge) && keeps_apart(edge) && is_accepted(edge)) {
                 return true;
             }
         }
@@ -256,10 +278,17 @@ class EdgeCollapse {
     /// Visits the triangles at one end or both, each once.
     template <typename Visit>
     bool all_at(const Candidate& edge, const Visit& visit) const {
-        const auto is_new = [&](std::int32_t t) { return !has(surface_.triangles[t], edge.a); };
-        return std::all_of(stars_[edge.a].begin(), stars_[edge.a].end(), visit) &&
-               std::all_of(stars_[edge.b].begin(), stars_[edge.b].end(),
-                           [&](std::int32_t t) { return !is_new(t) || visit(t); });
+        for (const std::int32_t corner : edges_.corners_at(edge.a)) {
+            if (!visit(corner / 3)) {
+                return false;
+            }
+        }
+        for (const std::int32_t corner : edges_.corners_at(edge.b)) {
+            if (!has(surface_.triangles[corner / 3], edge.a) && !visit(corner / 3)) {
+                return false;
+            }
+        }
+        return true;
     }
     /// Visits the triangles that stay, with both ends at the new place: visit(triangle, its new corners).
     template <typename Visit>
@@ -273,32 +302,47 @@ class EdgeCollapse {
     /// Whether no triangle turns away from its plane, becomes thinner than all triangles at the edge are, or gets a
     /// side that is too long.
     bool keeps_shape(const Candidate& edge) const {
-        double thinnest = ContourTuning::kThinTangent;
+        std::optional<double> thinnest;
+        return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
+            const Vec3 now = cross(moved);
+            const double length = now.norm();
+            const double ahead = now.dot(planes_[t]);
+            if (!(length > 0.0) || longest_square(moved) > limits_.longest * limits_.longest ||
+                (ahead < ContourTuning::kTurn * length && ahead < turn(t) * length)) {
+                return false;
+            }
+            const double tangent = smallest_tangent(moved, length);
+            if (tangent >= ContourTuning::kThinTangent) {
+                return true;
+            }
+            thinnest = thinnest ? thinnest : thinnest_at(edge);
+            return tangent >= *thinnest;
+        });
+    }
+    /// The cosine between a triangle's normal and that of its plane.
+    double turn(std::int32_t t) const { return cross(corners(surface_.triangles[t])).normalized().dot(planes_[t]); }
+    /// The tangent of the smallest angle of all triangles at an edge.
+    double thinnest_at(const Candidate& edge) const {
+        double least = std::numeric_limits<double>::infinity();
         all_at(edge, [&](std::int32_t t) {
-            thinnest = std::min(thinnest, smallest_tangent(corners(surface_.triangles[t])));
+            const std::array<Vec3, 3> c = corners(surface_.triangles[t]);
+            least = std::min(least, smallest_tangent(c, cross(c).norm()));
             return true;
         });
-        return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
-            const Vec3 cross = (moved[1] - moved[0]).cross(moved[2] - moved[0]);
-            const double length = cross.norm();
-            const double before = normal(surface_.triangles[t]).dot(planes_[t]);
-            return length > 0.0 && longest_side(moved) <= limits_.longest &&
-                   cross.dot(planes_[t]) >= std::min(ContourTuning::kTurn, before) * length &&
-                   smallest_tangent(moved) >= thinnest;
-        });
+        return least;
     }
 
-    /// Whether all moved triangles are in the box of the limits.
-    bool keeps_within(const Candidate& edge) const {
-        return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
-            const bool is_fixed = !limits_.fixed.empty() && limits_.fixed[t] != 0;
-            return is_fixed ||
-                   std::all_of(moved.begin(), moved.end(), [&](const Vec3& p) { return limits_.within.contains(p); });
-        });
+    /// Whether a triangle is at a place where it must not meet others.
+    bool is_tested(const std::array<Vec3, 3>& c) const {
+        return std::any_of(limits_.tested.begin(), limits_.tested.end(),
+                           [&](const Box& tested) { return tested.meets(box_of(c)); });
     }
-
     /// Whether no moved triangle meets another one.
     bool keeps_apart(const Candidate& edge) {
+        if (limits_.tested.empty() ||
+            all_of_moved(edge, [&](std::int32_t, const std::array<Vec3, 3>& moved) { return !is_tested(moved); })) {
+            return true;
+        }
         // The grid contains the moved triangles, too, at their old places: their new boxes come first in the list.
         near_.clear();
         ++round_;
@@ -307,7 +351,7 @@ class EdgeCollapse {
             return true;
         });
         all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>&) {
-            near_.emplace_back(t, box_of(t, edge));
+            near_.emplace_back(t, box_at(t, edge));
             return true;
         });
         const std::size_t moved = near_.size();
@@ -316,7 +360,7 @@ class EdgeCollapse {
             grid_.all_near(corners_at(own, edge), [&](std::int32_t other) {
                 if (seen_[other] != round_) {
                     seen_[other] = round_;
-                    near_.emplace_back(other, box_of(other, edge));
+                    near_.emplace_back(other, box_at(other, edge));
                 }
                 return true;
             });
@@ -359,7 +403,9 @@ class EdgeCollapse {
         if (v == edge.a) {
             all_at(edge, add);
         } else {
-            std::for_each(stars_[v].begin(), stars_[v].end(), add);
+            for (const std::int32_t corner : edges_.corners_at(v)) {
+                add(corner / 3);
+            }
         }
         return mesh::embedded_star(star_.data(), star_.size());
     }
@@ -438,13 +484,7 @@ class EdgeCollapse {
         }
         return moved;
     }
-    Box box_of(std::int32_t t, const Candidate& edge) const {
-        Box box;
-        for (const std::int32_t v : surface_.triangles[t]) {
-            box.add(edge.is_end(v) ? edge.place : surface_.points[v]);
-        }
-        return box;
-    }
+    Box box_at(std::int32_t t, const Candidate& edge) const { return box_of(corners_at(surface_.triangles[t], edge)); }
     /// Whether two triangles are apart with both ends of the edge at the new place.
     bool apart(std::int32_t t, std::int32_t other, const Candidate& edge) {
         const Triangle first = renamed(surface_.triangles[t], edge, edge.a);
@@ -487,74 +527,34 @@ class EdgeCollapse {
         return t;
     }
 
-    /// Moves both ends of the edge to the new place, and merges them.
-    void apply(const Candidate& edge) {
-        std::vector<std::int32_t> star;
-        all_at(edge, [&](std::int32_t t) {
-            star.push_back(t);
-            return true;
-        });
-        for (const std::int32_t t : star) {
-            if (limits_.keeps_apart) {
-                grid_.remove(t, corners(surface_.triangles[t]));
-            }
-        }
-        surface_.points[edge.a] = edge.place;
-        for (const std::int32_t t : star) {
-            Triangle& c = surface_.triangles[t];
-            stars_.remove(t, c);
-            if (edge.removes(c)) {
-                c = {-1, -1, -1};
-            } else {
-                c = renamed(c, edge, edge.a);
-                stars_.add(t, c);
-                if (limits_.keeps_apart) {
-                    grid_.add(t, corners(c));
-                }
-            }
-        }
-        ++ages_[edge.a];
-    }
+    /// Moves both ends of an edge to the new place, and merges them.
     void collapse(const Candidate& edge) {
         hand_over(edge);
-        apply(edge);
+        all_at(edge, [&](std::int32_t t) {
+            if (const std::array<Vec3, 3> c = corners(surface_.triangles[t]); is_tested(c)) {
+                grid_.remove(t, c);
+            }
+            return true;
+        });
+        const EdgeMesh::Merged& merged = edges_.merge(edge.a, edge.b);
+        surface_.points[edge.a] = edge.place;
         quadrics_[edge.a].add(quadrics_[edge.b]);
-        ++ages_[edge.b];
-        for (const std::int32_t v : stars_.link({edge.a}, surface_.triangles)) {
-            assess(std::min(edge.a, v), std::max(edge.a, v), [&](const Queued& one) { queue_.push(one); });
+        for (const std::int32_t e : merged.edges) {
+            assessed_[e].state = Assessed::State::Impossible;
         }
-    }
-
-    /// Removes vertices and triangles that are gone.
-    void finish() {
-        std::vector<std::int32_t> index(surface_.points.size(), -1);
-        std::size_t count = 0;
-        for (std::size_t v = 0; v < surface_.points.size(); ++v) {
-            if (!stars_[static_cast<std::int32_t>(v)].empty()) {
-                index[v] = static_cast<std::int32_t>(count);
-                surface_.points[count++] = surface_.points[v];
+        for (const std::int32_t v : merged.vertices) {
+            find_border_at(v);
+        }
+        find_border_at(edge.a);
+        for (const std::int32_t corner : edges_.corners_at(edge.a)) {
+            const std::int32_t t = corner / 3;
+            if (const std::array<Vec3, 3> c = corners(surface_.triangles[t]); is_tested(c)) {
+                grid_.add(t, c);
+            }
+            for (int k = 0; k < 3; ++k) {
+                change(edges_.edge_after(t, k));
             }
         }
-        surface_.points.resize(count);
-        std::size_t left = 0;
-        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-            const Triangle c = surface_.triangles[t];
-            if (c[0] >= 0) {
-                surface_.triangles[left] = {index[c[0]], index[c[1]], index[c[2]]};
-                surface_.source[left] = surface_.source[t];
-                surface_.patch[left] = surface_.patch[t];
-                surface_.plane[left] = surface_.plane[t];
-                if (!surface_.kept.empty()) {
-                    std::swap(surface_.kept[left], surface_.kept[t]);
-                }
-                ++left;
-            }
-        }
-        surface_.triangles.resize(left);
-        surface_.source.resize(left);
-        surface_.patch.resize(left);
-        surface_.plane.resize(left);
-        surface_.kept.resize(surface_.kept.empty() ? 0 : left);
     }
 
     Contour& surface_;
@@ -564,9 +564,11 @@ class EdgeCollapse {
     Progress& progress_;
     double from_;
     CancelPace pace_;
-    mesh::SimplexStars stars_;
-    std::vector<std::int32_t> ages_;
-    std::vector<char> stays_;  ///< by vertex: whether a fixed triangle has it
+    double border_weight_;
+    EdgeMesh edges_;
+    std::vector<Assessed> assessed_;  ///< by edge
+    std::vector<char> stays_;         ///< by vertex: whether a fixed triangle has it
+    std::vector<char> on_border_;     ///< by vertex: whether its triangles are of several patches
     std::vector<Quadric> quadrics_;
     std::vector<Vec3> planes_;  ///< normal of the plane that each triangle stands for
     TriangleGrid grid_{1.0};

@@ -28,9 +28,9 @@ struct CollapseLimits {
     /// Points that each stay within a distance (mm) of a triangle of their patch: Contour::kept says of which.
     const std::vector<Vec3>* kept_points = nullptr;
     double kept_distance = 0.0;
-    /// Whether each collapse is tested for triangles that meet after it. If not, the caller searches the result for
-    /// them: on a surface that is not folded nearly no collapse makes any.
-    bool keeps_apart = true;
+    /// Collapses at these places are tested for triangles that meet after them. If they are not all places, the caller
+    /// searches the result: on a surface that is not folded nearly no collapse makes triangles meet.
+    std::vector<Box> tested;
     /// Box that contains all triangles that are not fixed, before and after collapses.
     Box within{Vec3::Constant(-1e300), Vec3::Constant(1e300)};
 };
@@ -40,7 +40,7 @@ struct CollapseLimits {
 /// their order.
 ///
 /// A collapse is made only if the surface stays 2-manifold (link condition), no triangle turns away from its plane and,
-/// if `keeps_apart` is set, no moved triangle meets another one (an exact test).
+/// no moved triangle meets another one where that is tested (exactly).
 /// @param from  fraction of the stage that was done before; this call advances it to the end
 /// @throws Cancelled
 void collapse_edges(Contour& surface, const std::vector<Crossing>& crossings, const CollapseLimits& limits,

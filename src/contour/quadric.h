@@ -28,7 +28,8 @@ class Quadric {
     /// The point with the least value that is nearest to `start`. Principal values below `flat_share` of the largest
     /// one count as 0, so that the point does not move along their directions.
     Vec3 least(const Vec3& start, double flat_share) const {
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix_);
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+        solver.computeDirect(matrix_);
         const Vec3 right = vector_ - matrix_ * start;
         Vec3 result = start;
         for (int k = 0; k < 3; ++k) {

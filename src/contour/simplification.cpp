@@ -32,6 +32,40 @@ struct Block {
     std::vector<std::int32_t> vertices;   ///< the vertices of fixed triangles, by their index in the whole surface
 };
 
+/// The boxes of the triangles that meet; of some of them, where they are many.
+std::vector<Box> boxes_of_contacts(const Contour& surface, const Progress& progress) {
+    constexpr std::size_t kMost = 16;
+    std::vector<Box> boxes;
+    for (const mesh::ContactPair& pair :
+         mesh::self_intersections(surface.points, surface.triangles, kMost, &progress)) {
+        boxes.emplace_back();
+        for (const std::int32_t t : {pair.a, pair.b}) {
+            for (const std::int32_t v : surface.triangles[static_cast<std::size_t>(t)]) {
+                boxes.back().add(surface.points[static_cast<std::size_t>(v)]);
+            }
+        }
+    }
+    return boxes;
+}
+
+/// Collapses edges without a test of each collapse. If triangles of the result meet, all is done again, with a test of
+/// the collapses there; if that is not enough, with a test of all.
+void collapse(Contour& surface, const std::vector<Crossing>& crossings, CollapseLimits& limits, Progress& progress,
+              double from = 0.0) {
+    const Contour before = surface;
+    limits.tested.clear();
+    for (const bool is_first : {true, false}) {
+        collapse_edges(surface, crossings, limits, progress, from);
+        const std::vector<Box> contacts = boxes_of_contacts(surface, progress);
+        if (contacts.empty()) {
+            return;
+        }
+        surface = before;
+        limits.tested = is_first ? contacts : std::vector<Box>{limits.within};
+    }
+    collapse_edges(surface, crossings, limits, progress, from);
+}
+
 class Blocks {
   public:
     /// @param shift  of the blocks along each axis, as a fraction of their side
@@ -54,25 +88,13 @@ class Blocks {
             block.limits.fixed.clear();
             fill(block);
             Progress piece(&progress);
-            collapse(block, crossings, piece);
+            collapse(block.surface, crossings, block.limits, piece);
             progress.advance(0.45 * (shift_ > kShift) + 0.45 * ++done / count);
         });
         join();
     }
 
   private:
-    /// Collapses the edges of a block without a test of each collapse. If triangles of the result meet, the block is
-    /// done again with the test.
-    static void collapse(Block& block, const std::vector<Crossing>& crossings, Progress& progress) {
-        const Contour before = block.surface;
-        block.limits.keeps_apart = false;
-        collapse_edges(block.surface, crossings, block.limits, progress);
-        if (!mesh::self_intersections(block.surface.points, block.surface.triangles, 1, &progress).empty()) {
-            block.surface = before;
-            block.limits.keeps_apart = true;
-            collapse_edges(block.surface, crossings, block.limits, progress);
-        }
-    }
     BlockKey key_of(const Vec3& p) const {
         BlockKey key{};
         for (int i = 0; i < 3; ++i) {
@@ -217,7 +239,7 @@ void simplify(Contour& surface, const std::vector<Crossing>& crossings, const Co
     }
     CollapseLimits rest = limits;
     rest.fixed = still_fixed(surface, limits.fixed);
-    collapse_edges(surface, crossings, rest, progress, 0.9);
+    collapse(surface, crossings, rest, progress, 0.9);
 }
 
 }  // namespace mq::contour

@@ -96,10 +96,10 @@ ClusteredMesh cluster(const float* corners, std::size_t triangles, std::size_t w
     }
     const Numbering numbers =
         number(corners, 3 * triangles, box.low, cell_side(corners, triangles, wanted, box), progress);
-    using Corners = std::array<std::int32_t, 3>;
-    std::vector<std::pair<Corners, std::uint32_t>> kept;
+    using Named = std::array<std::int32_t, 3>;
+    std::vector<std::pair<Named, std::uint32_t>> kept;
     for (std::size_t t = 0; t < triangles; ++t) {
-        Corners c{numbers.cluster[3 * t], numbers.cluster[3 * t + 1], numbers.cluster[3 * t + 2]};
+        Named c{numbers.cluster[3 * t], numbers.cluster[3 * t + 1], numbers.cluster[3 * t + 2]};
         std::sort(c.begin(), c.end());
         if (c[0] != c[1] && c[1] != c[2]) {
             kept.emplace_back(c, static_cast<std::uint32_t>(t));

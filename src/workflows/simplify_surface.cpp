@@ -17,9 +17,9 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/edge_table.h"
 #include "mesh/intersection/self_intersection.h"
+#include "mesh/proof/distance_bounds.h"
 #include "mesh/quality/mesh_report.h"
 #include "mesh/weld_vertices.h"
-#include "offset/proof/distance_bounds.h"
 
 namespace mq::workflows {
 
@@ -276,7 +276,7 @@ class Simplification {
             }
         }
         std::vector<std::vector<std::int32_t>> found;
-        const offset::SearchedSurface present(now_.points, now_.triangles);
+        const mesh::SearchedSurface present(now_.points, now_.triangles);
         std::vector<Vec3> places;
         const std::vector<std::int32_t> far = beyond(some, present, &found, places);
         for (std::size_t k = 0; k < asked.size(); ++k) {
@@ -354,25 +354,25 @@ class Simplification {
         }
         return !far.empty();
     }
-    std::vector<std::int32_t> beyond(const std::vector<Corners>& all, const offset::SearchedSurface& other,
+    std::vector<std::int32_t> beyond(const std::vector<Corners>& all, const mesh::SearchedSurface& other,
                                      std::vector<std::vector<std::int32_t>>* witnesses,
                                      std::vector<Vec3>& places) const {
-        return offset::triangles_beyond(all, other, 0.0, options_.tolerance, kFineness * options_.tolerance, progress_,
-                                        witnesses, &places);
+        return mesh::triangles_beyond(all, other, 0.0, options_.tolerance, kFineness * options_.tolerance, progress_,
+                                      witnesses, &places);
     }
 
     double bound() const {
-        const offset::SearchedSurface found(now_.points, now_.triangles);
+        const mesh::SearchedSurface found(now_.points, now_.triangles);
         const double fineness = kFineness * options_.tolerance;
-        return std::max(offset::deviation_from_distance(given_corners(), found, 0.0, fineness, progress_).bound,
-                        offset::deviation_from_distance(own_corners(), searched_, 0.0, fineness, progress_).bound);
+        return std::max(mesh::deviation_from_distance(given_corners(), found, 0.0, fineness, progress_).bound,
+                        mesh::deviation_from_distance(own_corners(), searched_, 0.0, fineness, progress_).bound);
     }
 
     const SimplifyOptions& options_;
     Progress& progress_;
     const std::vector<Triangle> triangles_;  ///< as given, vertices in one place as one
     const std::vector<Vec3> points_;         ///< as given, in single precision
-    const offset::SearchedSurface searched_;
+    const mesh::SearchedSurface searched_;
     std::vector<Vec3> kept_;   ///< points of the given surface that stay near: its vertices, and where that did not do
     std::vector<char> times_;  ///< by given triangle: how often points of it were added
     Box box_;

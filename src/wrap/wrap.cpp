@@ -59,29 +59,29 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     WrapResult result;
     WatchedStageTimer watch(progress, result.seconds);
 
-    watch.start("classifying nodes", 0.0, 0.25);
+    watch.start("classifying nodes", 0.0, 0.15);
     const InputSurface surface(input.vertices, input.triangles);
     // Points of an edge are at most half a side nearer to the input than the ends of the edge.
     const double radius = 0.5 * options.gap + 0.5 * options.spacing;
     const Lattice lattice(surface.tree.box(), radius + 2.0 * options.spacing, options.spacing);
     NodeStates states(lattice, surface, radius, progress);
 
-    watch.start("rolling the ball", 0.25, 0.37);
+    watch.start("rolling the ball", 0.15, 0.28);
     roll_ball(states, 0.5 * options.gap, progress);
     for (const Vec3& dry : options.dry) {
         if (std::optional<Leak> leak = find_leak(states, dry, progress)) {
             result.leaks.push_back(std::move(*leak));
         }
     }
-    watch.start("rolling the ball", 0.37, 0.4);
+    watch.start("rolling the ball", 0.28, 0.3);
     move_into_thin_material(states, progress);
     result.sheet_nodes = mark_sheets(states, progress);
 
-    watch.start("contouring", 0.4, 0.5);
+    watch.start("contouring", 0.3, 0.45);
     const contour::CrossedCells cells = find_crossings(states, input.triangle_face, progress);
     contour::Contour between = contour::contour(cells, nullptr, progress);
 
-    watch.start("simplifying", 0.5, 0.9);
+    watch.start("simplifying", 0.45, 0.8);
     between.patch = patches_of(between, input);
     contour::simplify(between, cells.crossings, limits_for(options.spacing), WrapTuning::kBlock * options.spacing,
                       progress);
@@ -90,7 +90,7 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     result.mesh.triangles = std::move(between.triangles);
     result.triangle_source = std::move(between.source);
 
-    watch.start("measuring distances", 0.9, 1.0);
+    watch.start("measuring distances", 0.8, 1.0);
     result.distance = wrap_distance(result.mesh, result.triangle_source, surface, options.spacing, progress);
     watch.end();
     return result;

@@ -48,7 +48,7 @@ STAGES = {
     "improve": [["improve"]],
     "inspection": [["inspection"]],
     "contour": [["contour"]],
-    "offset": [["offset/proof"], ["offset/trimmed"], ["offset/contoured"]],
+    "offset": [["mesh/proof"], ["offset/trimmed"], ["offset/contoured"]],
     "wrap": [["wrap/lattice"], ["wrap/outside"], ["wrap/surface"], ["wrap/measure"], ["wrap"]],
     "workflows": [["workflows/operands"], ["workflows"]],
     "python": [["python/freecad"], ["python"], ["python/sizes"]],

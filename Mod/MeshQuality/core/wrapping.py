@@ -51,7 +51,7 @@ class WrapMesh(BooleanMesh, metaclass=Public):
                          closes a gap
     patches              names of patches: the faces of the objects ("Face3" of one object, "Box_Face3" of several), and "gaps"
     leaks                [Leak, ...]: of the places that were to stay dry, those that do not
-    distance_to_input    mm: of the wrap from what it lies on, the largest at samples a tolerance apart; gaps are left out
+    distance_to_input    mm, a proven bound: of the wrap from what it lies on; gaps are left out
     distance_from_input  mm: of what sticks out of the wrap from it, likewise
     gap_triangles        number of the triangles that close gaps
     gap_area             mm2, of these

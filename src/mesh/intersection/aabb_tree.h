@@ -293,19 +293,19 @@ void AabbTree::for_each_own_pair(Task task, Visit&& visit) const {
 
 template <typename Meets, typename Visit>
 void AabbTree::descend(const Meets& meets, Visit& visit) const {
-    std::vector<std::int32_t> stack;
+    std::array<std::int32_t, kDeepest> stack;
+    std::size_t height = 0;
     if (!nodes_.empty()) {
-        stack.push_back(0);
+        stack[height++] = 0;
     }
-    while (!stack.empty()) {
-        const Node& node = nodes_[stack.back()];
-        stack.pop_back();
+    while (height > 0) {
+        const Node& node = nodes_[stack[--height]];
         if (!meets(node.bounds)) {
             continue;
         }
         if (node.count == 0) {
-            stack.push_back(node.first + 1);
-            stack.push_back(node.first);
+            stack[height++] = node.first + 1;
+            stack[height++] = node.first;
             continue;
         }
         for (std::int32_t i = node.first; i < node.first + node.count; ++i) {

@@ -14,10 +14,10 @@
 #include "contour/simplification.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/intersection/self_intersection.h"
+#include "mesh/proof/distance_bounds.h"
 #include "offset/contoured/distance_level_set.h"
 #include "offset/contoured/lattice_refinement.h"
 #include "offset/contoured/tuning.h"
-#include "offset/proof/distance_bounds.h"
 #include "offset/trimmed/tuning.h"
 
 namespace mq::offset {
@@ -129,8 +129,8 @@ class ContouredOffset {
         }
         return holds;
     }
-    std::vector<Corners> triangles_found() const {
-        std::vector<Corners> triangles;
+    std::vector<mesh::Corners> triangles_found() const {
+        std::vector<mesh::Corners> triangles;
         for (const mesh::Triangle& t : contour_.triangles) {
             const auto& v = contour_.points;
             triangles.push_back({v[static_cast<std::size_t>(t[0])], v[static_cast<std::size_t>(t[1])],
@@ -140,7 +140,8 @@ class ContouredOffset {
     }
     double deviation() const {
         const double fineness = OffsetTuning::kFineness * tolerance_;
-        return deviation_from_distance(triangles_found(), level_set_.searched(), distance_, fineness, progress_).bound;
+        return mesh::deviation_from_distance(triangles_found(), level_set_.searched(), distance_, fineness, progress_)
+            .bound;
     }
     /// By node: how far from the offset it is if it lies on the wrong side of the contour; 0 if it lies on the right
     /// side.
@@ -162,7 +163,7 @@ class ContouredOffset {
     /// @param wrong  the result of misclassified()
     std::vector<Box> faults_of(const std::vector<LatticeNode>& nodes, const std::vector<double>& wrong) const {
         std::vector<Box> result;
-        const std::vector<Corners> triangles = triangles_found();
+        const std::vector<mesh::Corners> triangles = triangles_found();
         const double fineness = OffsetTuning::kFineness * tolerance_;
         const auto add = [&](const Box& box) {
             result.push_back(box);
@@ -170,7 +171,7 @@ class ContouredOffset {
             result.back().high.array() += tolerance_;
         };
         for (const std::int32_t t :
-             triangles_beyond(triangles, level_set_.searched(), distance_, tolerance_, fineness, progress_)) {
+             mesh::triangles_beyond(triangles, level_set_.searched(), distance_, tolerance_, fineness, progress_)) {
             Box box;
             for (const Vec3& p : triangles[static_cast<std::size_t>(t)]) {
                 box.add(p);

@@ -8,8 +8,8 @@
 #include "base/vec.h"
 #include "contour/level_set.h"
 #include "mesh/intersection/nearest_tree.h"
+#include "mesh/proof/distance_bounds.h"
 #include "mesh/triangle_mesh.h"
-#include "offset/proof/distance_bounds.h"
 
 namespace mq::offset {
 
@@ -38,7 +38,7 @@ class DistanceLevelSet : public contour::LevelSet {
     double resolution() const override { return resolution_; }
 
     double distance() const { return distance_; }
-    const SearchedSurface& searched() const { return searched_; }
+    const mesh::SearchedSurface& searched() const { return searched_; }
     const mesh::NearestTree& tree() const { return searched_.tree; }
     /// The point of a triangle nearest to another point.
     Vec3 nearest(const Vec3& point, std::int32_t triangle) const;
@@ -55,7 +55,7 @@ class DistanceLevelSet : public contour::LevelSet {
     const OffsetSurface& surface_;
     const double distance_;
     const double resolution_;
-    const SearchedSurface searched_;
+    const mesh::SearchedSurface searched_;
     std::vector<Feature> faces_;
     std::vector<Feature> vertices_;
     KeyMap<Feature> edges_;

@@ -9,7 +9,7 @@
 
 #include "base/parallel.h"
 #include "mesh/corner_table.h"
-#include "offset/proof/distance_bounds.h"
+#include "mesh/proof/distance_bounds.h"
 #include "offset/trimmed/direction_cap.h"
 #include "offset/trimmed/tuning.h"
 
@@ -407,7 +407,7 @@ class RawOffsetBuilder {
     }
 
     bool is_deep(const mesh::Triangle& t, double deep) const {
-        return all_nearer(
+        return mesh::all_nearer(
             {result_.vertices[static_cast<std::size_t>(t[0])], result_.vertices[static_cast<std::size_t>(t[1])],
              result_.vertices[static_cast<std::size_t>(t[2])]},
             *options_.searched, deep);

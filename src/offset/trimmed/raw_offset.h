@@ -6,8 +6,8 @@
 
 #include "base/progress.h"
 #include "base/vec.h"
+#include "mesh/proof/distance_bounds.h"
 #include "mesh/triangle_mesh.h"
-#include "offset/proof/distance_bounds.h"
 
 namespace mq::offset {
 
@@ -27,8 +27,8 @@ struct RawOffsetOptions {
     double tolerance = 0.0;  ///< mm: largest distance of the raw offset from points at `distance` ...
     /// mm: ... or this, if it is larger and vertices are moved along the normals of CAD faces
     double face_tolerance = 0.0;
-    double deep = 0.0;                          ///< mm: points nearer to the surface than this lie within the offset
-    const SearchedSurface* searched = nullptr;  ///< the surface
+    double deep = 0.0;  ///< mm: points nearer to the surface than this lie within the offset
+    const mesh::SearchedSurface* searched = nullptr;  ///< the surface
     /// mm: how far the offset of a sheet is extended beyond its border, so that the surface that cuts the sheet there
     /// meets no vertices.
     double extension = 0.0;

@@ -21,7 +21,7 @@
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/corner_table.h"
 #include "mesh/intersection/self_intersection.h"
-#include "offset/proof/distance_bounds.h"
+#include "mesh/proof/distance_bounds.h"
 #include "offset/trimmed/dilation.h"
 #include "offset/trimmed/raw_offset.h"
 #include "offset/trimmed/tuning.h"
@@ -292,14 +292,15 @@ class OffsetPipeline {
 
     void measure(const boolean::Arrangement& arrangement, const boolean::Cells& cells, double raw_error) {
         const double fineness = OffsetTuning::kFineness * tolerance_;
-        const SearchedSurface result(result_.mesh.vertices, result_.mesh.triangles);
-        std::vector<Corners> triangles;
+        const mesh::SearchedSurface result(result_.mesh.vertices, result_.mesh.triangles);
+        std::vector<mesh::Corners> triangles;
         for (const mesh::Triangle& t : result_.mesh.triangles) {
             const auto& v = result_.mesh.vertices;
             triangles.push_back({v[static_cast<std::size_t>(t[0])], v[static_cast<std::size_t>(t[1])],
                                  v[static_cast<std::size_t>(t[2])]});
         }
-        const ProvenBound there = deviation_from_distance(triangles, searched_, asked_, fineness, progress_);
+        const mesh::ProvenBound there =
+            mesh::deviation_from_distance(triangles, searched_, asked_, fineness, progress_);
         // Every point of the exact offset has a point of the raw offset within the raw offset's error; that point may
         // be in a piece that was trimmed off.
         triangles.clear();
@@ -313,13 +314,14 @@ class OffsetPipeline {
             }
         }
         // The result has the larger of both bounds, so the second one need not be refined below the first.
-        const ProvenBound back = distance_of_outer_points(triangles, searched_, distance_ - raw_error, tolerance_,
-                                                          result, std::max(raw_error, there.bound), progress_);
+        const mesh::ProvenBound back =
+            mesh::distance_of_outer_points(triangles, searched_, distance_ - raw_error, tolerance_, result,
+                                           std::max(raw_error, there.bound), progress_);
         result_.error_bound = std::max(there.bound, back.bound);
     }
 
     const ClosedSurface surface_;
-    const SearchedSurface searched_;
+    const mesh::SearchedSurface searched_;
     const double distance_;  ///< mm: distance of the raw offset
     const double asked_;     ///< mm: distance that the caller requested
     const double tolerance_;

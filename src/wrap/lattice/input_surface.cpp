@@ -17,12 +17,12 @@ const Vec3& point(const InputSurface& surface, const Triangle& t, int k) {
     return surface.points[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
 }
 
-bool meets_triangle(const InputSurface& surface, const Triangle& t, const Vec3& p, const Vec3& q) {
+/// @param side  the side of the triangle on which the segment begins
+bool meets_triangle(const InputSurface& surface, const Triangle& t, const Vec3& p, const Vec3& q, int side) {
     const Vec3& a = point(surface, t, 0);
     const Vec3& b = point(surface, t, 1);
     const Vec3& c = point(surface, t, 2);
-    const int from = orient3d(a, b, c, p);
-    if (from != 0 && from == orient3d(a, b, c, q)) {
+    if (side != 0 && side == orient3d(a, b, c, q)) {
         return false;
     }
     const int ab = orient3d(p, q, a, b);
@@ -31,20 +31,55 @@ bool meets_triangle(const InputSurface& surface, const Triangle& t, const Vec3& 
     return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
+int side_of(const InputSurface& surface, const Triangle& t, const Vec3& p) {
+    return orient3d(point(surface, t, 0), point(surface, t, 1), point(surface, t, 2), p);
+}
+
+bool meets_triangle(const InputSurface& surface, const Triangle& t, const Vec3& p, const Vec3& q) {
+    return meets_triangle(surface, t, p, q, side_of(surface, t, p));
+}
+
 }  // namespace
 
-bool InputSurface::meets(const Vec3& from, const Vec3& to) const {
-    bool found = false;
-    tree.for_each_on_ray(from, to - from, 1.0, [&](std::int32_t t) {
-        found = meets_triangle(*this, triangles[static_cast<std::size_t>(t)], from, to);
-        return !found;
+unsigned InputSurface::met_of(const Fan& fan) const {
+    Box all;
+    all.add(fan.from);
+    std::array<Box, Fan::kMost> boxes;
+    for (std::size_t k = 0; k < fan.count; ++k) {
+        all.add(fan.to[k]);
+        boxes[k].add(fan.from);
+        boxes[k].add(fan.to[k]);
+    }
+    const unsigned whole = (1U << fan.count) - 1U;
+    unsigned met = 0;
+    tree.for_each_in_box(all, [&](std::int32_t t) {
+        const Triangle& corners = triangles[static_cast<std::size_t>(t)];
+        Box box;
+        for (int k = 0; k < 3; ++k) {
+            box.add(point(*this, corners, k));
+        }
+        const int side = side_of(*this, corners, fan.from);
+        for (std::size_t k = 0; k < fan.count; ++k) {
+            if ((met >> k & 1U) == 0 && boxes[k].meets(box) &&
+                meets_triangle(*this, corners, fan.from, fan.to[k], side)) {
+                met |= 1U << k;
+            }
+        }
+        return met != whole;
     });
-    return found;
+    return met;
+}
+
+bool InputSurface::meets(const Vec3& from, const Vec3& to) const {
+    return met_of({from, {to}, 1}) != 0;
 }
 
 FirstMeeting InputSurface::first_meeting(const Vec3& from, const Vec3& to) const {
     FirstMeeting first;
-    tree.for_each_on_ray(from, to - from, 1.0, [&](std::int32_t t) {
+    Box box;
+    box.add(from);
+    box.add(to);
+    tree.for_each_in_box(box, [&](std::int32_t t) {
         const Triangle& corners = triangles[static_cast<std::size_t>(t)];
         if (!meets_triangle(*this, corners, from, to)) {
             return;

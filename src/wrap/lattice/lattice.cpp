@@ -17,15 +17,6 @@ Lattice::Lattice(const Box& box, double margin, double side) : side_(side) {
     }
 }
 
-bool Lattice::contains(const Node& node) const {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (node[i] < 0 || node[i] >= kAcross * blocks_[i]) {
-            return false;
-        }
-    }
-    return true;
-}
-
 std::array<std::int32_t, 3> Lattice::block_at(std::size_t index) const {
     const auto y = static_cast<std::size_t>(blocks_[1]);
     const auto z = static_cast<std::size_t>(blocks_[2]);

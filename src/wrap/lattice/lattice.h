@@ -21,8 +21,9 @@ using Node = std::array<std::int32_t, 3>;
 /// Nodes are stored in blocks of 4 x 4 x 4 cubes.
 class Lattice {
   public:
-    static constexpr int kBlockNodes = 128;     ///< nodes of a block
-    static constexpr std::int32_t kAcross = 8;  ///< half sides along a block
+    static constexpr int kBlockNodes = 128;  ///< nodes of a block
+    static constexpr int kBits = 3;
+    static constexpr std::int32_t kAcross = 1 << kBits;  ///< half sides along a block
 
     /// @param box  the box that the lattice covers, with a margin around it
     /// @param side  mm, of a cube: the longest edge of a tetrahedron
@@ -36,10 +37,12 @@ class Lattice {
         return static_cast<std::size_t>(blocks_[0]) * static_cast<std::size_t>(blocks_[1]) *
                static_cast<std::size_t>(blocks_[2]);
     }
-    bool contains(const Node& node) const;
+    bool contains(const Node& node) const {
+        return is_below(node[0], blocks_[0]) && is_below(node[1], blocks_[1]) && is_below(node[2], blocks_[2]);
+    }
     /// The block of a node, and its index in the block.
     std::size_t block_of(const Node& node) const {
-        return block_index({node[0] / kAcross, node[1] / kAcross, node[2] / kAcross});
+        return block_index({node[0] >> kBits, node[1] >> kBits, node[2] >> kBits});
     }
     std::size_t block_index(const std::array<std::int32_t, 3>& block) const {
         return (static_cast<std::size_t>(block[0]) * static_cast<std::size_t>(blocks_[1]) +
@@ -71,6 +74,11 @@ class Lattice {
     static int step_between(const Node& from, const Node& to);
 
   private:
+    /// Whether a number is at least 0 and in one of the first blocks.
+    static bool is_below(std::int32_t i, std::int32_t blocks) {
+        return static_cast<std::uint32_t>(i) < static_cast<std::uint32_t>(kAcross * blocks);
+    }
+
     static constexpr double kDiagonal = 0.8660254037844386;  // sqrt(3) / 2
 
     Vec3 origin_;

@@ -122,19 +122,17 @@ void NodeStates::classify_eighth(std::size_t block, int eighth) {
     const double half = 0.75 * std::sqrt(3.0) * side;
     const mesh::ClosestPoint nearest = surface_.tree.nearest(centre, radius_ + half);
     const bool all_free = nearest.triangle < 0;
-    const bool none_free = !all_free && nearest.distance + half < radius_;
-    const bool none_near = all_free || nearest.distance - half > side;
     for (int k = 0; k < 16; ++k) {
         const int odd = k & 1;
         const Node node{low[0] + 2 * (k >> 1 & 1) + odd, low[1] + 2 * (k >> 2 & 1) + odd, low[2] + 2 * (k >> 3) + odd};
         NodeState& state = states_[block][Lattice::place_in_block(node)];
-        if (all_free || (none_free && none_near)) {
-            state.free = all_free;
-            continue;
-        }
-        const double distance = surface_.tree.nearest_from(lattice_.at(node), nearest.triangle).distance;
-        state.free = distance >= radius_;
-        state.near = distance <= side;
+        const Vec3 p = lattice_.at(node);
+        // The distance of a node differs from that of the centre by at most its distance from the centre.
+        const double away = (p - centre).norm();
+        state.near =
+            !all_free && nearest.distance - away <= side && surface_.tree.any_within(p, side, nearest.triangle) >= 0;
+        state.free = all_free || (!state.near && nearest.distance + away >= radius_ &&
+                                  surface_.tree.any_within(p, radius_, nearest.triangle) < 0);
     }
 }
 
@@ -145,15 +143,19 @@ void NodeStates::bar_edges(std::size_t block) {
             continue;
         }
         const Node node = Lattice::node_at(blocks_[block], place);
+        Fan fan{lattice_.at(node)};
+        std::array<int, Fan::kMost> step{};
         for (int k = 0; k < 7; ++k) {
             const Node other = node + Lattice::steps()[static_cast<std::size_t>(k)];
-            if (!lattice_.contains(other)) {
-                continue;
+            const NodeState* its = lattice_.contains(other) ? find(other) : nullptr;
+            if (its != nullptr && its->near) {
+                step[fan.count] = k;
+                fan.to[fan.count++] = lattice_.at(other);
             }
-            const NodeState* its = find(other);
-            if (its != nullptr && its->near && surface_.meets(lattice_.at(node), lattice_.at(other))) {
-                state.barred = static_cast<std::uint8_t>(state.barred | 1U << k);
-            }
+        }
+        const unsigned met = surface_.met_of(fan);
+        for (std::size_t i = 0; i < fan.count; ++i) {
+            state.barred = static_cast<std::uint8_t>(state.barred | (met >> i & 1U) << step[i]);
         }
     }
 }

@@ -51,7 +51,10 @@ class NodeStates {
         return static_cast<std::size_t>(slots_[lattice_.block_of(node)]) * Lattice::kBlockNodes +
                static_cast<std::size_t>(Lattice::place_in_block(node));
     }
-    /// The number of stored nodes.
+    Node node_of(std::size_t index) const {
+        return Lattice::node_at(blocks_[index / Lattice::kBlockNodes], static_cast<int>(index % Lattice::kBlockNodes));
+    }
+    /// The number of stored nodes; it fits into 32 bits, as the memory is limited.
     std::size_t size() const { return states_.size() * Lattice::kBlockNodes; }
     bool is_outside(const Node& node) const {
         const std::int32_t slot = slots_[lattice_.block_of(node)];
@@ -80,13 +83,11 @@ class NodeStates {
     /// @throws Cancelled
     template <typename Visit>
     void for_each_node(Progress& progress, double from, double to, const Visit& visit) {
-        double done = 0.0;
-        for (const std::array<std::int32_t, 3>& block : blocks_) {
+        for (std::size_t k = 0; k < blocks_.size(); ++k) {
             progress.check();
-            progress.advance(from + (to - from) * done++ / static_cast<double>(blocks_.size()));
+            progress.advance(from + (to - from) * static_cast<double>(k) / static_cast<double>(blocks_.size()));
             for (int place = 0; place < Lattice::kBlockNodes; ++place) {
-                const Node node = Lattice::node_at(block, place);
-                visit(node, *find(node));
+                visit(Lattice::node_at(blocks_[k], place), states_[k][place]);
             }
         }
     }

@@ -10,7 +10,8 @@
 
 namespace mq::wrap {
 
-/// Distances between a wrap and its input, mm, at samples of both that are at most a spacing apart.
+/// Bounds for the distances between a wrap and its input, mm: for all points of both, and at most a fiftieth of a
+/// spacing above the largest distance. A fiftieth of a spacing where nothing is farther.
 struct WrapDistance {
     /// Largest distance of the wrap from the input, without the triangles that close gaps.
     double to_input = 0.0;

@@ -84,10 +84,14 @@ class RollingBall {
 
     void run() {
         double covered = 1.0;
+        std::int32_t nearest = 0;  // to the last centre, from which that of the next one is found sooner
         states_.for_each_node(progress_, 0.1, 0.4, [&](const Node& node, const NodeState& state) {
             covered += !state.free;
             if (state.free && state.outside && has_covered_neighbour(node)) {
-                spread(node, {node, states_.surface().tree.nearest(lattice_.at(node)).distance});
+                const mesh::ClosestPoint closest = states_.surface().tree.nearest_from(lattice_.at(node), nearest);
+                nearest = closest.triangle;
+                balls_.push_back({node, closest.distance});
+                spread(node, static_cast<std::uint32_t>(balls_.size() - 1));
             }
         });
         double reached = 0.0;
@@ -95,16 +99,18 @@ class RollingBall {
             pace_.step();
             const Reached next = queue_.top();
             queue_.pop();
-            NodeState& state = *states_.find(next.node);
+            const Node node = states_.node_of(next.node);
+            NodeState& state = *states_.find(node);
             if (state.outside) {
                 continue;
             }
             state.outside = true;
             progress_.advance(0.4 + 0.3 * ++reached / covered);
+            const Node& centre = balls_[next.ball].centre;
             for (std::size_t i = 0; i < 3; ++i) {
-                state.to_ball[i] = static_cast<std::int16_t>(next.ball.centre[i] - next.node[i]);
+                state.to_ball[i] = static_cast<std::int16_t>(centre[i] - node[i]);
             }
-            spread(next.node, next.ball);
+            spread(node, next.ball);
         }
     }
 
@@ -114,20 +120,22 @@ class RollingBall {
         double radius;
     };
     struct Reached {
-        double height;  ///< mm: height above the ball's surface, at most 0
-        Node node;
-        Ball ball;
+        double height;       ///< mm: height above the ball's surface, at most 0
+        std::uint32_t node;  ///< its index among the stored nodes
+        std::uint32_t ball;  ///< its index
         bool operator<(const Reached& o) const {
-            return std::tie(o.height, o.node, o.ball.centre) < std::tie(height, node, ball.centre);
+            return std::tie(o.height, o.node, o.ball) < std::tie(height, node, ball);
         }
     };
 
     bool has_covered_neighbour(const Node& node) const {
-        bool has = false;
-        for_each_neighbour(lattice_, node, [&](const Node& other, int) { has = has || !states_.is_free(other); });
-        return has;
+        return std::any_of(Lattice::steps().begin(), Lattice::steps().end(), [&](const Node& step) {
+            const Node other = node + step;
+            return lattice_.contains(other) && !states_.is_free(other);
+        });
     }
-    void spread(const Node& node, const Ball& ball) {
+    void spread(const Node& node, std::uint32_t index) {
+        const Ball& ball = balls_[index];
         for_each_neighbour(lattice_, node, [&](const Node& other, int step) {
             const NodeState* state = states_.find(other);
             if (state == nullptr || state->free || state->outside || states_.is_barred(node, step)) {
@@ -135,10 +143,11 @@ class RollingBall {
             }
             const double height = (lattice_.at(other) - lattice_.at(ball.centre)).norm() - ball.radius;
             // Among the balls in the queue that reach a node, the one with the least height takes it.
-            float& lowest = lowest_[states_.index_of(other)];
+            const std::size_t there = states_.index_of(other);
+            float& lowest = lowest_[there];
             if (height <= lowest) {
                 lowest = std::nextafter(static_cast<float>(height), 1.0F);
-                queue_.push({height, other, ball});
+                queue_.push({height, static_cast<std::uint32_t>(there), index});
             }
         });
     }
@@ -147,6 +156,7 @@ class RollingBall {
     const Lattice& lattice_;
     Progress& progress_;
     CancelPace pace_;
+    std::vector<Ball> balls_;
     std::priority_queue<Reached> queue_;
     /// By node, the least height of the entries that were put into the queue, or slightly more.
     std::vector<float> lowest_;

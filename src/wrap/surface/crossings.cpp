@@ -180,30 +180,43 @@ Crossing crossing_of(const NodeStates& states, const Edge& edge) {
 /// Moves the crossings that close gaps along their edges towards the middle of their neighbours. A crossing may be
 /// anywhere on its edge, so the surface stays sound.
 void smooth_gaps(CrossedCells& cells, const std::vector<Edge>& edges, const Lattice& lattice, Progress& progress) {
+    const auto closes_gap = [&](std::int32_t k) { return cells.crossings[static_cast<std::size_t>(k)].source < 0; };
+    std::vector<const CrossedCell*> at_gaps;
+    for (const CrossedCell& cell : cells.cells) {
+        if (std::any_of(cell.crossings.begin(), cell.crossings.begin() + cell.polygon.count, closes_gap)) {
+            at_gaps.push_back(&cell);
+        }
+    }
+    std::vector<std::int32_t> gaps;
+    for (std::int32_t k = 0; k < static_cast<std::int32_t>(edges.size()); ++k) {
+        if (closes_gap(k)) {
+            gaps.push_back(k);
+        }
+    }
     std::vector<Vec3> sums(cells.crossings.size());
     std::vector<int> counts(cells.crossings.size());
     for (int round = 0; round < WrapTuning::kSmoothing; ++round) {
-        std::fill(sums.begin(), sums.end(), Vec3(Vec3::Zero()));
-        std::fill(counts.begin(), counts.end(), 0);
+        for (const std::int32_t k : gaps) {
+            sums[k] = Vec3::Zero();
+            counts[k] = 0;
+        }
         progress.check();
         progress.advance(0.6 + 0.4 * round / WrapTuning::kSmoothing);
-        for (const CrossedCell& cell : cells.cells) {
-            for (int k = 0; k < cell.polygon.count; ++k) {
-                const std::int32_t a = cell.crossings[static_cast<std::size_t>(k)];
-                const std::int32_t b = cell.crossings[static_cast<std::size_t>((k + 1) % cell.polygon.count)];
+        for (const CrossedCell* cell : at_gaps) {
+            for (int k = 0; k < cell->polygon.count; ++k) {
+                const std::int32_t a = cell->crossings[static_cast<std::size_t>(k)];
+                const std::int32_t b = cell->crossings[static_cast<std::size_t>((k + 1) % cell->polygon.count)];
                 sums[a] += cells.crossings[b].point;
                 sums[b] += cells.crossings[a].point;
                 ++counts[a];
                 ++counts[b];
             }
         }
-        for (std::size_t k = 0; k < edges.size(); ++k) {
-            if (cells.crossings[k].source < 0) {
-                const Vec3 outer = lattice.at(edges[k].outer);
-                const Vec3 ahead = lattice.at(edges[k].inner) - outer;
-                const double share = (sums[k] / counts[k] - outer).dot(ahead) / ahead.squaredNorm();
-                cells.crossings[k].point = outer + std::clamp(share, kGapEnds, 1.0 - kGapEnds) * ahead;
-            }
+        for (const std::int32_t k : gaps) {
+            const Vec3 outer = lattice.at(edges[k].outer);
+            const Vec3 ahead = lattice.at(edges[k].inner) - outer;
+            const double share = (sums[k] / counts[k] - outer).dot(ahead) / ahead.squaredNorm();
+            cells.crossings[k].point = outer + std::clamp(share, kGapEnds, 1.0 - kGapEnds) * ahead;
         }
     }
 }

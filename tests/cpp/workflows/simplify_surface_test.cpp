@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "offset/proof/distance_bounds.h"
+#include "mesh/proof/distance_bounds.h"
 
 namespace mq::workflows {
 namespace {
@@ -90,8 +90,8 @@ std::vector<mesh::Corners> corners_of(const TriangleMesh& mesh) {
 /// Bound of the distance of all points of one mesh from another one.
 double distance(const TriangleMesh& one, const TriangleMesh& other, double fineness) {
     Progress progress;
-    const offset::SearchedSurface searched(other.vertices, other.triangles);
-    return offset::deviation_from_distance(corners_of(one), searched, 0.0, fineness, progress).bound;
+    const mesh::SearchedSurface searched(other.vertices, other.triangles);
+    return mesh::deviation_from_distance(corners_of(one), searched, 0.0, fineness, progress).bound;
 }
 
 TEST(SimplifySurface, ACubeTakesTwelveTrianglesWithTheirFaces) {

@@ -131,6 +131,26 @@ TEST(Wrap, RandomSoupsGiveSoundSurfaces) {
     }
 }
 
+TEST(Wrap, NoPointOfItIsFartherThanItSays) {
+    mesh::TriangleMesh mesh;
+    add_box(mesh, {0, 0, 0}, {6, 5, 4});
+    add_box(mesh, {2.03, 2.01, 3.3}, {3.37, 3.29, 4.7});
+    add_box(mesh, {5.61, 1.07, 0.9}, {6.53, 3.41, 2.2});
+    const WrapResult result = sound_wrap(mesh, options_of(1.0, 0.25));
+    const InputSurface input(mesh.vertices, mesh.triangles);
+    constexpr int kParts = 12;
+    for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
+        const auto corner = [&](std::size_t k) { return result.mesh.vertices[result.mesh.triangles[t][k]]; };
+        for (int i = 0; i <= kParts && result.triangle_source[t] >= 0; ++i) {
+            for (int j = 0; i + j <= kParts; ++j) {
+                const Vec3 p = corner(0) + (corner(1) - corner(0)) * (double(i) / kParts) +
+                               (corner(2) - corner(0)) * (double(j) / kParts);
+                EXPECT_LE(input.tree.nearest(p).distance, result.distance.to_input + 1e-12);
+            }
+        }
+    }
+}
+
 TEST(Wrap, BadOptionsAreNamed) {
     mesh::TriangleMesh mesh;
     add_box(mesh, {0, 0, 0}, {1, 1, 1});

@@ -21,7 +21,7 @@ ClosedSurface surface_of(const mesh::TriangleMesh& mesh) {
 
 RawOffset raw_of(const mesh::TriangleMesh& mesh, double distance, double tolerance) {
     const ClosedSurface surface = surface_of(mesh);
-    const SearchedSurface searched(surface.points, surface.triangles);
+    const mesh::SearchedSurface searched(surface.points, surface.triangles);
     return raw_offset(surface, {distance, tolerance, 0.0, distance - tolerance, &searched});
 }
 
@@ -62,7 +62,7 @@ TEST(RawOffset, FollowsNormalsOfFaces) {
     const mesh::TriangleMesh ball = solids::sphere(Vec3(0, 0, 0), 5.0, 12);
     ClosedSurface surface = surface_of(ball);
     const auto off_sphere = [&] {
-        const SearchedSurface searched(surface.points, surface.triangles);
+        const mesh::SearchedSurface searched(surface.points, surface.triangles);
         const RawOffset raw = raw_offset(surface, {4.9, 0.15, 0.4, 4.5, &searched});
         EXPECT_EQ(raw.triangles.size(), ball.triangles.size());
         double most = 0.0;

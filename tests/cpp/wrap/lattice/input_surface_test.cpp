@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace mq::wrap {
 namespace {
 
@@ -28,6 +30,33 @@ TEST(InputSurface, FirstMeetingDependsOnTheDirection) {
     EXPECT_DOUBLE_EQ(down.share, 0.5);
     EXPECT_GT(surface.first_meeting({1.5, 1, 2}, {1.5, 1, 3}).share, 1.0);
     EXPECT_EQ(surface.normal(0), Vec3(0, 0, 1));
+}
+
+TEST(InputSurface, SegmentsOfAFanMeetWhatEachOfThemMeets) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(0.0, 4.0);
+    const auto point = [&] { return Vec3(place(random), place(random), place(random)); };
+    std::vector<Vec3> points;
+    std::vector<mesh::Triangle> triangles;
+    for (std::int32_t k = 0; k < 40; ++k) {
+        points.insert(points.end(), {point(), point(), point()});
+        triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+    }
+    const InputSurface surface(points, triangles);
+    int meeting = 0;
+    for (int round = 0; round < 200; ++round) {
+        Fan fan{point()};
+        for (; fan.count < static_cast<std::size_t>(round) % (Fan::kMost + 1); ++fan.count) {
+            fan.to[fan.count] = fan.from + 0.2 * (point() - fan.from);
+        }
+        const unsigned met = surface.met_of(fan);
+        EXPECT_EQ(met >> fan.count, 0U);
+        for (std::size_t k = 0; k < fan.count; ++k) {
+            EXPECT_EQ((met >> k & 1U) != 0, surface.first_meeting(fan.from, fan.to[k]).triangle >= 0);
+            meeting += static_cast<int>(met >> k & 1U);
+        }
+    }
+    EXPECT_GT(meeting, 50);
 }
 
 }  // namespace

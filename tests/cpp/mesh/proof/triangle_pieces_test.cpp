@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "offset/proof/triangle_pieces.h"
+#include "mesh/proof/triangle_pieces.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-namespace mq::offset {
+namespace mq::mesh {
 namespace {
 
 double area(const Piece& piece) {
@@ -70,4 +70,4 @@ TEST(TrianglePieces, HalvesOfHalvesStayAllOfATriangle) {
 }
 
 }  // namespace
-}  // namespace mq::offset
+}  // namespace mq::mesh

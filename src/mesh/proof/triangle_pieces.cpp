@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "offset/proof/triangle_pieces.h"
+#include "mesh/proof/triangle_pieces.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace mq::offset {
+namespace mq::mesh {
 
 Vec3 Piece::centre() const {
     Vec3 sum = Vec3::Zero();
@@ -14,15 +14,23 @@ Vec3 Piece::centre() const {
     return sum / static_cast<double>(count);
 }
 
-double Piece::farthest_from(const mesh::Corners& t) const {
+double Piece::farthest_from(const Vec3& p) const {
     double most = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
-        most = std::max(most, (mesh::nearest_on_triangle(corners[k], t[0], t[1], t[2]) - corners[k]).squaredNorm());
+        most = std::max(most, (corners[k] - p).squaredNorm());
     }
     return std::sqrt(most);
 }
 
-std::array<Plane, 3> upright(const mesh::Corners& t) {
+double Piece::farthest_from(const Corners& t) const {
+    double most = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+        most = std::max(most, (nearest_on_triangle(corners[k], t[0], t[1], t[2]) - corners[k]).squaredNorm());
+    }
+    return std::sqrt(most);
+}
+
+std::array<Plane, 3> upright(const Corners& t) {
     const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
     return {Plane{t[0], (t[1] - t[0]).cross(normal)}, Plane{t[1], (t[2] - t[1]).cross(normal)},
             Plane{t[2], (t[0] - t[2]).cross(normal)}};
@@ -100,4 +108,4 @@ std::array<Piece, 2> halves(const Piece& piece) {
     return parts;
 }
 
-}  // namespace mq::offset
+}  // namespace mq::mesh

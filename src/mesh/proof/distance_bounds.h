@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/progress.h"
@@ -9,19 +10,17 @@
 #include "mesh/intersection/triangle_distance.h"
 #include "mesh/triangle_mesh.h"
 
-namespace mq::offset {
+namespace mq::mesh {
 
 /// A surface with the tree of its triangles, for queries of distances. Both must outlive this object.
 struct SearchedSurface {
-    SearchedSurface(const std::vector<Vec3>& its_points, const std::vector<mesh::Triangle>& its_triangles)
+    SearchedSurface(const std::vector<Vec3>& its_points, const std::vector<Triangle>& its_triangles)
         : points(its_points), triangles(its_triangles), tree(its_points, its_triangles) {}
 
     const std::vector<Vec3>& points;
-    const std::vector<mesh::Triangle>& triangles;
-    const mesh::NearestTree tree;
+    const std::vector<Triangle>& triangles;
+    const NearestTree tree;
 };
-
-using mesh::Corners;
 
 /// A bound, mm, and the place where it was found.
 struct ProvenBound {
@@ -40,6 +39,15 @@ bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double 
 ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                     double distance, double fineness, const Progress& progress);
 
+/// A bound for the distance from a closed surface of all points of some triangles that are outside of it; `fineness`
+/// (mm) where no point is farther. The bound is at most the fineness above the largest distance, as in
+/// deviation_from_distance.
+/// @param is_inside  whether a point is inside of the surface; called by several threads
+/// @param from  fraction of the stage that was done before; this call advances it to the end
+ProvenBound distance_of_points_outside(const std::vector<Corners>& triangles, const SearchedSurface& surface,
+                                       const std::function<bool(const Vec3&)>& is_inside, double fineness,
+                                       Progress& progress, double from = 0.0);
+
 /// The indices of the triangles for which deviation_from_distance is above `most` (mm).
 /// @param witnesses  by triangle, for distance = 0: triangles of the surface that prove by themselves that it is not;
 /// null: not asked for
@@ -57,4 +65,4 @@ ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, cons
                                      double least, double gap, const SearchedSurface& result, double enough,
                                      const Progress& progress);
 
-}  // namespace mq::offset
+}  // namespace mq::mesh

@@ -7,7 +7,7 @@
 #include "base/vec.h"
 #include "mesh/intersection/triangle_distance.h"
 
-namespace mq::offset {
+namespace mq::mesh {
 
 /// A convex piece of a triangle.
 struct Piece {
@@ -20,8 +20,10 @@ struct Piece {
     void add(const Vec3& p) { corners[count++] = p; }
     bool has_many() const { return count + kMostCuts > kMostCorners; }
     Vec3 centre() const;
+    /// The distance of the farthest corner from a point.
+    double farthest_from(const Vec3& p) const;
     /// An upper bound for the distance of its points from a triangle: that of its corners.
-    double farthest_from(const mesh::Corners& t) const;
+    double farthest_from(const Corners& t) const;
 };
 
 /// A plane, with the side in front of it.
@@ -33,7 +35,7 @@ struct Plane {
 };
 
 /// The planes upright on the sides of a triangle; the triangle is behind them.
-std::array<Plane, 3> upright(const mesh::Corners& t);
+std::array<Plane, 3> upright(const Corners& t);
 
 /// The parts of a piece behind a plane and in front of it; one of them has no corners if the plane does not cross it.
 /// Corners next to the plane count as on it, so that no parts without extent come about.
@@ -42,4 +44,4 @@ std::array<Piece, 2> cut(const Piece& piece, const Plane& plane);
 /// The halves of a piece across its longest side, or of one with many corners along a diagonal.
 std::array<Piece, 2> halves(const Piece& piece);
 
-}  // namespace mq::offset
+}  // namespace mq::mesh

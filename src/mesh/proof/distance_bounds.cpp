@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "offset/proof/distance_bounds.h"
+#include "mesh/proof/distance_bounds.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "base/parallel.h"
 #include "mesh/intersection/triangle_distance.h"
-#include "offset/proof/triangle_pieces.h"
+#include "mesh/proof/triangle_pieces.h"
 
-namespace mq::offset {
+namespace mq::mesh {
 
 namespace {
 
 /// Largest number of successive divisions of a triangle into four.
 constexpr int kMostDivisions = 10;
 /// Triangles that one parallel task takes.
-constexpr std::size_t kBlock = 64;
+constexpr std::size_t kTogether = 64;
 
 Vec3 centre(const Corners& t) {
     return (t[0] + t[1] + t[2]) / 3.0;
@@ -40,13 +41,13 @@ std::array<Corners, 4> divided(const Corners& t) {
 }
 
 Corners corners(const SearchedSurface& surface, std::int32_t t) {
-    const mesh::Triangle& c = surface.triangles[static_cast<std::size_t>(t)];
+    const Triangle& c = surface.triangles[static_cast<std::size_t>(t)];
     return {surface.points[static_cast<std::size_t>(c[0])], surface.points[static_cast<std::size_t>(c[1])],
             surface.points[static_cast<std::size_t>(c[2])]};
 }
 
 double distance(const Vec3& p, const Corners& t) {
-    return (mesh::nearest_on_triangle(p, t[0], t[1], t[2]) - p).norm();
+    return (nearest_on_triangle(p, t[0], t[1], t[2]) - p).norm();
 }
 
 /// The distance of a surface without triangles, mm.
@@ -75,7 +76,7 @@ bool is_behind(const Vec3& p, const SearchedSurface& surface) {
     double back = 0.0;
     surface.tree.for_each_in_box(box, [&](std::int32_t other) {
         const Corners t = corners(surface, other);
-        const Vec3 away = p - mesh::nearest_on_triangle(p, t[0], t[1], t[2]);
+        const Vec3 away = p - nearest_on_triangle(p, t[0], t[1], t[2]);
         if (away.norm() <= reach) {
             const double height = (t[1] - t[0]).cross(t[2] - t[0]).normalized().dot(away);
             front = std::max(front, height);
@@ -98,7 +99,7 @@ double nearest_within(const Corners& t, const Vec3& middle, const SearchedSurfac
     surface.tree.for_each_in_box(box, [&](std::int32_t other) {
         const Corners o = corners(surface, other);
         if (distance(middle, o) - reach < result) {
-            result = std::min(result, mesh::triangle_distance(t, o).distance);
+            result = std::min(result, triangle_distance(t, o).distance);
         }
     });
     return result;
@@ -107,10 +108,10 @@ double nearest_within(const Corners& t, const Vec3& middle, const SearchedSurfac
 /// Runs work(block, first, end) in parallel for blocks of the same triangles at any number of threads.
 template <typename Work>
 void for_blocks(std::size_t triangles, const Progress& progress, const Work& work) {
-    parallel_for(static_cast<int>((triangles + kBlock - 1) / kBlock), [&](int k) {
+    parallel_for(static_cast<int>((triangles + kTogether - 1) / kTogether), [&](int k) {
         progress.check();
-        const std::size_t first = static_cast<std::size_t>(k) * kBlock;
-        work(static_cast<std::size_t>(k), first, std::min(first + kBlock, triangles));
+        const std::size_t first = static_cast<std::size_t>(k) * kTogether;
+        work(static_cast<std::size_t>(k), first, std::min(first + kTogether, triangles));
     });
 }
 
@@ -118,7 +119,7 @@ void for_blocks(std::size_t triangles, const Progress& progress, const Work& wor
 template <typename Work>
 ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& progress, const ProvenBound& least,
                      const Work& work) {
-    std::vector<ProvenBound> blocks((triangles.size() + kBlock - 1) / kBlock, least);
+    std::vector<ProvenBound> blocks((triangles.size() + kTogether - 1) / kTogether, least);
     for_blocks(triangles.size(), progress,
                [&](std::size_t block, std::size_t first, std::size_t end) { work(first, end, blocks[block]); });
     ProvenBound result = least;
@@ -128,17 +129,62 @@ ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& prog
     return result;
 }
 
-/// How much farther than a distance corners and centres of triangles are from a surface at most: a bound from below.
+/// Which points count: those that are not inside of a closed surface, or all. Around a point inside there is a ball as
+/// large as its distance from the surface that is all inside: many points near to the last one need no look.
+class Counted {
+  public:
+    using Inside = std::function<bool(const Vec3&)>;
+
+    /// @param is_inside  null: all count
+    explicit Counted(const Inside* is_inside) : is_inside_(is_inside) {}
+
+    bool all() const { return is_inside_ == nullptr; }
+    /// Whether no point within a reach of another one counts, as far as is known. Below 0 it is of points that may
+    /// count if they are as near as that to the surface.
+    bool leaves_out(const Vec3& p, double reach) const { return (p - centre_).norm() + reach < radius_; }
+    bool has(const Vec3& p) const { return all() || !(*is_inside_)(p); }
+    /// Whether a point counts. Where the surface is nearest amid a triangle, the side of that tells.
+    /// @param nearest  the triangle of the surface that is nearest to it
+    bool has(const Vec3& p, const Corners& nearest) {
+        if (all()) {
+            return true;
+        }
+        const std::array<Plane, 3> planes = upright(nearest);
+        const bool is_amid =
+            std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) { return plane.height(p) < 0.0; });
+        const double height = (nearest[1] - nearest[0]).cross(nearest[2] - nearest[0]).dot(p - nearest[0]);
+        if (is_amid ? height >= 0.0 : has(p)) {
+            return true;
+        }
+        centre_ = p;
+        radius_ = distance(p, nearest);
+        return false;
+    }
+
+  private:
+    const Inside* is_inside_;
+    Vec3 centre_ = Vec3::Zero();
+    double radius_ = -std::numeric_limits<double>::infinity();
+};
+
+/// How much farther than a distance corners and centres of triangles are from a surface at most, or else `least`: a
+/// bound from below.
+/// @param is_inside  of points that do not count; null: all count
 ProvenBound farthest_sample(const std::vector<Corners>& triangles, const SearchedSurface& surface, double wanted,
-                            const Progress& progress) {
-    return over_all(triangles, progress, {}, [&](std::size_t first, std::size_t end, ProvenBound& found) {
+                            const ProvenBound& least, const Counted::Inside* is_inside, const Progress& progress) {
+    return over_all(triangles, progress, least, [&](std::size_t first, std::size_t end, ProvenBound& found) {
+        Counted counted(is_inside);
         std::int32_t nearest = surface.tree.nearest(triangles[first][0]).triangle;
         for (std::size_t t = first; t < end && nearest >= 0; ++t) {
             for (const Vec3& p : {triangles[t][0], triangles[t][1], triangles[t][2], centre(triangles[t])}) {
+                if (counted.leaves_out(p, 0.0)) {
+                    continue;
+                }
                 const std::int32_t near = surface.tree.any_within(p, wanted + found.bound, nearest);
                 nearest = near < 0 ? surface.tree.nearest_from(p, nearest).triangle : near;
-                if (near < 0) {
-                    found = {distance(p, corners(surface, nearest)) - wanted, p};
+                const Corners its = corners(surface, nearest);
+                if (near < 0 && counted.has(p, its)) {
+                    found = {distance(p, its) - wanted, p};
                 }
             }
         }
@@ -178,8 +224,10 @@ void divide(const Corners& whole, MustDivide&& must_divide) {
 class BoundOfTriangle {
   public:
     /// @param most  of the bound: above it the search ends
-    BoundOfTriangle(const SearchedSurface& surface, double wanted, double fineness, double most)
-        : surface_(surface), wanted_(wanted), fineness_(fineness), most_(most) {}
+    /// @param is_inside  whether a point is inside of the surface: only others count; null: all count
+    BoundOfTriangle(const SearchedSurface& surface, double wanted, double fineness, double most,
+                    const Counted::Inside* is_inside = nullptr)
+        : surface_(surface), wanted_(wanted), fineness_(fineness), most_(most), counted_(is_inside) {}
 
     /// What follows is faster for a triangle near the one before.
     /// @param found  is raised
@@ -219,13 +267,19 @@ class BoundOfTriangle {
             return;
         }
         const Vec3 here = piece.centre();
+        // Outside of the surface points are at most as far from it as from the last point inside, less its depth.
+        const double reach = counted_.all() ? 0.0 : piece.farthest_from(here) - found_.bound;
+        if (counted_.leaves_out(here, reach)) {
+            accept();
+            return;
+        }
         nearest_ = (nearest_ < 0 ? surface_.tree.nearest(here) : surface_.tree.nearest_from(here, nearest_)).triangle;
         if (nearest_ < 0) {
             found_ = {kNoDistance, here};
             return;
         }
         its_ = corners(surface_, nearest_);
-        if (is_near(piece, its_)) {
+        if (is_near(piece, its_) || is_all_inside(here, reach)) {
             accept();
             return;
         }
@@ -256,6 +310,10 @@ class BoundOfTriangle {
             }
         }
     }
+    /// Whether all of a piece is inside: what is smaller than its distance from the surface lies on one side of it.
+    bool is_all_inside(const Vec3& here, double reach) {
+        return reach < distance(here, its_) && !counted_.has(here, its_);
+    }
     void accept() {
         if (witnesses_ != nullptr) {
             witnesses_->push_back(nearest_);
@@ -264,12 +322,12 @@ class BoundOfTriangle {
     /// A corner that is as far from the surface as the piece is at most, but for the fineness; null: none is. Distances
     /// from one triangle are at least those from the surface: only corners as far from it as that can be as far from
     /// all of it.
-    const Vec3* attains(const Piece& piece) const {
+    const Vec3* attains(const Piece& piece) {
         const double enough = std::min(far_ - fineness_, wanted_ + most_);
         const Vec3* end = piece.corners.data() + piece.count;
         const Vec3* found = std::find_if(piece.corners.data(), end, [&](const Vec3& p) {
-            return wanted_ >= enough ||
-                   (distance(p, its_) >= enough && surface_.tree.any_within(p, enough, nearest_) < 0);
+            return wanted_ >= enough || (distance(p, its_) >= enough &&
+                                         surface_.tree.any_within(p, enough, nearest_) < 0 && counted_.has(p));
         });
         return found == end ? nullptr : found;
     }
@@ -278,6 +336,7 @@ class BoundOfTriangle {
     double wanted_;
     double fineness_;
     double most_;
+    Counted counted_;
     ProvenBound found_;
     std::vector<std::int32_t>* witnesses_ = nullptr;
     std::vector<Piece> stack_;
@@ -303,12 +362,27 @@ bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double 
 
 ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                     double wanted, double fineness, const Progress& progress) {
-    const ProvenBound least = farthest_sample(triangles, surface, wanted, progress);
+    const ProvenBound least = farthest_sample(triangles, surface, wanted, {}, nullptr, progress);
     return over_all(triangles, progress, least, [&](std::size_t first, std::size_t end, ProvenBound& found) {
         BoundOfTriangle bound(surface, wanted, fineness, kNoDistance);
         for (std::size_t t = first; t < end; ++t) {
             found = bound.raised(triangles[t], found);
         }
+    });
+}
+
+ProvenBound distance_of_points_outside(const std::vector<Corners>& triangles, const SearchedSurface& surface,
+                                       const std::function<bool(const Vec3&)>& is_inside, double fineness,
+                                       Progress& progress, double from) {
+    std::atomic<std::size_t> done{0};
+    const ProvenBound least = farthest_sample(triangles, surface, 0.0, {fineness, Vec3::Zero()}, &is_inside, progress);
+    return over_all(triangles, progress, least, [&](std::size_t first, std::size_t end, ProvenBound& found) {
+        BoundOfTriangle bound(surface, 0.0, fineness, kNoDistance, &is_inside);
+        for (std::size_t t = first; t < end; ++t) {
+            found = bound.raised(triangles[t], found);
+        }
+        const std::size_t so_far = done += end - first;
+        progress.advance(from + (1.0 - from) * static_cast<double>(so_far) / static_cast<double>(triangles.size()));
     });
 }
 
@@ -394,4 +468,4 @@ ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, cons
     });
 }
 
-}  // namespace mq::offset
+}  // namespace mq::mesh
