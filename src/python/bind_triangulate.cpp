@@ -88,9 +88,11 @@ std::shared_ptr<Result> with_vertices(const Result& surface, const PointArray& v
 }
 
 /// Other triangles on the same entities: rows of corners, their faces and solids, and (dimension, index) by vertex.
+/// `crossings` of them are known to cross within their bodies.
 std::shared_ptr<Result> with_triangles(const Result& surface, const PointArray& vertices, const Indices& triangles,
                                        const Indices& faces, const Indices& solids, const Indices& entities,
-                                       const FreecadShape& part, double chord_height, const py::object& progress) {
+                                       const FreecadShape& part, double chord_height, std::int64_t crossings,
+                                       const py::object& progress) {
     auto made = std::make_shared<Result>();
     mesh::TriangleMesh& mesh = made->mesh;
     mesh.origin = surface.mesh.origin;
@@ -108,6 +110,7 @@ std::shared_ptr<Result> with_triangles(const Result& surface, const PointArray& 
     return watch(progress, [&](Progress& handle) {
         made->report = mesh::measure(mesh, &handle);
         made->report.chord_height_asked = chord_height;
+        made->report.self_intersections = crossings;
         made->report = workflows::measure_against_shape(*made, *part.shape, handle);
         made->report.overlaps = 0;
         made->report.bridge = part.bridge;
@@ -265,9 +268,10 @@ void bind_triangulate(py::module_& m) {
           "against the Part.Shape that has these entities; bounds in degrees and mm for its report.");
     m.def("with_triangles", &with_triangles, py::arg("surface"), py::arg("vertices"), py::arg("triangles"),
           py::arg("triangle_face"), py::arg("triangle_solid"), py::arg("vertex_entity"), py::arg("shape"),
-          py::arg("chord_height"), py::arg("progress") = py::none(),
+          py::arg("chord_height"), py::arg("crossings"), py::arg("progress") = py::none(),
           "A Surface of other triangles on the entities of the Part.Shape that a surface was made of, with the same "
-          "origin, measured against it; the bound on its distance in mm for its report.");
+          "origin, measured against it; for its report the bound on its distance in mm and how many pairs of triangles "
+          "cross, -1: to be counted.");
     m.def("triangle_deviations", &triangle_deviations, py::arg("surface"), py::arg("shape"),
           py::arg("progress") = py::none(),
           "float64 (T,): the largest distance of each triangle's corners, edge middles and centroid from the faces of "

@@ -75,6 +75,31 @@ class ByCurvature(unittest.TestCase):
         self.assertTrue((found.vertex_entity[ends[times == 1], 0] < 2).all())
         self.assertAlmostEqual(found.report.area, sheet.Area, delta=0.005 * sheet.Area)
 
+    def test_bodies_that_touch(self):
+        above, tube = Part.makeCylinder(10, 20, FreeCAD.Vector(0, 0, 20)), Part.makeCylinder(12, 20).cut(Part.makeCylinder(10, 20))
+        for shape in (Part.makeCompound([Part.makeCylinder(10, 20), above]), Part.makeCompound([Part.makeCylinder(10, 20), tube])):
+            equal = mq.triangulate(shape, chord_height_relative=1e-3)
+            found = mq.triangulate(shape, metric="curvature", chord_height_relative=1e-3)
+            self.assertLess(len(found.triangles), 0.4 * len(equal.triangles))
+            self.assertTrue(found.report.closed)
+            self.assertEqual(found.report.self_intersections, 0)
+            self.assertGreater(mq.quality((found.vertices, found.triangles)).self_intersections, 0)  # this knows no bodies
+
+    def test_where_stretched_ones_would_cross(self):
+        """A wall of 0.1 mm at the side of a box, half the distance asked for: only there triangles keep equal sides."""
+        box, at = Part.makeBox(30, 20, 20), FreeCAD.Vector(0, 10, 0)
+        shape = box.fuse(Part.makeCylinder(6, 20, at)).cut(Part.makeCylinder(5.9, 20, at)).cut(Part.makeCylinder(4, 20, FreeCAD.Vector(18, 10, 0)))
+        equal = mq.triangulate(shape, chord_height=0.2)
+        found = mq.triangulate(shape, metric="curvature", chord_height=0.2)
+        report = mq.quality(found, shape)
+        self.assertEqual(report.self_intersections, 0)
+        self.assertTrue(report.closed)
+        self.assertLessEqual(report.max_chord_height, equal.report.chord_height_asked * (1 + 1e-6))
+        self.assertIn("some triangles keep equal sides, as stretched ones would be too far from the shape, or cross", str(found.report.notes))
+        bore = next(i for i, face in enumerate(shape.Faces) if isinstance(face.Surface, Part.Cylinder) and face.Surface.Radius == 4)
+        self.assertNotIn(f"Face{bore + 1} ", str(found.report.notes).replace(",", " "))
+        self.assertLess((found.triangle_face == bore).sum(), 0.7 * (equal.triangle_face == bore).sum())
+
     def test_same_bytes_and_names(self):
         shape = Part.makeCylinder(10, 40)
         one, other = (mq.triangulate(shape, metric="curvature", patches={"top": ["Face2"]}, patch_rest="rest") for _ in range(2))

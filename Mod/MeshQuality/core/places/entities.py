@@ -16,6 +16,7 @@ class Entities:
 
     def __init__(self, shape):
         self.faces, self.edges, self.vertices = shape.Faces, shape.Edges, shape.Vertexes
+        self._solids_and_shells = [*shape.Solids, *shape.Shells]
         self.size = shape.BoundBox.DiagonalLength
         self._curves = {}
 
@@ -23,6 +24,12 @@ class Entities:
     def surfaces(self):
         """The surface of each face."""
         return [face.Surface for face in self.faces]
+
+    @cached_property
+    def bodies(self):
+        """The numbers of the faces of each solid and each shell."""
+        numbers = _numbers(self.faces)
+        return [[_number(numbers, face) for face in body.Faces] for body in self._solids_and_shells]
 
     @cached_property
     def edges_of_face(self):

@@ -73,6 +73,7 @@ class Collapses:
         free = ((dimension == 2) & (segments == 0)) | ((dimension == 1) & (segments == 2))
         odd = (edges.count > 2) | ((edges.count == 1) & ~on_shape)
         free[edges.a[odd]] = free[edges.b[odd]] = False
+        free &= ~mesh.held
         lengths = np.tile(edges.lengths(mesh.measures.lengths), 2)
         allowed = np.flatnonzero(free[edges.ends] & (lengths < shorter) & ((dimension[edges.ends] == 2) | np.tile(on_shape, 2)))
         allowed = allowed[np.lexsort((lengths[allowed], edges.ends[allowed]))]

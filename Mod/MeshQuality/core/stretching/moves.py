@@ -24,7 +24,8 @@ class Moves:
         mesh = self._triangles
         edges = Edges(mesh.vertices, len(mesh.points))
         self._pair = np.full(len(mesh.points), -1)
-        inner = mesh.entity[mesh.pairs.vertex[mesh.corners], 0] == 2
+        free = (mesh.entity[:, 0] == 2) & ~mesh.held
+        inner = free[mesh.vertices]
         self._pair[mesh.pairs.vertex[mesh.corners[inner]]] = mesh.corners[inner]
         random = np.random.RandomState(2)
         for _ in range(sweeps):

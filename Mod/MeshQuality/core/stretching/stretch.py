@@ -10,6 +10,7 @@ from ..places.entities import Entities
 from ..places.places import Places, unfit
 from .cad_pairs import CadPairs
 from .collapses import Collapses
+from .faults import Faults
 from .limits import LONGEST, Limits
 from .moves import Moves
 from .swaps import Swaps
@@ -19,9 +20,10 @@ LARGEST_ANGLE = 150.0  # degrees
 QUALITY = 0.3  # in the metric
 _STEPS = 1.0, 1.0, 1.2, LONGEST  # edges shorter than these in the metric are collapsed, one step after the other
 _REPAIRS = 4  # rounds of swaps and moves for what is left beyond the largest angle
-# Attempts, until one keeps all that is measured: the fraction of the largest distance that triangles keep by their corners, and the
-# largest angle in the first step.
-_ATTEMPTS = (0.98, 170.0), (0.98, 155.0), (0.98, LARGEST_ANGLE), (0.8, LARGEST_ANGLE), (0.5, LARGEST_ANGLE)
+_FIRST = 170.0, 155.0, LARGEST_ANGLE  # degrees in the first step, until no angle above the largest one is left
+_ROUNDS = 7  # in which what is around triangles at fault stays as it was
+_SHARE = 0.98  # of the largest distance that triangles keep by their corners
+_NAMED = 5  # faces in a note
 _COSINE = np.cos(np.radians(LARGEST_ANGLE))
 _PLANE = "Part::GeomPlane"
 
@@ -46,23 +48,45 @@ def stretched(mesh, shape, metric, progress=None):
     reasons = unfit(mesh)
     if reasons:
         raise InvalidInput(f"metric needs triangles that lie on single whole faces: {'; '.join(reasons)}")
-    asked = mesh.report.chord_height_asked
-    for share, first in _ATTEMPTS:
-        triangles = _changed(mesh, shape, metric, share * (asked or np.inf), first, _poll(progress))
-        if first > LARGEST_ANGLE and triangles.measures.cosine.min() < _COSINE:
-            continue
-        surface = _surface(mesh, shape, triangles, progress)
-        if not _worse(surface.report, mesh.report, asked):
-            break
-    else:
+    surface, triangles, names = _without_faults(mesh, shape, metric, progress)
+    if surface is None:
         found = _finished(mesh._surface, mesh, None)
         return found, ["the triangles are those of the quality mesh: stretched ones would be too far from the shape, or cross"]
     found = _finished(surface, mesh, triangles)
     low = int((found.metric_quality < QUALITY).sum())
     said = [f"{low} triangles have a quality below {QUALITY} in the metric, the least is {found.metric_quality.min():.3f}"] if low else []
+    if names:
+        listed = ", ".join(names[:_NAMED]) + (f" and {len(names) - _NAMED} more faces" if len(names) > _NAMED else "")
+        said.append(f"on {listed} some triangles keep equal sides, as stretched ones would be too far from the shape, or cross")
     if found.largest_angle > LARGEST_ANGLE + 0.01:
         said.append(f"the largest angle is {found.largest_angle:.2f} degrees")
     return found, said
+
+
+def _without_faults(mesh, shape, metric, progress):
+    """(core's Surface, Triangles, names of faces that keep triangles); None thrice: all would have to keep them.
+
+    Every round begins with the triangles of equal sides, and those around the faults of earlier rounds stay. So what fails in one place
+    changes nothing elsewhere.
+    """
+    asked, first = mesh.report.chord_height_asked, 0
+    held = np.zeros(len(mesh.vertices), dtype=bool)
+    faults = Faults(mesh, Places(mesh, Entities(shape)), asked)
+    for wide in range(_ROUNDS):
+        triangles = _changed(mesh, shape, metric, _SHARE * (asked or np.inf), _FIRST[first], held, _poll(progress))
+        while first + 1 < len(_FIRST) and triangles.measures.cosine.min() < _COSINE:
+            first += 1
+            triangles = _changed(mesh, shape, metric, _SHARE * (asked or np.inf), _FIRST[first], held, _poll(progress))
+        points, corners = _numbered(mesh, triangles)
+        crossing, at_fault = faults.crossing(points, corners, triangles.face)
+        surface = _surface(mesh, shape, triangles, points, corners, len(crossing), progress)
+        rows = np.concatenate([at_fault.ravel(), faults.too_far(surface, shape, progress)])
+        if not len(rows):
+            break
+        held |= faults.held(points + mesh.origin, corners, triangles.face, rows, wide)
+    if len(rows) or _worse(surface.report, mesh.report):
+        return None, None, None
+    return surface, triangles, [f"Face{face + 1}" for face in sorted(faults.said)]
 
 
 def _finished(surface, mesh, triangles):
@@ -84,8 +108,8 @@ def _poll(progress):
     return poll
 
 
-def _changed(mesh, shape, metric, distance, first, poll):
-    """The Triangles of a mesh, changed; first: degrees, the largest angle in the first step."""
+def _changed(mesh, shape, metric, distance, first, held, poll):
+    """The Triangles of a mesh, changed; first: degrees, the largest angle in the first step; held: bool by vertex."""
     places = Places(mesh, Entities(shape))
     corners = places.corners.astype(np.int64)
     pairs = CadPairs(places, corners)
@@ -93,7 +117,7 @@ def _changed(mesh, shape, metric, distance, first, poll):
     rows = metric.at(places.points[pairs.vertex], pairs.normals, pairs.curvatures)
     rows = _with_edges(rows, metric, pairs, segments, tangents, bent)
     _fill_poles(rows, pairs, corners)
-    triangles = Triangles(places.points, places.entity, pairs, rows, corners, segments, tangents)
+    triangles = Triangles(places.points, places.entity, pairs, rows, corners, segments, tangents, held)
     verify = None
     if np.isfinite(distance) and any(surface.TypeId != _PLANE for surface in places.entities.surfaces):
         verify = _Verifier(shape, mesh.report.chord_height_asked).too_far
@@ -133,20 +157,23 @@ class _Verifier:
         return np.bincount(group, largest > self._distance, groups) > 0
 
 
-def _worse(new, old, asked):
-    return (asked and new.max_chord_height > max(asked, old.max_chord_height) or new.self_intersections > max(old.self_intersections, 0)
-            or old.closed and not new.closed or new.degenerate_triangles > old.degenerate_triangles)
+def _worse(new, old):
+    return old.closed and not new.closed or new.degenerate_triangles > old.degenerate_triangles
 
 
-def _surface(mesh, shape, triangles, progress):
-    """The core's Surface of the triangles."""
+def _numbered(mesh, triangles):
+    """(float64 (V, 3) beside the origin of the mesh, int32 (T, 3)): the points in use, and the triangles of them."""
     used, numbers = np.unique(triangles.vertices, return_inverse=True)
+    return np.float32(triangles.points[used] - mesh.origin).astype(np.float64), numbers.reshape(-1, 3).astype(np.int32)
+
+
+def _surface(mesh, shape, triangles, points, corners, crossings, progress):
+    """The core's Surface of the triangles."""
     face, solid_of = triangles.face, np.full(int(mesh.triangle_face.max()) + 1, -1, dtype=np.int32)
     solid_of[mesh.triangle_face] = mesh.triangle_solid
-    points = np.float32(triangles.points[used] - mesh.origin).astype(np.float64)
-    return extension().with_triangles(
-        mesh._surface, points, numbers.reshape(-1, 3).astype(np.int32), face.astype(np.int32), solid_of[face],
-        np.ascontiguousarray(triangles.entity[used], dtype=np.int32), shape, mesh.report.chord_height_asked, progress)
+    entity = np.ascontiguousarray(triangles.entity[np.unique(triangles.vertices)], dtype=np.int32)
+    return extension().with_triangles(mesh._surface, points, corners, face.astype(np.int32), solid_of[face], entity, shape,
+                                      mesh.report.chord_height_asked, crossings, progress)
 
 
 def _with_edges(rows, metric, pairs, segments, tangents, bent):

@@ -39,6 +39,8 @@ class Swaps:
         d = mesh.corners[pair[1], (other % 3 + 2) % 3]
         ends = mesh.pairs.vertex[np.stack([a, b, c, d])]
         good = (ends[2] != ends[3]) & ~edges.has(ends[2], ends[3])
+        held = mesh.held[ends]
+        good &= ~(held[0] & held[1] & (held[2] | held[3]))
         new = [np.stack(corners, axis=1) for corners in ((a, d, c), (d, b, c))]
         found = [mesh.measured(corners) for corners in new]
         old = [Measures(*(values[side] for values in mesh.measures)) for side in pair]

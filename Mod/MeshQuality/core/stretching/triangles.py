@@ -22,12 +22,13 @@ class Triangles:
     corners       int64 (T, 3): pairs
     segments      int64 (S, 3): two vertices that follow each other on an edge of the shape, and this edge
     tangents      float64 (S, 2, 3): its unit tangents there
+    held          bool (V,): vertices that stay where they are; triangles of three of them stay, too
     measures      the Measures of the triangles
     """
 
-    def __init__(self, points, entity, pairs, metric, corners, segments, tangents):
+    def __init__(self, points, entity, pairs, metric, corners, segments, tangents, held):
         self.points, self.entity, self.pairs, self.metric, self.corners = points, entity, pairs, metric, corners
-        self.segments, self.tangents = segments, tangents
+        self.segments, self.tangents, self.held = segments, tangents, held
         self._keys = pairs.face * len(points) + pairs.vertex
         self.measures = self.measured(corners)
 
