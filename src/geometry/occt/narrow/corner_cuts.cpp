@@ -242,14 +242,6 @@ class NarrowCorners : EdgeJoining {
         });
     }
 
-    /// The point of the edge of a use at this distance from its end (mm), or from its start.
-    Answer point_at(int use, bool from_end, double distance) const {
-        const Edge& whole = edge(edge_of(use));
-        const bool descending = use_of(use).forward == from_end;
-        return curve(edge_of(use))
-            .at_distance(descending ? whole.t1 : whole.t0, descending ? whole.t0 : whole.t1, distance);
-    }
-
     /// Whether two edges lie along each other between their corner and a distance from it (mm).
     bool stays_narrow(int first, int second, double distance) const {
         for (int i = 1; i < kSamples; ++i) {

@@ -137,6 +137,13 @@ double EdgeJoining::angle_of_others(int use, double t, int other, double other_t
     return first && second ? angle_between(*first, *second) : 0.0;
 }
 
+Answer EdgeJoining::point_at(int use, bool from_end, double distance) const {
+    const Edge& whole = edge(edge_of(use));
+    const bool descending = use_of(use).forward == from_end;
+    return curve(edge_of(use))
+        .at_distance(descending ? whole.t1 : whole.t0, descending ? whole.t0 : whole.t1, distance);
+}
+
 int EdgeJoining::opposite_use(int use) const {
     const std::vector<int>& uses = edge(topology_.uses[static_cast<std::size_t>(use)].edge).uses;
     return uses[0] == use ? uses[1] : uses[0];

@@ -74,6 +74,8 @@ class EdgeJoining {
     /// The point of a use's edge at DetailCorners::kReach details from its start or its end, or its other end if it is
     /// shorter.
     Vec3 point_along(int use, bool from_start) const;
+    /// The point of the edge of a use at this distance from its end (mm), or from its start.
+    Answer point_at(int use, bool from_end, double distance) const;
     /// Whether the faces on the other sides of two uses, whose edges lie along each other, meet at
     /// DetailCorners::kLeastAngle or more, unlike those of a thin plate.
     bool others_open(int use, int other) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/narrow/spikes.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -69,9 +70,6 @@ class Spikes : EdgeJoining {
                 continue;
             }
             sides.shorter = loop.uses[k % n];
-            if (sides.tips.empty() && join_crossing(loop, sides.longer, sides.shorter)) {
-                return true;
-            }
             sides.beyond = loop.uses[(k + 1) % n];
             const Sides other{sides.shorter, sides.longer, sides.before, sides.beyond, sides.tips, false};
             for (const Sides& both : {sides, other}) {
@@ -79,6 +77,9 @@ class Spikes : EdgeJoining {
                 if (spike && cut_off(loop, *spike)) {
                     return true;
                 }
+            }
+            if (sides.tips.empty() && join_indistinct(loop, sides.longer, sides.shorter)) {
+                return true;
             }
         }
         return false;
@@ -193,24 +194,11 @@ class Spikes : EdgeJoining {
 
     /// Two neighbouring uses of a loop, seen from their node.
     struct Tip {
-        std::array<int, 2> uses;
+        std::array<int, 2> uses;  // the first one ends in the node, the second one begins there
         std::array<int, 2> edges;
         std::array<bool, 2> at_last;  // whether the node is at the last parameter of the edge
         double tolerance;             // the larger one of both edges, mm
-
-        double share(int k, double from_tip) const { return at_last[k] ? 1.0 - from_tip : from_tip; }
     };
-
-    Vec3 point_of(const Tip& tip, int k, double share) const {
-        return curve(tip.edges[k]).point(parameter(tip.edges[k], tip.share(k, share))).point;
-    }
-
-    Vec2 image_of(const Tip& tip, int k, double share) const {
-        const PCurve& on_face = live_.uses[static_cast<std::size_t>(tip.uses[k])];
-        const double from_first = tip.share(k, share);
-        const gp_Pnt2d uv = on_face.curve->Value(on_face.first + from_first * (on_face.last - on_face.first));
-        return {uv.X(), uv.Y()};
-    }
 
     std::optional<Tip> tip_between(int before, int after) const {
         const auto has_curve = [&](int use) { return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull(); };
@@ -225,29 +213,46 @@ class Spikes : EdgeJoining {
                    std::max(edge(edges[0]).tolerance, edge(edges[1]).tolerance)};
     }
 
-    /// The fraction of the second edge of a tip at which both curves cross on the face; the farthest such place. Chords
-    /// can cross where curves do not: their pieces are looked at again.
+    /// The image on the face of the point of the first edge of a tip (0), or of the second one (1), at a distance (mm)
+    /// from their node.
+    Vec2 image_of(const Tip& tip, int k, double distance) const {
+        const double t = point_at(tip.uses[k], k == 0, distance).t;
+        const Edge& along = edge(tip.edges[k]);
+        const PCurve& on_face = live_.uses[static_cast<std::size_t>(tip.uses[k])];
+        const double share = (t - along.t0) / (along.t1 - along.t0);
+        const gp_Pnt2d uv = on_face.curve->Value(on_face.first + share * (on_face.last - on_face.first));
+        return {uv.X(), uv.Y()};
+    }
+
+    /// Whether two segments have a point in common.
+    static bool meet(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
+        const Eigen::AlignedBox2d of_a(a0.cwiseMin(a1), a0.cwiseMax(a1));
+        const Eigen::AlignedBox2d of_b(b0.cwiseMin(b1), b0.cwiseMax(b1));
+        return of_a.intersects(of_b) && orient2d(a0, a1, b0) * orient2d(a0, a1, b1) <= 0 &&
+               orient2d(b0, b1, a0) * orient2d(b0, b1, a1) <= 0;
+    }
+
+    /// The distance (mm) from their node, along the second edge of a tip, at which both curves cross or touch on the
+    /// face; the farthest such place. Chords can cross where curves do not: their pieces are looked at again.
     std::optional<double> crossing(const Tip& tip, const std::array<std::array<double, 2>, 2>& ranges,
                                    int depth) const {
         constexpr int kPieces = 32;  // Chords of each range.
-        const auto share = [&](int k, int i) { return ranges[k][0] + (ranges[k][1] - ranges[k][0]) * i / kPieces; };
+        const auto distance = [&](int k, int i) { return ranges[k][0] + (ranges[k][1] - ranges[k][0]) * i / kPieces; };
         std::array<std::array<Vec2, kPieces + 1>, 2> points;
         for (int k = 0; k < 2; ++k) {
             for (int i = 0; i <= kPieces; ++i) {
-                points[k][i] = image_of(tip, k, share(k, i));
+                points[k][i] = image_of(tip, k, distance(k, i));
             }
         }
         const auto& [a, b] = points;
         for (int j = kPieces - 1; j >= 0; --j) {
             for (int i = kPieces - 1; i >= 0; --i) {
-                if (orient2d(a[i], a[i + 1], b[j]) * orient2d(a[i], a[i + 1], b[j + 1]) >= 0 ||
-                    orient2d(b[j], b[j + 1], a[i]) * orient2d(b[j], b[j + 1], a[i + 1]) >= 0) {
+                if (!meet(a[i], a[i + 1], b[j], b[j + 1])) {
                     continue;
                 }
-                const std::optional<double> found =
-                    depth == 0
-                        ? share(1, j)
-                        : crossing(tip, {{{share(0, i), share(0, i + 1)}, {share(1, j), share(1, j + 1)}}}, depth - 1);
+                const std::array<std::array<double, 2>, 2> here{
+                    {{distance(0, i), distance(0, i + 1)}, {distance(1, j), distance(1, j + 1)}}};
+                const std::optional<double> found = depth == 0 ? here[1][0] : crossing(tip, here, depth - 1);
                 if (found) {
                     return found;
                 }
@@ -256,25 +261,23 @@ class Spikes : EdgeJoining {
         return std::nullopt;
     }
 
-    /// Whether the second edge of a tip is within the tolerance of the first one at a fraction.
-    bool is_together(const Tip& tip, double share) const {
-        const Answer foot = nearest_on(tip.edges[0], point_of(tip, 1, share), tip.tolerance);
+    /// Whether both edges of a tip are within their tolerance of each other at a distance (mm) from their node.
+    bool is_together(const Tip& tip, double distance) const {
+        const Answer there = point_at(tip.uses[1], false, distance);
+        const Answer foot = there.found() ? nearest_on(tip.edges[0], there.point, tip.tolerance) : Answer{};
         return foot.found() && foot.distance <= tip.tolerance;
     }
 
-    /// The fraction of the second edge of a tip up to which both edges are one within their tolerance, if they cross on
-    /// the face on the way, and farther from their node than what else does not show there.
+    /// The distance (mm) from their node up to which both edges of a tip are one within their tolerance, if they cross
+    /// or touch on the face on the way, and farther from the node than what else does not show there.
     std::optional<double> indistinct(const Tip& tip) const {
-        constexpr double kMostOfEdge = 0.5;  // Fraction of each edge.
+        constexpr double kMostOfEdge = 0.5;  // Fraction of the shorter edge.
         constexpr int kHalvings = 20;
-        const std::optional<double> crossed = crossing(tip, {{{0.0, kMostOfEdge}, {0.0, kMostOfEdge}}}, 2);
-        if (!crossed) {
-            return std::nullopt;
-        }
+        const double shorter = std::min(length(tip.edges[0]), length(tip.edges[1]));
+        const double most = kMostOfEdge * shorter;
+        const std::optional<double> crossed = crossing(tip, {{{0.0, most}, {0.0, most}}}, 2);
         const Node& node = topology_.nodes[static_cast<std::size_t>(edge(tip.edges[0]).nodes[tip.at_last[0] ? 1 : 0])];
-        const double spanned = kSpanned * std::min(length(tip.edges[0]), length(tip.edges[1]));
-        if ((point_of(tip, 1, *crossed) - node.point).norm() <=
-            std::max({tip.tolerance, node.tolerance, topology_.detail, spanned})) {
+        if (!crossed || *crossed <= std::max({tip.tolerance, node.tolerance, topology_.detail, kSpanned * shorter})) {
             return std::nullopt;
         }
         for (int i = 1; i <= kSamples; ++i) {
@@ -283,7 +286,7 @@ class Spikes : EdgeJoining {
             }
         }
         double low = *crossed;
-        double high = kMostOfEdge;
+        double high = most;
         for (int i = 0; i < kHalvings; ++i) {
             const double middle = 0.5 * (low + high);
             (is_together(tip, middle) ? low : high) = middle;
@@ -291,18 +294,19 @@ class Spikes : EdgeJoining {
         return low;
     }
 
-    /// Makes one edge of two neighbours that cross on the face, up to where their tolerance tells them apart.
-    bool join_crossing(Loop& loop, int before, int after) {
+    /// Makes one edge of two neighbours that cross or touch on the face beside their node, up to where their tolerance
+    /// tells them apart.
+    bool join_indistinct(Loop& loop, int before, int after) {
         const std::optional<Tip> tip = tip_between(before, after);
         const std::optional<double> up_to = tip ? indistinct(*tip) : std::nullopt;
         if (!up_to) {
             return false;
         }
         const int face = use_of(before).face;
-        const Vec3 end = point_of(*tip, 1, *up_to);
-        const Answer foot = nearest_on(tip->edges[0], end, tip->tolerance);
-        const int node = add_node(0.5 * (end + foot.point), tip->tolerance, {2, face});
-        const std::array<double, 2> t{foot.t, parameter(tip->edges[1], tip->share(1, *up_to))};
+        const Answer end = point_at(after, false, *up_to);
+        const Answer foot = nearest_on(tip->edges[0], end.point, tip->tolerance);
+        const int node = add_node(0.5 * (end.point + foot.point), tip->tolerance, {2, face});
+        const std::array<double, 2> t{foot.t, end.t};
         std::array<int, 2> pieces;
         for (int k = 0; k < 2; ++k) {
             const int second = divide(tip->edges[k], t[k], node);
@@ -314,7 +318,7 @@ class Spikes : EdgeJoining {
         }
         topology_.faults.push_back(topology_.name_of({2, face}) + ": " + topology_.name_of({1, tip->edges[0]}) +
                                    " and " + topology_.name_of({1, tip->edges[1]}) +
-                                   " cross beside their vertex: they are one edge up to where they are " +
+                                   " cross or coincide beside their vertex: they are one edge up to where they are " +
                                    in_digits(tip->tolerance, 4) + " mm apart, which is their tolerance");
         drop(loop, use_on(pieces[0], face));
         drop(loop, use_on(pieces[1], face));

@@ -11,8 +11,8 @@ namespace mq::geometry {
 /// sides. `topology.faults` names the faces. A spike stays if its removal would leave a corner that is narrower than
 /// its own and than DetailCorners::kLeastAngle, or if the other faces lie on each other.
 ///
-/// Makes one edge of two neighbours that cross on the face beside their node and within their tolerance, up to where
-/// they have left each other by that. `topology.faults` names them, too. Call it after
+/// Makes one edge of two neighbours that cross on the face beside their node and within their tolerance, or coincide
+/// there, up to where they have left each other by that. `topology.faults` names them, too. Call it after
 /// remove_degenerate_faces, and call that again afterwards: the remainder of a face can be as thin.
 /// @return whether there were any
 /// @throws Cancelled

@@ -4,7 +4,10 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS_Shell.hxx>
 #include <algorithm>
@@ -101,21 +104,16 @@ TopoDS_Shell tapering(double length, double at_one, double at_zero) {
     return shell;
 }
 
-/// A triangle in the plane z = 0 between y = 0 and a curve that leaves it at the origin, dips 0.001 mm below it as far
-/// as x = 0.64, and ends at (10, 3). Beyond the curve lies a face in the plane, beyond y = 0 one that rises.
-TopoDS_Shell crossing_beside_a_vertex(double tolerance) {
+/// A triangle in the plane z = 0 between y = 0 and a curve from the origin to (10, 3). Beyond the curve lies a face in
+/// the plane, beyond y = 0 one that rises.
+TopoDS_Shell with_curved_side(const Handle(Geom_Curve) & curve, double tolerance) {
     const TopoDS_Vertex tip = vertex(0.0, 0.0, 0.0);
     const TopoDS_Vertex low = vertex(10.0, 0.0, 0.0);
     const TopoDS_Vertex high = vertex(10.0, 3.0, 0.0);
     const TopoDS_Vertex top = vertex(0.0, 3.0, 0.0);
     const TopoDS_Vertex risen = vertex(10.0, -1.0, 1.0);
-    TColgp_Array1OfPnt poles(1, 4);
-    poles(1) = gp_Pnt(0.0, 0.0, 0.0);
-    poles(2) = gp_Pnt(2.5, -0.01, 0.0);
-    poles(3) = gp_Pnt(6.0, 0.0, 0.0);
-    poles(4) = gp_Pnt(10.0, 3.0, 0.0);
     const TopoDS_Edge straight = line(tip, low);
-    const TopoDS_Edge curved = BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles), tip, high).Edge();
+    const TopoDS_Edge curved = BRepBuilderAPI_MakeEdge(curve, tip, high).Edge();
     TopoDS_Shell shell;
     BRep_Builder builder;
     builder.UpdateEdge(curved, tolerance);
@@ -124,6 +122,32 @@ TopoDS_Shell crossing_beside_a_vertex(double tolerance) {
     builder.Add(shell, planar_face({curved, line(high, top), line(top, tip)}));
     builder.Add(shell, planar_face({straight, line(low, risen), line(risen, tip)}));
     return shell;
+}
+
+/// The curve leaves y = 0 at the origin and dips 0.001 mm below it as far as x = 0.64.
+TopoDS_Shell crossing_beside_a_vertex(double tolerance) {
+    TColgp_Array1OfPnt poles(1, 4);
+    poles(1) = gp_Pnt(0.0, 0.0, 0.0);
+    poles(2) = gp_Pnt(2.5, -0.01, 0.0);
+    poles(3) = gp_Pnt(6.0, 0.0, 0.0);
+    poles(4) = gp_Pnt(10.0, 3.0, 0.0);
+    return with_curved_side(new Geom_BezierCurve(poles), tolerance);
+}
+
+/// The curve runs along y = 0 as far as x = 2, for a thousandth of its parameters, and turns off there.
+TopoDS_Shell turning_off_a_line() {
+    TColgp_Array1OfPnt poles(1, 3);
+    poles(1) = gp_Pnt(0.0, 0.0, 0.0);
+    poles(2) = gp_Pnt(2.0, 0.0, 0.0);
+    poles(3) = gp_Pnt(10.0, 3.0, 0.0);
+    TColStd_Array1OfReal knots(1, 3);
+    knots(1) = 0.0;
+    knots(2) = 1e-3;
+    knots(3) = 1.0;
+    TColStd_Array1OfInteger multiplicities(1, 3);
+    multiplicities.Init(2);
+    multiplicities(2) = 1;
+    return with_curved_side(new Geom_BSplineCurve(poles, knots, multiplicities, 1), 1e-7);
 }
 
 /// A detail of 0.005 mm.
@@ -224,9 +248,9 @@ TEST(Spikes, EdgesThatCrossBesideTheirVertexAreOneUpToTheirTolerance) {
     const Topology& topology = model->topology();
     ASSERT_EQ(topology.faults.size(), 1U);
     EXPECT_EQ(topology.faults[0].find("Face1: Edge"), 0U) << topology.faults[0];
-    EXPECT_NE(
-        topology.faults[0].find("cross beside their vertex: they are one edge up to where they are 0.005 mm apart"),
-        std::string::npos);
+    EXPECT_NE(topology.faults[0].find(
+                  "cross or coincide beside their vertex: they are one edge up to where they are 0.005 mm apart"),
+              std::string::npos);
     EXPECT_EQ(topology.faces[0].loops.front().uses.size(), 3U);
     ASSERT_EQ(topology.nodes.size(), 6U);
     const Vec3& tip = topology.nodes.back().point;
@@ -238,6 +262,14 @@ TEST(Spikes, EdgesThatCrossBesideTheirVertexAreOneUpToTheirTolerance) {
                topology.uses[static_cast<std::size_t>(edge.uses[1])].face > 0;
     });
     EXPECT_EQ(between, 1);
+}
+
+TEST(Spikes, EdgesThatRunOutAndBackAlongALineAreOneUpToWhereOneTurnsOff) {
+    const auto model = make_shape_model(turning_off_a_line(), nullptr, Creases::Keep, finely());
+    const Topology& topology = model->topology();
+    ASSERT_EQ(topology.nodes.size(), 6U);
+    EXPECT_LT((topology.nodes.back().point - Vec3(2.0, 0.0, 0.0)).norm(), 1e-6);
+    EXPECT_EQ(topology.faces[0].loops.front().uses.size(), 3U);
 }
 
 TEST(Spikes, EdgesThatCrossByMoreThanTheirToleranceStay) {
