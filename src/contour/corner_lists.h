@@ -35,7 +35,7 @@ class CornerLists {
     };
 
     CornerLists(const std::vector<mesh::Triangle>& triangles, std::size_t vertices)
-        : first_(vertices, kNone), next_(3 * triangles.size()) {
+        : first_(vertices, kNoCorner), next_(3 * triangles.size()) {
         for (std::size_t c = next_.size(); c-- > 0;) {
             std::int32_t& first = first_[static_cast<std::size_t>(triangles[c / 3][c % 3])];
             next_[c] = first;
@@ -43,7 +43,7 @@ class CornerLists {
         }
     }
 
-    Range at(std::int32_t v) const { return {{*this, first_[static_cast<std::size_t>(v)]}, {*this, kNone}}; }
+    Range at(std::int32_t v) const { return {{*this, first_[static_cast<std::size_t>(v)]}, {*this, kNoCorner}}; }
     /// Takes a corner out of the list of its vertex.
     void remove(std::int32_t corner, std::int32_t v) {
         std::int32_t* at = &first_[static_cast<std::size_t>(v)];
@@ -55,15 +55,15 @@ class CornerLists {
     /// Appends the list of `from` to that of `to`.
     void append(std::int32_t to, std::int32_t from) {
         std::int32_t* at = &first_[static_cast<std::size_t>(to)];
-        while (*at != kNone) {
+        while (*at != kNoCorner) {
             at = &next_[static_cast<std::size_t>(*at)];
         }
         *at = first_[static_cast<std::size_t>(from)];
-        first_[static_cast<std::size_t>(from)] = kNone;
+        first_[static_cast<std::size_t>(from)] = kNoCorner;
     }
 
   private:
-    static constexpr std::int32_t kNone = -1;
+    static constexpr std::int32_t kNoCorner = -1;
 
     std::vector<std::int32_t> first_;  ///< by vertex
     std::vector<std::int32_t> next_;   ///< by corner

@@ -39,7 +39,7 @@ class EdgeMesh {
     /// What vanishes with an edge, and what is beside it.
     struct Merged {
         std::vector<std::int32_t> edges;     ///< that are gone, but for the edge itself
-        std::vector<std::int32_t> vertices;  ///< of the triangles that are gone, but for the ends
+        std::vector<std::int32_t> vertices;  ///< the third ones of the triangles that are gone
     };
     /// Collapses the edge (a, b): its triangles vanish, and the others at b have a in its place.
     const Merged& merge(std::int32_t a, std::int32_t b);

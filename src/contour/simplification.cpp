@@ -34,10 +34,10 @@ struct Block {
 
 /// The boxes of the triangles that meet; of some of them, where they are many.
 std::vector<Box> boxes_of_contacts(const Contour& surface, const Progress& progress) {
-    constexpr std::size_t kMost = 16;
+    constexpr std::size_t kMostCrossings = 16;
     std::vector<Box> boxes;
     for (const mesh::ContactPair& pair :
-         mesh::self_intersections(surface.points, surface.triangles, kMost, &progress)) {
+         mesh::self_intersections(surface.points, surface.triangles, kMostCrossings, &progress)) {
         boxes.emplace_back();
         for (const std::int32_t t : {pair.a, pair.b}) {
             for (const std::int32_t v : surface.triangles[static_cast<std::size_t>(t)]) {

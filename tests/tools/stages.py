@@ -20,7 +20,7 @@ STAGES = {
         ["geometry/occt/distance"],
         ["geometry/occt"],
     ],
-    "mesh": [["mesh"], ["mesh/io", "mesh/intersection"], ["mesh/quality"]],
+    "mesh": [["mesh"], ["mesh/io", "mesh/intersection"], ["mesh/quality", "mesh/proof"]],
     "triangulate": [
         ["triangulate/edges", "triangulate/work_mesh"],
         ["triangulate/initial", "triangulate/components", "triangulate/rounds"],
@@ -48,7 +48,7 @@ STAGES = {
     "improve": [["improve"]],
     "inspection": [["inspection"]],
     "contour": [["contour"]],
-    "offset": [["mesh/proof"], ["offset/trimmed"], ["offset/contoured"]],
+    "offset": [["offset/trimmed"], ["offset/contoured"]],
     "wrap": [["wrap/lattice"], ["wrap/outside"], ["wrap/surface"], ["wrap/measure"], ["wrap"]],
     "workflows": [["workflows/operands"], ["workflows"]],
     "python": [["python/freecad"], ["python"], ["python/sizes"]],

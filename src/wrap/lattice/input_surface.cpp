@@ -44,7 +44,7 @@ bool meets_triangle(const InputSurface& surface, const Triangle& t, const Vec3& 
 unsigned InputSurface::met_of(const Fan& fan) const {
     Box all;
     all.add(fan.from);
-    std::array<Box, Fan::kMost> boxes;
+    std::array<Box, Fan::kMostSegments> boxes;
     for (std::size_t k = 0; k < fan.count; ++k) {
         all.add(fan.to[k]);
         boxes[k].add(fan.from);

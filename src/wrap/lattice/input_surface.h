@@ -20,9 +20,9 @@ struct FirstMeeting {
 
 /// Segments from one point.
 struct Fan {
-    static constexpr std::size_t kMost = 7;
+    static constexpr std::size_t kMostSegments = 7;
     Vec3 from = Vec3::Zero();
-    std::array<Vec3, kMost> to{};  ///< the first `count` of them
+    std::array<Vec3, kMostSegments> to{};  ///< the first `count` of them
     std::size_t count = 0;
 };
 

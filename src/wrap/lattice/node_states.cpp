@@ -144,7 +144,7 @@ void NodeStates::bar_edges(std::size_t block) {
         }
         const Node node = Lattice::node_at(blocks_[block], place);
         Fan fan{lattice_.at(node)};
-        std::array<int, Fan::kMost> step{};
+        std::array<int, Fan::kMostSegments> step{};
         for (int k = 0; k < 7; ++k) {
             const Node other = node + Lattice::steps()[static_cast<std::size_t>(k)];
             const NodeState* its = lattice_.contains(other) ? find(other) : nullptr;

@@ -46,7 +46,7 @@ TEST(InputSurface, SegmentsOfAFanMeetWhatEachOfThemMeets) {
     int meeting = 0;
     for (int round = 0; round < 200; ++round) {
         Fan fan{point()};
-        for (; fan.count < static_cast<std::size_t>(round) % (Fan::kMost + 1); ++fan.count) {
+        for (; fan.count < static_cast<std::size_t>(round) % (Fan::kMostSegments + 1); ++fan.count) {
             fan.to[fan.count] = fan.from + 0.2 * (point() - fan.from);
         }
         const unsigned met = surface.met_of(fan);
