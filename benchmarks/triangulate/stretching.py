@@ -21,6 +21,7 @@ sys.path += map(str, Path(__file__).resolve().parents[1].iterdir())
 import inside_freecad
 
 LARGEST_FILE, MOST_TRIANGLES = 150_000, 12_000  # bytes and triangles of real parts
+SCREWS = "netgen_screw.step", "M6-1x12-countersunk-screw.step"  # the second one has a thread
 
 MMG = """
 import sys, numpy, mmgpy
@@ -68,6 +69,7 @@ def parts():
         "block, all edges rounded": block.makeFillet(5, block.Edges),
         "cone": Part.makeCone(10, 3, 30),
         "pipe": Part.makeCylinder(10, 60).cut(Part.makeCylinder(8, 60)),
+        **{f"screw, {name}": Part.read(str(inside_freecad.data_folder() / "cad" / name)) for name in SCREWS},
     }
 
 

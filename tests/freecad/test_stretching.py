@@ -75,6 +75,16 @@ class ByCurvature(unittest.TestCase):
         self.assertTrue((found.vertex_entity[ends[times == 1], 0] < 2).all())
         self.assertAlmostEqual(found.report.area, sheet.Area, delta=0.005 * sheet.Area)
 
+    def test_quality_on_faces_narrower_than_the_lengths_wanted(self):
+        """A washer of 10 mm with a wall of 1 mm: nothing stops edges of 9 mm along it but its width."""
+        shape = Part.makeCylinder(10, 1.5).cut(Part.makeCylinder(9, 1.5))
+        found = self.require_good(shape, 1.0, chord_height=0.05)
+        self.assertGreaterEqual(found.metric_quality.min(), 0.3)
+
+    def test_quality_beside_circles(self):
+        found = self.require_good(Part.makeCylinder(10, 40), 1 / 3, chord_height_relative=1e-3)
+        self.assertGreaterEqual(found.metric_quality.min(), 0.3)
+
     def test_bodies_that_touch(self):
         above, tube = Part.makeCylinder(10, 20, FreeCAD.Vector(0, 0, 20)), Part.makeCylinder(12, 20).cut(Part.makeCylinder(10, 20))
         for shape in (Part.makeCompound([Part.makeCylinder(10, 20), above]), Part.makeCompound([Part.makeCylinder(10, 20), tube])):

@@ -4,7 +4,7 @@
 import numpy as np
 
 from .limits import LONGEST
-from .triangles import Edges, Measures, among, edge_keys, least_of
+from .triangles import SCORE, Edges, Measures, among, edge_keys, least_of, score
 
 _ROUNDS = 200
 _SPREAD = 0.3  # by which the order of edges of like lengths is shuffled, so that rounds find many that are no neighbours
@@ -18,8 +18,9 @@ class Collapses:
         count = len(triangles.points)
         self._shuffle = 1.0 + _SPREAD * np.random.RandomState(1).rand(count)
 
-    def run(self, shorter, poll):
-        """Of edges shorter than this in the metric."""
+    def run(self, shorter, poll, low=False):
+        """Of edges shorter than this in the metric; low: at triangles that are low, where the lowest around gets better."""
+        self._low, self._longest = low, shorter if low else LONGEST
         self._fails = np.zeros(len(self._triangles.points), dtype=np.int64)
         for _ in range(_ROUNDS):
             poll()
@@ -49,7 +50,10 @@ class Collapses:
         new = mesh.measured(corners)
         of_each = np.arange(len(rows))
         longest = np.maximum(new.lengths[of_each, place], new.lengths[of_each, (place + 2) % 3])
-        broken = self._limits.broken(new, self._before(which, triangle, len(gone), group)) | (longest > LONGEST)
+        before = self._before(which, triangle, len(gone), group)
+        broken = self._limits.broken(new, before) | (longest > self._longest)
+        if self._low:
+            broken |= score(new) <= np.minimum(score(before), SCORE)
         good &= np.bincount(group, broken, len(gone)) == 0
         self._fails[gone[~good]] += 1
         chosen = self._chosen(gone, target, good, edges)
@@ -74,6 +78,10 @@ class Collapses:
         odd = (edges.count > 2) | ((edges.count == 1) & ~on_shape)
         free[edges.a[odd]] = free[edges.b[odd]] = False
         free &= ~mesh.held
+        if self._low:
+            of_low = np.zeros(count, dtype=bool)
+            of_low[mesh.vertices[score(mesh.measures) < SCORE]] = True
+            free &= of_low
         lengths = np.tile(edges.lengths(mesh.measures.lengths), 2)
         allowed = np.flatnonzero(free[edges.ends] & (lengths < shorter) & ((dimension[edges.ends] == 2) | np.tile(on_shape, 2)))
         allowed = allowed[np.lexsort((lengths[allowed], edges.ends[allowed]))]

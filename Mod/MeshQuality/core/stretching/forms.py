@@ -34,6 +34,10 @@ class Curvature:
         """Metrics (n, 6) of places on edges of the shape that have these tangents and curvatures, too."""
         return metrics.with_curves(rows, tangents, bent, self._distance, self._stretching)
 
+    def across_faces(self, rows, across, widths):
+        """Metrics (n, 6) that know how wide the faces are at their borders, too."""
+        return metrics.within(rows, across, widths)
+
 
 class Given:
     """A function, or values at points, between which it is interpolated."""
@@ -52,6 +56,10 @@ class Given:
         return metrics.bounded(rows, self._longest, self._stretching)
 
     def along_edges(self, rows, tangents, bent):  # noqa: ARG002
+        """The metrics themselves."""
+        return rows
+
+    def across_faces(self, rows, across, widths):  # noqa: ARG002
         """The metrics themselves."""
         return rows
 

@@ -43,16 +43,31 @@ def with_curves(rows, tangents, curvatures, distance, stretching):
     return sixes(full + np.maximum(along / stretching**2 - across, 0.0)[:, None, None] * (np.eye(3) - outer))
 
 
+def within(rows, across, widths):
+    """(n, 6) that in directions (n, 3) want edges no longer than widths (mm), or than the shortest ones in any direction."""
+    full = matrices(rows)
+    have = np.einsum("ni,nij,nj->n", across, full, across)
+    wanted = np.minimum(widths**-2.0, np.linalg.eigvalsh(full).max(axis=1))
+    return sixes(full + np.maximum(wanted - have, 0.0)[:, None, None] * across[:, :, None] * across[:, None, :])
+
+
 def shortest(rows):
     """float64 (n,), mm: the least length that metrics (n, 6) want in any direction."""
     return np.linalg.eigvalsh(matrices(rows)).max(axis=1) ** -0.5
 
 
-def longest_direction(rows, normals):
-    """(n, 3), mm: the direction within the surface in which metrics want the longest edges, as long as they want it."""
+def main_lengths(rows, normals):
+    """Two arrays (n, 3), mm: the directions within the surface in which metrics want the longest and the shortest edges, as long as they
+    want them.
+    """
     values, vectors = np.linalg.eigh(matrices(rows))
     off = np.argmax(np.abs(np.einsum("nij,ni->nj", vectors, normals)), axis=1)
     each = np.arange(len(rows))
     values[each, off] = np.inf
-    least = np.argmin(values, axis=1)
-    return vectors[each, :, least] / np.sqrt(values[each, least])[:, None]
+    order = np.argsort(values, axis=1)
+    return tuple(vectors[each, :, order[:, k]] / np.sqrt(values[each, order[:, k]])[:, None] for k in (0, 1))
+
+
+def longest_direction(rows, normals):
+    """(n, 3), mm: the first of main_lengths."""
+    return main_lengths(rows, normals)[0]

@@ -4,11 +4,13 @@
 import numpy as np
 
 from .limits import LONGEST
-from .metrics import longest_direction
-from .triangles import Edges, Measures, least_of, score
+from .metrics import longest_direction, main_lengths
+from .triangles import SCORE, Edges, Measures, least_of, score
 
 _SHARES = 1.0, 0.5  # of the way that are tried
 _ALONG = 0.4, -0.4, 0.15, -0.15  # lengths in the metric that are tried in its long direction
+_AROUND = 8  # directions that are tried about a vertex of a low triangle
+_LENGTHS = 0.5, 0.2, 0.08  # in the metric, that are tried there
 _GAIN = 0.03  # least gain of the score
 
 
@@ -19,13 +21,16 @@ class Moves:
         """metric_at: function(points, normals, curvatures) -> (n, 6)."""
         self._triangles, self._limits, self._metric_at = triangles, limits, metric_at
 
-    def run(self, sweeps, poll):
-        """Each vertex once a sweep."""
+    def run(self, sweeps, poll, low=False):
+        """Each vertex once a sweep; low: those of triangles that are low, in all directions."""
         mesh = self._triangles
+        self._low = low
         edges = Edges(mesh.vertices, len(mesh.points))
         self._pair = np.full(len(mesh.points), -1)
         free = (mesh.entity[:, 0] == 2) & ~mesh.held
         inner = free[mesh.vertices]
+        if low:
+            inner &= (score(mesh.measures) < SCORE)[:, None]
         self._pair[mesh.pairs.vertex[mesh.corners[inner]]] = mesh.corners[inner]
         random = np.random.RandomState(2)
         for _ in range(sweeps):
@@ -47,9 +52,25 @@ class Moves:
         todo = np.arange(len(vertices))
         for share in _SHARES:
             todo = self._tried(vertices, todo, mesh.points[vertices] + share * (target - mesh.points[vertices]), which, corner)
+        if self._low:
+            self._around(vertices, todo, which, corner)
+            return
         along = longest_direction(mesh.metric[self._pair[vertices]], mesh.pairs.normals[self._pair[vertices]])
         for length in _ALONG:
             todo = self._tried(vertices, todo, mesh.points[vertices] + length * along, which, corner)
+
+    def _around(self, vertices, todo, which, corner):
+        """Tries places about vertices, at lengths in the mean metric of the triangles there."""
+        mesh = self._triangles
+        pairs = self._pair[vertices]
+        mean = np.zeros((len(vertices), 6))
+        np.add.at(mean, which, mesh.metric[mesh.corners[corner // 3]].mean(axis=1))
+        mean /= np.bincount(which, minlength=len(vertices))[:, None]
+        one, other = main_lengths(mean, mesh.pairs.normals[pairs])
+        for length in _LENGTHS:
+            for k in range(_AROUND):
+                angle = 2.0 * np.pi * k / _AROUND
+                todo = self._tried(vertices, todo, mesh.points[vertices] + length * (np.cos(angle) * one + np.sin(angle) * other), which, corner)
 
     def _tried(self, vertices, todo, target, which, corner):
         """The vertices that are not better there."""

@@ -14,12 +14,14 @@ from .faults import Faults
 from .limits import LONGEST, Limits
 from .moves import Moves
 from .swaps import Swaps
-from .triangles import Triangles, edge_keys
+from .triangles import SCORE, Triangles, edge_keys, score
+from .widths import at_borders
 
 LARGEST_ANGLE = 150.0  # degrees
 QUALITY = 0.3  # in the metric
 _STEPS = 1.0, 1.0, 1.2, LONGEST  # edges shorter than these in the metric are collapsed, one step after the other
-_REPAIRS = 4  # rounds of swaps and moves for what is left beyond the largest angle
+_REPAIRS = 4  # rounds for what is left beyond the largest angle or below the quality
+_LONGEST_LOW = 2.0  # in the metric, the longest edge that may come from such a round
 _FIRST = 170.0, 155.0, LARGEST_ANGLE  # degrees in the first step, until no angle above the largest one is left
 _ROUNDS = 7  # in which what is around triangles at fault stays as it was
 _SHARE = 0.98  # of the largest distance that triangles keep by their corners
@@ -118,6 +120,7 @@ def _changed(mesh, shape, metric, distance, first, held, poll):
     rows = _with_edges(rows, metric, pairs, segments, tangents, bent)
     _fill_poles(rows, pairs, corners)
     triangles = Triangles(places.points, places.entity, pairs, rows, corners, segments, tangents, held)
+    _within_faces(triangles, metric, places.entities.edges_of_face)
     verify = None
     if np.isfinite(distance) and any(surface.TypeId != _PLANE for surface in places.entities.surfaces):
         verify = _Verifier(shape, mesh.report.chord_height_asked).too_far
@@ -129,10 +132,11 @@ def _changed(mesh, shape, metric, distance, first, held, poll):
         swaps.run(poll)
         moves.run(1, poll)
     for _ in range(_REPAIRS):
-        if triangles.measures.cosine.min() >= _COSINE:
+        if score(triangles.measures).min() >= SCORE:
             break
+        collapses.run(_LONGEST_LOW, poll, low=True)
         swaps.run(poll)
-        moves.run(1, poll)
+        moves.run(1, poll, low=True)
     return triangles
 
 
@@ -187,6 +191,16 @@ def _with_edges(rows, metric, pairs, segments, tangents, bent):
             at = order[(low + step)[there]]
             rows[at] = metric.along_edges(rows[at], tangents[there, end], bent[there, end])
     return rows
+
+
+def _within_faces(triangles, metric, edges_of_face):
+    """Changes the metrics of triangles to such that know how wide the faces are at their borders."""
+    rows, across, widths = at_borders(triangles, edges_of_face)
+    while len(rows):  # a vertex has several segments: one of them at a time
+        now, first = np.unique(rows, return_index=True)
+        triangles.metric[now] = metric.across_faces(triangles.metric[now], across[first], widths[first])
+        rows, across, widths = (np.delete(values, first, axis=0) for values in (rows, across, widths))
+    triangles.measures = triangles.measured(triangles.corners)
 
 
 def _fill_poles(rows, pairs, corners):

@@ -5,6 +5,7 @@ from collections import namedtuple
 
 import numpy as np
 
+SCORE = 1.0  # triangles with a lower one have too large an angle or too low a quality
 _STEEP = 1e-3  # squared cosine below which a slope counts as vertical
 
 # By triangle: the least cosine between its normal and those of the CAD face at its corners, the cosine of its largest angle, its
