@@ -139,8 +139,8 @@ class Counted {
     explicit Counted(const Inside* is_inside) : is_inside_(is_inside) {}
 
     bool all() const { return is_inside_ == nullptr; }
-    /// Whether no point within a reach of another one counts, as far as is known. Below 0 it is of points that may
-    /// count if they are as near as that to the surface.
+    /// Whether all points within a reach (mm) of another one are known to be inside. A reach that is less by some mm
+    /// lets points be outside that are at most as far from the surface as that.
     bool leaves_out(const Vec3& p, double reach) const { return (p - centre_).norm() + reach < radius_; }
     bool has(const Vec3& p) const { return all() || !(*is_inside_)(p); }
     /// Whether a point counts. Where the surface is nearest amid a triangle, the side of that tells.

@@ -59,8 +59,7 @@ std::vector<std::int32_t> triangles_beyond(const std::vector<Corners>& triangles
 
 /// A bound for the distances from `result` of the points of some triangles that may lie on the exact offset: those at
 /// least `least` (mm) in front of a surface that come no nearer to other triangles of it when they are moved by `gap`
-/// (mm)
-/// along the triangle's normal. Distances below `enough` (mm) are raised to `enough`.
+/// (mm) along the triangle's normal. Distances below `enough` (mm) are raised to `enough`.
 ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                      double least, double gap, const SearchedSurface& result, double enough,
                                      const Progress& progress);
