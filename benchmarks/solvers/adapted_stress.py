@@ -16,13 +16,15 @@ import inside_freecad
 
 TARGET = 0.01
 EDGES = {"plate": (12, 6, 4, 3), "shaft": (12, 8, 5.5, 4)}  # mm, of uniform meshes
-FINE = 0.4, 0.3  # mm where the stress is largest, and the growth of sizes with the distance from there, of the mesh for the exact stress
+GROWTH = 0.3  # of sizes with the distance from where the stress is largest, of the mesh for the exact stress
 
 
 def parser():
     result = inside_freecad.command_line(__doc__)
     result.add_argument("--only", default="")
     result.add_argument("--most", type=int, default=60_000, help="unknowns of adapted meshes; 0: uniform meshes alone")
+    result.add_argument("--target", type=float, default=0.002, help="of the error in the norm of energy")
+    result.add_argument("--fine", type=float, nargs="+", default=[0.4], help="mm where the stress is largest, of meshes for the exact stress: the last counts")
     result.add_argument("--edges", type=float, nargs="+", help="mm, of uniform meshes, in place of those in EDGES")
     return result
 
@@ -86,10 +88,11 @@ def work(arguments):
         for edge in arguments.edges or EDGES[name]:
             measured(mq.curve(solver.shape, order=2, volume=True, max_edge=edge), "uniform")
         if arguments.most:
-            mq.adapt(lambda mesh: measured(mesh, "adapted"), solver.shape, target_error=0.002, max_unknowns=arguments.most, steps=6,
+            mq.adapt(lambda mesh: measured(mesh, "adapted"), solver.shape, target_error=arguments.target, max_unknowns=arguments.most, steps=6,
                      strains=True, max_edge=EDGES[name][0])
-        measured(mq.curve(solver.shape, order=2, volume=True, max_edge=EDGES[name][1],
-                          size_field=lambda points, name=name: FINE[0] + FINE[1] * away(name, points)), "exact")
+        for fine in arguments.fine:
+            measured(mq.curve(solver.shape, order=2, volume=True, max_edge=EDGES[name][1],
+                              size_field=lambda points, name=name, fine=fine: fine + GROWTH * away(name, points)), "exact")
         FreeCAD.closeDocument(document.Name)
     exact = {row["part"]: row["stress"] for row in rows if row["kind"] == "exact"}
     for row in rows:

@@ -19,6 +19,7 @@ from pathlib import Path
 
 sys.path += map(str, Path(__file__).resolve().parents[1].iterdir())
 import inside_freecad
+from triangle_angles import largest_angles
 
 LARGEST_FILE, MOST_TRIANGLES = 150_000, 12_000  # bytes and triangles of real parts
 SCREWS = "netgen_screw.step", "M6-1x12-countersunk-screw.step"  # the second one has a thread
@@ -71,16 +72,6 @@ def parts():
         "pipe": Part.makeCylinder(10, 60).cut(Part.makeCylinder(8, 60)),
         **{f"screw, {name}": Part.read(str(inside_freecad.data_folder() / "cad" / name)) for name in SCREWS},
     }
-
-
-def largest_angles(points, triangles):
-    """Degrees, by triangle."""
-    import numpy as np
-
-    sides = np.roll(points[triangles], -1, axis=1) - points[triangles]
-    lengths = np.linalg.norm(sides, axis=2)
-    cosines = -np.einsum("tij,tij->ti", sides, np.roll(sides, 1, axis=1)) / (lengths * np.roll(lengths, 1, axis=1))
-    return np.degrees(np.arccos(np.clip(cosines.min(axis=1), -1.0, 1.0)))
 
 
 def by_mmg(python, mesh, shape, relative):
