@@ -8,7 +8,7 @@ from ..meshes.surface_mesh import surface_of
 from .triangles import edge_keys
 
 _CROSSINGS = "crossing pair of triangles", "touching pair of triangles"
-_MOST = 20_000  # pairs that are looked at
+_MOST = 200_000  # pairs that are looked at; where there are more, all count
 _WIDER = 1.0, 2.0, 4.0  # radii about a triangle at fault, in its own, one round after the other; then its whole face
 
 
@@ -32,7 +32,7 @@ class Faults:
         where triangles of equal sides of the same two faces do not meet, and those of one body all, but are at fault only if there are more.
         """
         pairs = self._pairs((points, triangles))
-        if not len(pairs):
+        if not 0 < len(pairs) < _MOST:
             return pairs, pairs
         faces = np.sort(face[pairs], axis=1)
         one_body = np.array([bool(self._body[a] & self._body[b]) for a, b in faces.tolist()])
