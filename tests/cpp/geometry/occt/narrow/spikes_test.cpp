@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/parts.h"
@@ -104,13 +105,14 @@ TopoDS_Shell tapering(double length, double at_one, double at_zero) {
     return shell;
 }
 
-/// A triangle in the plane z = 0 between y = 0 and a curve from the origin to (10, 3). Beyond the curve lies a face in
-/// the plane, beyond y = 0 one that rises.
+/// A face in the plane z = 0 between y = 0, as far as x = 10, and a curve from the origin. Beyond the curve lies a face
+/// in the plane, beyond y = 0 one that rises.
 TopoDS_Shell with_curved_side(const Handle(Geom_Curve) & curve, double tolerance) {
     const TopoDS_Vertex tip = vertex(0.0, 0.0, 0.0);
     const TopoDS_Vertex low = vertex(10.0, 0.0, 0.0);
-    const TopoDS_Vertex high = vertex(10.0, 3.0, 0.0);
-    const TopoDS_Vertex top = vertex(0.0, 3.0, 0.0);
+    const gp_Pnt end = curve->Value(curve->LastParameter());
+    const TopoDS_Vertex high = vertex(end.X(), end.Y(), 0.0);
+    const TopoDS_Vertex top = vertex(end.X() - 10.0, end.Y(), 0.0);
     const TopoDS_Vertex risen = vertex(10.0, -1.0, 1.0);
     const TopoDS_Edge straight = line(tip, low);
     const TopoDS_Edge curved = BRepBuilderAPI_MakeEdge(curve, tip, high).Edge();
@@ -134,20 +136,38 @@ TopoDS_Shell crossing_beside_a_vertex(double tolerance) {
     return with_curved_side(new Geom_BezierCurve(poles), tolerance);
 }
 
+/// Straight pieces from corner to corner. @param knots  the parameters of the corners
+Handle(Geom_Curve) polyline(const std::vector<gp_Pnt>& corners, const std::vector<double>& knots) {
+    const int count = static_cast<int>(corners.size());
+    TColgp_Array1OfPnt poles(1, count);
+    TColStd_Array1OfReal parameters(1, count);
+    TColStd_Array1OfInteger multiplicities(1, count);
+    for (int i = 1; i <= count; ++i) {
+        poles(i) = corners[static_cast<std::size_t>(i - 1)];
+        parameters(i) = knots[static_cast<std::size_t>(i - 1)];
+        multiplicities(i) = i == 1 || i == count ? 2 : 1;
+    }
+    return new Geom_BSplineCurve(poles, parameters, multiplicities, 1);
+}
+
 /// The curve runs along y = 0 as far as x = 2, for a thousandth of its parameters, and turns off there.
 TopoDS_Shell turning_off_a_line() {
-    TColgp_Array1OfPnt poles(1, 3);
-    poles(1) = gp_Pnt(0.0, 0.0, 0.0);
-    poles(2) = gp_Pnt(2.0, 0.0, 0.0);
-    poles(3) = gp_Pnt(10.0, 3.0, 0.0);
-    TColStd_Array1OfReal knots(1, 3);
-    knots(1) = 0.0;
-    knots(2) = 1e-3;
-    knots(3) = 1.0;
-    TColStd_Array1OfInteger multiplicities(1, 3);
-    multiplicities.Init(2);
-    multiplicities(2) = 1;
-    return with_curved_side(new Geom_BSplineCurve(poles, knots, multiplicities, 1), 1e-7);
+    return with_curved_side(polyline({{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {10.0, 3.0, 0.0}}, {0.0, 1e-3, 1.0}), 1e-7);
+}
+
+/// The curve turns off y = 0 at x = 0.5 and goes to and fro: half of its length is more than its largest distance from
+/// the origin.
+TopoDS_Shell turning_off_to_and_fro() {
+    return with_curved_side(polyline({{0.0, 0.0, 0.0},
+                                      {0.5, 0.0, 0.0},
+                                      {1.0, 1.0, 0.0},
+                                      {0.2, 1.2, 0.0},
+                                      {1.0, 1.5, 0.0},
+                                      {0.2, 1.8, 0.0},
+                                      {1.0, 2.1, 0.0},
+                                      {0.0, 2.4, 0.0}},
+                                     {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0}),
+                            1e-7);
 }
 
 /// A detail of 0.005 mm.
@@ -265,11 +285,13 @@ TEST(Spikes, EdgesThatCrossBesideTheirVertexAreOneUpToTheirTolerance) {
 }
 
 TEST(Spikes, EdgesThatRunOutAndBackAlongALineAreOneUpToWhereOneTurnsOff) {
-    const auto model = make_shape_model(turning_off_a_line(), nullptr, Creases::Keep, finely());
-    const Topology& topology = model->topology();
-    ASSERT_EQ(topology.nodes.size(), 6U);
-    EXPECT_LT((topology.nodes.back().point - Vec3(2.0, 0.0, 0.0)).norm(), 1e-6);
-    EXPECT_EQ(topology.faces[0].loops.front().uses.size(), 3U);
+    for (const auto& [shell, turn] : {std::pair{turning_off_a_line(), 2.0}, std::pair{turning_off_to_and_fro(), 0.5}}) {
+        const auto model = make_shape_model(shell, nullptr, Creases::Keep, finely());
+        const Topology& topology = model->topology();
+        ASSERT_EQ(topology.nodes.size(), 6U) << turn;
+        EXPECT_LT((topology.nodes.back().point - Vec3(turn, 0.0, 0.0)).norm(), 1e-6);
+        EXPECT_EQ(topology.faces[0].loops.front().uses.size(), 3U) << turn;
+    }
 }
 
 TEST(Spikes, EdgesThatCrossByMoreThanTheirToleranceStay) {
